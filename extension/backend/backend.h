@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What a field needs from whatever simulates and draws it. Two implementations: gpu/gpu_backend.h
+// (Forward+, Mobile) and backend/cpu_backend.h (headless, Compatibility, and the oracle of the tests).
+#pragma once
+
+#include "core/clump.h"
+#include "core/lod.h"
+#include "core/patch.h"
+#include "core/step.h"
+#include "core/tile_grid.h"
+
+#include <Eigen/Core>
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+// What a backend is built for. A change of any of it means a new backend.
+struct FieldSetup {
+	TileGrid grid;
+	std::shared_ptr<const Patch> patch;
+	ClumpParams clump;
+	int pool_tiles = 0; // tiles that may be awake at once
+	uint32_t seed = 0;
+
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
+	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
+	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()); }
+	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()); }
+
+private:
+	// How far a clump's lean moves a tip, at most: the chord of the angle whose half has that tangent, on both axes.
+	float blade_lean() const { return 2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) * blade_length(); }
+};
+
+// From where, and how finely, the field is drawn in a frame. Field space, metres.
+struct FieldView {
+	std::array<Eigen::Vector4f, 6> planes; // of the camera's frustum, n.x <= d inside
+	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	LodParams lod;
+	float shadow_margin = 0.0f; // how far outside of the frustum a tile is still drawn, for its shadow
+	int debug_view = 0; // GrassField::DebugView
+};
+
+// What a backend did; counts since it was made, unless said otherwise.
+struct BackendStatistics {
+	int64_t steps = 0; // simulation dispatches (GPU) or passes over the awake tiles (CPU)
+	int64_t simulated_blades = 0; // blades stepped
+	int64_t uploaded_bytes = 0; // GPU: travelled to the device
+	int64_t culls = 0; // culling passes
+	std::array<int64_t, GRASS_LOD_LEVELS> drawn_tiles{}; // in the newest frame known (GPU: about two frames late)
+	double simulate_ms = 0.0, cull_ms = 0.0; // GPU timestamps, or CPU time; 0 until known
+};
+
+class Backend {
+public:
+	virtual ~Backend() = default;
+
+	// Simulates the awake tiles for one tick. p_input is read before the call returns.
+	virtual void step(const StepInput &p_input) = 0;
+	// Chooses what is drawn in this frame.
+	virtual void draw(const FieldView &p_view) = 0;
+	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
+	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
+	// Sets a uniform of the blade shader.
+	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
+
+	// Whether BackendStatistics' times are taken: it costs a little on the GPU.
+	virtual void set_measure_time(bool p_measure) = 0;
+
+	// Knots of a blade of an awake tile, blade space, metres: GRASS_KNOTS points. Waits for the GPU: for tests and tools.
+	virtual std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) = 0;
+	// Energy per slot as last reported, J/kg; empty while unknown. Holds until the next call.
+	virtual std::span<const float> read_energy() = 0;
+	virtual BackendStatistics get_statistics() = 0;
+	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
+	virtual const char *get_name() const = 0;
+};
+
+} // namespace grass

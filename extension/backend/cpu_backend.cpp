@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "backend/cpu_backend.h"
+
+#include "convert.h"
+#include "core/hash.h"
+#include "draw/blade_mesh.h"
+#include "draw/patch_texture.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/core/memory.hpp>
+
+#include <algorithm>
+#include <bit>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
+} // namespace
+
+CpuBackend::CpuBackend(const FieldSetup &p_setup) :
+		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_tiles), _parallel(memnew(Parallel)), _patch_texture(make_patch_texture(*p_setup.patch)) {
+	_materials.set("patch_knots", _patch_texture);
+	update_pool_texture();
+}
+
+CpuBackend::~CpuBackend() { memdelete(_parallel); }
+
+void CpuBackend::step(const StepInput &p_input) {
+	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	const int64_t blades_before = _pool.get_simulated_blades();
+	_pool.step(p_input, [this](int p_count, const std::function<void(int)> &p_body) { _parallel->run(p_count, p_body); });
+	for (const GrassSlot &slot : p_input.slots) {
+		if (slot.list.w & GRASS_SLOT_RETIRED) {
+			_slot_of_tile.erase(slot.tile.z);
+		} else {
+			_slot_of_tile[slot.tile.z] = slot.tile.w;
+			_changed_slots.push_back(slot.tile.w);
+			_highest_slot = std::max(_highest_slot, slot.tile.w);
+		}
+	}
+	_statistics.steps++;
+	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
+	if (_measure) {
+		_statistics.simulate_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
+	}
+}
+
+void CpuBackend::draw(const FieldView &p_view) {
+	if (!_levels[0].is_created()) {
+		return;
+	}
+	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	choose_tiles(p_view);
+	update_pool_texture();
+	_statistics.culls++;
+	if (_measure) {
+		_statistics.cull_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
+	}
+}
+
+void CpuBackend::choose_tiles(const FieldView &p_view) {
+	for (std::vector<float> &instances : _instances) {
+		instances.clear();
+	}
+	for (int z = 0; z < _setup.grid.get_tiles_z(); z++) {
+		for (int x = 0; x < _setup.grid.get_tiles_x(); x++) {
+			add_tile(p_view, x, z);
+		}
+	}
+	for (size_t level = 0; level < GRASS_LOD_LEVELS; level++) {
+		FieldInstance &instance = _levels[level];
+		const int count = std::min(int(_instances[level].size()) / GRASS_INSTANCE_FLOATS, instance.capacity());
+		PackedFloat32Array buffer;
+		buffer.resize(int64_t(instance.capacity()) * GRASS_INSTANCE_FLOATS);
+		std::copy_n(_instances[level].begin(), size_t(count) * GRASS_INSTANCE_FLOATS, buffer.ptrw());
+		instance.set_instances(buffer, count);
+		_statistics.drawn_tiles[level] = count;
+	}
+}
+
+// The CPU's twin of main() in shaders/compute/cull.glsl.
+void CpuBackend::add_tile(const FieldView &p_view, int p_x, int p_z) {
+	const TileGrid &grid = _setup.grid;
+	const Eigen::Vector3f centre = grid.get_centre(p_x, p_z).cast<float>();
+	const float side = 0.5f * float(grid.get_tile_size()) + _setup.blade_reach(), half_height = 0.5f * _setup.blade_height();
+	const Eigen::Vector3f middle = centre + Eigen::Vector3f(0.0f, half_height, 0.0f);
+	if (!grass_tile_visible(p_view.planes, middle, { side, half_height, side }, p_view.shadow_margin)) {
+		return;
+	}
+	const float distance = (p_view.eye - middle).norm();
+	const float blades = grass_lod_blades(distance, p_view.lod.near, p_view.lod.far);
+	const int level = grass_lod_level(blades, distance, p_view.lod.fine, p_view.lod.medium);
+	const auto found = _slot_of_tile.find(grid.get_index(p_x, p_z));
+	const int slot = found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
+	float tint = 0.0f;
+	if (p_view.debug_view == GRASS_DEBUG_AWAKE) {
+		tint = slot == GRASS_NO_SLOT ? 0.0f : 1.0f;
+	} else if (p_view.debug_view == GRASS_DEBUG_LOD) {
+		tint = 2.0f + float(level);
+	}
+	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
+	const float values[GRASS_INSTANCE_FLOATS] = {
+		1.0f, 0.0f, 0.0f, centre.x(), //
+		0.0f, 1.0f, 0.0f, centre.y(), //
+		0.0f, 0.0f, 1.0f, centre.z(), //
+		float(p_x), float(p_z), blades, tint, //
+		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(slot), grass_tile_hash(x, z, _setup.seed), 0.0f
+	};
+	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
+}
+
+void CpuBackend::update_pool_texture() {
+	const int rows = std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(_highest_slot + 1))));
+	const bool grown = rows > _pool_rows;
+	if (!grown && _changed_slots.empty()) {
+		return;
+	}
+	_pool_rows = std::max(rows, _pool_rows);
+	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
+	for (const int slot : _changed_slots) {
+		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
+	}
+	_changed_slots.clear();
+	const Ref<Image> image = Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
+	if (grown) {
+		_pool_texture = ImageTexture::create_from_image(image);
+		_materials.set("pool_knots", _pool_texture);
+	} else {
+		_pool_texture->update(image);
+	}
+}
+
+void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+		FieldInstance &instance = _levels[size_t(level)];
+		if (!instance.is_created()) {
+			Ref<ArrayMesh> mesh;
+			mesh.instantiate();
+			add_lod_surface(mesh, level, _materials.level(level));
+			instance.create(mesh, std::min(_setup.grid.get_tile_count(), GRASS_MAX_DRAWN_TILES), false, field_bounds(_setup));
+		}
+		instance.follow(p_node, p_transform);
+	}
+}
+
+int64_t CpuBackend::get_memory_usage() const {
+	const int64_t instances = int64_t(GRASS_LOD_LEVELS) * _levels[0].capacity() * GRASS_INSTANCE_FLOATS * 4;
+	return int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + int64_t(_pool_texels.size()) * 4 + instances;
+}
+
+} // namespace grass

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The backend without a RenderingDevice: simulates on the engine's worker threads, chooses the tiles to draw on
+// the CPU, and draws one MultiMesh per level of detail. Headless it simulates only: no frame is ever drawn.
+#pragma once
+
+#include "backend/backend.h"
+#include "backend/parallel.h"
+#include "core/simulate.h"
+#include "draw/blade_materials.h"
+#include "draw/field_instance.h"
+
+#include <godot_cpp/classes/image_texture.hpp>
+
+#include <unordered_map>
+
+namespace grass {
+
+class CpuBackend : public Backend {
+public:
+	explicit CpuBackend(const FieldSetup &p_setup);
+	~CpuBackend() override;
+
+	void step(const StepInput &p_input) override;
+	void draw(const FieldView &p_view) override;
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_measure_time(bool p_measure) override { _measure = p_measure; }
+
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override { return _pool.get_knots(p_slot, p_blade); }
+	std::span<const float> read_energy() override { return _pool.get_energy(); }
+	BackendStatistics get_statistics() override { return _statistics; }
+	int64_t get_memory_usage() const override;
+	const char *get_name() const override { return "CPU"; }
+
+private:
+	void choose_tiles(const FieldView &p_view);
+	void add_tile(const FieldView &p_view, int p_x, int p_z);
+	void update_pool_texture();
+
+	FieldSetup _setup;
+	CpuPool _pool;
+	Parallel *_parallel;
+	bool _measure = false;
+	BackendStatistics _statistics;
+	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
+
+	BladeMaterials _materials;
+	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture;
+	int _pool_rows = 0; // of the pool texture; grows with the highest slot in use
+	std::vector<int> _changed_slots; // rows of the texture to write before the next frame
+	int _highest_slot = -1;
+	std::vector<uint16_t> _pool_texels;
+	std::array<FieldInstance, GRASS_LOD_LEVELS> _levels;
+	std::array<std::vector<float>, GRASS_LOD_LEVELS> _instances;
+};
+
+} // namespace grass

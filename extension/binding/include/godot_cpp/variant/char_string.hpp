@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Zero-terminated text in one of the encodings of C.
+#pragma once
+
+#include <godot_cpp/core/defs.hpp>
+
+#include <string>
+
+namespace godot {
+
+template <typename T>
+class CharStringT {
+public:
+	CharStringT() = default;
+	explicit CharStringT(std::basic_string<T> p_text) :
+			_text(std::move(p_text)) {}
+
+	const T *get_data() const { return _text.c_str(); }
+	const T *ptr() const { return _text.c_str(); }
+	T *ptrw() { return _text.data(); }
+	int64_t length() const { return static_cast<int64_t>(_text.size()); }
+	int64_t size() const { return _text.empty() ? 0 : length() + 1; } // with the terminating zero
+	const T &operator[](int64_t p_index) const { return _text.c_str()[p_index]; }
+	bool operator==(const CharStringT &p_other) const { return _text == p_other._text; }
+
+private:
+	std::basic_string<T> _text;
+};
+
+using CharString = CharStringT<char>;
+using Char16String = CharStringT<char16_t>;
+using Char32String = CharStringT<char32_t>;
+
+} // namespace godot

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Unicode text, shared until changed.
+#pragma once
+
+#include <godot_cpp/classes/global_constants.hpp>
+#include <godot_cpp/core/builtin_call.hpp>
+#include <godot_cpp/variant/char_string.hpp>
+#include <godot_cpp/variant/forward.hpp>
+
+namespace godot {
+
+class String : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_STRING, 1> {
+public:
+	String() = default;
+	String(const StringName &p_from);
+	String(const NodePath &p_from);
+	// C text: char is Latin-1, as in the engine; use utf8() for more.
+	String(const char *p_text);
+	String(const wchar_t *p_text);
+	String(const char16_t *p_text);
+	String(const char32_t *p_text);
+
+	static String utf8(const char *p_text, int64_t p_length = -1);
+	static String utf16(const char16_t *p_text, int64_t p_length = -1);
+	Error parse_utf8(const char *p_text, int64_t p_length = -1);
+	CharString utf8() const;
+	CharString ascii() const;
+	Char16String utf16() const;
+	Char32String utf32() const;
+	static String num_real(double p_number, bool p_trailing = true);
+
+	const char32_t *ptr() const;
+	char32_t *ptrw();
+	const char32_t &operator[](int64_t p_index) const;
+	char32_t &operator[](int64_t p_index);
+	Error resize(int64_t p_size);
+
+	bool operator==(const StringName &p_other) const;
+	bool operator!=(const StringName &p_other) const;
+	bool operator==(const char *p_other) const { return *this == String(p_other); }
+	bool operator!=(const char *p_other) const { return !(*this == p_other); }
+	String operator+(const char *p_other) const { return *this + String(p_other); }
+	String operator+(const StringName &p_other) const;
+	String operator+(char32_t p_other) const;
+	String &operator+=(const String &p_other);
+	String &operator+=(const char *p_other);
+	String &operator+=(char32_t p_other);
+	// Fills %s, %d and so on from a value, or from the values of an Array.
+	String operator%(const Variant &p_values) const;
+
+#include <godot_cpp/variant/gen/string.inc>
+};
+
+inline String operator+(const char *p_a, const String &p_b) {
+	return String(p_a) + p_b;
+}
+inline bool operator==(const char *p_a, const String &p_b) {
+	return p_b == p_a;
+}
+
+String itos(int64_t p_value);
+String uitos(uint64_t p_value);
+String rtos(double p_value);
+String rtoss(double p_value);
+
+} // namespace godot

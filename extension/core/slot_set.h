@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A set of slots of the pool, one bit each: lowest first, in time that does not grow with how many are in it.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace grass {
+
+class SlotSet {
+public:
+	static constexpr int NONE = -1;
+
+	// Slots 0 .. p_size - 1, all in the set or none.
+	void reset(int p_size, bool p_full) {
+		_words.assign(size_t(p_size + 63) / 64, p_full ? ~uint64_t(0) : 0);
+		if (p_full && p_size % 64 != 0) {
+			_words.back() = (uint64_t(1) << (p_size % 64)) - 1;
+		}
+		_first = 0;
+	}
+
+	void insert(int p_slot) {
+		_words[size_t(p_slot) / 64] |= uint64_t(1) << (p_slot % 64);
+		_first = size_t(p_slot) / 64 < _first ? size_t(p_slot) / 64 : _first;
+	}
+
+	void erase(int p_slot) { _words[size_t(p_slot) / 64] &= ~(uint64_t(1) << (p_slot % 64)); }
+
+	// The lowest slot at or above p_from, or NONE.
+	int find(int p_from) const {
+		size_t word = size_t(p_from) / 64;
+		word = word < _first ? _first : word;
+		if (word >= _words.size()) {
+			return NONE;
+		}
+		uint64_t bits = _words[word];
+		if (word == size_t(p_from) / 64) {
+			bits &= ~uint64_t(0) << (p_from % 64);
+		}
+		while (bits == 0) {
+			if (++word == _words.size()) {
+				return NONE;
+			}
+			bits = _words[word];
+		}
+		return int(word * 64) + std::countr_zero(bits);
+	}
+
+	// Takes the lowest slot out of the set, or returns NONE.
+	int take_lowest() {
+		const int slot = find(0);
+		_first = slot == NONE ? _words.size() : size_t(slot) / 64;
+		if (slot != NONE) {
+			erase(slot);
+		}
+		return slot;
+	}
+
+	size_t get_memory_usage() const { return _words.capacity() * sizeof(uint64_t); } // Bytes.
+
+private:
+	std::vector<uint64_t> _words;
+	size_t _first = 0; // No word below this one holds a slot.
+};
+
+} // namespace grass

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "core/solver_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace grass {
+
+namespace {
+
+// A damped oscillator without load: x'' = -w^2 x - 2 a x'.
+struct Oscillator {
+	double w, a; // 1/s
+
+	// exp(-a t) times what the position at 0 (cosine) and the speed at 0 (sine) give to the position at t.
+	double cosine(double p_t) const {
+		const double q = w * w - a * a;
+		return q >= 0.0 ? std::cos(std::sqrt(q) * p_t) : std::cosh(std::sqrt(-q) * p_t);
+	}
+	double sine(double p_t) const {
+		const double q = w * w - a * a;
+		if (std::abs(q) * p_t * p_t < 1e-12) {
+			return p_t;
+		}
+		return q >= 0.0 ? std::sin(std::sqrt(q) * p_t) / std::sqrt(q) : std::sinh(std::sqrt(-q) * p_t) / std::sqrt(-q);
+	}
+};
+
+// [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
+struct TwoStep {
+	double keep, pull;
+};
+
+TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
+	// Beyond a quarter of a swing two places no longer tell a speed.
+	const double ratio = p_swing.sine(p_h) / p_swing.sine(p_g);
+	const double keep = std::exp(-p_swing.a * (p_h + p_g)) * ratio;
+	const double stay = std::exp(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
+	return { keep, 1.0 + keep - stay };
+}
+
+double or_zero(double p_value) { return std::isfinite(p_value) ? p_value : 0.0; }
+
+} // namespace
+
+SolverParams SolverParams::sanitised() const {
+	SolverParams params;
+	params.stiffness = STIFFNESS.clamp(stiffness);
+	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
+	params.damping = DAMPING.clamp(damping);
+	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
+	params.friction = FRICTION.clamp(friction);
+	params.max_speed = MAX_SPEED.clamp(max_speed);
+	params.iterations = int(ITERATIONS.clamp(iterations));
+	for (int i = 0; i < 3; i++) {
+		params.load[i] = or_zero(load[i]);
+	}
+	return params;
+}
+
+GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
+	const SolverParams params = p_params.sanitised();
+	GrassStep step;
+	if (!(p_delta > 0.0) || !std::isfinite(p_delta)) {
+		return step;
+	}
+	constexpr double TURN = 2.0 * std::numbers::pi;
+	const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
+	const double g = _delta_before > 0.0 ? _delta_before : h;
+	_delta_before = h;
+
+	const Oscillator tip{ TURN * params.stiffness, params.damping };
+	const Oscillator root{ TURN * params.stiffness * params.root_stiffness, params.damping };
+	const TwoStep at_tip = two_step(tip, h, g);
+	const TwoStep at_root = two_step(root, h, h);
+	step.motion.x = float(at_tip.keep);
+	step.motion.y = float(at_tip.pull);
+	step.motion.z = float(std::max(at_root.pull - two_step(tip, h, h).pull, 0.0));
+	// [Eq 9] One minus the share that is left after all iterations, by iteration.
+	const double bend = TURN * params.bend_stiffness * h;
+	step.motion.w = float(-std::expm1(-bend * bend / params.iterations));
+
+	const double weight = at_tip.pull / (tip.w * tip.w);
+	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight), float(params.max_speed * g) };
+	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), 0.0f };
+	step.energy = { float(1.0 / (h * h)), float(tip.w * tip.w), float(root.w * root.w - tip.w * tip.w), 0.0f };
+	return step;
+}
+
+} // namespace grass

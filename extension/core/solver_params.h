@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a user sets of the solver, in physical units, and how a step's coefficients follow from it, the time step and
+// the number of iterations. docs/solver.md, [Eq 8] and [Eq 9].
+#pragma once
+
+#include "core/layout.h"
+#include "core/tunable.h"
+
+namespace grass {
+
+// Swings per second of a bent blade's tip without damping. Below 0.2 grass stays down for seconds, above 4 it snaps back.
+inline constexpr Tunable STIFFNESS{ "stiffness", "Hz", 0.1, 4.0, 0.05, 0.9 };
+// The same at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
+inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1.6 };
+// Rate at which a swing dies down. Below 1 grass nods for seconds, above 15 it creeps.
+inline constexpr Tunable DAMPING{ "damping", "1/s", 0.0, 30.0, 0.1, 4.0 };
+// Swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
+inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
+// Factor on the friction of bodies. 0: blades slide freely.
+inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
+// Rounds of local shape and contact in one step. The paper found two or three enough; 1 lets knots rest on each other's contacts.
+inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 3.0 };
+// Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
+inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
+
+struct SolverParams {
+	double stiffness = STIFFNESS.initial; // Hz
+	double root_stiffness = ROOT_STIFFNESS.initial;
+	double damping = DAMPING.initial; // 1/s
+	double bend_stiffness = BEND_STIFFNESS.initial; // Hz
+	double friction = FRICTION.initial;
+	double max_speed = MAX_SPEED.initial; // blade lengths per second
+	int iterations = int(ITERATIONS.initial);
+	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, on top of the gravity that the rest pose carries already
+
+	// The same within the tunables' ranges; what is not a number becomes the default.
+	SolverParams sanitised() const;
+};
+
+// Longer steps (a frame that took half a second) are taken as this one: seconds.
+inline constexpr double MAX_STEP = 0.1;
+// Gap between a free knot and the ground, segment lengths.
+inline constexpr double GROUND_GAP = 0.02;
+
+// Turns parameters and the seconds that passed into a step's coefficients. Remembers the step before, since Verlet's
+// displacement was made in that time. `field` and `clump` of the result are left to the caller.
+class StepClock {
+public:
+	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
+	GrassStep advance(const SolverParams &p_params, double p_delta);
+	void reset() { _delta_before = 0.0; }
+
+private:
+	double _delta_before = 0.0; // seconds; 0: there was none
+};
+
+} // namespace grass

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What one simulation step reads, the same for the GPU and the CPU backend.
+#pragma once
+
+#include "core/layout.h"
+
+#include <Eigen/Core>
+
+#include <span>
+
+namespace grass {
+
+// Views only: the arrays belong to TileManager and hold until its next update().
+struct StepInput {
+	std::span<const GrassSlot> slots; // Retired tiles first, then live ones by rising slot.
+	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
+	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
+	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
+	GrassStep step; // The solver's parameters for this step.
+};
+
+} // namespace grass

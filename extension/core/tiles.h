@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps and the preallocated pool
+// of section 5.2. Sees objects and awake tiles only, never the field's other tiles.
+#pragma once
+
+#include "core/body_shape.h"
+#include "core/slot_set.h"
+#include "core/tile_map.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+struct TileParams {
+	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
+
+	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
+	double sleep_delay = 2.0; // Seconds from the last touch to settling; usual 1 to 5. Shorter: blades still swing.
+	double settle_time = 0.5; // Seconds on the way back to rest; usual 0.2 to 1. 0: one step, seen as a jerk.
+	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
+	double height = 1.0; // Metres to the highest tip. Too small: bodies pass through tips.
+	uint32_t seed = 0; // Of the tiles' starts in the patch.
+
+	// The same within limits; NaN becomes the default.
+	TileParams sanitised() const;
+};
+
+// now: after the last update. The rest counts since the last reset.
+struct TileStatistics {
+	int awake = 0; // now: touched, or within the sleep delay
+	int settling = 0; // now: on the way back to rest
+	int colliders = 0; // now: that touch an awake tile
+	int list_entries = 0; // now: sum over the tiles of their objects
+	int high_water = 0; // most slots ever in use at once
+	uint64_t woken = 0; // tiles that got a slot
+	uint64_t slept = 0; // tiles that came to rest and gave it back
+	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
+	uint64_t refused = 0; // wishes for a slot, one a tile and step, that the full pool could not grant
+	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
+	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
+};
+
+class TileManager {
+public:
+	TileManager() { reset(); }
+
+	// A new grid, another pool size or another seed puts every tile to rest at once, as reset() does.
+	void set_grid(const TileGrid &p_grid);
+	void set_params(const TileParams &p_params);
+	const TileGrid &get_grid() const { return _grid; }
+	const TileParams &get_params() const { return _params; }
+
+	// Forgets all awake tiles and counts, without records: the backend empties its tile table too.
+	void reset();
+
+	// One step of p_delta seconds (not finite or negative: 0). Mends p_colliders, see ColliderShape::sanitise(). The
+	// same calls make the same records, bit for bit. What the getters below return holds until the next call.
+	void update(double p_delta, std::span<ColliderShape> p_colliders);
+
+	// Retired tiles first, then the live ones by rising slot. A slot can be in both parts: given away at once.
+	std::span<const GrassSlot> get_slots() const { return _records; }
+	std::span<const GrassCollider> get_colliders() const { return _colliders; }
+	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
+	std::span<const Eigen::Vector4f> get_planes() const { return _planes; }
+	const TileStatistics &get_statistics() const { return _statistics; }
+
+	// Never more entries than this in get_collider_list(), for buffers made once.
+	int get_list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * _params.pool_size); }
+
+	// What the tile's blades still move by, from the backend, late as it may be: unit of the backend's choice, 0 is rest.
+	// Ignored if the slot is another tile's by now, or p_energy is not finite. Decides who gives way in a full pool.
+	void report_energy(int p_slot, int p_tile, float p_energy);
+
+	int get_slot_of(int p_tile) const { return _slot_of_tile.find(p_tile); } // GRASS_NO_SLOT if it has none.
+	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
+	bool is_awake(int p_tile) const; // Simulated and not settling.
+	size_t get_memory_usage() const; // Bytes; does not depend on the field's size.
+
+private:
+	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).
+	static constexpr int MIN_LIST_CAPACITY = 4096;
+	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
+
+	// An awake tile.
+	struct Awake {
+		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
+		uint32_t start = 0; // first blade in the patch
+		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
+		double settle_left = 0.0; // seconds to rest, while settling
+		float energy = NO_ENERGY;
+		float blend = 0.0f; // of this step's record; 1: at rest after it
+		bool is_fresh = false, is_touched = false, is_settling = false;
+		uint32_t list_begin = 0, list_count = 0;
+	};
+
+	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
+	struct Touch {
+		int slot; // ~place while the tile has none
+		uint32_t collider;
+	};
+
+	void begin_step();
+	void find_touched_tiles(std::span<ColliderShape> p_colliders);
+	TileRange find_range(const ColliderShape &p_collider) const;
+	void touch(int p_tile, uint32_t p_collider);
+
+	void activate_tiles();
+	void activate(int p_slot, int p_tile);
+	int take_calmest_slot();
+	bool is_calmer(int p_slot, int p_other) const;
+
+	void deactivate_tiles(double p_delta);
+	bool should_settle(const Awake &p_awake) const;
+	void settle(Awake &r_awake, double p_delta);
+	void retire(int p_slot);
+
+	void write_lists(std::span<const ColliderShape> p_colliders);
+	void pack_collider(const ColliderShape &p_collider);
+	void write_records();
+
+	TileGrid _grid;
+	TileParams _params;
+	double _time = 0.0; // seconds since reset
+
+	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
+	std::vector<Awake> _awake;
+	SlotSet _free, _used;
+	TileMap _slot_of_tile;
+
+	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
+	std::vector<TileRange> _ranges;
+	std::vector<Touch> _touches;
+	std::vector<int> _to_activate, _given_slots;
+	TileMap _place_of_tile;
+	std::vector<int> _yielding; // slots that may give way: a heap, calmest on top
+	bool _yielding_known = false;
+
+	std::vector<GrassSlot> _records;
+	std::vector<GrassCollider> _colliders;
+	std::vector<uint32_t> _collider_list;
+	std::vector<Eigen::Vector4f> _planes;
+	TileStatistics _statistics;
+};
+
+} // namespace grass

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "core/wind.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+float smoothstep(float p_from, float p_to, float p_value) {
+	const float t = std::clamp((p_value - p_from) / (p_to - p_from), 0.0f, 1.0f);
+	return t * t * (3.0f - 2.0f * t);
+}
+
+} // namespace
+
+float gust_at(const Eigen::Vector2f &p_place, float p_time, const WindParams &p_wind) {
+	const float speed = p_wind.velocity.norm();
+	const Eigen::Vector2f ahead = p_wind.velocity / speed;
+	const Eigen::Vector2f aside(-ahead.y(), ahead.x());
+	Eigen::Vector2f rolled = Eigen::Vector2f(p_place.dot(ahead) - speed * p_time, 0.4f * p_place.dot(aside)) / p_wind.gust_size;
+	rolled.x() += 0.35f * std::sin(2.1f * rolled.y() + 0.4f * rolled.x());
+	const Eigen::Array4f noise = 0.65f * value_noise(rolled * 2.0f) + 0.35f * value_noise(rolled * 4.6f + Eigen::Vector2f(3.7f, 8.1f));
+	return smoothstep(0.38f, 0.68f, noise[0]);
+}
+
+Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, float p_time, const WindParams &p_wind) {
+	Wind here;
+	const float speed = p_wind.velocity.norm();
+	if (!(speed > 0.0f)) {
+		return here;
+	}
+	here.gust = gust_at(p_place, p_time, p_wind);
+	const float local = speed * (1.0f + p_wind.gust_strength * (1.6f * here.gust - 0.6f)) * (0.8f + 0.4f * p_random[0]);
+	const float half = float(GRASS_WIND_HALF);
+	const float push = float(GRASS_WIND_MOST) * local * local / (local * local + half * half);
+
+	const Eigen::Vector2f ahead = p_wind.velocity / speed;
+	const Eigen::Vector2f aside(-ahead.y(), ahead.x());
+	const float phase = 3.0f * p_random[1] + 0.9f * p_place.dot(ahead) - 0.7f * p_along;
+	const float with = 0.5f * std::sin(5.1f * p_time + phase) + 0.3f * std::sin(8.9f * p_time + 1.7f * phase) + 0.2f * std::sin(14.3f * p_time + 2.3f * phase);
+	const float across = 0.6f * std::sin(4.3f * p_time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * p_time + 2.9f * phase);
+	here.tilt = p_along * push * ((1.0f + 0.3f * with) * ahead + (0.25f * across + 0.4f * (p_random[3] - 0.5f)) * aside);
+	return here;
+}
+
+Eigen::Vector3f wind_point(const Eigen::Vector3f &p_point, const Eigen::Vector3f &p_reach, const Eigen::Vector2f &p_tilt) {
+	const Eigen::Vector3f bow = 0.57735027f * (p_point - p_reach);
+	Eigen::Vector3f bent = p_point + 0.5f * (tilt_change(p_point + bow, 0.21132487f * p_tilt) + tilt_change(p_point - bow, 0.78867513f * p_tilt));
+	bent.y() = std::max(bent.y(), std::min(p_point.y(), 0.01f));
+	return bent;
+}
+
+float wind_hold(const Eigen::Vector3f &p_point, const Eigen::Vector3f &p_reach) {
+	return smoothstep(0.0f, 0.35f, p_point.y() / std::max(p_reach.norm(), 1e-6f));
+}
+
+} // namespace grass

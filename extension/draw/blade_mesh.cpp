@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "draw/blade_mesh.h"
+
+#include "core/layout.h"
+
+#include <godot_cpp/variant/packed_int32_array.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+constexpr int BLADES[GRASS_LOD_LEVELS] = GRASS_LOD_BLADES;
+constexpr int SEGMENTS[GRASS_LOD_LEVELS] = GRASS_LOD_SEGMENTS;
+} // namespace
+
+int lod_blades(int p_level) { return BLADES[p_level]; }
+int lod_segments(int p_level) { return SEGMENTS[p_level]; }
+int lod_triangles_per_blade(int p_level) { return 2 * SEGMENTS[p_level] - 1; }
+
+void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material) {
+	const int segments = SEGMENTS[p_level];
+	PackedInt32Array indices;
+	indices.resize(int64_t(BLADES[p_level]) * lod_triangles_per_blade(p_level) * 3);
+	int32_t *next = indices.ptrw();
+	for (int blade = 0; blade < BLADES[p_level]; blade++) {
+		const int first = blade * 2 * (segments + 1);
+		for (int row = 0; row < segments; row++) {
+			const int left = first + 2 * row, right = left + 1;
+			*next++ = left;
+			*next++ = left + 2;
+			*next++ = right;
+			if (row + 1 < segments) { // the tip row's two sides meet: no second triangle
+				*next++ = right;
+				*next++ = left + 2;
+				*next++ = right + 2;
+			}
+		}
+	}
+	Array arrays;
+	arrays.resize(Mesh::ARRAY_MAX);
+	arrays[Mesh::ARRAY_INDEX] = indices;
+	p_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), Mesh::ARRAY_FLAG_USES_EMPTY_VERTEX_ARRAY);
+	p_mesh->surface_set_material(p_mesh->get_surface_count() - 1, p_material);
+}
+
+} // namespace grass

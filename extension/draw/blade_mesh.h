@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The mesh of a tile at each level of detail: indices only. The blade shader finds blade, row and side in
+// VERTEX_ID (contract in shaders/render/blade.gdshader), so the mesh holds no vertex data.
+#pragma once
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/material.hpp>
+
+namespace grass {
+
+int lod_blades(int p_level); // blades in the level's mesh
+int lod_segments(int p_level); // segments a blade
+int lod_triangles_per_blade(int p_level); // quads, and one triangle at the tip
+
+// Adds the level's mesh as one more surface of p_mesh. p_custom_aabb covers all tiles of an instance.
+void add_lod_surface(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_level, const godot::Ref<godot::Material> &p_material);
+
+} // namespace grass

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// One MultiMesh in the renderer's scene: what is drawn of a field (GPU backend) or of one of its levels of
+// detail (CPU backend).
+#pragma once
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+namespace grass {
+
+// Floats of one instance in a MultiMesh's buffer: 12 of the transform, COLOR, INSTANCE_CUSTOM.
+inline constexpr int INSTANCE_FLOATS = 20;
+
+class FieldInstance {
+public:
+	FieldInstance() = default;
+	FieldInstance(const FieldInstance &) = delete;
+	FieldInstance &operator=(const FieldInstance &) = delete;
+	~FieldInstance() { free(); }
+
+	// p_indirect: counts are written by a compute pass into the MultiMesh's command buffer.
+	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds);
+	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
+	void free();
+
+	godot::RID multimesh() const { return _multimesh; }
+	int capacity() const { return _capacity; }
+	bool is_created() const { return _multimesh.is_valid(); }
+
+private:
+	godot::Ref<godot::ArrayMesh> _mesh;
+	godot::RID _multimesh, _instance;
+	int _capacity = 0;
+	bool _indirect = false;
+};
+
+} // namespace grass

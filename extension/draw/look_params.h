@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Numbers and colours that go to the blade shader as they are: the property's name is the uniform's
+// (shaders/render/blade.gdshader says what each does).
+#pragma once
+
+#include "core/tunable.h"
+
+#include <array>
+
+namespace grass {
+
+// A colour in sRGB.
+struct NamedColor {
+	const char *name;
+	float red, green, blue;
+};
+
+inline constexpr std::array FIELD_COLORS = {
+	NamedColor{ "root_color", 0.10f, 0.18f, 0.045f },
+	NamedColor{ "tip_color", 0.42f, 0.56f, 0.16f },
+	NamedColor{ "dry_color", 0.66f, 0.60f, 0.34f },
+};
+
+// Share of dryness in tips and light clumps.
+inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
+// How dark the ground between dense blades is. Low on sparse lawns.
+inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.85 };
+// Share of the light on one face that comes out of the other.
+inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.5 };
+// Strength and Phong exponent of the highlight.
+inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.25 };
+inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };
+// 0: a thinned tile's blades keep their width; 1: they cover as much as all would.
+inline constexpr Tunable THIN_WIDENING{ "thin_widening", "", 0.0, 1.0, 0.01, 0.75 };
+// No blade is drawn narrower at its root than this. 0: far grass flickers; above 2: it looks coarse.
+inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
+
+} // namespace grass

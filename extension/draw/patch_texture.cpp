@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "draw/patch_texture.h"
+
+#include "convert.h"
+
+#include <godot_cpp/classes/image.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
+	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
+}
+
+AABB field_bounds(const FieldSetup &p_setup) {
+	const double reach = p_setup.blade_length(); // a blade blown or pressed flat
+	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + reach), 0, real_t(0.5 * p_setup.grid.get_size_z() + reach));
+	return AABB(-half, 2.0 * half + Vector3(0, real_t(reach), 0));
+}
+
+} // namespace grass

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What both backends draw from: the patch as a texture, and how far a field's blades reach.
+#pragma once
+
+#include "backend/backend.h"
+
+#include <godot_cpp/classes/image_texture.hpp>
+
+namespace grass {
+
+// RGBA16F, Patch::WIDTH x Patch::HEIGHT, without mipmaps.
+godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
+
+// Box around all blades of the field at rest and in wind, field space, metres.
+godot::AABB field_bounds(const FieldSetup &p_setup);
+
+} // namespace grass

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/device.h"
+
+#include <godot_cpp/classes/rd_shader_spirv.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+using namespace godot;
+
+namespace grass {
+
+RenderingDevice *main_device() { return RenderingServer::get_singleton()->get_rendering_device(); }
+
+void GpuBuffer::allocate(int64_t p_bytes, uint32_t p_fill) {
+	free();
+	_size = std::max<int64_t>(p_bytes, 16);
+	PackedByteArray data;
+	if (p_fill != 0) { // a new buffer's bytes are undefined; buffer_clear writes zeros only
+		data.resize(_size);
+		data.fill(uint8_t(p_fill));
+	}
+	RenderingDevice *device = main_device();
+	_rid = device->storage_buffer_create(uint32_t(_size), data);
+	if (p_fill == 0) {
+		device->buffer_clear(_rid, 0, uint32_t(_size));
+	}
+}
+
+int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {
+	if (_rid.is_valid() && p_bytes == 0) {
+		return 0;
+	}
+	if (!_rid.is_valid() || p_bytes > _size) {
+		allocate(int64_t(std::bit_ceil(uint64_t(std::max<int64_t>(p_bytes, 256)))));
+	}
+	if (p_bytes == 0 || (p_bytes == _uploaded.size() && std::memcmp(_uploaded.ptr(), p_data, size_t(p_bytes)) == 0)) {
+		return 0;
+	}
+	_uploaded.resize(p_bytes);
+	std::memcpy(_uploaded.ptrw(), p_data, size_t(p_bytes));
+	main_device()->buffer_update(_rid, 0, uint32_t(p_bytes), _uploaded);
+	return p_bytes;
+}
+
+void GpuBuffer::free() {
+	if (_rid.is_valid()) {
+		main_device()->free_rid(_rid);
+	}
+	_rid = RID();
+	_size = 0;
+	_uploaded = PackedByteArray();
+}
+
+void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name) {
+	free();
+	PackedByteArray code;
+	code.resize(int64_t(p_spirv.size_bytes()));
+	std::memcpy(code.ptrw(), p_spirv.data(), p_spirv.size_bytes());
+	Ref<RDShaderSPIRV> spirv;
+	spirv.instantiate();
+	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
+	RenderingDevice *device = main_device();
+	_shader = device->shader_create_from_spirv(spirv, p_name);
+	ERR_FAIL_COND_MSG(!_shader.is_valid(), vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
+	_pipeline = device->compute_pipeline_create(_shader);
+}
+
+void GpuPass::bind(int p_binding, const Binding &p_to) {
+	if (p_binding >= int(_bindings.size())) {
+		_bindings.resize(size_t(p_binding) + 1, Binding{ -1, RID(), RID() });
+	}
+	if (_bindings[size_t(p_binding)] != p_to) {
+		_bindings[size_t(p_binding)] = p_to;
+		_changed = true;
+	}
+}
+
+void GpuPass::bind_buffer(int p_binding, const RID &p_buffer) {
+	bind(p_binding, { RenderingDevice::UNIFORM_TYPE_STORAGE_BUFFER, p_buffer, RID() });
+}
+
+void GpuPass::bind_image(int p_binding, const RID &p_texture) {
+	bind(p_binding, { RenderingDevice::UNIFORM_TYPE_IMAGE, p_texture, RID() });
+}
+
+void GpuPass::bind_sampled(int p_binding, const RID &p_sampler, const RID &p_texture) {
+	bind(p_binding, { RenderingDevice::UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, p_sampler, p_texture });
+}
+
+bool GpuPass::refresh_set() {
+	RenderingDevice *device = main_device();
+	if (!_changed && device->uniform_set_is_valid(_set)) {
+		return true;
+	}
+	if (_set.is_valid() && device->uniform_set_is_valid(_set)) {
+		device->free_rid(_set);
+	}
+	TypedArray<Ref<RDUniform>> uniforms;
+	for (size_t i = 0; i < _bindings.size(); i++) {
+		if (_bindings[i].type < 0) {
+			continue;
+		}
+		Ref<RDUniform> uniform;
+		uniform.instantiate();
+		uniform->set_uniform_type(RenderingDevice::UniformType(_bindings[i].type));
+		uniform->set_binding(int(i));
+		uniform->add_id(_bindings[i].first);
+		if (_bindings[i].second.is_valid()) {
+			uniform->add_id(_bindings[i].second);
+		}
+		uniforms.push_back(uniform);
+	}
+	_set = device->uniform_set_create(uniforms, _shader, 0);
+	_changed = false;
+	return _set.is_valid();
+}
+
+void GpuPass::dispatch(int64_t p_list, const PackedByteArray &p_constants, uint32_t p_groups) {
+	if (!is_ready() || p_groups == 0 || !refresh_set()) {
+		return;
+	}
+	RenderingDevice *device = main_device();
+	device->compute_list_bind_compute_pipeline(p_list, _pipeline);
+	device->compute_list_bind_uniform_set(p_list, _set, 0);
+	if (!p_constants.is_empty()) {
+		device->compute_list_set_push_constant(p_list, p_constants, uint32_t(p_constants.size()));
+	}
+	device->compute_list_dispatch(p_list, p_groups, 1, 1);
+}
+
+void GpuPass::free() {
+	RenderingDevice *device = main_device();
+	if (device == nullptr) {
+		return;
+	}
+	if (_set.is_valid() && device->uniform_set_is_valid(_set)) {
+		device->free_rid(_set);
+	}
+	if (_shader.is_valid()) { // takes the pipeline with it
+		device->free_rid(_shader);
+	}
+	_set = _shader = _pipeline = RID();
+	_bindings.clear();
+	_changed = true;
+}
+
+} // namespace grass

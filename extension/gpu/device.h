@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Buffers, textures and pipelines on the renderer's own RenderingDevice. Everything here may only be called on
+// the render thread (RenderingServer.call_on_render_thread).
+#pragma once
+
+#include <godot_cpp/classes/rd_uniform.hpp>
+#include <godot_cpp/classes/rendering_device.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+// The device that the engine draws with; null in Compatibility and headless.
+godot::RenderingDevice *main_device();
+
+// A storage buffer that grows with what is uploaded, and skips an upload of what it already holds.
+class GpuBuffer {
+public:
+	~GpuBuffer() { free(); }
+
+	// Allocates p_bytes, all zero (or p_fill in every 32-bit word, 0 or 0xffffffff). Frees what was there.
+	void allocate(int64_t p_bytes, uint32_t p_fill = 0);
+	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
+	template <typename T>
+	int64_t upload(std::span<const T> p_records) {
+		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
+	}
+	void free();
+
+	godot::RID rid() const { return _rid; }
+	int64_t size() const { return _size; }
+
+private:
+	int64_t upload_bytes(const uint8_t *p_data, int64_t p_bytes);
+
+	godot::RID _rid;
+	int64_t _size = 0; // bytes
+	godot::PackedByteArray _uploaded; // what the buffer holds since the last upload
+};
+
+// A compute pass: one shader, its pipeline, and one uniform set that is made again when a resource in it changed.
+class GpuPass {
+public:
+	~GpuPass() { free(); }
+
+	void create(std::span<const uint32_t> p_spirv, const char *p_name);
+	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
+	void bind_buffer(int p_binding, const godot::RID &p_buffer);
+	void bind_image(int p_binding, const godot::RID &p_texture);
+	void bind_sampled(int p_binding, const godot::RID &p_sampler, const godot::RID &p_texture);
+	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16.
+	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
+	void free();
+	bool is_ready() const { return _pipeline.is_valid(); }
+
+private:
+	struct Binding {
+		int type;
+		godot::RID first, second;
+		bool operator==(const Binding &) const = default;
+	};
+	void bind(int p_binding, const Binding &p_to);
+	bool refresh_set();
+
+	godot::RID _shader, _pipeline, _set;
+	std::vector<Binding> _bindings;
+	bool _changed = true;
+};
+
+} // namespace grass

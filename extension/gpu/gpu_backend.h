@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh whose instances and
+// counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
+#pragma once
+
+#include "backend/backend.h"
+#include "draw/blade_materials.h"
+#include "draw/field_instance.h"
+
+#include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/classes/texture2drd.hpp>
+
+namespace grass {
+
+class GpuField;
+struct GpuReport;
+
+class GpuBackend : public Backend {
+public:
+	explicit GpuBackend(const FieldSetup &p_setup);
+	~GpuBackend() override;
+
+	void step(const StepInput &p_input) override;
+	void draw(const FieldView &p_view) override;
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_measure_time(bool p_measure) override { _measure = p_measure; }
+
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override;
+	std::span<const float> read_energy() override;
+	BackendStatistics get_statistics() override;
+	int64_t get_memory_usage() const override;
+	const char *get_name() const override { return "GPU"; }
+
+private:
+	FieldSetup _setup;
+	bool _measure = false;
+	BladeMaterials _materials;
+	godot::Ref<godot::ImageTexture> _patch_texture;
+	godot::Ref<godot::Texture2DRD> _pool_texture;
+	FieldInstance _instance;
+	std::shared_ptr<GpuReport> _report;
+	std::vector<float> _energy;
+	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
+};
+
+} // namespace grass

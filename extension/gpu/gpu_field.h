@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A field on the GPU: its buffers and the list of its passes. Lives on the render thread: every function is
+// called there (gpu_backend.h posts them through RenderQueue).
+#pragma once
+
+#include "backend/backend.h"
+#include "gpu/device.h"
+
+#include <godot_cpp/classes/texture2drd.hpp>
+
+#include <mutex>
+
+namespace grass {
+
+// The records of one simulation step, copied on the main thread for the render thread.
+struct StepRecords {
+	std::vector<GrassSlot> slots;
+	std::vector<GrassCollider> colliders;
+	std::vector<uint32_t> collider_list;
+	std::vector<Eigen::Vector4f> planes;
+	GrassStep step;
+
+	explicit StepRecords(const StepInput &p_input);
+};
+
+// What the render thread reports to the main thread.
+struct GpuReport {
+	std::mutex mutex;
+	BackendStatistics statistics;
+	std::vector<float> energy; // per slot
+};
+
+class GpuField {
+public:
+	explicit GpuField(std::shared_ptr<GpuReport> p_report) :
+			_report(std::move(p_report)) {}
+
+	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
+	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
+	// One tick: uploads the records, simulates their tiles, asks for their energy.
+	void step(const StepRecords &p_records, bool p_measure);
+	// One frame: writes the instances and commands of p_multimesh.
+	void draw(const GrassView &p_view, const godot::RID &p_multimesh, bool p_measure);
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
+	// p_multimesh: its command buffer goes too; the engine never frees that (seen in 4.6).
+	void free(const godot::RID &p_multimesh);
+
+	static int64_t memory_usage(const FieldSetup &p_setup); // bytes
+
+private:
+	void bind_simulate(const godot::RID &p_patch);
+	void read_times();
+
+	std::shared_ptr<GpuReport> _report;
+	int64_t _tiles = 0, _instances = 0, _slots = 0;
+	bool _table_changed = true; // since the last cull
+
+	// Written by the main thread's records every step, read by simulate, one step long.
+	GpuBuffer _slot_records, _colliders, _collider_list, _planes;
+	// Written and read by simulate, as long as the field: knots of awake tiles now and a step before, energy per slot.
+	GpuBuffer _knots, _knots_before, _energy;
+	// Written by simulate, read by cull, as long as the field: slot of each tile.
+	GpuBuffer _table;
+	// Written every frame, read by cull.
+	GpuBuffer _view;
+	// Written and read by cull, one frame.
+	GpuBuffer _counts;
+	// Written by simulate, read by the blade shader, as long as the field: knots as drawn.
+	godot::RID _pool_texture, _sampler;
+	godot::Ref<godot::Texture2DRD> _pool;
+	godot::RID _culled_into; // the instance buffer of the last cull
+	GpuPass _simulate, _cull;
+};
+
+} // namespace grass

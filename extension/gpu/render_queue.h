@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The way from the main thread to the render thread and back. Both of the engine's thread models are served:
+// in the default one post() runs the job at once, in the separate one the render thread runs it later, in order.
+#pragma once
+
+#include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace grass {
+
+class RenderQueue : public godot::Object {
+	GDCLASS(RenderQueue, godot::Object)
+
+public:
+	using Job = std::function<void()>;
+	using Receiver = std::function<void(const godot::PackedByteArray &)>;
+
+	// The one queue of the process; made on first use, freed when the extension is unloaded.
+	static RenderQueue *get_singleton();
+	static void free_singleton();
+
+	// From any thread. What the job needs must be captured by value or by shared_ptr.
+	void post(Job p_job);
+	// Render thread only: reads a buffer without a stall; p_receiver runs on the render thread, about two frames later.
+	void read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);
+
+protected:
+	static void _bind_methods() {}
+
+private:
+	void _run();
+	void _deliver(const godot::PackedByteArray &p_data, int64_t p_ticket);
+
+	static RenderQueue *_singleton;
+	std::mutex _mutex;
+	std::vector<Job> _jobs;
+	std::map<int64_t, Receiver> _receivers; // render thread only
+	int64_t _next_ticket = 0;
+};
+
+} // namespace grass

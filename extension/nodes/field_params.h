@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Every number of a GrassField that a user may set, in the inspector's order. The node stores them by this index;
+// its properties, clamps, hints and setters all come from this one table.
+#pragma once
+
+#include "core/clump.h"
+#include "core/patch.h"
+#include "core/solver_params.h"
+#include "core/tile_grid.h"
+#include "core/tiles.h"
+#include "core/wind.h"
+#include "draw/look_params.h"
+
+#include <array>
+
+namespace grass {
+
+// Side of a field. Larger grounds: several fields.
+inline constexpr Tunable FIELD_SIZE{ "size", "m", 0.1, 16384.0, 0.1, 32.0 };
+// A tile holds 64 blades, so this decides its side: 256 gives 0.5 m. Meadow 150 to 400, lawn 400 to 1500.
+inline constexpr Tunable DENSITY{ "density", "blades/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
+// Time from the last touch to settling. Below 1 s blades still swing when they are put to rest; above 5 s tiles
+// are simulated that nothing moves in.
+inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
+// Time on the way from wherever a blade is to rest. 0: it jumps there.
+inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
+// From here on one eighth of the blades is drawn. The view's far end, or where the field ends for the eye.
+inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
+// Blades have 15 segments up to here, then 7.
+inline constexpr Tunable LOD_FINE{ "lod_fine", "m", 0.0, 1000.0, 0.5, 6.0 };
+// Blades have 7 segments up to here, then 3.
+inline constexpr Tunable LOD_MEDIUM{ "lod_medium", "m", 0.0, 1000.0, 0.5, 18.0 };
+// Tiles this far outside of the view are still drawn, for their shadows. 0: shadows pop at the picture's edge.
+inline constexpr Tunable SHADOW_MARGIN{ "shadow_margin", "m", 0.0, 50.0, 0.1, 2.0 };
+
+// What must follow when a number changes.
+enum class Effect {
+	REBUILD, // the field is made anew
+	STEP, // read at the next tick
+	UNIFORM, // handed to the blade shader under the property's own name
+	WIND, // handed to the blade shader with the other numbers of the wind
+	VIEW, // read at the next frame
+};
+
+enum FieldParamId {
+	PARAM_DENSITY,
+	PARAM_CLUMP_SIZE,
+	PARAM_CLUMP_HEIGHT,
+	PARAM_CLUMP_LEAN,
+	PARAM_CLUMP_TINT,
+	PARAM_STIFFNESS,
+	PARAM_ROOT_STIFFNESS,
+	PARAM_BEND_STIFFNESS,
+	PARAM_DAMPING,
+	PARAM_FRICTION,
+	PARAM_MAX_SPEED,
+	PARAM_ITERATIONS,
+	PARAM_SLEEP_DELAY,
+	PARAM_SETTLE_TIME,
+	PARAM_WIND_SPEED,
+	PARAM_WIND_DIRECTION,
+	PARAM_GUST_SIZE,
+	PARAM_GUST_STRENGTH,
+	PARAM_DRY,
+	PARAM_ROOT_SHADE,
+	PARAM_BACK_LIGHT,
+	PARAM_SHEEN,
+	PARAM_GLOSS,
+	PARAM_LOD_FAR,
+	PARAM_LOD_FINE,
+	PARAM_LOD_MEDIUM,
+	PARAM_SHADOW_MARGIN,
+	PARAM_THIN_WIDENING,
+	PARAM_PIXELS_MIN,
+	PARAM_COUNT,
+};
+
+struct FieldParam {
+	FieldParamId id;
+	Tunable tunable;
+	Effect effect;
+	const char *group; // of the inspector
+};
+
+inline constexpr std::array FIELD_PARAMS = {
+	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
+	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },
+	FieldParam{ PARAM_CLUMP_HEIGHT, CLUMP_HEIGHT, Effect::REBUILD, "Clumps" },
+	FieldParam{ PARAM_CLUMP_LEAN, CLUMP_LEAN, Effect::REBUILD, "Clumps" },
+	FieldParam{ PARAM_CLUMP_TINT, CLUMP_TINT, Effect::REBUILD, "Clumps" },
+	FieldParam{ PARAM_STIFFNESS, STIFFNESS, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_ROOT_STIFFNESS, ROOT_STIFFNESS, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_BEND_STIFFNESS, BEND_STIFFNESS, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_DAMPING, DAMPING, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_FRICTION, FRICTION, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_MAX_SPEED, MAX_SPEED, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_ITERATIONS, ITERATIONS, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_SLEEP_DELAY, SLEEP_DELAY, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_SETTLE_TIME, SETTLE_TIME, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_WIND_SPEED, WIND_SPEED, Effect::WIND, "Wind" },
+	FieldParam{ PARAM_WIND_DIRECTION, WIND_DIRECTION, Effect::WIND, "Wind" },
+	FieldParam{ PARAM_GUST_SIZE, GUST_SIZE, Effect::WIND, "Wind" },
+	FieldParam{ PARAM_GUST_STRENGTH, GUST_STRENGTH, Effect::WIND, "Wind" },
+	FieldParam{ PARAM_DRY, DRY, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_ROOT_SHADE, ROOT_SHADE, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_BACK_LIGHT, BACK_LIGHT, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_SHEEN, SHEEN, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_GLOSS, GLOSS, Effect::UNIFORM, "Look" },
+	FieldParam{ PARAM_LOD_FAR, LOD_FAR, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_LOD_FINE, LOD_FINE, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_LOD_MEDIUM, LOD_MEDIUM, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_SHADOW_MARGIN, SHADOW_MARGIN, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_THIN_WIDENING, THIN_WIDENING, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_PIXELS_MIN, PIXELS_MIN, Effect::UNIFORM, "Level of Detail" },
+};
+
+// The table is indexed by id.
+consteval bool is_in_order() {
+	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
+		if (size_t(FIELD_PARAMS[i].id) != i) {
+			return false;
+		}
+	}
+	return FIELD_PARAMS.size() == PARAM_COUNT;
+}
+static_assert(is_in_order());
+
+} // namespace grass

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The field's life, its physics ticks and its frames. Properties: grass_field_properties.cpp; what scripts may ask:
+// grass_field_queries.cpp.
+#include "nodes/grass_field.h"
+
+#include "backend/cpu_backend.h"
+#include "convert.h"
+#include "gpu/gpu_backend.h"
+#include "nodes/params.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/sub_viewport.hpp>
+#include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+GrassField::GrassField() {
+	for (size_t i = 0; i < _params.size(); i++) {
+		_params[i] = FIELD_PARAMS[i].tunable.initial;
+	}
+	for (size_t i = 0; i < _colors.size(); i++) {
+		_colors[i] = Color(FIELD_COLORS[i].red, FIELD_COLORS[i].green, FIELD_COLORS[i].blue);
+	}
+	set_notify_transform(true);
+}
+
+void GrassField::_notification(int p_what) {
+	switch (p_what) {
+		case NOTIFICATION_ENTER_WORLD:
+			enter();
+			break;
+		case NOTIFICATION_EXIT_WORLD:
+			leave();
+			break;
+		case NOTIFICATION_INTERNAL_PROCESS:
+			frame(get_process_delta_time());
+			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			physics_tick(get_physics_process_delta_time());
+			break;
+		case NOTIFICATION_TRANSFORM_CHANGED:
+			update_configuration_warnings();
+			break;
+	}
+}
+
+void GrassField::enter() {
+	set_process_internal(true);
+	set_physics_process_internal(true);
+	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
+	if (!Engine::get_singleton()->is_editor_hint()) {
+		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_collision_mask));
+	}
+	request_rebuild();
+}
+
+void GrassField::leave() {
+	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
+	set_process_internal(false);
+	set_physics_process_internal(false);
+	_tracker.stop();
+	_backend.reset();
+	_tiles.reset();
+}
+
+void GrassField::request_rebuild() {
+	_dirty = true; // however many properties change, the field is made once, at the next tick or frame
+	update_gizmos();
+	update_configuration_warnings();
+}
+
+void GrassField::build() {
+	if (!_dirty || !is_inside_tree()) {
+		return;
+	}
+	_dirty = false;
+	_backend.reset();
+	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
+	_setup.patch = find_patch();
+	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)), float(param(PARAM_CLUMP_TINT)) };
+	_setup.pool_tiles = int(_pool_tiles);
+	_setup.seed = uint32_t(_seed);
+	_tiles.set_grid(_setup.grid);
+	_tiles.set_params(tile_params());
+	_tiles.reset();
+	_clock.reset();
+	if (_setup.patch->is_empty()) {
+		return;
+	}
+	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
+	if (has_device && _backend_mode == BACKEND_AUTO) {
+		_backend = std::make_unique<GpuBackend>(_setup);
+	} else {
+		_backend = std::make_unique<CpuBackend>(_setup);
+	}
+	_backend->set_measure_time(_measure_time);
+	_backend->follow(this, field_transform());
+	set_all_uniforms();
+}
+
+void GrassField::physics_tick(double p_delta) {
+	build();
+	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
+		return;
+	}
+	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	const Transform3D transform = field_transform();
+	const double height = _setup.blade_length();
+	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
+	_tracker.set_box(transform, half);
+	_colliders.clear();
+	_tracker.collect(transform, p_delta, _colliders);
+	const std::span<const float> energy = _backend->read_energy();
+	for (size_t slot = 0; slot < energy.size() && int(slot) < _tiles.get_statistics().high_water; slot++) {
+		_tiles.report_energy(int(slot), _tiles.get_tile_of(int(slot)), energy[slot]);
+	}
+	_tiles.update(p_delta, _colliders);
+	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
+	if (_tiles.get_slots().empty()) {
+		return; // nothing is awake: no dispatch, no upload
+	}
+	StepInput input;
+	input.slots = _tiles.get_slots();
+	input.colliders = _tiles.get_colliders();
+	input.collider_list = _tiles.get_collider_list();
+	input.planes = _tiles.get_planes();
+	input.step = _clock.advance(solver_params(), p_delta);
+	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()), 0.0f };
+	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
+	_backend->step(input);
+}
+
+void GrassField::frame(double p_delta) {
+	build();
+	if (!_backend) {
+		return;
+	}
+	_time += p_delta;
+	_backend->follow(this, field_transform());
+	if (param(PARAM_WIND_SPEED) > 0.0) {
+		_backend->set_uniform("grass_time", _time);
+	}
+}
+
+// The camera has its pose of this frame only now.
+void GrassField::_before_draw() {
+	if (!_backend || !is_visible_in_tree()) {
+		return;
+	}
+	Camera3D *camera = find_camera();
+	if (camera == nullptr) {
+		return;
+	}
+	const Eigen::Affine3d field = to_eigen(field_transform());
+	FieldView view;
+	const TypedArray<Plane> planes = camera->get_frustum();
+	for (int i = 0; i < 6 && i < planes.size(); i++) {
+		const Eigen::Vector4d plane = to_eigen(Plane(planes[i]));
+		const Eigen::Vector3d normal = plane.head<3>();
+		view.planes[size_t(i)].head<3>() = (field.linear().transpose() * normal).cast<float>();
+		view.planes[size_t(i)].w() = float(plane.w() - normal.dot(field.translation()));
+	}
+	view.eye = (field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin)).cast<float>();
+	view.lod = LodParams{ float(camera->get_near()), float(param(PARAM_LOD_FAR)), float(param(PARAM_LOD_FINE)), float(param(PARAM_LOD_MEDIUM)) }.sanitised();
+	view.shadow_margin = get_cast_shadows_setting() == SHADOW_CASTING_SETTING_OFF ? 0.0f : float(param(PARAM_SHADOW_MARGIN));
+	view.debug_view = _debug_view;
+	_backend->draw(view);
+}
+
+void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
+	(void)p_area_shape; // the area has one shape
+	_tracker.body_changed(p_status, p_body, p_instance_id, p_body_shape);
+}
+
+Transform3D GrassField::field_transform() const {
+	const Transform3D transform = get_global_transform();
+	if (!transform.is_finite() || Math::is_zero_approx(transform.basis.determinant())) {
+		return Transform3D(Basis(), transform.origin.is_finite() ? transform.origin : Vector3());
+	}
+	return transform.orthonormalized();
+}
+
+Camera3D *GrassField::find_camera() const {
+	if (Engine::get_singleton()->is_editor_hint() && get_tree()->get_edited_scene_root() != nullptr) {
+		SubViewport *viewport = EditorInterface::get_singleton()->get_editor_viewport_3d(0);
+		return viewport == nullptr ? nullptr : viewport->get_camera_3d();
+	}
+	return get_viewport()->get_camera_3d();
+}
+
+// A field without a patch of its own shares one with all others.
+std::shared_ptr<const Patch> GrassField::find_patch() const {
+	static std::weak_ptr<const Patch> shared;
+	if (_patch.is_valid()) {
+		return const_cast<GrassPatch *>(_patch.ptr())->get_patch();
+	}
+	std::shared_ptr<const Patch> patch = shared.lock();
+	if (!patch) {
+		patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
+		shared = patch;
+	}
+	return patch;
+}
+
+TileParams GrassField::tile_params() const {
+	TileParams params;
+	params.pool_size = int(_pool_tiles);
+	params.sleep_delay = param(PARAM_SLEEP_DELAY);
+	params.settle_time = param(PARAM_SETTLE_TIME);
+	params.reach = _setup.blade_reach();
+	params.height = _setup.blade_height();
+	params.seed = _setup.seed;
+	return params;
+}
+
+} // namespace grass

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// GrassField: the node. Holds properties and passes things on: bodies -> tiles -> backend in a physics tick,
+// camera -> backend in a frame. No maths here.
+#pragma once
+
+#include "backend/backend.h"
+#include "core/tiles.h"
+#include "nodes/body_tracker.h"
+#include "nodes/field_params.h"
+#include "nodes/grass_patch.h"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+class GrassField : public godot::GeometryInstance3D {
+	GDCLASS(GrassField, godot::GeometryInstance3D)
+
+public:
+	enum BackendMode {
+		BACKEND_AUTO, // GPU where the renderer has a RenderingDevice, else CPU
+		BACKEND_CPU,
+	};
+	enum DebugView {
+		DEBUG_VIEW_OFF = GRASS_DEBUG_OFF,
+		DEBUG_VIEW_AWAKE_TILES = GRASS_DEBUG_AWAKE,
+		DEBUG_VIEW_LOD = GRASS_DEBUG_LOD,
+	};
+
+	GrassField();
+
+	void set_size(const godot::Vector2 &p_size); // metres along x and z
+	godot::Vector2 get_size() const { return _size; }
+	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
+	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	void set_seed(int64_t p_seed);
+	int64_t get_seed() const { return _seed; }
+	void set_simulated(bool p_simulated);
+	bool is_simulated() const { return _simulated; }
+	void set_backend(BackendMode p_mode);
+	BackendMode get_backend() const { return _backend_mode; }
+	void set_pool_tiles(int64_t p_tiles);
+	int64_t get_pool_tiles() const { return _pool_tiles; }
+	void set_collision_mask(int64_t p_mask);
+	int64_t get_collision_mask() const { return _collision_mask; }
+	void set_debug_view(DebugView p_view) { _debug_view = p_view; }
+	DebugView get_debug_view() const { return _debug_view; }
+	void set_measure_time(bool p_measure);
+	bool is_measuring_time() const { return _measure_time; }
+	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
+	void set_param(int p_param, double p_value);
+	double get_param(int p_param) const;
+	void set_color(int p_index, const godot::Color &p_color);
+	godot::Color get_color(int p_index) const;
+
+	// What is there. A tile is named by its column (along x) and row (along z).
+	int64_t get_blade_count() const;
+	godot::Vector2i get_tiles() const; // how many along x and z
+	double get_tile_size() const; // metres
+	godot::Vector2i get_tile_at(const godot::Vector3 &p_global_position) const; // (-1, -1) outside of the field
+	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const; // global
+	bool is_tile_awake(const godot::Vector2i &p_tile) const;
+	int64_t get_awake_tile_count() const;
+	// Global positions of a blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
+	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
+	int64_t get_body_count() const { return _tracker.body_count(); }
+	int64_t get_memory_usage() const; // bytes
+	godot::Dictionary get_statistics() const;
+
+	godot::PackedStringArray _get_configuration_warnings() const override;
+	godot::AABB _get_aabb() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	// grass_field.cpp: the field's life and its ticks
+	void enter();
+	void leave();
+	void build();
+	void request_rebuild();
+	void physics_tick(double p_delta);
+	void frame(double p_delta);
+	void _before_draw();
+	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
+	void _patch_changed();
+	void set_all_uniforms();
+	void set_wind_uniforms();
+	godot::Transform3D field_transform() const; // global, without scale
+	godot::Camera3D *find_camera() const;
+	std::shared_ptr<const Patch> find_patch() const;
+	SolverParams solver_params() const;
+	TileParams tile_params() const;
+	godot::String label() const; // of this node, for messages
+	godot::String message(const char *p_text) const;
+	double param(FieldParamId p_param) const { return _params[size_t(p_param)]; }
+
+	godot::Vector2 _size{ 32, 32 };
+	godot::Ref<GrassPatch> _patch;
+	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
+	bool _simulated = true, _measure_time = false;
+	BackendMode _backend_mode = BACKEND_AUTO;
+	DebugView _debug_view = DEBUG_VIEW_OFF;
+	std::array<double, FIELD_PARAMS.size()> _params;
+	std::array<godot::Color, FIELD_COLORS.size()> _colors;
+
+	bool _dirty = false; // the backend must be made again
+	double _time = 0.0; // of the wind, seconds
+	double _management_us = 0.0; // CPU time of the last tick without the backend's simulation, microseconds
+	FieldSetup _setup;
+	std::unique_ptr<Backend> _backend;
+	TileManager _tiles;
+	StepClock _clock;
+	BodyTracker _tracker;
+	std::vector<ColliderShape> _colliders;
+};
+
+} // namespace grass
+
+VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
+VARIANT_ENUM_CAST(grass::GrassField::DebugView);

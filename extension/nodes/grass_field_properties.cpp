@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// GrassField's properties: each setter brings its value within limits, says so if it had to, and passes it on.
+#include "nodes/grass_field.h"
+
+#include "nodes/params.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+#include <cmath>
+#include <string_view>
+
+using namespace godot;
+
+namespace grass {
+
+String GrassField::label() const { return vformat("GrassField '%s'", get_name()); }
+String GrassField::message(const char *p_text) const { return vformat("%s: %s", label(), p_text); }
+
+void GrassField::set_size(const Vector2 &p_size) {
+	_size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
+	_size.y = real_t(checked(FIELD_SIZE, p_size.y, label()));
+	request_rebuild();
+}
+
+void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
+	const Callable changed = callable_mp(this, &GrassField::_patch_changed);
+	if (_patch.is_valid()) {
+		_patch->disconnect("changed", changed);
+	}
+	_patch = p_patch;
+	if (_patch.is_valid()) {
+		_patch->connect("changed", changed);
+	}
+	request_rebuild();
+}
+
+void GrassField::_patch_changed() { request_rebuild(); }
+
+void GrassField::set_seed(int64_t p_seed) {
+	_seed = checked_int("seed", p_seed, 0, UINT32_MAX, label());
+	request_rebuild();
+}
+
+void GrassField::set_simulated(bool p_simulated) {
+	if (_simulated != p_simulated) {
+		_simulated = p_simulated;
+		request_rebuild(); // tiles that were awake go back to rest
+	}
+}
+
+void GrassField::set_backend(BackendMode p_mode) {
+	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
+	_backend_mode = p_mode;
+	request_rebuild();
+}
+
+void GrassField::set_pool_tiles(int64_t p_tiles) {
+	_pool_tiles = checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label());
+	request_rebuild();
+}
+
+void GrassField::set_collision_mask(int64_t p_mask) {
+	_collision_mask = int64_t(uint32_t(p_mask));
+	_tracker.set_mask(uint32_t(_collision_mask));
+	update_configuration_warnings();
+}
+
+void GrassField::set_measure_time(bool p_measure) {
+	_measure_time = p_measure;
+	if (_backend) {
+		_backend->set_measure_time(p_measure);
+	}
+}
+
+void GrassField::set_param(int p_param, double p_value) {
+	ERR_FAIL_INDEX(p_param, int(FIELD_PARAMS.size()));
+	const FieldParam &info = FIELD_PARAMS[size_t(p_param)];
+	_params[size_t(p_param)] = checked(info.tunable, p_value, label());
+	switch (info.effect) {
+		case Effect::REBUILD:
+			request_rebuild();
+			break;
+		case Effect::STEP:
+			_tiles.set_params(tile_params());
+			break;
+		case Effect::UNIFORM:
+			if (_backend) {
+				_backend->set_uniform(info.tunable.name, _params[size_t(p_param)]);
+			}
+			break;
+		case Effect::WIND:
+			set_wind_uniforms();
+			break;
+		case Effect::VIEW:
+			break;
+	}
+}
+
+double GrassField::get_param(int p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(FIELD_PARAMS.size()), 0.0);
+	return _params[size_t(p_param)];
+}
+
+void GrassField::set_color(int p_index, const Color &p_color) {
+	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
+	_colors[size_t(p_index)] = p_color;
+	if (_backend) {
+		_backend->set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
+	}
+}
+
+Color GrassField::get_color(int p_index) const {
+	ERR_FAIL_INDEX_V(p_index, int(FIELD_COLORS.size()), Color());
+	return _colors[size_t(p_index)];
+}
+
+void GrassField::set_wind_uniforms() {
+	if (!_backend) {
+		return;
+	}
+	const double angle = Math::deg_to_rad(param(PARAM_WIND_DIRECTION)), speed = param(PARAM_WIND_SPEED);
+	_backend->set_uniform("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
+	_backend->set_uniform("gust", Vector2(real_t(param(PARAM_GUST_SIZE)), real_t(param(PARAM_GUST_STRENGTH))));
+}
+
+void GrassField::set_all_uniforms() {
+	const TileGrid &grid = _setup.grid;
+	_backend->set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
+	_backend->set_uniform("tile_size", grid.get_tile_size());
+	_backend->set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
+	_backend->set_uniform("canopy_height", _setup.patch->max_height * 0.8);
+	_backend->set_uniform("grass_time", _time);
+	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
+		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
+			_backend->set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);
+		}
+	}
+	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
+		_backend->set_uniform(FIELD_COLORS[i].name, _colors[i]);
+	}
+	set_wind_uniforms();
+}
+
+SolverParams GrassField::solver_params() const {
+	SolverParams params;
+	params.stiffness = param(PARAM_STIFFNESS);
+	params.root_stiffness = param(PARAM_ROOT_STIFFNESS);
+	params.bend_stiffness = param(PARAM_BEND_STIFFNESS);
+	params.damping = param(PARAM_DAMPING);
+	params.friction = param(PARAM_FRICTION);
+	params.max_speed = param(PARAM_MAX_SPEED);
+	params.iterations = int(param(PARAM_ITERATIONS));
+	return params;
+}
+
+namespace {
+
+void add_numbers(std::string_view p_group) {
+	for (const FieldParam &param : FIELD_PARAMS) {
+		if (param.group == p_group) {
+			ClassDB::add_property("GrassField", property_of(param.tunable), "_set_param", "_get_param", param.id);
+		}
+	}
+}
+
+} // namespace
+
+void GrassField::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassField::set_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::get_param);
+	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassField::set_color);
+	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassField::get_color);
+#define BIND_PROPERTY(m_info, m_setter, m_getter)                                          \
+	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassField::m_setter);             \
+	ClassDB::bind_method(D_METHOD(#m_getter), &GrassField::m_getter);                      \
+	ADD_PROPERTY(m_info, #m_setter, #m_getter)
+
+	ADD_GROUP("Field", "");
+	BIND_PROPERTY(PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
+	add_numbers("Field");
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
+	ADD_GROUP("Clumps", "");
+	add_numbers("Clumps");
+	ADD_GROUP("Simulation", "");
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "simulated"), set_simulated, is_simulated);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_collision_mask, get_collision_mask);
+	add_numbers("Simulation");
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, "0,16384,1,suffix:tiles"), set_pool_tiles, get_pool_tiles);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
+	ADD_GROUP("Wind", "");
+	add_numbers("Wind");
+	ADD_GROUP("Look", "");
+	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
+		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color", "_get_color", int(i));
+	}
+	add_numbers("Look");
+	ADD_GROUP("Level of Detail", "");
+	add_numbers("Level of Detail");
+	ADD_GROUP("Debug", "");
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail"), set_debug_view, get_debug_view);
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
+#undef BIND_PROPERTY
+
+	ClassDB::bind_method(D_METHOD("get_blade_count"), &GrassField::get_blade_count);
+	ClassDB::bind_method(D_METHOD("get_tiles"), &GrassField::get_tiles);
+	ClassDB::bind_method(D_METHOD("get_tile_size"), &GrassField::get_tile_size);
+	ClassDB::bind_method(D_METHOD("get_tile_at", "global_position"), &GrassField::get_tile_at);
+	ClassDB::bind_method(D_METHOD("get_tile_center", "tile"), &GrassField::get_tile_center);
+	ClassDB::bind_method(D_METHOD("is_tile_awake", "tile"), &GrassField::is_tile_awake);
+	ClassDB::bind_method(D_METHOD("get_awake_tile_count"), &GrassField::get_awake_tile_count);
+	ClassDB::bind_method(D_METHOD("get_knots", "tile", "blade"), &GrassField::get_knots);
+	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
+	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
+	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
+
+	BIND_ENUM_CONSTANT(BACKEND_AUTO);
+	BIND_ENUM_CONSTANT(BACKEND_CPU);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);
+}
+
+} // namespace grass

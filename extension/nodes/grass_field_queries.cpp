@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What scripts and the editor may ask of a GrassField.
+#include "nodes/grass_field.h"
+
+#include "convert.h"
+#include "core/blade.h"
+#include "core/half.h"
+#include "core/hash.h"
+#include "draw/blade_mesh.h"
+#include "draw/patch_texture.h"
+
+using namespace godot;
+
+namespace grass {
+
+int64_t GrassField::get_blade_count() const {
+	return _backend ? int64_t(_setup.grid.get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
+}
+
+Vector2i GrassField::get_tiles() const {
+	return _backend ? Vector2i(_setup.grid.get_tiles_x(), _setup.grid.get_tiles_z()) : Vector2i();
+}
+
+double GrassField::get_tile_size() const {
+	return TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).get_tile_size();
+}
+
+Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector2i(-1, -1), message("add the node to the scene tree before asking for tiles."));
+	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
+	if (!place.allFinite()) {
+		return Vector2i(-1, -1);
+	}
+	const TilePlace tile = _setup.grid.get_place(place);
+	return _setup.grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
+}
+
+Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
+	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * _setup.grid.get_centre(p_tile.x, p_tile.y)));
+}
+
+bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
+	return _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.get_slot_of(_setup.grid.get_index(p_tile.x, p_tile.y)) != GRASS_NO_SLOT;
+}
+
+int64_t GrassField::get_awake_tile_count() const {
+	return _tiles.get_statistics().awake + _tiles.get_statistics().settling;
+}
+
+PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
+	PackedVector3Array result;
+	ERR_FAIL_COND_V_MSG(!_backend, result, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	ERR_FAIL_COND_V_MSG(!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
+	const TileGrid &grid = _setup.grid;
+	const int blade = int(grass_tile_start(uint32_t(p_tile.x), uint32_t(p_tile.y), _setup.seed)) + int(p_blade);
+	const auto texel = [&](int p_knot) {
+		const uint16_t *half = &_setup.patch->texels[Patch::texel_index(blade, p_knot)];
+		return Eigen::Vector3f(half_to_float(half[0]), half_to_float(half[1]), half_to_float(half[2]));
+	};
+	const Eigen::Vector2f in_tile = texel(0).head<2>();
+	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile, Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
+	const Clump clump = clump_at(place, _setup.clump);
+	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
+	std::vector<Eigen::Vector3f> simulated;
+	if (slot != GRASS_NO_SLOT) {
+		simulated = _backend->read_knots(slot, int(p_blade));
+	}
+	const Eigen::Affine3d field = to_eigen(field_transform());
+	const Eigen::Vector2d offset = (in_tile.cast<double>().array() - 0.5) * grid.get_tile_size();
+	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), 0.0, offset.y());
+	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
+		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
+		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, clump) : simulated[size_t(knot)];
+		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
+	}
+	return result;
+}
+
+int64_t GrassField::get_memory_usage() const {
+	return int64_t(_tiles.get_memory_usage()) + (_backend ? _backend->get_memory_usage() : 0);
+}
+
+Dictionary GrassField::get_statistics() const {
+	const TileStatistics &tiles = _tiles.get_statistics();
+	const BackendStatistics backend = _backend ? _backend->get_statistics() : BackendStatistics();
+	int64_t drawn_tiles = 0, drawn_blades = 0, drawn_triangles = 0;
+	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+		const int64_t count = backend.drawn_tiles[size_t(level)];
+		drawn_tiles += count;
+		drawn_blades += count * lod_blades(level);
+		drawn_triangles += count * lod_blades(level) * lod_triangles_per_blade(level);
+	}
+	Dictionary result;
+	result["backend"] = _backend ? _backend->get_name() : "none";
+	result["tiles"] = _backend ? int64_t(_setup.grid.get_tile_count()) : int64_t(0);
+	result["blades"] = get_blade_count();
+	result["awake_tiles"] = tiles.awake;
+	result["settling_tiles"] = tiles.settling;
+	result["woken"] = int64_t(tiles.woken);
+	result["slept"] = int64_t(tiles.slept);
+	result["evicted"] = int64_t(tiles.evicted);
+	result["refused"] = int64_t(tiles.refused);
+	result["bodies"] = get_body_count();
+	result["colliders"] = tiles.colliders;
+	result["list_entries"] = tiles.list_entries;
+	result["bad_colliders"] = int64_t(tiles.bad_colliders);
+	result["steps"] = backend.steps;
+	result["simulated_blades"] = backend.simulated_blades;
+	result["uploaded_bytes"] = backend.uploaded_bytes;
+	result["culls"] = backend.culls;
+	result["drawn_tiles"] = drawn_tiles;
+	result["drawn_blades"] = drawn_blades;
+	result["drawn_triangles"] = drawn_triangles;
+	result["management_ms"] = _management_us * 1e-3;
+	result["simulate_ms"] = backend.simulate_ms;
+	result["cull_ms"] = backend.cull_ms;
+	result["memory"] = get_memory_usage();
+	return result;
+}
+
+AABB GrassField::_get_aabb() const {
+	FieldSetup setup;
+	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
+	setup.patch = find_patch();
+	return field_bounds(setup);
+}
+
+PackedStringArray GrassField::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (find_patch()->is_empty()) {
+		warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
+	}
+	if (is_inside_tree()) {
+		const Transform3D transform = get_global_transform();
+		if (!transform.is_finite()) {
+			warnings.push_back("The node's transform is not a number. Set its position and rotation again.");
+		} else if (!transform.basis.get_scale().is_equal_approx(Vector3(1, 1, 1))) {
+			warnings.push_back("The node's scale is ignored. Use `size` for the field, and the patch's lengths and widths for the blades.");
+		}
+	}
+	if (_simulated && _collision_mask == 0) {
+		warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn `simulated` off.");
+	}
+	if (_simulated && _pool_tiles == 0) {
+		warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
+	}
+	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
+		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or use several fields.");
+	}
+	return warnings;
+}
+
+} // namespace grass

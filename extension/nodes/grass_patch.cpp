@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_patch.h"
+
+#include "nodes/params.h"
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+const Tunable &tunable_of(GrassPatch::Param p_param) {
+	switch (p_param) {
+		case GrassPatch::PARAM_LENGTH_MIN:
+			return LENGTH_MIN;
+		case GrassPatch::PARAM_LENGTH_MAX:
+			return LENGTH_MAX;
+		case GrassPatch::PARAM_WIDTH_MIN:
+			return WIDTH_MIN;
+		case GrassPatch::PARAM_WIDTH_MAX:
+			return WIDTH_MAX;
+		default:
+			return TYPE_WEIGHTS[size_t(p_param - GrassPatch::PARAM_WEIGHT_UPRIGHT)];
+	}
+}
+
+double &value_of(PatchParams &p_params, GrassPatch::Param p_param) {
+	switch (p_param) {
+		case GrassPatch::PARAM_LENGTH_MIN:
+			return p_params.length_min;
+		case GrassPatch::PARAM_LENGTH_MAX:
+			return p_params.length_max;
+		case GrassPatch::PARAM_WIDTH_MIN:
+			return p_params.width_min;
+		case GrassPatch::PARAM_WIDTH_MAX:
+			return p_params.width_max;
+		default:
+			return p_params.weights[size_t(p_param - GrassPatch::PARAM_WEIGHT_UPRIGHT)];
+	}
+}
+
+} // namespace
+
+void GrassPatch::set_seed(int64_t p_seed) {
+	_params.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassPatch"));
+	_patch.reset();
+	emit_changed();
+}
+
+void GrassPatch::set_param(Param p_param, double p_value) {
+	ERR_FAIL_INDEX_MSG(int(p_param), int(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
+	value_of(_params, p_param) = checked(tunable_of(p_param), p_value, "GrassPatch");
+	_patch.reset();
+	emit_changed();
+}
+
+double GrassPatch::get_param(Param p_param) const {
+	ERR_FAIL_INDEX_V_MSG(int(p_param), int(PARAM_MAX), 0.0, "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
+	return value_of(const_cast<PatchParams &>(_params), p_param);
+}
+
+std::shared_ptr<const Patch> GrassPatch::get_patch() {
+	if (!_patch) {
+		_patch = std::make_shared<const Patch>(generate_patch(_params));
+	}
+	return _patch;
+}
+
+void GrassPatch::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &GrassPatch::set_seed);
+	ClassDB::bind_method(D_METHOD("get_seed"), &GrassPatch::get_seed);
+	ClassDB::bind_method(D_METHOD("set_param", "param", "value"), &GrassPatch::set_param);
+	ClassDB::bind_method(D_METHOD("get_param", "param"), &GrassPatch::get_param);
+
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), "set_seed", "get_seed");
+	ADD_GROUP("Size", "");
+	for (int param = PARAM_LENGTH_MIN; param <= PARAM_WIDTH_MAX; param++) {
+		ADD_PROPERTYI(property_of(tunable_of(Param(param))), "set_param", "get_param", param);
+	}
+	ADD_GROUP("Blade Types", "weight_");
+	for (int param = PARAM_WEIGHT_UPRIGHT; param < PARAM_MAX; param++) {
+		ADD_PROPERTYI(property_of(tunable_of(Param(param))), "set_param", "get_param", param);
+	}
+
+	BIND_ENUM_CONSTANT(PARAM_LENGTH_MIN);
+	BIND_ENUM_CONSTANT(PARAM_LENGTH_MAX);
+	BIND_ENUM_CONSTANT(PARAM_WIDTH_MIN);
+	BIND_ENUM_CONSTANT(PARAM_WIDTH_MAX);
+	BIND_ENUM_CONSTANT(PARAM_WEIGHT_UPRIGHT);
+	BIND_ENUM_CONSTANT(PARAM_WEIGHT_ARCHED);
+	BIND_ENUM_CONSTANT(PARAM_WEIGHT_DROOPING);
+	BIND_ENUM_CONSTANT(PARAM_WEIGHT_WAVY);
+	BIND_ENUM_CONSTANT(PARAM_MAX);
+}
+
+} // namespace grass

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// GrassPatch: the blades that a GrassField grows from. Properties only; core/patch.h makes the blades.
+#pragma once
+
+#include "core/patch.h"
+
+#include <godot_cpp/classes/resource.hpp>
+
+#include <memory>
+
+namespace grass {
+
+class GrassPatch : public godot::Resource {
+	GDCLASS(GrassPatch, godot::Resource)
+
+public:
+	enum Param {
+		PARAM_LENGTH_MIN,
+		PARAM_LENGTH_MAX,
+		PARAM_WIDTH_MIN,
+		PARAM_WIDTH_MAX,
+		PARAM_WEIGHT_UPRIGHT,
+		PARAM_WEIGHT_ARCHED,
+		PARAM_WEIGHT_DROOPING,
+		PARAM_WEIGHT_WAVY,
+		PARAM_MAX,
+	};
+
+	void set_seed(int64_t p_seed);
+	int64_t get_seed() const { return _params.seed; }
+	void set_param(Param p_param, double p_value);
+	double get_param(Param p_param) const;
+
+	// The blades; made when first asked for after a change, and shared by all fields that use this resource.
+	std::shared_ptr<const Patch> get_patch();
+
+protected:
+	static void _bind_methods();
+
+private:
+	PatchParams _params;
+	std::shared_ptr<const Patch> _patch;
+};
+
+} // namespace grass
+
+VARIANT_ENUM_CAST(grass::GrassPatch::Param);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/params.h"
+
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+PropertyInfo property_of(const Tunable &p_tunable) {
+	String hint = vformat("%s,%s,%s", p_tunable.minimum, p_tunable.maximum, p_tunable.step);
+	if (p_tunable.unit[0] != '\0') {
+		hint += vformat(",suffix:%s", String::utf8(p_tunable.unit));
+	}
+	return PropertyInfo(Variant::FLOAT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
+}
+
+double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
+	const double value = p_tunable.clamp(p_value);
+	if (value != p_value) {
+		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum, p_tunable.maximum, String::utf8(p_tunable.unit), value));
+	}
+	return value;
+}
+
+int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const String &p_owner) {
+	const int64_t value = std::clamp(p_value, p_min, p_max);
+	if (value != p_value) {
+		WARN_PRINT(vformat("%s: `%s` cannot be %d (allowed: %d to %d); using %d.", p_owner, p_property, p_value, p_min, p_max, value));
+	}
+	return value;
+}
+
+} // namespace grass

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// From the physics server's shapes to the solver's.
+#include "nodes/body_tracker.h"
+
+#include "convert.h"
+#include "core/hull.h"
+
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+void set_round(ColliderShape &r_shape, int p_type, const Dictionary &p_data, double p_cap) {
+	const double radius = p_data["radius"], height = p_data["height"];
+	r_shape.type = p_type;
+	r_shape.size = { radius, std::max(0.5 * height - p_cap * radius, 0.0), 0.0 };
+}
+
+void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
+	std::vector<Eigen::Vector3d> points;
+	points.reserve(size_t(p_points.size()));
+	for (int64_t i = 0; i < p_points.size(); i++) {
+		points.push_back(to_eigen(p_points[i]));
+	}
+	const Hull hull = Hull::make(points);
+	if (hull.is_bound) {
+		WARN_PRINT_ONCE("GrassField: a ConvexPolygonShape3D has too many points or faces for the grass solver; grass meets a 26-sided bound of it. Use a simpler shape to be exact.");
+	}
+	r_tracked.shape.type = GRASS_HULL;
+	r_tracked.shape.size = hull.half_extents;
+	r_tracked.shape.planes = hull.planes;
+	r_tracked.offset.translation() = hull.centre;
+	r_tracked.usable = !hull.planes.empty();
+}
+
+// A trimesh on a moving body: the box around its faces.
+void set_bound(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
+	if (p_faces.is_empty()) {
+		r_tracked.usable = false;
+		return;
+	}
+	WARN_PRINT_ONCE("GrassField: a moving body has a ConcavePolygonShape3D; grass meets the box around it. Give the body convex shapes to be exact.");
+	Eigen::Vector3d low = to_eigen(p_faces[0]), high = low;
+	for (int64_t i = 1; i < p_faces.size(); i++) {
+		low = low.cwiseMin(to_eigen(p_faces[i]));
+		high = high.cwiseMax(to_eigen(p_faces[i]));
+	}
+	r_tracked.shape.type = GRASS_BOX;
+	r_tracked.shape.size = 0.5 * (high - low);
+	r_tracked.offset.translation() = 0.5 * (high + low);
+}
+
+void convert(TrackedShape &r_tracked) {
+	ColliderShape &shape = r_tracked.shape;
+	shape.planes.clear();
+	r_tracked.offset.setIdentity();
+	r_tracked.usable = true;
+	switch (r_tracked.type) {
+		case PhysicsServer3D::SHAPE_SPHERE:
+			shape.type = GRASS_SPHERE;
+			shape.size = Eigen::Vector3d(double(r_tracked.data), 0.0, 0.0);
+			break;
+		case PhysicsServer3D::SHAPE_BOX:
+			shape.type = GRASS_BOX;
+			shape.size = to_eigen(Vector3(r_tracked.data));
+			break;
+		case PhysicsServer3D::SHAPE_CAPSULE:
+			set_round(shape, GRASS_CAPSULE, r_tracked.data, 1.0); // height counts the caps
+			break;
+		case PhysicsServer3D::SHAPE_CYLINDER:
+			set_round(shape, GRASS_CYLINDER, r_tracked.data, 0.0);
+			break;
+		case PhysicsServer3D::SHAPE_CONVEX_POLYGON:
+			set_hull(r_tracked, r_tracked.data);
+			break;
+		case PhysicsServer3D::SHAPE_CONCAVE_POLYGON:
+			set_bound(r_tracked, Dictionary(r_tracked.data)["faces"]);
+			break;
+		default: // planes, rays and height maps are ground, not objects
+			r_tracked.usable = false;
+	}
+}
+
+} // namespace
+
+bool read_shape(const RID &p_shape, TrackedShape &r_shape) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const int64_t type = server->shape_get_type(p_shape);
+	const Variant data = server->shape_get_data(p_shape);
+	if (type != r_shape.type || data != r_shape.data) {
+		r_shape.type = type;
+		r_shape.data = data;
+		convert(r_shape);
+	}
+	return r_shape.usable;
+}
+
+} // namespace grass

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The extension's table of contents: what it registers, at which level, and where the engine enters.
+#include "register_types.h"
+
+#include "class_docs.gen.h"
+#include "backend/parallel.h"
+#include "gpu/render_queue.h"
+#include "nodes/grass_field.h"
+#include "nodes/grass_patch.h"
+
+#include <gdextension_interface.h>
+#include <godot_cpp/godot.hpp>
+
+using namespace godot;
+
+void initialize_grass_field(ModuleInitializationLevel p_level) {
+	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
+		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
+		GDREGISTER_CLASS(grass::GrassPatch);
+		GDREGISTER_CLASS(grass::GrassField);
+	}
+	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		for (const std::string_view &text : grass::CLASS_DOCS) {
+			gdextension_interface::editor_help_load_xml_from_utf8_chars_and_len(text.data(), int64_t(text.size()));
+		}
+	}
+}
+
+void uninitialize_grass_field(ModuleInitializationLevel p_level) {
+	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		grass::RenderQueue::free_singleton();
+	}
+}
+
+extern "C" GDExtensionBool GDE_EXPORT grass_field_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
+	init.register_initializer(initialize_grass_field);
+	init.register_terminator(uninitialize_grass_field);
+	init.set_minimum_library_initialization_level(MODULE_INITIALIZATION_LEVEL_SCENE);
+	return init.init();
+}

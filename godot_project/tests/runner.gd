@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
+## (or gpu), optionally with `--only=PART` of a test's name. `./grass test` does that and adds up the layers.
+##
+## Finds res://tests/LAYER/test_*.gd. For tools/testing.py, which also knows what had not run if the engine dies, it
+## prints a line `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
+extends Node
+
+const TIME_LIMIT := 180.0 # seconds; a test that takes longer is taken for hung
+const Case := preload("res://tests/case.gd")
+
+
+## Collects what the engine and scripts report as errors, from whatever thread.
+class Listener extends Logger:
+	var _errors: Array = []
+	var _mutex := Mutex.new()
+
+	func _log_error(function: String, file: String, line: int, code: String, rationale: String, _notify: bool, type: int,
+			traces: Array[ScriptBacktrace]) -> void:
+		var where := "%s:%d in %s" % [file, line, function]
+		for trace in traces:
+			if trace.get_frame_count() > 0:
+				where = "%s:%d" % [trace.get_frame_file(0), trace.get_frame_line(0)]
+				break
+		_mutex.lock()
+		_errors.append({text = rationale if rationale else code, where = where, warning = type == ERROR_TYPE_WARNING})
+		_mutex.unlock()
+
+	func take() -> Array:
+		_mutex.lock()
+		var taken := _errors
+		_errors = []
+		_mutex.unlock()
+		return taken
+
+
+var _listener := Listener.new()
+var _failed := 0
+var _done := false
+
+
+func _ready() -> void:
+	OS.add_logger(_listener)
+	var plan := _plan(_argument("layer", "headless"), _argument("only", ""))
+	for test: Dictionary in plan:
+		_report("plan", test.name)
+	await get_tree().process_frame
+	for test: Dictionary in plan:
+		await _run(test)
+	OS.remove_logger(_listener)
+	get_tree().quit(1 if _failed else 0)
+
+
+func _argument(key: String, fallback: String) -> String:
+	for argument in OS.get_cmdline_user_args():
+		if argument.begins_with("--%s=" % key):
+			return argument.trim_prefix("--%s=" % key)
+	return fallback
+
+
+## Every test of `layer` whose name contains `only`: {name, path, function}. A script that does not load is one too.
+func _plan(layer: String, only: String) -> Array:
+	var plan := []
+	for file in DirAccess.get_files_at("res://tests/" + layer):
+		if not (file.begins_with("test_") and file.ends_with(".gd")):
+			continue
+		var path := "res://tests/%s/%s" % [layer, file]
+		for function in _functions(path):
+			var test_name := "%s/%s.%s" % [layer, file.get_basename(), function]
+			if not only or test_name.contains(only):
+				plan.append({name = test_name, path = path, function = function})
+	return plan
+
+
+func _functions(path: String) -> Array:
+	var script := load(path) as GDScript
+	if not script or not script.can_instantiate():
+		return ["loads"]
+	var names := script.get_script_method_list().map(func(method: Dictionary) -> String: return method.name)
+	var tests := names.filter(func(method: String) -> bool: return method.begins_with("test_"))
+	return tests if tests else ["has_tests"]
+
+
+func _run(test: Dictionary) -> void:
+	_report("run", test.name)
+	_listener.take()
+	var script := load(test.path) as GDScript
+	var case: Node = script.new() if script and script.can_instantiate() else null
+	if not case or not case.is_class("Node3D") or not case.has_method("judge") or not case.has_method(test.function):
+		if case:
+			case.free()
+		_finish(test.name, ['%s: does not load, has no test_*() or does not extend "res://tests/case.gd"' % test.path], "")
+		return
+	add_child(case)
+	_done = false
+	_call(case, test.function)
+	var deadline := Time.get_ticks_msec() + TIME_LIMIT * 1000
+	while not _done and Time.get_ticks_msec() < deadline:
+		await get_tree().process_frame
+	if not _done:
+		case.failures.append("%s: still running after %d s" % [test.path, TIME_LIMIT])
+	var failures: Array[String] = case.failures
+	var skipped: String = case.skipped
+	var expecting := case
+	remove_child(case)
+	for child in expecting.get_children():
+		child.free()
+	await get_tree().process_frame
+	expecting.judge(_listener.take())
+	failures = expecting.failures
+	expecting.free()
+	_finish(test.name, failures, skipped)
+
+
+func _call(case: Node, function: String) -> void:
+	if case.has_method("before"):
+		await case.call("before")
+	await case.call(function)
+	if case.has_method("after"):
+		await case.call("after")
+	_done = true
+
+
+func _finish(test_name: String, failures: Array, skipped: String) -> void:
+	if failures:
+		_failed += 1
+		_report("fail", "%s: %s" % [test_name, "\n    ".join(failures)])
+	elif skipped:
+		_report("skip", "%s: %s" % [test_name, skipped])
+	else:
+		_report("pass", test_name)
+
+
+func _report(what: String, text: String) -> void:
+	print("GRASS-TEST %s %s" % [what, text])

@@ -1,0 +1,147 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade. Dispatched over the GrassSlot
+// records. Twin of core/simulate.cpp.
+#extension GL_GOOGLE_include_directive : require
+
+#include "constants.inc"
+#include "structs.inc"
+#include "hash.inc"
+#include "clump.inc"
+#include "blade.inc"
+
+layout(local_size_x = GRASS_BLADES_PER_TILE) in;
+
+layout(push_constant, std430) uniform StepBlock {
+	GrassStep step;
+};
+
+// Written by the CPU for this step.
+layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
+	GrassSlot slots[];
+};
+layout(set = 0, binding = GRASS_BINDING_COLLIDERS, std430) restrict readonly buffer ColliderBuffer {
+	GrassCollider colliders[];
+};
+layout(set = 0, binding = GRASS_BINDING_COLLIDER_LIST, std430) restrict readonly buffer ColliderListBuffer {
+	uint collider_list[];
+};
+layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer PlaneBuffer {
+	vec4 planes[];
+};
+
+// The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
+// [slot][component][knot][blade].
+layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
+	float pool_knots[];
+};
+layout(set = 0, binding = GRASS_BINDING_KNOTS_BEFORE, std430) restrict buffer KnotBeforeBuffer {
+	float pool_before[]; // one step earlier
+};
+
+// Written once, when the field is made.
+layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
+// Written here, read by the blade shader.
+layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict writeonly image2D pool_texture;
+// Written here, read by the CPU some frames later: the liveliest blade's energy, by slot, J/kg.
+layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
+	float slot_energy[];
+};
+// Slot of every tile of the field, or GRASS_NO_SLOT. Written here, read by cull.
+layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
+	int tile_table[];
+};
+
+// This thread's blade.
+GrassSlot slot;
+ivec2 texel; // of its knot 0 in the patch
+GrassClump clump;
+uint pool_index; // of knot 2's x
+
+uint pool_place(int p_knot, uint p_component) {
+	return pool_index + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
+}
+vec3 before_of(int p_knot) {
+	return vec3(pool_before[pool_place(p_knot, 0u)], pool_before[pool_place(p_knot, 1u)], pool_before[pool_place(p_knot, 2u)]);
+}
+void set_before(int p_knot, vec3 p_place) {
+	pool_before[pool_place(p_knot, 0u)] = p_place.x;
+	pool_before[pool_place(p_knot, 1u)] = p_place.y;
+	pool_before[pool_place(p_knot, 2u)] = p_place.z;
+}
+vec3 rest_of(int p_knot) {
+	return grass_rest_knot(texelFetch(patch_texture, texel + ivec2(p_knot, 0), 0).xyz, p_knot, clump);
+}
+
+#include "compute/vector.inc"
+#include "compute/collide.inc"
+
+bool tile_collider(uint p_entry, out TileCollider r_collider) {
+	return make_tile_collider(collider_list[p_entry], slot.tile.xy, step.field.x, r_collider);
+}
+
+#include "compute/solve.inc"
+
+shared uint liveliest; // the bits of a float that is not negative order as the float does
+
+void find_blade(uint p_blade) {
+	int blade = int(slot.list.x + p_blade);
+	texel = ivec2((blade % GRASS_PATCH_BLADES_PER_ROW) * GRASS_KNOTS, blade / GRASS_PATCH_BLADES_PER_ROW);
+	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
+	vec2 place = texelFetch(patch_texture, texel, 0).xy;
+	clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
+	root = vec3((place.x - 0.5) * step.field.x, 0.0, (place.y - 0.5) * step.field.x);
+	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
+}
+
+void load_knots() {
+	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+	knots[0] = rest_of(0);
+	knots[1] = rest_of(1);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		if (is_fresh) {
+			knots[k] = rest_of(k);
+			set_before(k, knots[k]);
+		} else {
+			knots[k] = vec3(pool_knots[pool_place(k, 0u)], pool_knots[pool_place(k, 1u)], pool_knots[pool_place(k, 2u)]);
+		}
+	}
+}
+
+void store_knots(uint p_blade) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		pool_knots[pool_place(k, 0u)] = knots[k].x;
+		pool_knots[pool_place(k, 1u)] = knots[k].y;
+		pool_knots[pool_place(k, 2u)] = knots[k].z;
+	}
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		float twist = texelFetch(patch_texture, texel + ivec2(k, 0), 0).w;
+		imageStore(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w), vec4(knots[k], twist));
+	}
+}
+
+void main() {
+	slot = slots[gl_WorkGroupID.x];
+	uint blade = gl_LocalInvocationID.x;
+	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
+	if (blade == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
+		tile_table[slot.tile.z] = is_retired ? GRASS_NO_SLOT : slot.tile.w;
+	}
+	if (is_retired) {
+		return;
+	}
+	find_blade(blade);
+	load_knots();
+	step_blade(slot.list.yz);
+	store_knots(blade);
+
+	if (blade == 0u) {
+		liveliest = 0u;
+	}
+	barrier();
+	atomicMax(liveliest, floatBitsToUint(measure_energy()));
+	barrier();
+	if (blade == 0u) {
+		slot_energy[slot.tile.w] = uintBitsToFloat(liveliest);
+	}
+}

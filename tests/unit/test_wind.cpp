@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "core/wind.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/half.h"
+#include "core/patch.h"
+
+using namespace grass;
+
+namespace {
+
+const Eigen::Array4f MIDDLE = Eigen::Array4f::Constant(0.5f);
+
+WindParams blowing(float p_x, float p_z) {
+	WindParams wind;
+	wind.velocity = { p_x, p_z };
+	return wind;
+}
+
+std::vector<Eigen::Vector3f> blade_of(const Patch &p_patch, int p_blade) {
+	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];
+		knots[size_t(k)] = { half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]) };
+	}
+	return knots;
+}
+
+// The knots as the blade shader bends them.
+std::vector<Eigen::Vector3f> bend(const std::vector<Eigen::Vector3f> &p_knots, const WindParams &p_wind, float p_time) {
+	std::vector<Eigen::Vector3f> bent(p_knots.size());
+	for (size_t k = 0; k < p_knots.size(); k++) {
+		const size_t below = std::min(k, p_knots.size() - 2);
+		const Eigen::Vector3f reach = (p_knots[below + 1] - p_knots[below]) * std::max(float(k), 0.01f);
+		const Wind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, MIDDLE, p_time, p_wind);
+		bent[k] = wind_point(p_knots[k], reach, here.tilt * wind_hold(p_knots[k], reach));
+	}
+	return bent;
+}
+
+double length_of(const std::vector<Eigen::Vector3f> &p_knots) {
+	double length = 0.0;
+	for (size_t k = 1; k < p_knots.size(); k++) {
+		length += (p_knots[k] - p_knots[k - 1]).norm();
+	}
+	return length;
+}
+
+} // namespace
+
+TEST_CASE("wind: none leaves every knot where it is, bit for bit") {
+	const Patch patch = generate_patch({});
+	for (int blade = 0; blade < GRASS_PATCH_BLADES; blade += 101) {
+		const std::vector<Eigen::Vector3f> knots = blade_of(patch, blade);
+		CHECK(bend(knots, blowing(0.0f, 0.0f), 12.3f) == knots);
+	}
+	CHECK(wind_at({ 3.0f, 4.0f }, 1.0f, MIDDLE, 1.0f, blowing(0.0f, 0.0f)).gust == 0.0f);
+}
+
+TEST_CASE("wind: keeps the root still and the blade as long as it is") {
+	const Patch patch = generate_patch({});
+	for (const float speed : { 2.0f, 6.0f, 15.0f, 40.0f }) {
+		double worst = 0.0, sum = 0.0;
+		int count = 0;
+		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade += 53) {
+			const std::vector<Eigen::Vector3f> knots = blade_of(patch, blade);
+			const std::vector<Eigen::Vector3f> bent = bend(knots, blowing(0.8f * speed, 0.6f * speed), 0.37f * float(blade));
+			REQUIRE(bent[0].norm() == 0.0f);
+			for (const Eigen::Vector3f &knot : bent) {
+				REQUIRE(knot.y() >= 0.0f);
+			}
+			const double stretch = std::abs(length_of(bent) / length_of(knots) - 1.0);
+			worst = std::max(worst, stretch);
+			sum += stretch;
+			count++;
+		}
+		CAPTURE(speed);
+		CAPTURE(worst);
+		CHECK(sum / count < 0.03);
+		CHECK(worst < 0.2);
+	}
+}
+
+TEST_CASE("wind: bends downwind, more the stronger it blows, and never past its limit") {
+	const std::vector<Eigen::Vector3f> straight = [] {
+		std::vector<Eigen::Vector3f> knots;
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			knots.emplace_back(0.0f, 0.5f * float(k) / GRASS_SEGMENTS, 0.0f);
+		}
+		return knots;
+	}();
+	double before = 0.0;
+	for (const float speed : { 1.0f, 3.0f, 8.0f, 20.0f }) {
+		double mean = 0.0;
+		for (int i = 0; i < 400; i++) {
+			const std::vector<Eigen::Vector3f> bent = bend(straight, blowing(-speed, 0.0f), 0.1f * float(i));
+			mean -= bent.back().x() / 400.0;
+			REQUIRE(length_of(bent) == doctest::Approx(0.5).epsilon(0.02));
+			REQUIRE(bent.back().y() > 0.0f);
+		}
+		CHECK(mean > 1.3 * before);
+		before = mean;
+	}
+}
+
+TEST_CASE("wind: a blade that lies flat is not pressed into the ground") {
+	std::vector<Eigen::Vector3f> flat;
+	for (int k = 0; k < GRASS_KNOTS; k++) {
+		flat.emplace_back(0.03f * float(k), k == 0 ? 0.0f : 0.012f, 0.0f);
+	}
+	for (const Eigen::Vector3f &knot : bend(flat, blowing(20.0f, 0.0f), 1.0f)) {
+		CHECK(knot.y() >= 0.0f);
+	}
+}
+
+TEST_CASE("wind: gusts travel with the wind") {
+	const WindParams wind = blowing(3.0f, 4.0f);
+	double moved = 0.0, stayed = 0.0;
+	float least = 1.0f, most = 0.0f;
+	for (int i = 0; i < 2000; i++) {
+		const Eigen::Vector2f place(0.13f * float(i % 50), 0.29f * float(i / 50));
+		const float now = gust_at(place, 7.0f, wind);
+		moved += std::abs(gust_at(place + 0.8f * wind.velocity, 7.8f, wind) - now);
+		stayed += std::abs(gust_at(place, 7.8f, wind) - now);
+		least = std::min(least, now);
+		most = std::max(most, now);
+	}
+	CHECK(moved < 1e-3 * stayed);
+	CHECK(least < 0.1f);
+	CHECK(most > 0.9f);
+}
+
+TEST_CASE("wind: is smooth in time") {
+	const WindParams wind = blowing(6.0f, 1.0f);
+	double fastest = 0.0;
+	for (float time = 0.0f; time < 30.0f; time += 1.0f / 60.0f) {
+		const Eigen::Vector2f before = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, time, wind).tilt;
+		const Eigen::Vector2f after = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, time + 1.0f / 60.0f, wind).tilt;
+		fastest = std::max(fastest, double((after - before).norm()));
+	}
+	CHECK(fastest < 0.08);
+	CHECK(fastest > 0.001);
+}

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""The commands of ./grass: reads the command line and calls the module that does the work."""
+
+import argparse
+import signal
+import sys
+
+from tools.say import Failure, complain
+
+EXPLANATION = """\
+GrassField: grass that every physics body pushes, for Godot 4.6.
+
+  ./grass demo     runs the demo and says where its pictures and its table are
+  ./grass test     builds and runs every layer of tests
+  ./grass build    builds the extension for the project in godot_project/
+  ./grass editor   opens that project in the engine's editor
+  ./grass bench    runs the benchmark scenes
+  ./grass export OUT   packs the project to run elsewhere
+  ./grass clean    removes what was built (--all: also what was fetched)
+
+What the machine lacks (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) is fetched into .tools/ here:
+nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of yours, 4.6 or newer.
+`./grass COMMAND --help` tells a command's options; docs/building.md tells more.
+"""
+
+
+def parser():
+	top = argparse.ArgumentParser(prog="./grass", add_help=False)
+	commands = top.add_subparsers(dest="command", metavar="COMMAND")
+
+	demo = commands.add_parser("demo", help="run the demo")
+	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/demo)")
+	demo.add_argument("--size", choices=("small", "large"), help="default: large on a GPU, small on software Vulkan")
+	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
+
+	test = commands.add_parser("test", help="build and run the tests")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, headless, gpu (default: all, in that order)")
+	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
+
+	build = commands.add_parser("build", help="build the extension")
+	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
+
+	commands.add_parser("editor", help="open the project in the editor")
+	bench = commands.add_parser("bench", help="run the benchmark scenes")
+	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
+
+	export = commands.add_parser("export", help="pack the project to run elsewhere")
+	export.add_argument("out", metavar="OUT", help="folder to write to")
+	export.add_argument("--debug", action="store_true", help="with the debug template and library")
+
+	clean = commands.add_parser("clean", help="remove what was built")
+	clean.add_argument("--all", action="store_true", help="also remove what was fetched")
+	return top
+
+
+def dispatch(options):
+	"""Returns the exit code."""
+	from tools import build, export, scenes, testing  # here, so that the explanation is at once
+
+	if options.command == "demo":
+		scenes.demo(options.out, options.size, options.method)
+	elif options.command == "bench":
+		scenes.bench(options.out)
+	elif options.command == "editor":
+		scenes.editor()
+	elif options.command == "build":
+		build.scons(*options.arguments)
+	elif options.command == "export":
+		export.export(options.out, options.debug)
+	elif options.command == "clean":
+		build.clean(options.all)
+	elif options.command == "test":
+		unknown = set(options.layers) - set(testing.LAYERS)
+		if unknown:
+			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
+		return 0 if testing.run(tuple(options.layers) or testing.LAYERS, options.only) else 1
+	return 0
+
+
+def main(arguments):
+	if not arguments or arguments[0] in ("-h", "--help", "help"):
+		print(EXPLANATION, end="")
+		return 0
+	# Being told to stop unwinds like Ctrl-C, so that what was started is stopped too.
+	signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+	options = parser().parse_args(arguments)
+	try:
+		return dispatch(options)
+	except Failure as failure:
+		complain(failure)
+		return failure.code
+	except KeyboardInterrupt:
+		complain("stopped")
+		return 130
+
+
+if __name__ == "__main__":
+	sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: MIT
+"""Fetches what the machine lacks: packages of Debian's `testing` suite, unpacked into a folder of the project.
+
+No root, nothing installed: apt gets a state of its own, and `dpkg-deb` unpacks. The folder appears under its name only
+when it is whole (unpacked beside it, then renamed), so a run that was interrupted leaves nothing half-done behind.
+"""
+
+import contextlib
+import fcntl
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+from tools import settle
+from tools.places import TOOLS, UNPACKED
+from tools.say import Failure, progress
+
+APT = TOOLS / "apt"
+ARCHIVES = APT / "archives"
+PARTIAL = TOOLS / "root.partial"
+OLD = TOOLS / "root.old"
+STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in which apt reads it
+
+# Not unpacked: documentation, what the machine's own Python replaces, drivers of GPUs. Cards use the system's drivers.
+LEFT_OUT = (
+	"./usr/share/doc/*", "./usr/share/man/*", "./usr/share/locale/*", "./usr/share/info/*", "./usr/share/lintian/*",
+	"./usr/share/zoneinfo/*", "./usr/share/perl5/*", "./usr/bin/*python*", "./usr/bin/py*3*", "./usr/bin/spirv-*",
+	"./usr/lib/python3.*", "./usr/lib/*/gconv/*", "./usr/share/vulkan/*",
+	*(f"./usr/lib/*/libvulkan_{name}.so" for name in
+	("asahi", "freedreno", "gfxstream", "intel", "intel_hasvk", "nouveau", "panfrost", "broadcom", "powervr_mesa", "radeon", "virtio")),
+)
+
+BY_HAND = (
+	"Install them by hand, then run this again: Godot 4.6 or newer (or name one: GODOT=/path/to/godot), SCons 4, Eigen 3.4"
+	" or newer, doctest 2.4 or newer, glslang; for tests and the demo without a display or a GPU also Xvfb, xkbcomp and"
+	" Mesa's software Vulkan (lavapipe)."
+)
+
+CONFIGURATION = """\
+Dir::State "{apt}";
+Dir::State::Lists "{apt}/lists";
+Dir::State::status "{status}";
+Dir::Cache "{apt}";
+Dir::Etc::sourcelist "{apt}/sources.list";
+Dir::Etc::sourceparts "/dev/null";
+Dir::Etc::preferences "/dev/null";
+Dir::Etc::preferencesparts "/dev/null";
+APT::Default-Release "testing";
+APT::Install-Recommends "false";
+APT::Sandbox::User "{user}";
+APT::Update::Error-Mode "any";
+APT::Get::List-Cleanup "false";
+Acquire::Languages "none";
+Acquire::Retries "3";
+Acquire::IndexTargets::deb::DEP-11::DefaultEnabled "false";
+Acquire::IndexTargets::deb::Contents-deb::DefaultEnabled "false";
+Debug::NoLocking "true";
+#clear APT::Update::Post-Invoke;
+#clear APT::Update::Post-Invoke-Success;
+#clear DPkg::Post-Invoke;
+"""
+
+
+_held = []  # file descriptors of the lock: children keep it held, should this program be killed before them
+
+
+def run(*command, **options):
+	return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, pass_fds=_held, **options)
+
+
+def apt_get(*arguments):
+	"""Runs apt-get on the private state; returns what it printed. Failure with its own words if it fails."""
+	result = run("apt-get", "-c", str(APT / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"})
+	if result.returncode:
+		words = [line for line in (result.stdout + result.stderr).splitlines() if line[:2] in ("E:", "W:", "Er")]
+		raise Failure("Fetching packages failed. Is the network there? apt says:\n  " + "\n  ".join(words[-6:]) + f"\n{BY_HAND}")
+	return result.stdout
+
+
+def mirror():
+	"""Address of the Debian mirror that this machine uses (or what GRASS_DEBIAN_MIRROR names)."""
+	if named := os.environ.get("GRASS_DEBIAN_MIRROR"):
+		return named
+	if not shutil.which("apt-get") or not shutil.which("dpkg-deb"):
+		raise Failure("This machine has no apt to fetch what is missing with. " + BY_HAND)
+	sites = run("apt-get", "indextargets", "--format", "$(SITE)", "Created-By: Packages").stdout.split()
+	found = next((site for site in sites if re.search(r"/debian/?$", site)), None)
+	if found is None:
+		raise Failure("This machine's apt knows no Debian mirror (GRASS_DEBIAN_MIRROR=URL names one). " + BY_HAND)
+	return found
+
+
+def configure():
+	"""Writes the private state of apt."""
+	keyring = pathlib.Path("/usr/share/keyrings/debian-archive-keyring.gpg")
+	signed = f"[signed-by={keyring}] " if keyring.exists() else ""
+	for folder in (APT / "lists/partial", ARCHIVES / "partial", APT / "none/partial"):
+		folder.mkdir(parents=True, exist_ok=True)
+	(APT / "sources.list").write_text(f"deb {signed}{mirror()} testing main\n")
+	status = UNPACKED / STATUS
+	if not status.exists():
+		status = APT / "status"
+		status.touch()
+	user = "root" if os.geteuid() == 0 else ""
+	(APT / "apt.conf").write_text(CONFIGURATION.format(apt=APT, status=status, user=user))
+
+
+def download(packages):
+	"""Fetches `packages` and what they need beyond what is unpacked already. Returns the archives' paths."""
+	with progress("Looking up packages"):
+		apt_get("update")
+	# Each line: 'address' file size checksum. With an empty cache, or what was fetched before is left out.
+	uris = apt_get("-o", f"Dir::Cache::archives={APT}/none", "-y", "--print-uris", "install", *packages)
+	wanted = {name: int(size) for name, size in re.findall(r"^'[^']+' (\S+\.deb) (\d+)", uris, re.MULTILINE)}
+	total = sum(wanted.values()) / 1e6
+
+	def fetched():
+		sizes = (file.stat().st_size for file in [*ARCHIVES.glob("*.deb"), *(ARCHIVES / "partial").glob("*.deb")] if file.exists())
+		return f"{sum(sizes) / 1e6:.0f} of {total:.0f} MB"
+
+	with progress(f"Fetching {len(wanted)} packages", fetched):
+		apt_get("-y", "--download-only", "install", *packages)
+	return [ARCHIVES / name for name in wanted]
+
+
+def unpack_one(archive):
+	"""Unpacks one archive; returns its entry for the status file."""
+	reader = subprocess.Popen(["dpkg-deb", "--fsys-tarfile", str(archive)], stdout=subprocess.PIPE, pass_fds=_held)
+	left_out = [f"--exclude={pattern}" for pattern in LEFT_OUT]
+	command = ["tar", "-x", "-C", str(PARTIAL), "--no-same-owner", "--wildcards", *left_out]
+	result = subprocess.run(command, stdin=reader.stdout, capture_output=True, text=True, pass_fds=_held)
+	reader.stdout.close()
+	if reader.wait() or result.returncode:
+		raise Failure(f"Unpacking {archive.name} failed: {result.stderr.strip() or 'is the disk full?'}")
+	control = run("dpkg-deb", "--field", str(archive), check=True).stdout
+	name, rest = control.split("\n", 1)
+	return f"{name}\nStatus: install ok installed\n{rest.rstrip()}\n\n"
+
+
+def unpack(archives):
+	"""Makes a new root of the old one and `archives`, and puts it in the old one's place."""
+	for leftover in (PARTIAL, OLD):
+		shutil.rmtree(leftover, ignore_errors=True)
+	if UNPACKED.exists():  # hard links cost no space; tar and patchelf replace files, they do not write into them
+		subprocess.run(["cp", "-al", str(UNPACKED), str(PARTIAL)], check=True)
+	PARTIAL.mkdir(exist_ok=True)
+	done = []
+
+	def one(archive):
+		entry = unpack_one(archive)
+		done.append(entry)
+		return entry
+
+	with progress("Unpacking", lambda: f"{len(done)} of {len(archives)}"), ThreadPoolExecutor(os.cpu_count()) as pool:
+		entries = list(pool.map(one, archives))
+		settle.patch(PARTIAL)
+	merge_status(entries)
+	if UNPACKED.exists():
+		UNPACKED.rename(OLD)
+	PARTIAL.rename(UNPACKED)
+	shutil.rmtree(OLD, ignore_errors=True)
+	shutil.rmtree(ARCHIVES, ignore_errors=True)
+
+
+def merge_status(entries):
+	"""Writes the status file: the old entries, those of the same packages replaced."""
+	status = PARTIAL / STATUS
+	old = re.findall(r"^Package:.*?\n\n", status.read_text(), re.MULTILINE | re.DOTALL) if status.exists() else []
+	by_name = {entry.split("\n", 1)[0]: entry for entry in [*old, *entries]}
+	status.parent.mkdir(parents=True, exist_ok=True)
+	status.unlink(missing_ok=True)
+	status.write_text("".join(by_name.values()))
+
+
+@contextlib.contextmanager
+def alone():
+	"""Two runs at once do not fetch twice: the second waits."""
+	TOOLS.mkdir(exist_ok=True)
+	with open(TOOLS / "lock", "w") as lock:
+		try:
+			fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+		except BlockingIOError:
+			with progress("Waiting for another run that fetches packages"):
+				fcntl.flock(lock, fcntl.LOCK_EX)
+		_held.append(lock.fileno())
+		yield
+		_held.clear()
+
+
+def fetch(packages):
+	"""Gets `packages` into the project's folder."""
+	try:
+		with alone():
+			configure()
+			unpack(download(packages))
+	except OSError as error:
+		raise Failure(f"Fetching packages failed: {error}") from error

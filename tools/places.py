@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: MIT
+"""Where things lie in the project. Nothing is written outside of these folders, except what the user names."""
+
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"  # everything that is compiled or generated
+OUT = ROOT / "out"  # what the demo and the benchmark write: pictures and tables
+PROJECT = ROOT / "godot_project"
+ADDON_BIN = PROJECT / "addons/grass_field/bin"
+
+TOOLS = ROOT / ".tools"  # what was fetched because the machine lacks it
+UNPACKED = TOOLS / "root"  # the fetched packages, laid out as under /

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""Runs the layers of tests and adds them up. The last line is `N passed, N failed`, and skips if there are any."""
+
+import re
+import subprocess
+from dataclasses import dataclass, field
+
+from tools import build, engine, machine
+from tools.places import BUILD, PROJECT
+from tools.say import Failure, say
+
+LAYERS = ("unit", "headless", "gpu")
+UNIT_LIMIT = 900  # seconds
+ENGINE_LIMIT = 2400  # seconds
+MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
+LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
+
+
+@dataclass
+class Tally:
+	"""How a layer went."""
+
+	passed: int = 0
+	failed: list = field(default_factory=list)
+	skipped: list = field(default_factory=list)
+
+	def add(self, other):
+		self.passed += other.passed
+		self.failed += other.failed
+		self.skipped += other.skipped
+
+	def line(self):
+		skips = f", {len(self.skipped)} skipped" if self.skipped else ""
+		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
+
+
+def unit(only):
+	"""The core's tests, without the engine. Each TEST_CASE counts one."""
+	program = str(BUILD / "unit/unit_tests")
+	chosen = [f"--test-case=*{only}*"] if only else []
+	result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=UNIT_LIMIT)
+	print(result.stdout + result.stderr, end="")
+	tally = Tally()
+	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
+	if summary:
+		tally.passed = int(summary[1])
+		names = re.findall(r"^TEST CASE:\s*(.*)$", result.stdout, re.MULTILINE)
+		names = list(dict.fromkeys(name.strip() for name in names)) + ["a test case"] * int(summary[2])
+		tally.failed = [f"unit: {name}" for name in names[: int(summary[2])]]
+	if result.returncode and not tally.failed:
+		tally.failed = [f"unit: the tests ended with code {result.returncode}"]
+	tally.skipped = [f"unit: {name} (marked to be skipped)" for name in unit_skips(program, chosen)]
+	return tally
+
+
+def unit_skips(program, chosen):
+	"""Names of the test cases that are marked to be skipped."""
+
+	def names(*arguments):
+		listing = subprocess.run([program, *chosen, "--list-test-cases", *arguments], capture_output=True, text=True).stdout
+		return {line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))}
+
+	return sorted(names("--no-skip") - names())
+
+
+class Reports:
+	"""Follows what the runner in the engine reports."""
+
+	def __init__(self, layer):
+		self.layer, self.tally = layer, Tally()
+		self.open, self.running, self.leaks = [], None, []
+
+	def line(self, text):
+		if not text.startswith(MARK):
+			print(text, flush=True)
+			if LEAK.search(text):
+				self.leaks.append(text)
+			return
+		what, name = text[len(MARK) :].split(" ", 1)
+		if what in ("plan", "run"):
+			self.open += [name] if what == "plan" else []
+			self.running = name if what == "run" else self.running
+			return
+		print(f"{what:>6} {name}", flush=True)
+		test = name.split(": ", 1)[0]
+		self.open.remove(test)
+		if what == "pass":
+			self.tally.passed += 1
+		else:
+			(self.tally.failed if what == "fail" else self.tally.skipped).append(name)
+
+	def end(self, how):
+		"""What had not run when the engine ended has failed; so has an engine that ended badly, or leaked."""
+		planned = self.open or self.tally.passed or self.tally.failed or self.tally.skipped
+		for name in self.open:
+			reason = f"while it ran, {how}" if name == self.running else f"not run: {how}"
+			self.tally.failed.append(f"{name}: {reason}")
+		if not planned:
+			self.tally.failed.append(f"{self.layer}: no test was found ({how})")
+		elif how.startswith("the engine died") and not self.open:
+			self.tally.failed.append(f"{self.layer}: after the last test {how}")
+		if self.leaks:
+			self.tally.failed.append(f"{self.layer}: leaks at exit: {'; '.join(self.leaks)}")
+		return self.tally
+
+
+def in_engine(layer, command, environment, only):
+	reports = Reports(layer)
+	arguments = ["--path", str(PROJECT), "--fixed-fps", "60", "res://tests/runner.tscn", "--", f"--layer={layer}"]
+	if only:
+		arguments.append(f"--only={only}")
+	try:
+		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT)
+		how = f"the engine died of signal {-code}" if code < 0 else f"the engine ended with code {code}"
+		if code > 1:
+			how = f"the engine died with code {code}"
+	except Failure as failure:
+		how = f"the engine died: {failure}"
+	return reports.end(how)
+
+
+def headless(only):
+	return in_engine("headless", *engine.headless(), only)
+
+
+def gpu(only):
+	with engine.window(size="960x540", software=True) as (command, environment):
+		return in_engine("gpu", command, environment, only)
+
+
+def run(layers=LAYERS, only=""):
+	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
+	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if "gpu" in layers else []
+	machine.ensure(*machine.BUILDING, *on_screen)
+	build.scons("extension", "unit")
+	if {"headless", "gpu"} & set(layers):
+		engine.import_project()
+	total = Tally()
+	for layer in layers:
+		say(f"Tests: {layer}")
+		tally = {"unit": unit, "headless": headless, "gpu": gpu}[layer](only)
+		say(f"{layer}: {tally.line()}")
+		total.add(tally)
+	for text in total.skipped:
+		print(f"skipped: {text}")
+	for text in total.failed:
+		print(f"FAILED: {text}")
+	print(total.line(), flush=True)
+	return not total.failed
