@@ -35,10 +35,6 @@ def software_vulkan():
 	}
 
 
-def headless_arguments():
-	return ["--headless"]
-
-
 def window_arguments(method, size):
 	driver = "opengl3" if method == "gl_compatibility" else "vulkan"
 	window = ["--rendering-driver", driver, "--rendering-method", method, "--audio-driver", "Dummy", "--disable-vsync"]
@@ -62,7 +58,7 @@ def window(method="forward_plus", size="1280x720", software=False):
 
 def headless():
 	"""(command, environment additions) of an engine without a window and without a GPU."""
-	return [machine.godot(), *headless_arguments()], {}
+	return [machine.godot(), "--headless"], {}
 
 
 def start(command, environment):
@@ -118,15 +114,19 @@ def project_state():
 def import_project():
 	"""Lets the engine look at the project's files and import them, where they changed since the last time."""
 	stamp = BUILD / "imported"
-	known = PROJECT / ".godot/extension_list.cfg"
+	extensions = PROJECT / ".godot/extension_list.cfg"
 	state = project_state()
-	if known.exists() and stamp.exists() and stamp.read_text() == state:
+	if extensions.exists() and stamp.exists() and stamp.read_text() == state:
 		return
+	if not extensions.exists():  # the engine would find it only after it has read the scripts that use it
+		extensions.parent.mkdir(exist_ok=True)
+		found = sorted(file.relative_to(PROJECT).as_posix() for file in PROJECT.rglob("*.gdextension"))
+		extensions.write_text("".join(f"res://{file}\n" for file in found))
 	output = []
 	command, environment = headless()
 	with progress("Importing the project"):
 		code = run([*command, "--path", str(PROJECT), "--import"], environment, output.append, limit=600)
-	if code or not known.exists():
+	if code:
 		raise Failure("The engine could not import the project:\n" + "\n".join(output[-30:]))
 	BUILD.mkdir(exist_ok=True)
 	stamp.write_text(state)

@@ -147,16 +147,15 @@ def unpack(archives):
 	if UNPACKED.exists():  # hard links cost no space; tar and patchelf replace files, they do not write into them
 		subprocess.run(["cp", "-al", str(UNPACKED), str(PARTIAL)], check=True)
 	PARTIAL.mkdir(exist_ok=True)
-	done = []
-
-	def one(archive):
-		entry = unpack_one(archive)
-		done.append(entry)
-		return entry
-
-	with progress("Unpacking", lambda: f"{len(done)} of {len(archives)}"), ThreadPoolExecutor(os.cpu_count()) as pool:
-		entries = list(pool.map(one, archives))
-		settle.patch(PARTIAL)
+	entries = []
+	pool = ThreadPoolExecutor(os.cpu_count())
+	try:
+		with progress("Unpacking", lambda: f"{len(entries)} of {len(archives)}"):
+			for entry in pool.map(unpack_one, archives):
+				entries.append(entry)
+			settle.patch(PARTIAL)
+	finally:
+		pool.shutdown(cancel_futures=True)
 	merge_status(entries)
 	if UNPACKED.exists():
 		UNPACKED.rename(OLD)

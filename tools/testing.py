@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from tools import build, engine, machine
 from tools.places import BUILD, PROJECT
-from tools.say import Failure, say
+from tools.say import Failure, progress, say
 
 LAYERS = ("unit", "headless", "gpu")
 UNIT_LIMIT = 900  # seconds
@@ -29,6 +29,9 @@ class Tally:
 		self.failed += other.failed
 		self.skipped += other.skipped
 
+	def count(self):
+		return self.passed + len(self.failed) + len(self.skipped)
+
 	def line(self):
 		skips = f", {len(self.skipped)} skipped" if self.skipped else ""
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
@@ -38,19 +41,20 @@ def unit(only):
 	"""The core's tests, without the engine. Each TEST_CASE counts one."""
 	program = str(BUILD / "unit/unit_tests")
 	chosen = [f"--test-case=*{only}*"] if only else []
-	result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=UNIT_LIMIT)
+	try:
+		with progress("Running the unit tests"):
+			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=UNIT_LIMIT)
+	except subprocess.TimeoutExpired:
+		return Tally(failed=[f"unit: still running after {UNIT_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
-	tally = Tally()
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
-	if summary:
-		tally.passed = int(summary[1])
-		names = re.findall(r"^TEST CASE:\s*(.*)$", result.stdout, re.MULTILINE)
-		names = list(dict.fromkeys(name.strip() for name in names)) + ["a test case"] * int(summary[2])
-		tally.failed = [f"unit: {name}" for name in names[: int(summary[2])]]
-	if result.returncode and not tally.failed:
-		tally.failed = [f"unit: the tests ended with code {result.returncode}"]
-	tally.skipped = [f"unit: {name} (marked to be skipped)" for name in unit_skips(program, chosen)]
-	return tally
+	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
+	names = re.findall(r"^TEST CASE:\s*(.*)$", result.stdout, re.MULTILINE)
+	names = list(dict.fromkeys(name.strip() for name in names)) + ["a test case"] * failed
+	failures = [f"unit: {name}" for name in names[:failed]]
+	if result.returncode and not failures:
+		failures = [f"unit: the tests ended with code {result.returncode}"]
+	return Tally(passed, failures, [f"unit: {name} (marked to be skipped)" for name in unit_skips(program, chosen)])
 
 
 def unit_skips(program, chosen):
@@ -66,8 +70,8 @@ def unit_skips(program, chosen):
 class Reports:
 	"""Follows what the runner in the engine reports."""
 
-	def __init__(self, layer):
-		self.layer, self.tally = layer, Tally()
+	def __init__(self, layer, may_be_none):
+		self.layer, self.may_be_none, self.tally = layer, may_be_none, Tally()
 		self.open, self.running, self.leaks = [], None, []
 
 	def line(self, text):
@@ -91,11 +95,11 @@ class Reports:
 
 	def end(self, how):
 		"""What had not run when the engine ended has failed; so has an engine that ended badly, or leaked."""
-		planned = self.open or self.tally.passed or self.tally.failed or self.tally.skipped
+		planned = self.open or self.tally.count()
 		for name in self.open:
 			reason = f"while it ran, {how}" if name == self.running else f"not run: {how}"
 			self.tally.failed.append(f"{name}: {reason}")
-		if not planned:
+		if not planned and not self.may_be_none:
 			self.tally.failed.append(f"{self.layer}: no test was found ({how})")
 		elif how.startswith("the engine died") and not self.open:
 			self.tally.failed.append(f"{self.layer}: after the last test {how}")
@@ -105,15 +109,14 @@ class Reports:
 
 
 def in_engine(layer, command, environment, only):
-	reports = Reports(layer)
+	reports = Reports(layer, bool(only))
 	arguments = ["--path", str(PROJECT), "--fixed-fps", "60", "res://tests/runner.tscn", "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
 	try:
 		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT)
-		how = f"the engine died of signal {-code}" if code < 0 else f"the engine ended with code {code}"
-		if code > 1:
-			how = f"the engine died with code {code}"
+		clean = code in (0, 1)  # 1: the runner says that a test failed
+		how = f"the engine ended with code {code}" if clean else f"the engine died with code {code} (negative: a signal)"
 	except Failure as failure:
 		how = f"the engine died: {failure}"
 	return reports.end(how)
@@ -141,6 +144,8 @@ def run(layers=LAYERS, only=""):
 		tally = {"unit": unit, "headless": headless, "gpu": gpu}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
+	if not total.count():
+		total.failed.append(f"no test has {only!r} in its name")
 	for text in total.skipped:
 		print(f"skipped: {text}")
 	for text in total.failed:

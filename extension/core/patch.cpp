@@ -98,14 +98,17 @@ void store(Patch &r_patch, int p_blade, int p_knot, double p_x, double p_y, doub
 void measure(Patch &r_patch, int p_blade) {
 	Eigen::Vector3f before = Eigen::Vector3f::Zero();
 	float length = 0.0f;
+	float height = 0.0f;
 	for (int k = 1; k < GRASS_KNOTS; ++k) {
 		const uint16_t *texel = &r_patch.texels[Patch::texel_index(p_blade, k)];
 		const Eigen::Vector3f knot(half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]));
 		length += (knot - before).norm();
 		before = knot;
 		r_patch.max_reach = std::max(r_patch.max_reach, std::hypot(knot.x(), knot.z()));
-		r_patch.max_height = std::max(r_patch.max_height, knot.y());
+		height = std::max(height, knot.y());
 	}
+	r_patch.max_height = std::max(r_patch.max_height, height);
+	r_patch.mean_height += height / GRASS_PATCH_BLADES;
 	r_patch.max_length = std::max(r_patch.max_length, length);
 }
 

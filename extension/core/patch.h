@@ -18,8 +18,8 @@ inline constexpr Tunable PATCH_SEED{ "seed", "", 0.0, 4294967295.0, 1.0, 1.0 };
 inline constexpr Tunable LENGTH_MIN{ "length_min", "m", 0.0, 3.0, 0.01, 0.3 };
 inline constexpr Tunable LENGTH_MAX{ "length_max", "m", 0.0, 3.0, 0.01, 0.7 };
 // Full width at the root. Beyond 0.05 m blades read as reed or leaves.
-inline constexpr Tunable WIDTH_MIN{ "width_min", "m", 0.0005, 0.2, 0.0005, 0.009 };
-inline constexpr Tunable WIDTH_MAX{ "width_max", "m", 0.0005, 0.2, 0.0005, 0.017 };
+inline constexpr Tunable WIDTH_MIN{ "width_min", "m", 0.0005, 0.2, 0.0005, 0.01 };
+inline constexpr Tunable WIDTH_MAX{ "width_max", "m", 0.0005, 0.2, 0.0005, 0.02 };
 // Shares of the blade types, relative to each other; all 0 make an empty patch.
 inline constexpr std::array<Tunable, BLADE_TYPES.size()> TYPE_WEIGHTS{ {
 		{ "weight_upright", "", 0.0, 1.0, 0.01, 0.25 },
@@ -51,6 +51,7 @@ struct Patch {
 	float max_length = 0.0f; // metres, along the blade
 	float max_reach = 0.0f; // metres, horizontally from the root
 	float max_height = 0.0f; // metres, above the root
+	float mean_height = 0.0f; // metres, of the blades' highest knots
 
 	bool is_empty() const { return empty_because != nullptr; }
 	// First of the four halves of knot p_knot of blade p_blade.

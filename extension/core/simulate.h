@@ -15,6 +15,8 @@
 
 namespace grass {
 
+struct TileState;
+
 // Calls p_body(i) once for every i below p_count, in any order, on any thread, and returns when all are done.
 using ParallelFor = std::function<void(int p_count, const std::function<void(int)> &p_body)>;
 
@@ -54,13 +56,11 @@ public:
 	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);
 
 private:
-	struct SlotState;
-
 	void wake(const GrassSlot &p_slot, const GrassStep &p_step);
 	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
 
 	std::shared_ptr<const Patch> _patch;
-	std::vector<std::unique_ptr<SlotState>> _slots;
+	std::vector<std::unique_ptr<TileState>> _slots;
 	std::vector<float> _energy;
 	int64_t _simulated_blades = 0;
 };

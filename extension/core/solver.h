@@ -18,7 +18,8 @@ struct Blade {
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
 	Vec3<T> root; // from the centre of the tile, metres
-	T reach; // the blade's length, metres
+	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
+	T reach; // of the whole blade
 };
 
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
@@ -54,12 +55,12 @@ GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_knot) {
 }
 
 template <class T>
-GRASS_INLINE void measure_reach(Blade<T> &r_blade) {
-	T reach(0.0f);
+GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
+	r_blade.reach = T(0.0f);
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
-		reach = reach + length(rest_segment(r_blade, k));
+		r_blade.lengths[k] = length(rest_segment(r_blade, k));
+		r_blade.reach = r_blade.reach + r_blade.lengths[k];
 	}
-	r_blade.reach = reach;
 }
 
 // [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
@@ -116,7 +117,7 @@ template <class T>
 GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> found = segment(r_blade, k);
-		const T rest_length = length(rest_segment(r_blade, k));
+		const T rest_length = r_blade.lengths[k];
 		const T squared = dot(found, found);
 		const auto is_long = squared > T(TINY_SQUARED);
 		const T found_length = square_root(select(is_long, squared, T(1.0f)));
@@ -229,7 +230,7 @@ GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> parent = r_blade.knots[k - 1];
 		const Vec3<T> rest = rest_segment(r_blade, k - 1);
-		const T rest_length = length(rest);
+		const T rest_length = r_blade.lengths[k - 1];
 		Vec3<T> knot = r_blade.knots[k] + carry;
 		const Vec3<T> found = knot - parent;
 		const T squared = dot(found, found);
@@ -251,6 +252,9 @@ GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 		const Vec3<T> change = segment - straight;
 		carry = carry + change;
 		r_blade.knots[k] = knot + change;
+		// What a surface had to push back stands still afterwards: no bounce, no jitter, no speed from an overlap.
+		const auto is_pushed = dot(change, change) > zero;
+		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);
 	}
 }
 
@@ -301,7 +305,7 @@ GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 		return;
 	}
 	mend(r_blade);
-	measure_reach(r_blade);
+	measure_lengths(r_blade);
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);

@@ -98,18 +98,14 @@ func _run(test: Dictionary) -> void:
 	while not _done and Time.get_ticks_msec() < deadline:
 		await get_tree().process_frame
 	if not _done:
-		case.failures.append("%s: still running after %d s" % [test.path, TIME_LIMIT])
-	var failures: Array[String] = case.failures
-	var skipped: String = case.skipped
-	var expecting := case
+		case.fail("still running after %d s" % TIME_LIMIT)
 	remove_child(case)
-	for child in expecting.get_children():
+	for child in case.get_children():
 		child.free()
-	await get_tree().process_frame
-	expecting.judge(_listener.take())
-	failures = expecting.failures
-	expecting.free()
-	_finish(test.name, failures, skipped)
+	await get_tree().process_frame # what was put off until now may report errors too
+	case.judge(_listener.take())
+	_finish(test.name, case.failures, case.skipped)
+	case.free()
 
 
 func _call(case: Node, function: String) -> void:
@@ -124,7 +120,7 @@ func _call(case: Node, function: String) -> void:
 func _finish(test_name: String, failures: Array, skipped: String) -> void:
 	if failures:
 		_failed += 1
-		_report("fail", "%s: %s" % [test_name, "\n    ".join(failures)])
+		_report("fail", "%s: %s" % [test_name, " | ".join(failures)])
 	elif skipped:
 		_report("skip", "%s: %s" % [test_name, skipped])
 	else:

@@ -178,6 +178,23 @@ TEST_CASE("tiles: pool sizes of nothing, one, and far too many") {
 	CHECK(manager.get_slots().size() == 1);
 }
 
+TEST_CASE("tiles: slots that were given back are handed out again, lowest first") {
+	TileManager manager = make_manager(150);
+	step(manager, { make_lid(50.0) });
+	REQUIRE(manager.get_statistics().awake >= 140);
+	while (manager.get_statistics().awake + manager.get_statistics().settling > 0) {
+		step(manager, {});
+	}
+	step(manager, { make_ball(manager, 1), make_ball(manager, 2) });
+	CHECK(manager.get_slot_of(1) == 0);
+	CHECK(manager.get_slot_of(2) == 1);
+	manager.reset();
+	step(manager, { make_lid(50.0) });
+	const int all = manager.get_statistics().awake;
+	CHECK(manager.get_tile_of(all - 1) != TileMap::NONE);
+	CHECK(manager.get_statistics().evicted == 0);
+}
+
 TEST_CASE("tiles: parameters that are no numbers become the defaults") {
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	TileParams params;

@@ -38,11 +38,12 @@ class Type:
 	(bool, int, float, enum, builtin, variant, array, object, ref).
 	"""
 
-	def __init__(self, name, kind, parameter=None, engine_class=None):
+	def __init__(self, name, kind, parameter=None, engine_class=None, element_class=None):
 		self.name = name
 		self.kind = kind
 		self.parameter = parameter or name
 		self.engine_class = engine_class
+		self.element_class = element_class  # of a typed array
 
 	def declare(self, name):
 		"""A parameter declaration."""
@@ -125,16 +126,18 @@ class Api:
 
 	def typed_array(self, text):
 		element = text.split(":")[-1]
+		element_class = None
 		if element in self.classes:
 			if element not in self.chosen:
 				return None
+			element_class = element
 			element = "Ref<%s>" % element if self.is_refcounted(element) else element
 		elif element == "int":
 			element = "int64_t"
 		elif element == "float":
 			element = "double"
 		name = "TypedArray<%s>" % element
-		return Type(name, "array", "const %s &" % name, text if text in self.classes else None)
+		return Type(name, "array", "const %s &" % name, None, element_class)
 
 	def object(self, name):
 		if name not in self.chosen:

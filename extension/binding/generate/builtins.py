@@ -98,6 +98,14 @@ def operators(name, entry):
 	return found
 
 
+def constructor_counts(api):
+	"""The table of how many constructors each builtin type has, in the order of their numbers."""
+	types = next(enum for enum in api.dump["global_enums"] if enum["name"] == "Variant.Type")["values"]
+	counts = {type_code(name): len(api.builtins[name]["constructors"]) for name in OPAQUE}
+	row = [str(counts.get("GDEXTENSION_VARIANT_" + item["name"], 0)) for item in types if item["name"] != "TYPE_MAX"]
+	return "const int internal::builtin_constructor_counts[] = { %s };\n" % ", ".join(row)
+
+
 def packed_header(name, declarations):
 	"""The whole header of one packed array."""
 	element = ELEMENTS[name]
@@ -124,6 +132,7 @@ def write_builtins(output, api, core):
 		else:
 			output.write("include/godot_cpp/variant/gen/%s.inc" % snake(name), HEADER + "\n".join(declarations) + "\n")
 		source += [text for _, text in pairs]
+	source.append(constructor_counts(api))
 	source.append("} // namespace godot\n")
 	output.write("src/builtins.cpp", "\n".join(source))
 

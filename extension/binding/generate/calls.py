@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The text of a C++ function that passes its parameters through the C interface and returns what comes back."""
 
+from generate.api import guard
+
 
 class Function:
 	"""One method of the dump: its Type'd parameters and result. None of them may be unknown (see known())."""
 
 	def __init__(self, api, entry):
 		self.name = entry["name"]
+		self.cpp_name = guard(entry["name"])
 		self.hash = entry.get("hash", 0)
 		self.const = entry.get("is_const", False)
 		self.static = entry.get("is_static", False)

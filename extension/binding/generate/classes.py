@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The engine's classes: one header each, and a few sources with all their methods."""
 
-from generate.api import guard, snake
+from generate.api import snake
 from generate.calls import Function, definition
 from generate.interface import HEADER
 
@@ -40,6 +40,8 @@ class EngineClass:
 		self.parent = self.entry.get("inherits")
 		functions = [Function(api, entry) for entry in self.entry.get("methods", [])]
 		functions = [function for function in functions if function.known()]
+		for function in functions:
+			function.cpp_name = RENAMED.get((name, function.name), function.cpp_name)
 		self.virtuals = [function for function in functions if function.virtual]
 		self.methods = [function for function in functions if not function.virtual]
 
@@ -92,20 +94,23 @@ class EngineClass:
 						includes.add(header_of(self.api, kind.engine_class))
 					else:
 						forward.add(self.api.class_name(kind.engine_class))
-				if kind.kind == "array":
-					element = kind.name[len("TypedArray<"):-1].replace("Ref<", "").replace(">", "")
-					if element in self.api.chosen and element != self.dump_name:
-						forward.add(element)
+			for kind, _, default in function.arguments:
+				element = kind.element_class
+				if element and element != self.dump_name:
+					# A default value is made where the header is read: the class must be whole.
+					(includes.add(header_of(self.api, element)) if default else forward.add(element))
+			if function.result and function.result.element_class:
+				forward.add(function.result.element_class)
 		base = "godot_cpp/classes/wrapped.hpp" if not self.parent else header_of(self.api, self.parent)
 		first = [base, "godot_cpp/classes/ref.hpp"] if self.dump_name not in ("Object", "RefCounted") else [base]
-		return first + sorted(includes - {base}), sorted(forward - {"Object"} if self.parent else forward)
+		return first + sorted(includes - {base}), sorted(forward - {"Object", self.name} if self.parent else forward)
 
 	def declaration(self, function):
 		"""A method's declaration; a vararg method is a template over one that takes Variants."""
 		static = "static " if function.static else ""
 		tail = " const" if function.const and not function.static else ""
 		if not function.vararg:
-			return "%s%s%s(%s)%s;" % (static, function.result_text(), guard(function.name), function.parameters(True), tail)
+			return "%s%s%s(%s)%s;" % (static, function.result_text(), function.cpp_name, function.parameters(True), tail)
 		first = "".join(kind.declare(name) + ", " for kind, name, _ in function.arguments)
 		given = "".join("Variant(%s), " % name for _, name, _ in function.arguments)
 		count = len(function.arguments)
@@ -132,19 +137,20 @@ class EngineClass:
 				continue
 			owner = "nullptr" if function.static else "_owner"
 			body = function.body(lambda arguments, count, result: "method.call(%s, %s, %s);" % (owner, arguments, result))
-			head = "%s%s::%s(%s)%s" % (self.qualified(function), self.name, guard(function.name), function.parameters(False), tail)
+			head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.cpp_name, function.parameters(False), tail)
 			parts.append(definition(head, [lookup] + body))
 		for function in self.virtuals:
-			head = "%s%s::%s(%s)%s" % (self.qualified(function), self.name, function.name, ", ".join(kind.declare("") .rstrip() for kind, _, _ in function.arguments), " const" if function.const else "")
+			head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.name, ", ".join(kind.declare("") .rstrip() for kind, _, _ in function.arguments), " const" if function.const else "")
 			parts.append("%s {%s}\n" % (head, "\n\treturn %s{};\n" % function.result.name if function.result and not function.result.name.endswith("*") else "\n\treturn nullptr;\n" if function.result else ""))
 		return "\n".join(parts)
 
-	def qualified(self, function):
-		return function.result_text()
 
+# Methods that a template of the same name stands before.
+RENAMED = {("Node", "get_node"): "get_node_internal"}
 
-# What the C interface offers beyond the dump.
+# What the C interface offers beyond the dump, and what is handy in C++.
 EXTRA = {
+	"Node": "template <typename T>\n\tT *get_node(const NodePath &p_path) const { return Object::cast_to<T>(get_node_internal(p_path)); }",
 	"Object": "template <typename T>\n\tstatic T *cast_to(Object *p_object);\n\ttemplate <typename T>\n\tstatic const T *cast_to(const Object *p_object);",
 	"Image": "// The pixels themselves.\n\tuint8_t *ptrw();\n\tconst uint8_t *ptr();",
 	"FileAccess": "uint64_t get_buffer(uint8_t *p_bytes, uint64_t p_length) const;\n\tvoid store_buffer(const uint8_t *p_bytes, uint64_t p_length);",

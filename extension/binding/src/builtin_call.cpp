@@ -14,16 +14,8 @@ void load_builtins() {
 	for (int i = GDEXTENSION_VARIANT_TYPE_BOOL; i < GDEXTENSION_VARIANT_TYPE_VARIANT_MAX; i++) {
 		const GDExtensionVariantType type = static_cast<GDExtensionVariantType>(i);
 		BuiltinType &entry = builtin_types[i];
-		for (int constructor = 0; constructor < BUILTIN_CONSTRUCTORS; constructor++) {
-			entry.constructors[constructor] = nullptr;
-		}
-		if (type != GDEXTENSION_VARIANT_TYPE_OBJECT) {
-			for (int constructor = 0; constructor < BUILTIN_CONSTRUCTORS; constructor++) {
-				entry.constructors[constructor] = engine::variant_get_ptr_constructor(type, constructor);
-				if (!entry.constructors[constructor]) {
-					break;
-				}
-			}
+		for (int constructor = 0; constructor < builtin_constructor_counts[i]; constructor++) {
+			entry.constructors[constructor] = engine::variant_get_ptr_constructor(type, constructor);
 		}
 		entry.destructor = engine::variant_get_ptr_destructor(type);
 		entry.to_variant = engine::get_variant_from_type_constructor(type);

@@ -52,6 +52,7 @@ struct UtilityFunction {
 
 // Constructors and the destructor of a builtin type with storage of its own; looked up by load_builtins().
 constexpr int BUILTIN_CONSTRUCTORS = 13;
+extern const int builtin_constructor_counts[GDEXTENSION_VARIANT_TYPE_VARIANT_MAX]; // generated
 struct BuiltinType {
 	GDExtensionPtrConstructor constructors[BUILTIN_CONSTRUCTORS];
 	GDExtensionPtrDestructor destructor;

@@ -111,6 +111,8 @@ struct ClassHooks {
 			*r_valid = true;
 		} else if constexpr (Parent::_is_extension) {
 			ClassHooks<Parent>::to_string(p_instance, r_valid, r_text);
+		} else {
+			*r_valid = false;
 		}
 	}
 

@@ -59,7 +59,7 @@ public:
 			flags |= GDEXTENSION_METHOD_FLAG_CONST;
 		}
 		if (std::is_void_v<typename Traits::Class>) {
-			flags |= GDEXTENSION_METHOD_FLAG_STATIC;
+			flags = GDEXTENSION_METHOD_FLAG_STATIC;
 		}
 	}
 

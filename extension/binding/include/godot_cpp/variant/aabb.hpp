@@ -36,6 +36,22 @@ struct AABB {
 		const Vector3 other = p_box.get_end();
 		return position.x < other.x && end.x > p_box.position.x && position.y < other.y && end.y > p_box.position.y && position.z < other.z && end.z > p_box.position.z;
 	}
+	bool intersects_inclusive(const AABB &p_box) const {
+		const Vector3 end = get_end();
+		const Vector3 other = p_box.get_end();
+		return position.x <= other.x && end.x >= p_box.position.x && position.y <= other.y && end.y >= p_box.position.y && position.z <= other.z && end.z >= p_box.position.z;
+	}
+	// Where the line enters and the side of the box there, if asked for. A ray has one direction, a segment two ends.
+	bool intersects_segment(const Vector3 &p_from, const Vector3 &p_to, Vector3 *r_point = nullptr, Vector3 *r_normal = nullptr) const {
+		return clip(p_from, p_to - p_from, 1, r_point, r_normal);
+	}
+	bool intersects_ray(const Vector3 &p_from, const Vector3 &p_direction) const {
+		return clip(p_from, p_direction, std::numeric_limits<real_t>::max(), nullptr, nullptr);
+	}
+	bool intersects_plane(const Plane &p_plane) const {
+		const Vector3 half = size * 0.5f;
+		return Math::abs(p_plane.distance_to(get_center())) <= p_plane.normal.abs().dot(half);
+	}
 	bool encloses(const AABB &p_box) const {
 		const Vector3 end = get_end();
 		const Vector3 other = p_box.get_end();
@@ -75,6 +91,44 @@ struct AABB {
 	operator String() const;
 
 #include <godot_cpp/variant/gen/aabb.inc>
+
+private:
+	bool clip(const Vector3 &p_from, const Vector3 &p_direction, real_t p_length, Vector3 *r_point, Vector3 *r_normal) const;
 };
+
+// The stretch of the line, in units of its direction, that lies between each pair of sides.
+inline bool AABB::clip(const Vector3 &p_from, const Vector3 &p_direction, real_t p_length, Vector3 *r_point, Vector3 *r_normal) const {
+	real_t enter = 0;
+	real_t leave = p_length;
+	int axis = 0;
+	for (int i = 0; i < 3; i++) {
+		const real_t low = position[i] - p_from[i];
+		const real_t high = low + size[i];
+		if (p_direction[i] == 0) {
+			if (low > 0 || high < 0) {
+				return false;
+			}
+			continue;
+		}
+		const real_t a = MIN(low / p_direction[i], high / p_direction[i]);
+		const real_t b = MAX(low / p_direction[i], high / p_direction[i]);
+		if (a > enter) {
+			enter = a;
+			axis = i;
+		}
+		leave = MIN(leave, b);
+	}
+	if (enter > leave) {
+		return false;
+	}
+	if (r_point) {
+		*r_point = p_from + p_direction * enter;
+	}
+	if (r_normal) {
+		*r_normal = Vector3();
+		(*r_normal)[axis] = -SIGN(p_direction[axis]);
+	}
+	return true;
+}
 
 } // namespace godot

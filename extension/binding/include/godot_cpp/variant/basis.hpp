@@ -75,6 +75,9 @@ struct Basis {
 	void rotate(const Quaternion &p_rotation) { *this = rotated(p_rotation); }
 	void set_quaternion(const Quaternion &p_rotation);
 	Quaternion get_quaternion() const { return get_rotation_quaternion(); }
+	void set_axis_angle(const Vector3 &p_axis, real_t p_angle) { *this = Basis(p_axis, p_angle); }
+	void get_axis_angle(Vector3 &r_axis, real_t &r_angle) const { get_quaternion().get_axis_angle(r_axis, r_angle); }
+	Basis lerp(const Basis &p_to, real_t p_weight) const { return *this + (p_to - *this) * p_weight; }
 	void set_euler(const Vector3 &p_euler, EulerOrder p_order = EULER_ORDER_YXZ) { *this = from_euler(p_euler, p_order); }
 	bool is_equal_approx(const Basis &p_b) const { return rows[0].is_equal_approx(p_b.rows[0]) && rows[1].is_equal_approx(p_b.rows[1]) && rows[2].is_equal_approx(p_b.rows[2]); }
 	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }

@@ -62,6 +62,10 @@ struct Quaternion {
 	}
 	Vector3 xform_inv(const Vector3 &p_v) const { return inverse().xform(p_v); }
 	Vector3 operator*(const Vector3 &p_v) const { return xform(p_v); }
+	void get_axis_angle(Vector3 &r_axis, real_t &r_angle) const {
+		r_axis = get_axis();
+		r_angle = get_angle();
+	}
 	bool is_equal_approx(const Quaternion &p_q) const {
 		return Math::is_equal_approx(x, p_q.x) && Math::is_equal_approx(y, p_q.y) && Math::is_equal_approx(z, p_q.z) && Math::is_equal_approx(w, p_q.w);
 	}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The step of a tile's blades over any lane type; step_lanes.cpp and step_scalar.cpp instantiate it.
+#pragma once
+
+#include "core/solver.h"
+#include "core/tile_state.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace grass {
+
+template <class T>
+inline constexpr int LANE_COUNT = 1;
+template <>
+inline constexpr int LANE_COUNT<Lanes> = Lanes::COUNT;
+
+template <class T>
+GRASS_INLINE T load(const float *p_from) {
+	return T(*p_from);
+}
+template <>
+GRASS_INLINE Lanes load<Lanes>(const float *p_from) {
+	Lanes lanes;
+	std::memcpy(&lanes.values, p_from, sizeof(lanes.values));
+	return lanes;
+}
+
+GRASS_INLINE void store(float p_value, float *r_to) { *r_to = p_value; }
+GRASS_INLINE void store(double p_value, float *r_to) { *r_to = float(p_value); }
+GRASS_INLINE void store(const Lanes &p_value, float *r_to) { std::memcpy(r_to, &p_value.values, sizeof(p_value.values)); }
+
+template <class T, int N>
+GRASS_INLINE Vec3<T> load_knot(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	return { load<T>(&p_from[0][p_knot][p_blade]), load<T>(&p_from[1][p_knot][p_blade]), load<T>(&p_from[2][p_knot][p_blade]) };
+}
+template <class T, int N>
+GRASS_INLINE void store_knot(const Vec3<T> &p_value, float (&r_to)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	store(p_value.x, &r_to[0][p_knot][p_blade]);
+	store(p_value.y, &r_to[1][p_knot][p_blade]);
+	store(p_value.z, &r_to[2][p_knot][p_blade]);
+}
+
+GRASS_INLINE float largest(float p_value) { return p_value; }
+GRASS_INLINE float largest(double p_value) { return float(p_value); }
+GRASS_INLINE float largest(const Lanes &p_value) {
+	float most = p_value[0];
+	for (int lane = 1; lane < Lanes::COUNT; lane++) {
+		most = std::max(most, p_value[lane]);
+	}
+	return most;
+}
+
+template <class T>
+GRASS_INLINE float step_tile(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
+	const StepTerms<T> terms = make_terms<T>(p_step, p_blend, p_colliders);
+	float liveliest = 0.0f;
+	for (int first = 0; first < GRASS_BLADES_PER_TILE; first += LANE_COUNT<T>) {
+		Blade<T> blade;
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			blade.rest[k] = load_knot<T>(r_state.rest, k, first);
+			const int free = k - GRASS_CLAMPED_KNOTS;
+			blade.knots[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.knots, free, first);
+			blade.before[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.before, free, first);
+		}
+		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
+		step_blade(blade, terms);
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
+			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
+		}
+		liveliest = std::max(liveliest, largest(measure_energy(blade, p_step)));
+	}
+	return liveliest;
+}
+
+} // namespace grass

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The blades of one awake tile on the CPU, and their step. Written by simulate.cpp and by the step, nowhere else.
+#pragma once
+
+#include "core/collider.h"
+#include "core/layout.h"
+
+#include <span>
+
+namespace grass {
+
+// One blade beside the other within each knot's component, as the GPU's buffers have them. Metres, blade space. Rest pose
+// and roots are made when the tile wakes, knots change every step.
+struct alignas(32) TileState {
+	float rest[3][GRASS_KNOTS][GRASS_BLADES_PER_TILE];
+	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
+	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
+	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
+	uint32_t first_blade; // in the patch
+};
+
+// One step of all blades of a tile; the energy of the liveliest, [Eq 19]. The colliders are those of this tile.
+float step_lanes(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
+float step_scalar_float(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
+float step_scalar_double(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
+
+} // namespace grass

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+## The demo's table: what stands in the field, what is awake over time, what it costs.
+extends RefCounted
+
+var _field: GrassField
+var _awake: Array[String] = [] # one entry every half second
+var _management: Array[float] = [] # ms, each tick
+var _simulate: Array[float] = [] # ms, each tick
+var _draw: Array[float] = [] # ms, each picture
+var _most_awake := 0
+
+
+func _init(p_field: GrassField) -> void:
+	_field = p_field
+
+
+func tick(p_time: float) -> void:
+	var statistics := _field.get_statistics()
+	var awake: int = statistics.awake_tiles + statistics.settling_tiles
+	_most_awake = maxi(_most_awake, awake)
+	_management.append(statistics.management_ms)
+	if statistics.simulate_ms > 0.0:
+		_simulate.append(statistics.simulate_ms)
+	if p_time >= 0.5 * _awake.size():
+		_awake.append("%.1f s: %d" % [p_time, awake])
+
+
+func frame(p_draw_ms: float) -> void:
+	if p_draw_ms > 0.0:
+		_draw.append(p_draw_ms)
+
+
+func table(p_bodies: int, p_software: bool) -> String:
+	var statistics := _field.get_statistics()
+	var rows: Array[PackedStringArray] = [
+		["device", RenderingServer.get_video_adapter_name() + (" (software)" if p_software else "")],
+		["renderer", RenderingServer.get_current_rendering_method()],
+		["backend", statistics.backend],
+		["blades", _with_commas(statistics.blades)],
+		["tiles", _with_commas(statistics.tiles)],
+		["bodies", str(p_bodies)],
+		["awake tiles", ", ".join(_awake)],
+		["most awake", "%d tiles, %s blades" % [_most_awake, _with_commas(_most_awake * 64)]],
+		["blade steps", _with_commas(statistics.simulated_blades)],
+		["drawn (last view)", "%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]],
+		["draw", _range(_draw, "ms GPU a frame")],
+		["simulate", _range(_simulate, "ms a frame" if statistics.backend == "GPU" else "ms a tick")],
+		["tile management", _range(_management, "ms CPU a tick")],
+		["cull", "%.3f ms" % statistics.cull_ms],
+		["memory", "%.1f MB" % (statistics.memory / 1e6)],
+	]
+	var lines: Array[String] = []
+	for row in rows:
+		lines.append("  %-18s %s" % [row[0], row[1]])
+	return "\n".join(lines)
+
+
+func _range(p_values: Array[float], p_unit: String) -> String:
+	if p_values.is_empty():
+		return "not measured"
+	var sorted := p_values.duplicate()
+	sorted.sort()
+	return "median %.3f, most %.3f %s" % [sorted[sorted.size() >> 1], sorted[-1], p_unit]
+
+
+func _with_commas(p_number: int) -> String:
+	var text := str(p_number)
+	for at in range(text.length() - 3, 0, -3):
+		text = text.insert(at, ",")
+	return text

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+## Takes pictures of a viewport. Between two pictures the 3D view is off, so that software rendering, which takes
+## seconds for a frame, does not hold up the physics.
+extends RefCounted
+
+var draw_ms := 0.0 ## GPU time of the last picture's frame, as the engine measures it (0: unknown)
+
+var _viewport: Viewport
+var _folder: String
+
+
+func _init(p_viewport: Viewport, p_folder: String) -> void:
+	_viewport = p_viewport
+	_folder = p_folder
+	DirAccess.make_dir_recursive_absolute(p_folder)
+	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
+
+
+## Draws once, so that shaders are compiled.
+func warm_up() -> void:
+	await _draw(2)
+
+
+func take(p_name: String) -> void:
+	await _draw(3)
+	draw_ms = RenderingServer.viewport_get_measured_render_time_gpu(_viewport.get_viewport_rid())
+	var path := _folder.path_join(p_name + ".png")
+	var error := _viewport.get_texture().get_image().save_png(path)
+	if error != OK:
+		push_error("Demo: cannot write %s (%s)." % [path, error_string(error)])
+
+
+func _draw(p_frames: int) -> void:
+	_viewport.disable_3d = false
+	_viewport.get_tree().paused = true # the moment of the picture stands still
+	for i in p_frames: # measured times arrive two frames late
+		await RenderingServer.frame_post_draw
+	_viewport.get_tree().paused = false
+	_viewport.disable_3d = true

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// A tile of blades, colliders and time, for the tests of the solver: no patch, no pool, shapes set by hand.
+#pragma once
+
+#include "core/solver_params.h"
+#include "core/tile_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace grass::test {
+
+using Step = float (*)(TileState &, const GrassStep &, float, std::span<const TileCollider>);
+inline constexpr Step ALL_STEPS[] = { step_lanes, step_scalar_float, step_scalar_double };
+
+inline constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
+
+struct BladeScene {
+	std::unique_ptr<TileState> tile = std::make_unique<TileState>();
+	SolverParams params;
+	StepClock clock;
+	std::vector<GrassCollider> colliders;
+	std::vector<Eigen::Vector4f> planes;
+	Step step_function = step_lanes;
+	float blend = 0.0f;
+	float energy = 0.0f;
+	float length = 0.5f; // metres, of every blade
+
+	// Blades with their roots at the tile's centre: the first straight, the others leaning and curving ever more.
+	explicit BladeScene(float p_length = 0.5f) :
+			length(p_length) {
+		std::memset(tile.get(), 0, sizeof(TileState));
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			const float curve = 1.2f * float(b) / float(GRASS_BLADES_PER_TILE), heading = 0.7f * float(b);
+			Eigen::Vector3f knot = Eigen::Vector3f::Zero();
+			for (int k = 0; k < GRASS_KNOTS; k++) {
+				set_rest(b, k, knot);
+				const float angle = curve * float(k) / float(GRASS_SEGMENTS);
+				knot += length / GRASS_SEGMENTS * Eigen::Vector3f(std::sin(angle) * std::cos(heading), std::cos(angle), std::sin(angle) * std::sin(heading));
+			}
+		}
+	}
+
+	void set_rest(int p_blade, int p_knot, const Eigen::Vector3f &p_place) {
+		for (int c = 0; c < 3; c++) {
+			tile->rest[c][p_knot][p_blade] = p_place[c];
+		}
+		set_knot(p_blade, p_knot, p_place);
+	}
+	// Standing still there.
+	void set_knot(int p_blade, int p_knot, const Eigen::Vector3f &p_place) {
+		for (int c = 0; c < 3 && p_knot >= GRASS_CLAMPED_KNOTS; c++) {
+			tile->knots[c][p_knot - GRASS_CLAMPED_KNOTS][p_blade] = p_place[c];
+			tile->before[c][p_knot - GRASS_CLAMPED_KNOTS][p_blade] = p_place[c];
+		}
+	}
+	Eigen::Vector3f rest(int p_blade, int p_knot) const {
+		return { tile->rest[0][p_knot][p_blade], tile->rest[1][p_knot][p_blade], tile->rest[2][p_knot][p_blade] };
+	}
+	Eigen::Vector3f knot(int p_blade, int p_knot) const {
+		const int free = p_knot - GRASS_CLAMPED_KNOTS;
+		return free < 0 ? rest(p_blade, p_knot) : Eigen::Vector3f(tile->knots[0][free][p_blade], tile->knots[1][free][p_blade], tile->knots[2][free][p_blade]);
+	}
+
+	// Bends every blade to a circular arc towards +x, p_angle (radians) from root to tip.
+	void bend(float p_angle) {
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			Eigen::Vector3f place = rest(b, 1);
+			for (int k = 1; k < GRASS_SEGMENTS; k++) {
+				const float angle = p_angle * float(k) / float(GRASS_SEGMENTS - 1);
+				place += (rest(b, k + 1) - rest(b, k)).norm() * Eigen::Vector3f(std::sin(angle), std::cos(angle), 0.0f);
+				set_knot(b, k + 1, place);
+			}
+		}
+	}
+
+	GrassCollider &add(int p_shape, const Eigen::Vector3f &p_place, const Eigen::Vector3f &p_size) {
+		GrassCollider collider;
+		collider.anchor.z = p_shape;
+		collider.rotation = collider.rotation_before = { 0.0f, 0.0f, 0.0f, 1.0f };
+		collider.size = { p_size.x(), p_size.y(), p_size.z(), 0.0f };
+		if (p_shape == GRASS_HULL) { // a box of that size, given by its planes
+			planes = { { 1, 0, 0, p_size.x() }, { -1, 0, 0, p_size.x() }, { 0, 1, 0, p_size.y() }, { 0, -1, 0, p_size.y() }, { 0, 0, 1, p_size.z() }, { 0, 0, -1, p_size.z() } };
+			collider.size.x = p_size.norm();
+			collider.position_before.w = float(planes.size());
+		}
+		colliders.push_back(collider);
+		place(colliders.back(), p_place, p_place);
+		return colliders.back();
+	}
+	static void place(GrassCollider &r_collider, const Eigen::Vector3f &p_before, const Eigen::Vector3f &p_now) {
+		r_collider.position = { p_now.x(), p_now.y(), p_now.z(), 0.5f };
+		r_collider.position_before = { p_before.x(), p_before.y(), p_before.z(), r_collider.position_before.w };
+	}
+	std::vector<TileCollider> tile_colliders() const {
+		std::vector<TileCollider> made;
+		for (const GrassCollider &collider : colliders) {
+			TileCollider one;
+			if (make_tile_collider(collider, 0, 0, 0.5f, planes, one)) {
+				made.push_back(one);
+			}
+		}
+		return made;
+	}
+
+	void step(double p_delta = 1.0 / 60.0) {
+		const GrassStep step = clock.advance(params, p_delta);
+		energy = step_function(*tile, step, blend, tile_colliders());
+	}
+	void step_for(double p_seconds, double p_rate = 60.0) {
+		for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {
+			step(1.0 / p_rate);
+		}
+	}
+
+	// The largest of something over all knots that move.
+	float largest(const std::function<float(int, int)> &p_measure) const {
+		float most = 0.0f;
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+				const float value = p_measure(b, k);
+				most = value <= most ? most : value; // keeps NaN
+			}
+		}
+		return most;
+	}
+	// Error of a segment's length, as a share of it.
+	float stretch() const {
+		return largest([&](int b, int k) {
+			const float wanted = (rest(b, k) - rest(b, k - 1)).norm();
+			return std::abs((knot(b, k) - knot(b, k - 1)).norm() - wanted) / wanted;
+		});
+	}
+	// How far any knot is from its rest place, blade lengths.
+	float distance_from_rest() const {
+		return largest([&](int b, int k) { return (knot(b, k) - rest(b, k)).norm() / length; });
+	}
+	// How far any knot of another scene with the same blades is from this one's, blade lengths.
+	float distance_from(const BladeScene &p_other) const {
+		return largest([&](int b, int k) { return (knot(b, k) - p_other.knot(b, k)).norm() / length; });
+	}
+	bool is_exactly_at_rest() const {
+		return std::memcmp(&tile->rest[0][GRASS_CLAMPED_KNOTS], tile->knots[0], sizeof(tile->knots[0])) == 0 &&
+				std::memcmp(&tile->rest[1][GRASS_CLAMPED_KNOTS], tile->knots[1], sizeof(tile->knots[1])) == 0 &&
+				std::memcmp(&tile->rest[2][GRASS_CLAMPED_KNOTS], tile->knots[2], sizeof(tile->knots[2])) == 0;
+	}
+	bool is_finite() const { return std::isfinite(largest([&](int b, int k) { return knot(b, k).cwiseAbs().sum(); })); }
+	float depth_in(const TileCollider &p_collider, int p_blade, int p_knot) const {
+		const Eigen::Vector3f place = knot(p_blade, p_knot);
+		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
+		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
+		return -find_face(p_collider, turned(inverse(p_collider.turn), offset)).distance;
+	}
+	// How deep a knot is in a collider, metres: of the blades whose clamp no collider covers, since a covered blade
+	// has nowhere to go.
+	float depth() const {
+		const std::vector<TileCollider> all = tile_colliders();
+		return largest([&](int b, int k) {
+			float deepest = 0.0f;
+			for (const TileCollider &collider : all) {
+				if (depth_in(collider, b, 1) > 0.0f) {
+					return 0.0f;
+				}
+				deepest = std::max(deepest, depth_in(collider, b, k));
+			}
+			return deepest;
+		});
+	}
+};
+
+} // namespace grass::test
