@@ -67,7 +67,8 @@ def editor():
 	machine.ensure(*machine.BUILDING, machine.VULKAN)
 	build.scons("extension")
 	prefix, driver = ([], {}) if machine.gpu() else engine.software_vulkan()
-	command = [*prefix, machine.godot(), "--editor", "--path", str(PROJECT)]
+	sound = [] if os.path.isdir("/dev/snd") else ["--audio-driver", "Dummy"]
+	command = [*prefix, machine.godot(), *sound, "--editor", "--path", str(PROJECT)]
 	code = subprocess.run(command, env={**os.environ, **settle.environment(), **driver}).returncode
 	if code:
 		raise Failure(f"The editor ended with code {code}.")

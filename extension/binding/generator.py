@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the part of the godot-cpp interface that follows from the engine's own API dump.
 
-Usage: generator.py --api extension_api.json --interface gdextension_interface.h --classes classes.json --out DIR
+Usage: generator.py --api extension_api.json [--interface gdextension_interface.h] --classes classes.json --out DIR
 Writes DIR/include (headers) and DIR/src (sources). Files whose text has not changed keep their time stamp,
 so a build that runs this every time rebuilds nothing.
 """
@@ -49,14 +49,15 @@ class Output:
 def main():
 	parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 	parser.add_argument("--api", required=True, help="extension_api.json of the engine")
-	parser.add_argument("--interface", required=True, help="gdextension_interface.h of the engine")
+	parser.add_argument("--interface", help="gdextension_interface.h of the engine; by default the one beside the api")
 	parser.add_argument("--classes", required=True, help="JSON with the key enabled_classes")
 	parser.add_argument("--out", required=True, help="folder to write to")
 	arguments = parser.parse_args()
 
 	with open(arguments.api, encoding="utf-8") as file:
 		dump = json.load(file)
-	with open(arguments.interface, encoding="utf-8") as file:
+	beside = os.path.join(os.path.dirname(arguments.api), "gdextension_interface.h")
+	with open(arguments.interface or beside, encoding="utf-8") as file:
 		interface = file.read()
 	with open(arguments.classes, encoding="utf-8") as file:
 		enabled = json.load(file)["enabled_classes"]

@@ -71,7 +71,7 @@ GRASS_INLINE Face<T> outer(const Face<T> &p_a, const Face<T> &p_b, const Ground<
 	return { select(is_b, p_b.normal, p_a.normal), select(is_b, p_b.distance, p_a.distance) };
 }
 
-// A round face at p_out from the axis or centre. Where it is blocked, the way out is level: [Eq 10b].
+// A round face at p_out from the axis or centre. Where it is blocked, the way out is level: [Eq 21].
 template <class T>
 GRASS_INLINE Face<T> round_face(const Vec3<T> &p_out, const T &p_radius, const Vec3<T> &p_fallback, const Ground<T> &p_ground) {
 	const Face<T> face{ normalized(p_out, p_fallback), length(p_out) - p_radius };
@@ -126,6 +126,17 @@ GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_
 template <class T>
 GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point) {
 	return find_face(p_collider, p_point, Ground<T>{ {}, T(0.0f) });
+}
+
+// Whether the collider, on its way during the step, comes within p_reach (metres) of the blade's root.
+template <class T>
+GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_root, const T &p_reach) {
+	const Vec3<T> way = widened<T>(p_collider.centre - p_collider.centre_before);
+	const Vec3<T> from = widened<T>(p_collider.centre_before) - p_root;
+	const T t = minimum(maximum(-dot(from, way) / maximum(dot(way, way), T(TINY_SQUARED)), T(0.0f)), T(1.0f));
+	const Vec3<T> nearest = from + way * t;
+	const T reach = p_reach + T(p_collider.bound);
+	return dot(nearest, nearest) < reach * reach;
 }
 
 // A path of a knot during the step, from and to, in the shape's own axes at that time.

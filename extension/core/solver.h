@@ -10,6 +10,8 @@ namespace grass {
 // Contacts of knots below this one do not bend the whole blade: on so short a lever they would fling it. finish() turns
 // their own segments.
 inline constexpr int FIRST_BENDING_KNOT = 5;
+// How far, in blade lengths from the root, knots are looked after before their lengths are put right.
+inline constexpr float REACH_MARGIN = 1.5f;
 
 // A blade in blade space (metres, origin at the root).
 template <class T>
@@ -143,9 +145,13 @@ template <class T>
 GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	DeepestContact<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
+		const auto is_near = comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		if (!any(is_near)) {
+			continue;
+		}
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
 			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
-			const auto is_deeper = contact.depth > deepest.contact.depth;
+			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth);
 			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
 			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);
@@ -196,6 +202,9 @@ GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContact<T> &p_deepest) {
 template <class T>
 GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> &p_normal, const T &p_ahead, const T &p_length) {
 	const T along = dot(p_segment, p_normal);
+	if (!any(along < p_ahead)) {
+		return p_segment;
+	}
 	const T wanted = minimum(p_ahead, p_length);
 	const Vec3<T> side = normalized(p_segment - p_normal * along, perpendicular(p_normal));
 	const Vec3<T> placed = p_normal * wanted + side * square_root(maximum(p_length * p_length - wanted * wanted, T(0.0f)));
@@ -208,10 +217,13 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 		const T &p_length, const T &p_gap) {
 	Vec3<T> segment = p_segment;
 	for (const TileCollider &collider : p_terms.colliders) {
+		const Vec3<T> offset = (p_parent + (p_blade.root - widened<T>(collider.centre))) + segment;
+		if (!any(dot(offset, offset) < T(collider.bound * collider.bound))) {
+			continue;
+		}
 		const Turn<T> turn = widened<T>(collider.turn);
-		const Vec3<T> offset = p_parent + (p_blade.root - widened<T>(collider.centre));
 		const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
-		const Face<T> face = find_face(collider, turned(inverse(turn), offset + segment), ground);
+		const Face<T> face = find_face(collider, turned(inverse(turn), offset), ground);
 		if (any(face.distance < T(0.0f))) {
 			const Vec3<T> normal = turned(turn, face.normal);
 			const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
@@ -241,12 +253,13 @@ GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 		const Vec3<T> straight = knot - parent;
 		Vec3<T> segment = straight;
 		const T gap = minimum(p_terms.ground_gap * rest_length, r_blade.rest[k].y);
-		const Vec3<T> up{ zero, T(1.0f), zero };
-		for (int round = 0; round < 2; round++) {
+		for (int round = 0; round < 2; round++) { // twice, since what one surface turns may run into another
+			const Vec3<T> start = segment;
 			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
-			const T ahead = gap - parent.y;
-			if (any(segment.y < ahead)) {
-				segment = place_before_plane(segment, up, ahead, rest_length);
+			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
+			const Vec3<T> turned_by = segment - start;
+			if (!any(dot(turned_by, turned_by) > zero)) {
+				break;
 			}
 		}
 		const Vec3<T> change = segment - straight;
@@ -269,13 +282,13 @@ GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	}
 }
 
-// Puts a blade with a number that is not finite to rest.
+// Puts a blade with a number that is not finite to rest. Such a number survives every stage above, so once is enough.
 template <class T>
 GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		const Vec3<T> a = r_blade.knots[k], b = r_blade.before[k];
-		sum = sum + (absolute(a.x) + absolute(a.y) + absolute(a.z) + absolute(b.x) + absolute(b.y) + absolute(b.z));
+		const Vec3<T> knot = r_blade.knots[k];
+		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z));
 	}
 	const auto is_broken = !(sum < T(1e30f));
 	if (any(is_broken)) {
@@ -304,7 +317,6 @@ GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	if (p_terms.iterations == 0) {
 		return;
 	}
-	mend(r_blade);
 	measure_lengths(r_blade);
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {

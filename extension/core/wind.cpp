@@ -39,7 +39,8 @@ Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f
 	const Eigen::Vector2f ahead = p_wind.velocity / speed;
 	const Eigen::Vector2f aside(-ahead.y(), ahead.x());
 	const float phase = 3.0f * p_random[1] + 0.9f * p_place.dot(ahead) - 0.7f * p_along;
-	const float with = 0.5f * std::sin(5.1f * p_time + phase) + 0.3f * std::sin(8.9f * p_time + 1.7f * phase) + 0.2f * std::sin(14.3f * p_time + 2.3f * phase);
+	float with = 0.5f * std::sin(5.1f * p_time + phase) + 0.3f * std::sin(8.9f * p_time + 1.7f * phase);
+	with += 0.2f * std::sin(14.3f * p_time + 2.3f * phase);
 	const float across = 0.6f * std::sin(4.3f * p_time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * p_time + 2.9f * phase);
 	here.tilt = p_along * push * ((1.0f + 0.3f * with) * ahead + (0.25f * across + 0.4f * (p_random[3] - 0.5f)) * aside);
 	return here;
@@ -47,7 +48,9 @@ Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f
 
 Eigen::Vector3f wind_point(const Eigen::Vector3f &p_point, const Eigen::Vector3f &p_reach, const Eigen::Vector2f &p_tilt) {
 	const Eigen::Vector3f bow = 0.57735027f * (p_point - p_reach);
-	Eigen::Vector3f bent = p_point + 0.5f * (tilt_change(p_point + bow, 0.21132487f * p_tilt) + tilt_change(p_point - bow, 0.78867513f * p_tilt));
+	const Eigen::Vector3f near_root = tilt_change(p_point + bow, 0.21132487f * p_tilt);
+	const Eigen::Vector3f near_point = tilt_change(p_point - bow, 0.78867513f * p_tilt);
+	Eigen::Vector3f bent = p_point + 0.5f * (near_root + near_point);
 	bent.y() = std::max(bent.y(), std::min(p_point.y(), 0.01f));
 	return bent;
 }

@@ -16,19 +16,19 @@ struct NamedColor {
 };
 
 inline constexpr std::array FIELD_COLORS = {
-	NamedColor{ "root_color", 0.10f, 0.18f, 0.045f },
-	NamedColor{ "tip_color", 0.42f, 0.56f, 0.16f },
+	NamedColor{ "root_color", 0.15f, 0.25f, 0.08f },
+	NamedColor{ "tip_color", 0.48f, 0.60f, 0.22f },
 	NamedColor{ "dry_color", 0.66f, 0.60f, 0.34f },
 };
 
 // Share of dryness in tips and light clumps.
 inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
-// How dark the ground between dense blades is. Low on sparse lawns.
-inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.85 };
+// How dark the ground between the densest blades is. Low on sparse lawns.
+inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that comes out of the other.
 inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.5 };
 // Strength and Phong exponent of the highlight.
-inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.25 };
+inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.12 };
 inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };
 // 0: a thinned tile's blades keep their width; 1: they cover as much as all would.
 inline constexpr Tunable THIN_WIDENING{ "thin_widening", "", 0.0, 1.0, 0.01, 0.75 };

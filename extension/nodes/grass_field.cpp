@@ -151,6 +151,7 @@ void GrassField::frame(double p_delta) {
 
 // The camera has its pose of this frame only now.
 void GrassField::_before_draw() {
+	build(); // also where the tree is paused from the first frame on
 	if (!_backend || !is_visible_in_tree() || get_viewport()->is_3d_disabled()) {
 		return;
 	}

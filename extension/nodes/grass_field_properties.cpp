@@ -128,7 +128,7 @@ void GrassField::set_all_uniforms() {
 	_backend->set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
 	_backend->set_uniform("tile_size", grid.get_tile_size());
 	_backend->set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
-	_backend->set_uniform("canopy_height", _setup.patch->max_height * 0.8);
+	_backend->set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
 	_backend->set_uniform("grass_time", _time);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {

@@ -7,12 +7,12 @@
 using namespace grass;
 using namespace grass::test;
 
-TEST_CASE("A blade at rest keeps every bit for 10,000 steps") {
+TEST_CASE("A blade at rest keeps every bit for 10,000 steps (1,000 in the plain versions)") {
 	for (const Step step : ALL_STEPS) {
 		BladeScene scene;
 		scene.step_function = step;
 		scene.add(GRASS_SPHERE, { 0.9f, 0.2f, 0.0f }, { 0.15f, 0, 0 }); // near, but not touching
-		for (int i = 0; i < 10000; i++) {
+		for (int i = step == step_lanes ? 10000 : 1000; i > 0; i--) {
 			scene.step();
 		}
 		CHECK(scene.is_exactly_at_rest());

@@ -44,7 +44,7 @@ def dump_api(godot):
 
 def generate():
 	"""Runs the generator if it, its list of classes or the engine's interface changed."""
-	inputs = [*HERE.rglob("*.py"), HERE / "classes.json", API / "extension_api.json"]
+	inputs = [*HERE.rglob("*.py"), *HERE.rglob("*.hpp"), HERE / "classes.json", API / "extension_api.json"]
 	state = digest(inputs)
 	if up_to_date(MADE / "stamp", state):
 		return

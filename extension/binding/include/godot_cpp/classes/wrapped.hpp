@@ -51,13 +51,13 @@ protected:
 	Wrapped();
 
 	static void _bind_methods() {}
-	void _notification(int p_what) {}
-	bool _set(const StringName &p_name, const Variant &p_value) { return false; }
-	bool _get(const StringName &p_name, Variant &r_value) const { return false; }
-	void _get_property_list(List<PropertyInfo> *p_list) const {}
-	bool _property_can_revert(const StringName &p_name) const { return false; }
-	bool _property_get_revert(const StringName &p_name, Variant &r_value) const { return false; }
-	void _validate_property(PropertyInfo &p_property) const {}
+	void _notification(int) {}
+	bool _set(const StringName &, const Variant &) { return false; }
+	bool _get(const StringName &, Variant &) const { return false; }
+	void _get_property_list(List<PropertyInfo> *) const {}
+	bool _property_can_revert(const StringName &) const { return false; }
+	bool _property_get_revert(const StringName &, Variant &) const { return false; }
+	void _validate_property(PropertyInfo &) const {}
 	String _to_string() const { return String(); }
 	template <typename T, typename Base>
 	static void register_virtuals() {}

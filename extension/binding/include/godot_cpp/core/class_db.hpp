@@ -27,19 +27,19 @@ class ClassDB {
 public:
 	template <typename T>
 	static void register_class(bool p_virtual = false) {
-		register_with<T>({ .is_virtual = p_virtual, .is_abstract = false, .is_exposed = true, .is_runtime = false });
+		register_as<T>(Kind{ .is_virtual = p_virtual });
 	}
 	template <typename T>
 	static void register_abstract_class() {
-		register_with<T>({ .is_virtual = false, .is_abstract = true, .is_exposed = true, .is_runtime = false });
+		register_as<T>(Kind{ .is_abstract = true });
 	}
 	template <typename T>
 	static void register_internal_class() {
-		register_with<T>({ .is_virtual = false, .is_abstract = false, .is_exposed = false, .is_runtime = false });
+		register_as<T>(Kind{ .is_exposed = false });
 	}
 	template <typename T>
 	static void register_runtime_class() {
-		register_with<T>({ .is_virtual = false, .is_abstract = false, .is_exposed = true, .is_runtime = true });
+		register_as<T>(Kind{ .is_runtime = true });
 	}
 
 	template <typename F, typename... Defaults>
@@ -68,23 +68,35 @@ public:
 	static void deinitialize(GDExtensionInitializationLevel p_level);
 
 private:
+	struct Kind {
+		bool is_virtual = false; // scripts may inherit it but not make one
+		bool is_abstract = false;
+		bool is_exposed = true; // scripts see it
+		bool is_runtime = false; // a placeholder stands for it in the editor
+	};
+
 	template <typename T>
-	static void register_with(GDExtensionClassCreationInfo5 p_info) {
+	static void register_as(Kind p_kind) {
 		static_assert(std::is_same_v<typename T::self_type, T>, "Put GDCLASS(the class, its base) at its top.");
 		using Hooks = internal::ClassHooks<T>;
-		p_info.set_func = &Hooks::set;
-		p_info.get_func = &Hooks::get;
-		p_info.get_property_list_func = Hooks::HAS_LIST ? &Hooks::get_property_list : nullptr;
-		p_info.free_property_list_func = &internal::free_property_list;
-		p_info.property_can_revert_func = &Hooks::property_can_revert;
-		p_info.property_get_revert_func = &Hooks::property_get_revert;
-		p_info.validate_property_func = &Hooks::validate_property;
-		p_info.notification_func = &Hooks::notification;
-		p_info.to_string_func = &Hooks::to_string;
-		p_info.create_instance_func = &Hooks::create;
-		p_info.free_instance_func = &Hooks::free;
-		p_info.recreate_instance_func = &Hooks::recreate;
-		add_class(T::get_class_static(), T::get_parent_class_static(), p_info);
+		GDExtensionClassCreationInfo5 info = {};
+		info.is_virtual = p_kind.is_virtual;
+		info.is_abstract = p_kind.is_abstract;
+		info.is_exposed = p_kind.is_exposed;
+		info.is_runtime = p_kind.is_runtime;
+		info.set_func = &Hooks::set;
+		info.get_func = &Hooks::get;
+		info.get_property_list_func = Hooks::HAS_LIST ? &Hooks::get_property_list : nullptr;
+		info.free_property_list_func = &internal::free_property_list;
+		info.property_can_revert_func = &Hooks::property_can_revert;
+		info.property_get_revert_func = &Hooks::property_get_revert;
+		info.validate_property_func = &Hooks::validate_property;
+		info.notification_func = &Hooks::notification;
+		info.to_string_func = &Hooks::to_string;
+		info.create_instance_func = &Hooks::create;
+		info.free_instance_func = &Hooks::free;
+		info.recreate_instance_func = &Hooks::recreate;
+		add_class(T::get_class_static(), T::get_parent_class_static(), info);
 		Hooks::bind();
 	}
 	static void add_class(const StringName &p_name, const StringName &p_parent, GDExtensionClassCreationInfo5 &p_info);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/solver.md quotes.
+//   g++ -std=c++20 -O2 -ffp-contract=off -Wno-psabi -I EIGEN -Iextension -Itests/unit tests/bench/bench_solver.cpp
+//       extension/core/{step_lanes,step_scalar,collider,solver_params}.cpp -o bench_solver
+#include "blade_scene.h"
+
+#include <chrono>
+#include <cstdio>
+
+using namespace grass;
+using namespace grass::test;
+
+namespace {
+
+constexpr double RATES[] = { 30.0, 60.0, 144.0, 720.0 };
+constexpr int ITERATION_COUNTS[] = { 2, 3, 10 };
+
+void print_return() {
+	std::printf("Released from an arc of 1.5 rad: seconds until all 64 blades stay within 10 %% and 1 %% of their length of rest,\n"
+				"overshoot (blade lengths), RMS difference of a tip's path from that at 720 Hz, 3 iterations (blade lengths)\n");
+	const auto path = [](double p_rate, int p_iterations, double &r_tenth, double &r_hundredth, float &r_overshoot) {
+		BladeScene scene;
+		scene.params.iterations = p_iterations;
+		scene.bend(1.5f);
+		std::vector<Eigen::Vector3f> places{ scene.knot(40, GRASS_KNOTS - 1) };
+		for (int i = 1; i <= int(3.0 * p_rate); i++) {
+			scene.step(1.0 / p_rate);
+			const float distance = scene.distance_from_rest();
+			r_tenth = distance > 0.1f ? i / p_rate : r_tenth;
+			r_hundredth = distance > 0.01f ? i / p_rate : r_hundredth;
+			r_overshoot = std::max(r_overshoot, (scene.rest(0, GRASS_KNOTS - 1) - scene.knot(0, GRASS_KNOTS - 1)).x() / scene.length);
+			places.push_back(scene.knot(40, GRASS_KNOTS - 1));
+		}
+		return places;
+	};
+	double tenth, hundredth;
+	float overshoot = 0.0f;
+	const std::vector<Eigen::Vector3f> reference = path(720.0, 3, tenth, hundredth, overshoot);
+	for (const double rate : RATES) {
+		for (const int iterations : ITERATION_COUNTS) {
+			overshoot = 0.0f;
+			const std::vector<Eigen::Vector3f> places = path(rate, iterations, tenth, hundredth, overshoot);
+			double sum = 0.0;
+			for (size_t i = 0; i < reference.size(); i++) { // the path between two steps is taken as straight
+				const double at = double(i) * rate / 720.0;
+				const size_t step = std::min(size_t(at), places.size() - 2);
+				const float share = float(at - double(step));
+				sum += double((places[step] * (1.0f - share) + places[step + 1] * share - reference[i]).squaredNorm());
+			}
+			std::printf("  %3.0f Hz, %2d iterations: %.3f s, %.3f s, %.3f, %.4f\n", rate, iterations, tenth, hundredth, double(overshoot),
+					std::sqrt(sum / double(reference.size())) / 0.5);
+		}
+	}
+}
+
+void print_sag() {
+	std::printf("Sag of a straight blade's tip under 4 m/s^2 across (blade lengths)\n");
+	for (const double rate : RATES) {
+		std::printf("  %3.0f Hz:", rate);
+		for (const int iterations : ITERATION_COUNTS) {
+			BladeScene scene;
+			scene.params.iterations = iterations;
+			scene.params.load[0] = 4.0;
+			scene.step_for(6.0, rate);
+			std::printf("  %d iterations %.5f", iterations, double(scene.knot(0, GRASS_KNOTS - 1).x() / scene.length));
+		}
+		std::printf("\n");
+	}
+}
+
+void print_contact() {
+	std::printf("A sphere (r = 0.15 m) rolls through the tile: worst stretch (share), worst depth (m, of blades whose clamp is free),\n"
+				"seconds from its leaving the root to 1 %% of rest\n");
+	for (const double rate : { 30.0, 60.0, 144.0 }) {
+		for (const float speed : { 1.0f, 5.0f, 20.0f, 1000.0f }) {
+			BladeScene scene;
+			scene.add(GRASS_SPHERE, Eigen::Vector3f::Zero(), { 0.15f, 0.0f, 0.0f });
+			const float stride = speed / float(rate);
+			const int count = int(2.0f / stride) + 4;
+			float stretch = 0.0f, depth = 0.0f;
+			double last = 0.0;
+			for (int i = 0; i < count + int(3.0 * rate); i++) {
+				const float x = (float(i) - 0.5f * float(count) + 0.37f) * stride;
+				BladeScene::place(scene.colliders[0], { x - stride, 0.15f, 0.02f }, { x, 0.15f, 0.02f });
+				scene.step(1.0 / rate);
+				stretch = std::max(stretch, scene.stretch());
+				depth = std::max(depth, scene.depth());
+				last = scene.distance_from_rest() > 0.01f ? double(x / speed) : last;
+			}
+			std::printf("  %3.0f Hz, %4.0f m/s: %.1e, %.1e, %.2f s\n", rate, double(speed), double(stretch), double(depth), last);
+		}
+	}
+}
+
+void print_speed() {
+	std::printf("Blades per second on one core (60 Hz, 3 iterations, best of 50 steps)\n");
+	const char *names[] = { "eight lanes", "float", "double" };
+	for (const int shapes : { 0, 4 }) {
+		for (int i = 0; i < 3; i++) {
+			BladeScene scene;
+			scene.step_function = ALL_STEPS[i];
+			for (int j = 0; j < shapes; j++) {
+				scene.add(j, { 0.2f * float(j) - 0.3f, 0.25f, 0.1f * float(j) }, { 0.1f, 0.1f, 0.1f });
+			}
+			scene.bend(1.0f);
+			double best = 1e9;
+			for (int step = 0; step < 50; step++) {
+				const auto start = std::chrono::steady_clock::now();
+				scene.step();
+				best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+			}
+			std::printf("  %d colliders, %-11s: %.2f million\n", shapes, names[i], GRASS_BLADES_PER_TILE / best * 1e-6);
+		}
+	}
+}
+
+} // namespace
+
+int main() {
+	print_return();
+	print_sag();
+	print_contact();
+	print_speed();
+}

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// The pool on the CPU: records in, knots out.
+#include <doctest/doctest.h>
+
+#include "core/blade.h"
+#include "core/half.h"
+#include "core/simulate.h"
+#include "core/solver_params.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+using namespace grass;
+
+namespace {
+
+constexpr float TILE_SIZE = 0.5f;
+
+std::shared_ptr<const Patch> shared_patch() {
+	static const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
+	return patch;
+}
+
+// A pool, and a ball that rolls over its tiles (x = 0 ..., z = 0).
+struct PoolScene {
+	CpuPool pool;
+	StepClock clock;
+	std::vector<GrassSlot> slots;
+	std::vector<GrassCollider> colliders{ 1 };
+	std::vector<uint32_t> list{ 0 };
+	GrassStep step_record;
+	int time = 0;
+
+	explicit PoolScene(int p_slots) :
+			pool(shared_patch(), p_slots) {
+		for (int i = 0; i < p_slots; i++) {
+			GrassSlot slot;
+			slot.tile = { i, 0, i, i };
+			slot.list = { uint32_t(i * 64), 0, 1, GRASS_SLOT_FRESH };
+			slots.push_back(slot);
+		}
+		colliders[0].rotation = colliders[0].rotation_before = { 0, 0, 0, 1 };
+		colliders[0].size.x = 0.15f;
+	}
+	void step(const ParallelFor &p_parallel_for = serial_for, double p_delta = 1.0 / 60.0) {
+		step_record = clock.advance(SolverParams(), p_delta);
+		step_record.field = { TILE_SIZE, 64, 64, 0 };
+		step_record.clump = { 1.6f, 1, 1, 1 };
+		colliders[0].position_before = { -0.5f + 0.05f * float(time), 0.15f, 0.03f, 0.0f };
+		colliders[0].position = { -0.45f + 0.05f * float(time), 0.15f, 0.03f, 0.5f };
+		time++;
+		pool.step({ slots, colliders, list, {}, step_record }, p_parallel_for);
+		for (GrassSlot &slot : slots) {
+			slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);
+		}
+	}
+	Eigen::Vector3f rest(int p_slot, int p_blade, int p_knot) const {
+		const auto texel = [&](int p_k) {
+			const uint16_t *halves = &shared_patch()->texels[Patch::texel_index(int(slots[size_t(p_slot)].list.x) + p_blade, p_k)];
+			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+		};
+		const ivec4 tile = slots[size_t(p_slot)].tile;
+		const Eigen::Vector2f place = root_place({ float(tile.x), float(tile.y) }, texel(0).head<2>(), { 64.0f, 64.0f }, TILE_SIZE);
+		return rest_knot(texel(p_knot), p_knot, clump_at(place, { 1.6f, 1, 1, 1 }));
+	}
+};
+
+} // namespace
+
+TEST_CASE("A tile wakes at rest, exactly where it is drawn at rest") {
+	PoolScene scene(3);
+	scene.colliders[0].position.y = 100.0f;
+	scene.list.clear();
+	for (GrassSlot &slot : scene.slots) {
+		slot.list.z = 0;
+	}
+	for (int i = 0; i < 100; i++) {
+		scene.step();
+	}
+	for (int slot = 0; slot < 3; slot++) {
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(slot, b);
+			REQUIRE(knots.size() == GRASS_KNOTS);
+			for (int k = 0; k < GRASS_KNOTS; k++) {
+				CHECK(knots[size_t(k)] == scene.rest(slot, b, k));
+			}
+		}
+		CHECK(scene.pool.get_energy()[size_t(slot)] == 0.0f);
+	}
+}
+
+TEST_CASE("A ball bends blades, their clamped knots keep every bit, and they rise again") {
+	PoolScene scene(4);
+	float energy = 0.0f;
+	for (int i = 0; i < 40; i++) {
+		scene.step();
+		energy = std::max(energy, scene.pool.get_energy()[1]);
+		for (int slot = 0; slot < 4; slot++) {
+			for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+				const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(slot, b);
+				REQUIRE(knots[0] == Eigen::Vector3f::Zero());
+				REQUIRE(knots[1] == scene.rest(slot, b, 1));
+				for (int k = 2; k < GRASS_KNOTS; k++) {
+					const float wanted = (scene.rest(slot, b, k) - scene.rest(slot, b, k - 1)).norm();
+					REQUIRE(std::abs((knots[size_t(k)] - knots[size_t(k - 1)]).norm() - wanted) < 1e-3f * wanted);
+				}
+			}
+		}
+	}
+	CHECK(energy > 0.1f);
+	for (int i = 0; i < 240; i++) {
+		scene.step();
+	}
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		CHECK((scene.pool.get_knots(1, b)[GRASS_KNOTS - 1] - scene.rest(1, b, GRASS_KNOTS - 1)).norm() < 1e-3f);
+	}
+}
+
+TEST_CASE("The order of the tiles does not change a bit") {
+	PoolScene forwards(8), backwards(8);
+	for (int i = 0; i < 60; i++) {
+		forwards.step();
+		backwards.step([](int p_count, const std::function<void(int)> &p_body) {
+			for (int j = p_count; j-- > 0;) {
+				p_body(j);
+			}
+		});
+	}
+	for (int slot = 0; slot < 8; slot++) {
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			CHECK(forwards.pool.get_knots(slot, b) == backwards.pool.get_knots(slot, b));
+		}
+	}
+}
+
+TEST_CASE("Settling ends at rest, bit for bit, and a tile that wakes again starts there") {
+	PoolScene scene(2);
+	for (int i = 0; i < 12; i++) {
+		scene.step();
+	}
+	scene.list.clear();
+	for (GrassSlot &slot : scene.slots) {
+		slot.list.z = 0;
+		slot.list.w |= GRASS_SLOT_SETTLING;
+	}
+	for (int left = 30; left >= 1; left--) {
+		for (GrassSlot &slot : scene.slots) {
+			slot.blend.x = 1.0f / float(left);
+		}
+		scene.step();
+	}
+	CHECK(scene.pool.get_knots(1, 5)[15] == scene.rest(1, 5, 15));
+	CHECK(scene.pool.get_energy()[1] == 0.0f);
+	scene.slots[1].tile.x = 9; // the slot goes to another tile
+	scene.slots[1].list.w = GRASS_SLOT_FRESH;
+	scene.step();
+	CHECK(scene.pool.get_knots(1, 5)[15] == scene.rest(1, 5, 15));
+}
+
+TEST_CASE("A step of no time leaves everything where it is, but wakes what is fresh") {
+	PoolScene scene(2);
+	scene.step(serial_for, 0.0);
+	CHECK(scene.pool.get_knots(0, 3)[15] == scene.rest(0, 3, 15));
+	for (int i = 0; i < 12; i++) {
+		scene.step();
+	}
+	const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(0, 3);
+	scene.step(serial_for, std::numeric_limits<double>::quiet_NaN());
+	CHECK(scene.pool.get_knots(0, 3) == knots);
+}
+
+TEST_CASE("A row of the pool texture holds the knots and the patch's twist as halves") {
+	PoolScene scene(2);
+	for (int i = 0; i < 12; i++) {
+		scene.step();
+	}
+	std::vector<uint16_t> row(GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4, 7);
+	scene.pool.pack_row(1, row);
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(1, b);
+		for (int k = 1; k < GRASS_KNOTS; k++) {
+			const uint16_t *texel = &row[size_t((k + GRASS_KNOTS * b) * 4)];
+			for (int c = 0; c < 3; c++) {
+				CHECK(texel[c] == float_to_half(knots[size_t(k)][c]));
+			}
+			CHECK(texel[3] == shared_patch()->texels[Patch::texel_index(64 + b, k) + 3]);
+		}
+	}
+	scene.pool.pack_row(5, row);
+	CHECK(row[100] == 0);
+}
+
+TEST_CASE("Memory comes with the slots that are used") {
+	PoolScene scene(64);
+	const int64_t empty = scene.pool.get_memory_usage();
+	CHECK(empty < 4096);
+	scene.slots.resize(2);
+	scene.step();
+	const int64_t two = scene.pool.get_memory_usage();
+	scene.step();
+	CHECK(scene.pool.get_memory_usage() == two);
+	CHECK((two - empty) / 2 > 3 * (GRASS_KNOTS + 2 * GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE * 4 - 1);
+	CHECK((two - empty) / 2 < 40000);
+}
+
+TEST_CASE("Records of slots, blades, list entries and tiles that do not exist are left out") {
+	PoolScene scene(2);
+	GrassSlot bad = scene.slots[0];
+	bad.tile.w = 7;
+	scene.slots.push_back(bad);
+	bad.tile.w = -1;
+	scene.slots.push_back(bad);
+	bad = scene.slots[0];
+	bad.list.x = GRASS_PATCH_BLADES;
+	scene.slots.push_back(bad);
+	bad = scene.slots[0];
+	bad.list.z = 100;
+	scene.slots.push_back(bad);
+	bad.list.y = 0xffffffffu;
+	scene.slots.push_back(bad);
+	bad = scene.slots[0];
+	bad.list.w = GRASS_SLOT_RETIRED;
+	scene.slots.push_back(bad);
+	scene.list[0] = 55; // no such collider
+	scene.step();
+	CHECK(scene.pool.get_simulated_blades() == 2 * GRASS_BLADES_PER_TILE);
+	CHECK(scene.pool.get_knots(0, 0)[15] == scene.rest(0, 0, 15));
+	CHECK(scene.pool.get_knots(7, 0).empty());
+	CHECK(scene.pool.get_knots(0, 64).empty());
+	CHECK(scene.pool.get_knots(-1, 0).empty());
+}
+
+TEST_CASE("A tile far from the field's middle moves as one near it") {
+	PoolScene near(1), far(1);
+	constexpr int MILES = 200000; // tiles, 100 km
+	far.slots[0].tile.x = MILES;
+	far.colliders[0].anchor.x = MILES;
+	for (int i = 0; i < 60; i++) {
+		for (PoolScene *scene : { &near, &far }) {
+			scene->step();
+		}
+	}
+	// Clumps differ with the place, so compare what the ball did with each blade's own rest pose: that it was bent.
+	int bent_near = 0, bent_far = 0;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		bent_near += (near.pool.get_knots(0, b)[15] - near.rest(0, b, 15)).norm() > 0.01f;
+		bent_far += (far.pool.get_knots(0, b)[15] - far.rest(0, b, 15)).norm() > 0.01f;
+		REQUIRE(far.pool.get_knots(0, b)[15].allFinite());
+	}
+	CHECK(bent_near > 10);
+	CHECK(std::abs(bent_near - bent_far) < 20);
+}
