@@ -14,7 +14,7 @@ from tools.display import die_with_parent, screen
 from tools.places import BUILD, PROJECT, UNPACKED
 from tools.say import Failure, progress
 
-SILENCE_LIMIT = 300  # seconds without a line of output after which a run is taken for hung
+SILENCE_LIMIT = 300  # seconds without a line of output after which a run is taken for hung, where lines are expected
 HOME = BUILD / "home"  # the engine's settings, caches and user:// while we run it
 
 
@@ -69,10 +69,10 @@ def start(command, environment):
 	)  # fmt: skip
 
 
-def run(command, environment, on_line=print, limit=1800):
+def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT):
 	"""Runs an engine; hands each line it prints to `on_line`. Returns its exit code (negative: ended by that signal).
 
-	Failure after `limit` seconds, or after SILENCE_LIMIT seconds without a line.
+	Failure after `limit` seconds, or after `silence` seconds without a line.
 	"""
 	process = start(command, environment)
 	lines = queue.Queue()
@@ -87,9 +87,9 @@ def run(command, environment, on_line=print, limit=1800):
 	try:
 		while True:
 			try:
-				line = lines.get(timeout=max(0.0, min(SILENCE_LIMIT, deadline - time.monotonic())))
+				line = lines.get(timeout=max(0.0, min(silence, deadline - time.monotonic())))
 			except queue.Empty:
-				raise Failure(f"The engine hangs: stopped after {SILENCE_LIMIT} s of silence or {limit} s in all.") from None
+				raise Failure(f"The engine hangs: stopped after {silence} s of silence or {limit} s in all.") from None
 			if line is None:
 				return process.wait(60)
 			on_line(line)

@@ -4,23 +4,30 @@
 import os
 import pathlib
 import subprocess
+import time
 
 from tools import build, engine, machine, settle
 from tools.places import OUT, PROJECT
-from tools.say import Failure, say
+from tools.say import Failure, progress, say
 
-DEMO_LIMIT = 3600  # seconds
+LIMIT = 3600  # seconds
 SIZES = {"large": "1920x1080", "small": "1280x720"}
 
 
-def play(scene, arguments, size, method, limit):
-	"""Runs `scene` in a window with arguments of its own, until it ends."""
+def play(scene, folder, arguments, size, method):
+	"""Runs `scene` in a window, with arguments of its own, until it ends. It writes to `folder`."""
+	folder.mkdir(parents=True, exist_ok=True)
 	engine.import_project()
-	with engine.window(method, size) as (command, environment):
-		everything = [*command, "--path", str(PROJECT), scene, "--", *arguments]
-		code = engine.run(everything, environment, lambda line: print(line, flush=True), limit)
+	begin = time.time()
+
+	def how_far():
+		return f"{sum(file.stat().st_mtime >= begin for file in folder.iterdir())} files written"
+
+	with engine.window(method, size) as (command, environment), progress(f"Running {scene}", how_far, every=10):
+		everything = [*command, "--path", str(PROJECT), scene, "--", "--out", str(folder), *arguments]
+		code = engine.run(everything, environment, lambda line: print(line, flush=True), LIMIT, silence=LIMIT)
 	if code:
-		raise Failure(f"{scene} ended with code {code}." if code > 0 else f"{scene}: the engine died of signal {-code}.")
+		raise Failure(f"{scene} ended with code {code} (negative: a signal).")
 
 
 def ready(scene):
@@ -46,17 +53,15 @@ def demo(out, size, method):
 	hardware = machine.gpu() and machine.display()
 	size = size or ("large" if hardware else "small")
 	folder = pathlib.Path(out or OUT / "demo").resolve()
-	folder.mkdir(parents=True, exist_ok=True)
-	say(f"Running the demo, {size}, on {'the GPU' if hardware else 'software Vulkan (some minutes)'}")
-	play("res://demo/demo.tscn", ["--out", str(folder), "--size", size], SIZES[size], method, DEMO_LIMIT)
+	say(f"The demo, {size}, on {'the GPU' if hardware else 'software Vulkan: this takes some minutes'}")
+	play("res://demo/demo.tscn", folder, ["--size", size], SIZES[size], method)
 	results(folder)
 
 
 def bench(out):
 	ready("res://bench/bench.tscn")
 	folder = pathlib.Path(out or OUT / "bench").resolve()
-	folder.mkdir(parents=True, exist_ok=True)
-	play("res://bench/bench.tscn", ["--out", str(folder)], SIZES["large"], "forward_plus", DEMO_LIMIT)
+	play("res://bench/bench.tscn", folder, [], SIZES["large"], "forward_plus")
 	results(folder)
 
 

@@ -135,8 +135,9 @@ def run(layers=LAYERS, only=""):
 	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
 	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if "gpu" in layers else []
 	machine.ensure(*machine.BUILDING, *on_screen)
-	build.scons("extension", "unit")
-	if {"headless", "gpu"} & set(layers):
+	targets = {layer: "unit" if layer == "unit" else "extension" for layer in layers}
+	build.scons(*sorted(set(targets.values())))
+	if "extension" in targets.values():
 		engine.import_project()
 	total = Tally()
 	for layer in layers:

@@ -20,6 +20,7 @@ namespace grass {
 namespace {
 constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
+constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
 } // namespace
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
@@ -74,7 +75,10 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 	}
 	for (size_t level = 0; level < GRASS_LOD_LEVELS; level++) {
 		FieldInstance &instance = _levels[level];
-		const int count = std::min(int(_instances[level].size()) / GRASS_INSTANCE_FLOATS, instance.capacity());
+		const int count = std::min(int(_instances[level].size()) / GRASS_INSTANCE_FLOATS, GRASS_MAX_DRAWN_TILES);
+		if (count > instance.capacity()) {
+			instance.reserve(int(std::bit_ceil(unsigned(count))));
+		}
 		PackedFloat32Array buffer;
 		buffer.resize(int64_t(instance.capacity()) * GRASS_INSTANCE_FLOATS);
 		std::copy_n(_instances[level].begin(), size_t(count) * GRASS_INSTANCE_FLOATS, buffer.ptrw());
@@ -142,14 +146,17 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level));
-			instance.create(mesh, std::min(_setup.grid.get_tile_count(), GRASS_MAX_DRAWN_TILES), false, field_bounds(_setup));
+			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup));
 		}
 		instance.follow(p_node, p_transform);
 	}
 }
 
 int64_t CpuBackend::get_memory_usage() const {
-	const int64_t instances = int64_t(GRASS_LOD_LEVELS) * _levels[0].capacity() * GRASS_INSTANCE_FLOATS * 4;
+	int64_t instances = 0;
+	for (const FieldInstance &level : _levels) {
+		instances += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	}
 	return int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + int64_t(_pool_texels.size()) * 4 + instances;
 }
 

@@ -42,7 +42,8 @@ inline Eigen::Array4f random_numbers(uint32_t p_bits) {
 
 // Four independent random numbers, 0..1, of a lattice point.
 inline Eigen::Array4f lattice(int32_t p_x, int32_t p_y) {
-	return random_numbers(grass_hash(uint32_t(p_x) ^ grass_hash(uint32_t(p_y))));
+	constexpr uint32_t MASK = GRASS_LATTICE_CELLS - 1;
+	return random_numbers(grass_hash((uint32_t(p_x) & MASK) ^ grass_hash(uint32_t(p_y) & MASK)));
 }
 
 // a (1 - t) + b t

@@ -12,8 +12,13 @@
 #endif
 
 // The step is one function to the compiler, so that it keeps vectors in registers and a caller compiled for a
-// newer instruction set takes all of it along.
+// newer instruction set takes all of it along. Sanitizers would make that one function too long to compile.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GRASS_INLINE inline
+#else
 #define GRASS_INLINE inline __attribute__((always_inline))
+#define GRASS_IS_ONE_FUNCTION 1
+#endif
 
 namespace grass {
 

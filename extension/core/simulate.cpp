@@ -146,9 +146,8 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 			uint16_t *texel = &r_texels[size_t((k + GRASS_KNOTS * b) * 4)];
 			const Eigen::Vector3f knot = knot_of(state, k, b);
 			for (int c = 0; c < 3; c++) {
-				texel[c] = float_to_half(knot[c]);
+				texel[c] = float_to_half(knot[c] - state.rest[c][k][b]);
 			}
-			texel[3] = _patch->texels[Patch::texel_index(int(state.first_blade) + b, k) + 3];
 		}
 	}
 }

@@ -42,7 +42,8 @@ public:
 
 	// Knots of a blade, blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or there is no such blade.
 	std::vector<Eigen::Vector3f> get_knots(int p_slot, int p_blade) const;
-	// The slot's row of the pool texture: 4 halves (knot xyz, twist) for each knot of each blade. Zeros if never awake.
+	// The slot's row of the pool texture: 4 halves for each knot of each blade, xyz how far it is from its place at rest
+	// (blade space, metres), w unused. Zeros if never awake.
 	// r_texels: GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4 values.
 	void pack_row(int p_slot, std::span<uint16_t> r_texels) const;
 	// [Eq 19] Of every slot, J/kg: its liveliest blade. 0 if never awake.

@@ -5,7 +5,7 @@ namespace grass {
 
 namespace {
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(GRASS_IS_ONE_FUNCTION)
 // The same arithmetic, bit for bit, in half as many instructions.
 __attribute__((target("avx2"))) float step_lanes_avx2(TileState &r_state, const GrassStep &p_step, float p_blend,
 		std::span<const TileCollider> p_colliders) {

@@ -10,8 +10,8 @@
 
 namespace grass {
 
-// Floats of one instance in a MultiMesh's buffer: 12 of the transform, COLOR, INSTANCE_CUSTOM.
-inline constexpr int INSTANCE_FLOATS = 20;
+// Lets an instance of the renderer follow a node: world, visibility, layers, transparency, and p_transform for its own.
+void follow_node(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 
 class FieldInstance {
 public:
@@ -22,6 +22,8 @@ public:
 
 	// p_indirect: counts are written by a compute pass into the MultiMesh's command buffer.
 	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds);
+	// Makes room for more instances, of those that the CPU writes; what they hold is lost.
+	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);

@@ -18,6 +18,7 @@ struct NamedColor {
 inline constexpr std::array FIELD_COLORS = {
 	NamedColor{ "root_color", 0.15f, 0.25f, 0.08f },
 	NamedColor{ "tip_color", 0.48f, 0.60f, 0.22f },
+	NamedColor{ "soil_color", 0.22f, 0.20f, 0.12f },
 	NamedColor{ "dry_color", 0.66f, 0.60f, 0.34f },
 };
 

@@ -13,6 +13,19 @@ Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
 	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
+Ref<ImageTexture> lattice_texture() {
+	std::vector<uint8_t> texels;
+	for (int y = 0; y < GRASS_LATTICE_CELLS; y++) {
+		for (int x = 0; x < GRASS_LATTICE_CELLS; x++) {
+			const Eigen::Array4f numbers = lattice(x, y);
+			for (int i = 0; i < 4; i++) {
+				texels.push_back(uint8_t(numbers[i] * 255.0f + 0.5f));
+			}
+		}
+	}
+	return ImageTexture::create_from_image(Image::create_from_data(GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
+}
+
 AABB field_bounds(const FieldSetup &p_setup) {
 	const double reach = p_setup.blade_length(); // a blade blown or pressed flat
 	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + reach), 0, real_t(0.5 * p_setup.grid.get_size_z() + reach));

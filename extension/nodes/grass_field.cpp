@@ -67,6 +67,7 @@ void GrassField::leave() {
 	set_physics_process_internal(false);
 	_tracker.stop();
 	_backend.reset();
+	_ground.free();
 	_tiles.reset();
 }
 
@@ -82,6 +83,7 @@ void GrassField::build() {
 	}
 	_dirty = false;
 	_backend.reset();
+	_ground.free();
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)), float(param(PARAM_CLUMP_TINT)) };
@@ -91,6 +93,11 @@ void GrassField::build() {
 	_tiles.set_params(tile_params());
 	_tiles.reset();
 	_clock.reset();
+	if (!Engine::get_singleton()->is_editor_hint()) { // the editor shows them beside the node
+		for (const String &warning : _get_configuration_warnings()) {
+			WARN_PRINT(vformat("%s: %s", label(), warning));
+		}
+	}
 	if (_setup.patch->is_empty()) {
 		return;
 	}
@@ -101,7 +108,8 @@ void GrassField::build() {
 		_backend = std::make_unique<CpuBackend>(_setup);
 	}
 	_backend->set_measure_time(_measure_time);
-	_backend->follow(this, field_transform());
+	_ground.create(_setup.grid);
+	follow();
 	set_all_uniforms();
 }
 
@@ -143,10 +151,16 @@ void GrassField::frame(double p_delta) {
 		return;
 	}
 	_time += p_delta;
-	_backend->follow(this, field_transform());
+	follow();
 	if (param(PARAM_WIND_SPEED) > 0.0) {
-		_backend->set_uniform("grass_time", _time);
+		_backend->set_uniform("grass_time", _time); // the ground has no wind
 	}
+}
+
+void GrassField::follow() {
+	const Transform3D transform = field_transform();
+	_backend->follow(this, transform);
+	_ground.follow(this, transform, _has_ground);
 }
 
 // The camera has its pose of this frame only now.

@@ -5,6 +5,7 @@
 
 #include "backend/backend.h"
 #include "core/tiles.h"
+#include "draw/ground.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_params.h"
 #include "nodes/grass_patch.h"
@@ -50,7 +51,9 @@ public:
 	int64_t get_pool_tiles() const { return _pool_tiles; }
 	void set_collision_mask(int64_t p_mask);
 	int64_t get_collision_mask() const { return _collision_mask; }
-	void set_debug_view(DebugView p_view) { _debug_view = p_view; }
+	void set_ground(bool p_ground) { _has_ground = p_ground; }
+	bool has_ground() const { return _has_ground; }
+	void set_debug_view(DebugView p_view);
 	DebugView get_debug_view() const { return _debug_view; }
 	void set_measure_time(bool p_measure);
 	bool is_measuring_time() const { return _measure_time; }
@@ -89,9 +92,11 @@ private:
 	void request_rebuild();
 	void physics_tick(double p_delta);
 	void frame(double p_delta);
+	void follow();
 	void _before_draw();
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
 	godot::Transform3D field_transform() const; // global, without scale
@@ -106,7 +111,7 @@ private:
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
-	bool _simulated = true, _measure_time = false;
+	bool _simulated = true, _measure_time = false, _has_ground = true;
 	BackendMode _backend_mode = BACKEND_AUTO;
 	DebugView _debug_view = DEBUG_VIEW_OFF;
 	std::array<double, FIELD_PARAMS.size()> _params;
@@ -117,6 +122,7 @@ private:
 	double _management_us = 0.0; // CPU time of the last tick without the backend's simulation, microseconds
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
+	Ground _ground;
 	TileManager _tiles;
 	StepClock _clock;
 	BodyTracker _tracker;

@@ -2,6 +2,7 @@
 // GrassField's properties: each setter brings its value within limits, says so if it had to, and passes it on.
 #include "nodes/grass_field.h"
 
+#include "draw/patch_texture.h"
 #include "nodes/params.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -65,6 +66,11 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 	update_configuration_warnings();
 }
 
+void GrassField::set_debug_view(DebugView p_view) {
+	ERR_FAIL_INDEX_MSG(int(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
+	_debug_view = p_view;
+}
+
 void GrassField::set_measure_time(bool p_measure) {
 	_measure_time = p_measure;
 	if (_backend) {
@@ -81,12 +87,12 @@ void GrassField::set_param(int p_param, double p_value) {
 			request_rebuild();
 			break;
 		case Effect::STEP:
-			_tiles.set_params(tile_params());
+			if (_backend) { // else build() will
+				_tiles.set_params(tile_params());
+			}
 			break;
 		case Effect::UNIFORM:
-			if (_backend) {
-				_backend->set_uniform(info.tunable.name, _params[size_t(p_param)]);
-			}
+			set_uniform(info.tunable.name, _params[size_t(p_param)]);
 			break;
 		case Effect::WIND:
 			set_wind_uniforms();
@@ -104,9 +110,7 @@ double GrassField::get_param(int p_param) const {
 void GrassField::set_color(int p_index, const Color &p_color) {
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
 	_colors[size_t(p_index)] = p_color;
-	if (_backend) {
-		_backend->set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
-	}
+	set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
 }
 
 Color GrassField::get_color(int p_index) const {
@@ -114,29 +118,34 @@ Color GrassField::get_color(int p_index) const {
 	return _colors[size_t(p_index)];
 }
 
-void GrassField::set_wind_uniforms() {
-	if (!_backend) {
-		return;
+void GrassField::set_uniform(const StringName &p_name, const Variant &p_value) {
+	if (_backend) {
+		_backend->set_uniform(p_name, p_value);
+		_ground.set_uniform(p_name, p_value);
 	}
+}
+
+void GrassField::set_wind_uniforms() {
 	const double angle = Math::deg_to_rad(param(PARAM_WIND_DIRECTION)), speed = param(PARAM_WIND_SPEED);
-	_backend->set_uniform("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
-	_backend->set_uniform("gust", Vector2(real_t(param(PARAM_GUST_SIZE)), real_t(param(PARAM_GUST_STRENGTH))));
+	set_uniform("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
+	set_uniform("gust", Vector2(real_t(param(PARAM_GUST_SIZE)), real_t(param(PARAM_GUST_STRENGTH))));
 }
 
 void GrassField::set_all_uniforms() {
 	const TileGrid &grid = _setup.grid;
-	_backend->set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
-	_backend->set_uniform("tile_size", grid.get_tile_size());
-	_backend->set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
-	_backend->set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
-	_backend->set_uniform("grass_time", _time);
+	set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
+	set_uniform("lattice_points", lattice_texture());
+	set_uniform("tile_size", grid.get_tile_size());
+	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
+	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
+	set_uniform("grass_time", _time);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
-			_backend->set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);
+			set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);
 		}
 	}
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
-		_backend->set_uniform(FIELD_COLORS[i].name, _colors[i]);
+		set_uniform(FIELD_COLORS[i].name, _colors[i]);
 	}
 	set_wind_uniforms();
 }
@@ -191,6 +200,7 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Wind", "");
 	add_numbers("Wind");
 	ADD_GROUP("Look", "");
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "ground"), set_ground, has_ground);
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color", "_get_color", int(i));
 	}

@@ -102,6 +102,7 @@ Dictionary GrassField::get_statistics() const {
 	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);
 	result["refused"] = int64_t(tiles.refused);
+	result["capped"] = int64_t(tiles.capped);
 	result["bodies"] = get_body_count();
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;

@@ -115,8 +115,7 @@ void store_knots(uint p_blade) {
 		pool_knots[pool_place(k, 2u)] = knots[k].z;
 	}
 	for (int k = 1; k < GRASS_KNOTS; k++) {
-		float twist = texelFetch(patch_texture, texel + ivec2(k, 0), 0).w;
-		imageStore(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w), vec4(knots[k], twist));
+		imageStore(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w), vec4(knots[k] - rest_of(k), 0.0));
 	}
 }
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The soil between the blades: one quad over the field, so that the floor below does not shine through.
+#pragma once
+
+#include "core/tile_grid.h"
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/classes/shader_material.hpp>
+
+namespace grass {
+
+class Ground {
+public:
+	Ground() = default;
+	Ground(const Ground &) = delete;
+	Ground &operator=(const Ground &) = delete;
+	~Ground() { free(); }
+
+	void create(const TileGrid &p_grid);
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
+	// Sets a uniform of the ground shader; it shares names with the blade shader and ignores the blades' own.
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
+	void free();
+
+private:
+	godot::Ref<godot::ArrayMesh> _mesh;
+	godot::Ref<godot::ShaderMaterial> _material;
+	godot::RID _instance;
+};
+
+} // namespace grass

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+## A test with a field: makes fields and bodies, waits, and compares blades.
+extends "res://tests/case.gd"
+
+const BLADES := 64 # of a tile
+const KNOTS := 16 # of a blade
+const CLAMPED := 2 # knots at the root that never move
+
+
+## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide and without wind unless told.
+func add_field(properties := {}) -> GrassField:
+	var field := GrassField.new()
+	field.name = "Meadow"
+	field.size = Vector2(4, 4)
+	field.wind_speed = 0.0
+	for property: String in properties:
+		field.set(property, properties[property])
+	add_child(field)
+	return field
+
+
+## `body` in the tree at `place` with `shape`, or with nothing where that is null.
+func add_body(body: PhysicsBody3D, shape: Shape3D, place: Vector3) -> PhysicsBody3D:
+	if shape:
+		add_shape(body, shape)
+	body.position = place
+	add_child(body)
+	return body
+
+
+func add_shape(body: PhysicsBody3D, shape: Shape3D, at := Transform3D()) -> CollisionShape3D:
+	var node := CollisionShape3D.new()
+	node.shape = shape
+	node.transform = at
+	body.add_child(node)
+	return node
+
+
+## A body that stays where it is put.
+func add_held_body(shape: Shape3D, place: Vector3) -> AnimatableBody3D:
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	return add_body(body, shape, place)
+
+
+func ball(radius: float) -> SphereShape3D:
+	var shape := SphereShape3D.new()
+	shape.radius = radius
+	return shape
+
+
+## Ticks until a body that was just put somewhere has been seen and its grass simulated once.
+func seen() -> void:
+	await ticks(3)
+
+
+func awake_tiles(field: GrassField) -> Array[Vector2i]:
+	var awake: Array[Vector2i] = []
+	var count := field.get_tiles()
+	for z in count.y:
+		for x in count.x:
+			if field.is_tile_awake(Vector2i(x, z)):
+				awake.append(Vector2i(x, z))
+	return awake
+
+
+## Knots of all blades of `tile`, one after the other.
+func tile_knots(field: GrassField, tile: Vector2i) -> PackedVector3Array:
+	var knots := PackedVector3Array()
+	for blade in BLADES:
+		knots.append_array(field.get_knots(tile, blade))
+	return knots
+
+
+## Knots of all blades of the tiles, by tile.
+func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i, PackedVector3Array]:
+	var knots: Dictionary[Vector2i, PackedVector3Array] = {}
+	for tile in tiles:
+		knots[tile] = tile_knots(field, tile)
+	return knots
+
+
+## The farthest that a knot lies from the same knot in the other list, metres. NaN and INF count as INF.
+func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
+	if a.size() != b.size():
+		return INF
+	var most := 0.0
+	for i in a.size():
+		var off := a[i].distance_to(b[i])
+		most = maxf(most, off) if is_finite(off) else INF
+	return most
+
+
+## The farthest that a blade of `tile` stands from where `knots` has it.
+func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Array]) -> float:
+	var most := 0.0
+	for tile in knots:
+		most = maxf(most, farthest(tile_knots(field, tile), knots[tile]))
+	return most
+
+
+func all_finite(field: GrassField, tiles: Array[Vector2i]) -> bool:
+	for tile in tiles:
+		for knot in tile_knots(field, tile):
+			if not knot.is_finite():
+				return false
+	return true
+
+
+## Bends grass with a ball for some ticks and tells the farthest that a knot moved, metres.
+func bend_with_ball(field: GrassField, place := Vector3(0, 0.25, 0)) -> float:
+	var tile := field.get_tile_at(place)
+	var rest := tile_knots(field, tile)
+	var body := add_held_body(ball(0.2), place)
+	await ticks(10)
+	var bent := farthest(tile_knots(field, tile), rest)
+	body.free()
+	return bent
