@@ -69,7 +69,6 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 
 void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
-	state.first_blade = p_slot.list.x;
 	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
 	const ClumpParams params{ p_step.clump.x, p_step.clump.y, p_step.clump.z, p_step.clump.w };
 	for (int b = 0; b < BLADES; b++) {

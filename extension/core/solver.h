@@ -311,6 +311,22 @@ GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const GrassStep &p_step) 
 	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }
 
+// Whether the blade stands at rest with nothing near it and no load on it: a step would not change a bit.
+template <class T>
+GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
+		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
+		sum = sum + (dot(away, away) + dot(moved, moved));
+	}
+	auto is_busy = !(sum <= T(0.0f));
+	for (const TileCollider &collider : p_terms.colliders) {
+		is_busy = is_busy | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+	}
+	return !any(is_busy);
+}
+
 // The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
 template <class T>
 GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
@@ -318,6 +334,9 @@ GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 		return;
 	}
 	measure_lengths(r_blade);
+	if (is_idle(r_blade, p_terms)) {
+		return;
+	}
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);

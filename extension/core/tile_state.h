@@ -16,7 +16,6 @@ struct alignas(32) TileState {
 	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
-	uint32_t first_blade; // in the patch
 };
 
 // One step of all blades of a tile; the energy of the liveliest, [Eq 19]. The colliders are those of this tile.

@@ -6,15 +6,25 @@
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/object.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
 
 namespace {
 
-// A body that covers more than this in one tick, beyond what its velocity explains, was put there: grass
+// A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
 // between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
 constexpr double TELEPORT_DISTANCE = 2.0;
+// Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
+// the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
+constexpr double APPROACH = 3.0;
+
+// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
+bool is_driven_by_velocity(int64_t p_mode) {
+	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
+}
 
 } // namespace
 
@@ -35,7 +45,7 @@ void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t 
 void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents) {
 	if (_area.is_valid()) {
 		PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-		server->shape_set_data(_box, p_half_extents);
+		server->shape_set_data(_box, p_half_extents + real_t(APPROACH) * Vector3(1, 1, 1));
 		server->area_set_transform(_area, p_transform);
 	}
 }
@@ -57,82 +67,94 @@ void BodyTracker::stop() {
 	_bodies.clear();
 }
 
-void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape) {
+// Counts overlaps, and leaves aside which shape it is: indices shift when shapes come and go, and the server reports
+// the end of an overlap under an index of before.
+void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
 	const uint64_t key = uint64_t(p_body.get_id());
 	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
 		Body &body = _bodies[key];
 		body.rid = p_body;
 		body.instance_id = uint64_t(p_instance_id);
-		body.overlapping.insert(p_body_shape);
+		body.overlaps++;
 		return;
 	}
 	auto found = _bodies.find(key);
-	if (found != _bodies.end()) {
-		found->second.overlapping.erase(p_body_shape);
-		found->second.shapes.erase(p_body_shape);
-		if (found->second.overlapping.empty()) {
-			_bodies.erase(found);
-		}
+	if (found != _bodies.end() && --found->second.overlaps <= 0) {
+		_bodies.erase(found);
 	}
 }
 
 // The body's pose in field space. False while the body counts as ground.
-bool BodyTracker::pose_of(Body &p_body, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now) {
+bool BodyTracker::pose_of(Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const Transform3D world = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_TRANSFORM);
+	const int64_t mode = server->body_get_mode(p_body.rid);
+	Eigen::Vector3d step = Eigen::Vector3d::Zero(); // metres that its velocity takes it in a tick
+	if (is_driven_by_velocity(mode)) {
+		const Vector3 velocity = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY);
+		step = p_field_from_world.linear() * to_eigen(velocity) * p_delta;
+	}
 	r_now = p_field_from_world * to_eigen(world);
-	if (!p_body.has_before) {
+	if (!p_body.has_before) { // the tick in which it was found counts too
 		p_body.before = r_now;
+		p_body.before.translation() -= step;
 		p_body.has_before = true;
 	}
-	const double moved = (r_now.translation() - p_body.before.translation()).norm();
-	if (server->body_get_mode(p_body.rid) == PhysicsServer3D::BODY_MODE_STATIC) {
+	if (mode == PhysicsServer3D::BODY_MODE_STATIC && !(p_node != nullptr && p_node->is_class("RigidBody3D"))) { // a frozen one is no ground
 		p_body.has_moved = p_body.has_moved || !r_now.isApprox(p_body.before, 1e-6);
 		if (!p_body.has_moved) {
 			return false;
 		}
 	}
-	if (moved > TELEPORT_DISTANCE) {
-		const Vector3 velocity = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY);
-		if (moved > TELEPORT_DISTANCE + 1.5 * velocity.length() * p_delta) {
-			p_body.before = r_now;
-		}
+	const double moved = (r_now.translation() - p_body.before.translation()).norm();
+	const double explained = std::max(step.norm(), p_body.last_step);
+	p_body.last_step = moved;
+	if (moved > TELEPORT_DISTANCE + 1.5 * explained) {
+		p_body.before = r_now;
+		p_body.last_step = 0.0;
 	}
 	return true;
 }
 
 void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders) {
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const Eigen::Affine3d field_from_world = to_eigen(p_field).inverse(Eigen::Isometry);
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
 		Body &body = entry->second;
-		// A freed body is still listed until the server's next report.
-		if (body.instance_id != 0 && ObjectDB::get_instance(body.instance_id) == nullptr) {
-			entry = _bodies.erase(entry);
-			continue;
+		const CollisionObject3D *node = nullptr;
+		if (body.instance_id != 0) {
+			node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(body.instance_id));
+			if (node == nullptr) { // freed, but listed until the server's next report
+				entry = _bodies.erase(entry);
+				continue;
+			}
 		}
 		++entry;
 		Eigen::Affine3d now;
-		if (!pose_of(body, field_from_world, p_delta, now)) {
-			body.before = now;
-			continue;
-		}
-		const int64_t count = server->body_get_shape_count(body.rid);
-		for (const int64_t index : body.overlapping) {
-			if (index >= count) {
-				continue;
-			}
-			TrackedShape &tracked = body.shapes[index];
-			if (!read_shape(server->body_get_shape(body.rid, int32_t(index)), tracked)) {
-				continue;
-			}
-			const Eigen::Affine3d local = to_eigen(server->body_get_shape_transform(body.rid, int32_t(index))) * tracked.offset;
-			ColliderShape collider = tracked.shape;
-			collider.id = (body.rid.get_id() << 8) ^ uint64_t(index);
-			collider.set_poses(body.before * local, now * local);
-			r_colliders.push_back(collider);
+		if (pose_of(body, node, field_from_world, p_delta, now)) {
+			collect_shapes(body, node, now, r_colliders);
 		}
 		body.before = now;
+	}
+}
+
+// All shapes that are enabled. Those far from the grass find no tile.
+void BodyTracker::collect_shapes(Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const int32_t count = int32_t(server->body_get_shape_count(p_body.rid));
+	p_body.shapes.resize(size_t(count));
+	for (int32_t index = 0; index < count; index++) {
+		if (p_node != nullptr && p_node->is_shape_owner_disabled(p_node->shape_find_owner(index))) {
+			continue;
+		}
+		TrackedShape &tracked = p_body.shapes[size_t(index)];
+		if (!read_shape(server->body_get_shape(p_body.rid, index), tracked)) {
+			continue;
+		}
+		const Eigen::Affine3d local = to_eigen(server->body_get_shape_transform(p_body.rid, index)) * tracked.offset;
+		ColliderShape collider = tracked.shape;
+		collider.id = (p_body.rid.get_id() << 8) ^ uint64_t(index);
+		collider.set_poses(p_body.before * local, p_now * local);
+		r_colliders.push_back(collider);
 	}
 }
 

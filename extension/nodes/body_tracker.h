@@ -7,13 +7,13 @@
 
 #include <Eigen/Geometry>
 
+#include <godot_cpp/classes/collision_object3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/variant.hpp>
 
 #include <map>
-#include <set>
 #include <vector>
 
 namespace grass {
@@ -31,14 +31,15 @@ class BodyTracker {
 public:
 	~BodyTracker() { stop(); }
 
-	// Watches p_half_extents (metres) around p_transform. p_changed is called with the five arguments of
-	// PhysicsServer3D.area_set_monitor_callback, and must hand them to body_changed().
+	// Watches a box, see set_box(). p_changed is called with the five arguments of
+	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed().
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
+	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents);
 	void set_mask(uint32_t p_mask);
 	void stop();
 
-	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape);
+	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
 	// Appends every shape that may touch grass in this tick, posed in the field's space.
 	// p_field: the field's transform (orthonormal); p_delta: seconds since the last call.
 	void collect(const godot::Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders);
@@ -49,14 +50,16 @@ private:
 	struct Body {
 		godot::RID rid;
 		uint64_t instance_id = 0;
-		std::set<int64_t> overlapping; // indices of its shapes that overlap the area
-		std::map<int64_t, TrackedShape> shapes;
+		int64_t overlaps = 0; // shapes of it that overlap the area
+		std::vector<TrackedShape> shapes;
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
 		bool has_before = false;
 		bool has_moved = false; // a StaticBody3D counts from its first motion on
+		double last_step = 0.0; // metres that it moved in the tick before
 	};
 
-	bool pose_of(Body &p_body, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now);
+	bool pose_of(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now);
+	void collect_shapes(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
 
 	godot::RID _area, _box;
 	uint32_t _mask = 1;

@@ -190,8 +190,9 @@ void GrassField::_before_draw() {
 }
 
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
+	(void)p_body_shape; // see BodyTracker::body_changed()
 	(void)p_area_shape; // the area has one shape
-	_tracker.body_changed(p_status, p_body, p_instance_id, p_body_shape);
+	_tracker.body_changed(p_status, p_body, p_instance_id);
 }
 
 Transform3D GrassField::field_transform() const {

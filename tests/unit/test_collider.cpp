@@ -104,6 +104,9 @@ TEST_CASE("Whatever passes at 0.5 to 1000 m/s, lengths hold to 1e-3 and no knot 
 		for (const int shape : SHAPES) {
 			for (const float speed : { 0.5f, 1.0f, 5.0f, 20.0f, 100.0f, 1000.0f }) {
 				for (const float lift : { 0.0f, 0.1f, 0.25f }) {
+					if (step != step_lanes && lift > 0.0f) {
+						continue;
+					}
 					CAPTURE(shape);
 					CAPTURE(speed);
 					CAPTURE(lift);
