@@ -130,7 +130,8 @@ void GpuPass::dispatch(int64_t p_list, const PackedByteArray &p_constants, uint3
 	if (!p_constants.is_empty()) {
 		device->compute_list_set_push_constant(p_list, p_constants, uint32_t(p_constants.size()));
 	}
-	device->compute_list_dispatch(p_list, p_groups, 1, 1);
+	const uint32_t rows = (p_groups - 1) / MAX_ROW + 1;
+	device->compute_list_dispatch(p_list, (p_groups - 1) / rows + 1, rows, 1);
 }
 
 void GpuPass::free() {

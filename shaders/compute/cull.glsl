@@ -64,7 +64,8 @@ void write_instance(uint p_instance, ivec2 p_tile, vec3 p_centre, float p_blades
 }
 
 void main() {
-	uint tile_index = gl_GlobalInvocationID.x;
+	// Fields of millions of tiles take more workgroups than fit in one row.
+	uint tile_index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GRASS_CULL_GROUP);
 	if (phase.x == 1u && tile_index < uint(GRASS_LOD_LEVELS)) {
 		uint command = tile_index * uint(GRASS_COMMAND_WORDS);
 		uint first = min(first_instance(int(tile_index)), phase.z);

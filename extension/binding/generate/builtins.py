@@ -58,6 +58,12 @@ def method(api, name, entry):
 	return declaration, definition(head, [lookup] + body)
 
 
+def pass_on(name, fixed):
+	"""The end of a vararg template: hands the array `values` to the function that takes pointers."""
+	count = "sizeof...(Arguments) + %d" % fixed if fixed else "sizeof...(Arguments)"
+	return "\t\treturn %s_variants(internal::VariantPointers<%s>(values).pointers, %s);\n\t}" % (name, count, count)
+
+
 def vararg_method(function, name, place, tail):
 	"""A template for the caller's arguments over one function that takes them as Variants."""
 	first = "".join(kind.declare(argument) + ", " for kind, argument, _ in function.arguments)
@@ -67,8 +73,7 @@ def vararg_method(function, name, place, tail):
 	declaration = head + ";\n\ttemplate <typename... Arguments>\n\tauto %s(%sconst Arguments &...p_arguments)%s {\n" % (function.name, first, tail)
 	declaration += "\t\tusing Value = typename internal::Later<Variant, Arguments...>::Type;\n"
 	declaration += "\t\tconst Value values[] = { %sValue(p_arguments)..., Value() };\n" % given.replace("Variant(", "Value(")
-	declaration += "\t\treturn %s_variants(internal::VariantPointers<sizeof...(Arguments) + %d>(values).pointers, sizeof...(Arguments) + %d);\n\t}" % (
-		function.name, len(function.arguments), len(function.arguments))
+	declaration += pass_on(function.name, len(function.arguments))
 	lookup = "static constinit internal::BuiltinMethod method{ %s, \"%s\", %d };" % (type_code(name), function.name, function.hash)
 	call = "method.call(%s, reinterpret_cast<const GDExtensionConstTypePtr *>(p_arguments), %s, p_count);"
 	body = [lookup]
@@ -110,8 +115,20 @@ def packed_header(name, declarations):
 	"""The whole header of one packed array."""
 	element = ELEMENTS[name]
 	include = "#include <godot_cpp/variant/%s.hpp>\n" % snake(element) if element in PLAIN + OPAQUE else ""
-	return HEADER + "#pragma once\n\n#include <godot_cpp/variant/packed_array.hpp>\n%s\nnamespace godot {\n\nclass %s : public internal::PackedArray<%s, %s, %s> {\npublic:\n\tusing PackedArray::PackedArray;\n\t%s() = default;\n\t%s(const Array &p_from);\n\n\t%s\n};\n\n} // namespace godot\n" % (
-		include, name, name, element, type_code(name), name, name, "\n\t".join(declarations))
+	lines = [
+		HEADER + "#pragma once\n",
+		"#include <godot_cpp/variant/packed_array.hpp>",
+		include,
+		"namespace godot {\n",
+		"class %s : public internal::PackedArray<%s, %s, %s> {" % (name, name, element, type_code(name)),
+		"public:",
+		"\tusing PackedArray::PackedArray;",
+		"\t%s() = default;" % name,
+		"\t%s(const Array &p_from);\n" % name,
+		"\t" + "\n\t".join(declarations),
+		"};\n\n} // namespace godot\n",
+	]
+	return "\n".join(lines)
 
 
 def write_builtins(output, api, core):
@@ -152,8 +169,10 @@ def write_utility_functions(output, api):
 		plain = guard(function.name)
 		if function.vararg:
 			head = "%s%s_variants(const Variant *const *p_arguments, int p_count)" % (function.result_text(), plain)
-			declarations.append("static %s;\n\ttemplate <typename... Arguments>\n\tstatic %s%s(const Arguments &...p_arguments) {\n\t\tconst Variant values[] = { Variant(p_arguments)..., Variant() };\n\t\treturn %s_variants(internal::VariantPointers<sizeof...(Arguments)>(values).pointers, sizeof...(Arguments));\n\t}" % (
-				head, function.result_text(), plain, plain))
+			declaration = "static %s;\n\ttemplate <typename... Arguments>\n\tstatic %s%s(const Arguments &...p_arguments) {\n" % (
+				head, function.result_text(), plain)
+			declaration += "\t\tconst Variant values[] = { Variant(p_arguments)..., Variant() };\n"
+			declarations.append(declaration + pass_on(plain, 0))
 			call = "function.call(reinterpret_cast<const GDExtensionConstTypePtr *>(p_arguments), %s, p_count);"
 			declare, give = function.returned() if function.result else (None, None)
 			body = [lookup, declare, call % "&result", give] if function.result else [lookup, call % "nullptr"]
@@ -162,5 +181,8 @@ def write_utility_functions(output, api):
 		body = function.body(lambda arguments, count, result: "function.call(%s, %s, %d);" % (arguments, result, count))
 		declarations.append("static %s%s(%s);" % (function.result_text(), plain, function.parameters(True)))
 		source.append(definition("%sUtilityFunctions::%s(%s)" % (function.result_text(), plain, function.parameters(False)), [lookup] + body))
-	output.write("include/godot_cpp/variant/utility_functions.hpp", HEADER + "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n" % "\n\t".join(declarations))
-	output.write("src/utility_functions.cpp", HEADER + "#include <godot_cpp/core/object.hpp>\n#include <godot_cpp/variant/utility_functions.hpp>\n\nnamespace godot {\n\n%s\n} // namespace godot\n" % "\n".join(source))
+	header = "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n"
+	output.write("include/godot_cpp/variant/utility_functions.hpp", HEADER + header % "\n\t".join(declarations))
+	includes = "#include <godot_cpp/core/object.hpp>\n#include <godot_cpp/variant/utility_functions.hpp>\n"
+	text = "%s%s\nnamespace godot {\n\n%s\n} // namespace godot\n" % (HEADER, includes, "\n".join(source))
+	output.write("src/utility_functions.cpp", text)

@@ -2,6 +2,7 @@
 """The engine's classes: one header each, and a few sources with all their methods."""
 
 from generate.api import snake
+from generate.builtins import pass_on
 from generate.calls import Function, definition
 from generate.interface import HEADER
 
@@ -66,7 +67,7 @@ class EngineClass:
 		lines += ["\t" + self.declaration(function) for function in self.methods]
 		lines += ["\tvirtual %s%s(%s)%s;" % (f.result_text(), f.name, f.parameters(True), " const" if f.const else "") for f in self.virtuals]
 		if self.dump_name in EXTRA:
-			lines.append("\n\t" + EXTRA[self.dump_name])
+			lines.append("\n\t" + "\n\t".join(EXTRA[self.dump_name]))
 		lines += self.register_virtuals()
 		lines.append("};\n\n} // namespace godot\n")
 		for enum in self.entry.get("enums", []):
@@ -117,7 +118,7 @@ class EngineClass:
 		text = "%s%s_variants(const Variant *const *p_arguments, int p_count)%s;\n" % (function.result_text(), function.name, tail)
 		text += "\ttemplate <typename... Arguments>\n\t%s%s(%sconst Arguments &...p_arguments)%s {\n" % (function.result_text(), function.name, first, tail)
 		text += "\t\tconst Variant values[] = { %sVariant(p_arguments)..., Variant() };\n" % given
-		return text + "\t\treturn %s_variants(internal::VariantPointers<sizeof...(Arguments) + %d>(values).pointers, sizeof...(Arguments) + %d);\n\t}" % (function.name, count, count)
+		return text + pass_on(function.name, count)
 
 	def source(self):
 		"""The definitions of all methods."""
@@ -139,22 +140,50 @@ class EngineClass:
 			body = function.body(lambda arguments, count, result: "method.call(%s, %s, %s);" % (owner, arguments, result))
 			head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.cpp_name, function.parameters(False), tail)
 			parts.append(definition(head, [lookup] + body))
-		for function in self.virtuals:
-			head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.name, ", ".join(kind.declare("") .rstrip() for kind, _, _ in function.arguments), " const" if function.const else "")
-			parts.append("%s {%s}\n" % (head, "\n\treturn %s{};\n" % function.result.name if function.result and not function.result.name.endswith("*") else "\n\treturn nullptr;\n" if function.result else ""))
+		parts += [self.virtual_default(function) for function in self.virtuals]
 		return "\n".join(parts)
+
+	def virtual_default(self, function):
+		"""What a virtual method does where no class overrides it: nothing."""
+		types = ", ".join(kind.declare("").rstrip() for kind, _, _ in function.arguments)
+		head = "%s%s::%s(%s)%s" % (function.result_text(), self.name, function.name, types, " const" if function.const else "")
+		if not function.result:
+			return head + " {}\n"
+		nothing = "nullptr" if function.result.name.endswith("*") else function.result.name + "{}"
+		return definition(head, ["return %s;" % nothing])
 
 
 # Methods that a template of the same name stands before.
 RENAMED = {("Node", "get_node"): "get_node_internal"}
 
-# What the C interface offers beyond the dump, and what is handy in C++.
+# What the C interface offers beyond the dump (src/extras.cpp), and what is handy in C++.
 EXTRA = {
-	"Node": "template <typename T>\n\tT *get_node(const NodePath &p_path) const { return Object::cast_to<T>(get_node_internal(p_path)); }",
-	"Object": "template <typename T>\n\tstatic T *cast_to(Object *p_object);\n\ttemplate <typename T>\n\tstatic const T *cast_to(const Object *p_object);",
-	"Image": "// The pixels themselves.\n\tuint8_t *ptrw();\n\tconst uint8_t *ptr();",
-	"FileAccess": "uint64_t get_buffer(uint8_t *p_bytes, uint64_t p_length) const;\n\tvoid store_buffer(const uint8_t *p_bytes, uint64_t p_length);",
-	"WorkerThreadPool": "// Tasks that are plain functions.\n\tint64_t add_native_task(void (*p_function)(void *), void *p_data, bool p_high_priority = false, const String &p_description = String());\n\tint64_t add_native_group_task(void (*p_function)(void *, uint32_t), void *p_data, int p_elements, int p_tasks = -1, bool p_high_priority = false, const String &p_description = String());",
+	"Node": [
+		"template <typename T>",
+		"T *get_node(const NodePath &p_path) const { return Object::cast_to<T>(get_node_internal(p_path)); }",
+	],
+	"Object": [
+		"template <typename T>",
+		"static T *cast_to(Object *p_object);",
+		"template <typename T>",
+		"static const T *cast_to(const Object *p_object);",
+	],
+	"Image": [
+		"// The pixels themselves.",
+		"uint8_t *ptrw();",
+		"const uint8_t *ptr();",
+	],
+	"FileAccess": [
+		"uint64_t get_buffer(uint8_t *p_bytes, uint64_t p_length) const;",
+		"void store_buffer(const uint8_t *p_bytes, uint64_t p_length);",
+	],
+	"WorkerThreadPool": [
+		"// Tasks that are plain functions.",
+		"int64_t add_native_task(void (*p_function)(void *), void *p_data, bool p_high_priority = false,",
+		"\t\tconst String &p_description = String());",
+		"int64_t add_native_group_task(void (*p_function)(void *, uint32_t), void *p_data, int p_elements, int p_tasks = -1,",
+		"\t\tbool p_high_priority = false, const String &p_description = String());",
+	],
 }
 
 
@@ -171,4 +200,6 @@ def write_classes(output, api):
 		text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot {\n\n" + "\n".join(parts) + "\n} // namespace godot\n"
 		output.write("src/classes_%d.cpp" % index, text)
 	known = "\n".join("\tregister_engine_class<%s>();" % api.class_name(name) for name in api.chosen)
-	output.write("src/engine_classes.cpp", HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot::internal {\n\nvoid register_engine_classes() {\n" + known + "\n}\n\n} // namespace godot::internal\n")
+	text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot::internal {\n\n"
+	text += "void register_engine_classes() {\n%s\n}\n\n} // namespace godot::internal\n" % known
+	output.write("src/engine_classes.cpp", text)

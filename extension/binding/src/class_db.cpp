@@ -48,8 +48,10 @@ GDExtensionClassCallVirtual find_virtual(void *p_class, GDExtensionConstStringNa
 	return nullptr;
 }
 
-void call_method(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
-	static_cast<MethodBind *>(p_bind)->call(p_instance, reinterpret_cast<const Variant *const *>(p_arguments), p_count, *static_cast<Variant *>(r_result), *r_error);
+void call_method(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count,
+		GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
+	const Variant *const *arguments = reinterpret_cast<const Variant *const *>(p_arguments);
+	static_cast<MethodBind *>(p_bind)->call(p_instance, arguments, p_count, *static_cast<Variant *>(r_result), *r_error);
 }
 
 void call_method_pointers(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
@@ -103,7 +105,9 @@ MethodBind *ClassDB::add_method(const StringName &p_class, MethodBind *p_method,
 	ClassRecord *record = find_class(p_class);
 	ERR_FAIL_NULL_V_MSG(record, nullptr, vformat("Method '%s' is bound to '%s', which is not registered.", p_definition.name, p_class));
 	ERR_FAIL_COND_V_MSG(record->methods.count(p_definition.name), nullptr, vformat("Method '%s::%s' is bound twice.", p_class, p_definition.name));
-	ERR_FAIL_COND_V_MSG(p_definition.arguments.size() > method->arguments.size() || p_defaults.size() > method->arguments.size(), nullptr, vformat("Method '%s::%s' is bound with more argument names or defaults than it has arguments.", p_class, p_definition.name));
+	const size_t most = MAX(p_definition.arguments.size(), p_defaults.size());
+	ERR_FAIL_COND_V_MSG(most > method->arguments.size(), nullptr,
+			vformat("Method '%s::%s' is bound with more argument names or defaults than it has arguments.", p_class, p_definition.name));
 	method->name = p_definition.name;
 	method->class_name = p_class;
 	method->defaults = std::move(p_defaults);

@@ -10,7 +10,12 @@ PropertyInfo::PropertyInfo(Variant::Type p_type, const StringName &p_name, Prope
 		type(p_type), name(p_name), class_name(p_hint == PROPERTY_HINT_RESOURCE_TYPE ? StringName(p_hint_string) : p_class_name), hint(p_hint), hint_string(p_hint_string), usage(p_usage) {}
 
 PropertyInfo::PropertyInfo(const GDExtensionPropertyInfo *p_info) :
-		type(static_cast<Variant::Type>(p_info->type)), name(*static_cast<const StringName *>(p_info->name)), class_name(*static_cast<const StringName *>(p_info->class_name)), hint(p_info->hint), hint_string(*static_cast<const String *>(p_info->hint_string)), usage(p_info->usage) {}
+		type(static_cast<Variant::Type>(p_info->type)),
+		name(*static_cast<const StringName *>(p_info->name)),
+		class_name(*static_cast<const StringName *>(p_info->class_name)),
+		hint(p_info->hint),
+		hint_string(*static_cast<const String *>(p_info->hint_string)),
+		usage(p_info->usage) {}
 
 PropertyInfo::operator Dictionary() const {
 	Dictionary dictionary;

@@ -153,6 +153,22 @@ func test_switched_off_by_its_mode() -> void:
 	assert_true(await felt(field))
 
 
+func test_asleep_it_still_holds_the_grass_down() -> void:
+	var field := add_field()
+	add_floor()
+	var body: RigidBody3D = add_body(RigidBody3D.new(), ball(0.2), Vector3(0.25, 0.2, 0.25))
+	var limit := 600
+	while not body.sleeping and limit > 0:
+		await ticks(1)
+		limit -= 1
+	assert_true(body.sleeping, "it rests")
+	await ticks(60)
+	assert_eq(field.get_statistics().colliders, 1)
+	body.apply_central_impulse(Vector3(2, 0, 0))
+	await ticks(20)
+	assert_eq(field.get_statistics().colliders, 1, "woken")
+
+
 func test_a_teleport_hits_nothing_on_the_way() -> void:
 	for body: PhysicsBody3D in [weightless(), CharacterBody3D.new(), AnimatableBody3D.new(), StaticBody3D.new()]:
 		if body is AnimatableBody3D:

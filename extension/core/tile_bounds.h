@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The box around a tile's blades at rest: what Algorithm 1 tests a body's box against. Much tighter than the longest
+// blade's reach on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
+#pragma once
+
+#include "core/body_shape.h"
+#include "core/clump.h"
+#include "core/patch.h"
+
+#include <array>
+#include <vector>
+
+namespace grass {
+
+class TileBounds {
+public:
+	// Knows no blades: no tile is ever met.
+	TileBounds() = default;
+	TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed);
+
+	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
+	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
+	// Of all tiles: how far the blades lean out over the tile's square, and their highest tip. Metres.
+	double get_reach() const { return _reach; }
+	double get_height() const { return _height; }
+
+private:
+	struct Box {
+		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
+	};
+
+	TileGrid _grid;
+	uint32_t _seed = 0;
+	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
+	double _reach = 0.0, _height = 0.0;
+};
+
+} // namespace grass

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+## The renderer's memory: what a field takes, and that all of it comes back.
+extends "res://tests/view_case.gd"
+
+const MEMORY: Array[Performance.Monitor] = [Performance.RENDER_VIDEO_MEM_USED, Performance.RENDER_TEXTURE_MEM_USED, Performance.RENDER_BUFFER_MEM_USED]
+
+
+func used() -> Array[float]:
+	var values: Array[float] = []
+	for monitor in MEMORY:
+		values.append(Performance.get_monitor(monitor))
+	return values
+
+
+func test_out_and_in_leaves_nothing() -> void:
+	var field := add_seen_field({pool_tiles = 64})
+	var body := AnimatableBody3D.new()
+	add_shape(body, ball(0.2))
+	viewport.add_child(body)
+	var at_first: Array[float] = []
+	var objects := 0.0
+	for i in 60:
+		viewport.remove_child(field)
+		if i % 3 == 0:
+			await frames(1)
+		viewport.add_child(field)
+		await frames(2 if i % 2 else 4)
+		if i == 9:
+			await frames(5)
+			at_first = used()
+			objects = Performance.get_monitor(Performance.OBJECT_COUNT)
+	await frames(5)
+	var at_last := used()
+	for i in MEMORY.size():
+		assert_less(at_last[i] - at_first[i], 1e5, "bytes of %s" % ["video memory", "textures", "buffers"][i])
+	assert_less(Performance.get_monitor(Performance.OBJECT_COUNT) - objects, 4.0, "objects")
+	assert_greater(field.get_awake_tile_count(), 0)
+	assert_greater(field.get_statistics().drawn_tiles, 0)
+
+
+func test_a_field_takes_what_it_says_and_gives_it_back() -> void:
+	await frames(5)
+	var without := used()
+	var field := add_seen_field({size = Vector2(8, 8), pool_tiles = 1024})
+	await frames(5)
+	var taken := used()[0] - without[0]
+	var told := field.get_memory_usage()
+	print("    a field of %d blades: %.1f MiB by itself, %.1f MiB by the renderer" % [field.get_blade_count(), told / 1048576.0, taken / 1048576.0])
+	assert_near(told, taken, 0.25 * taken)
+	field.free()
+	await frames(8)
+	assert_less(used()[0] - without[0], 2e5, "bytes left")
+
+
+func test_rebuilds_leave_nothing() -> void:
+	var field := add_seen_field({pool_tiles = 64})
+	await frames(5)
+	var at_first := used()
+	for i in 20:
+		field.seed = i
+		await frames(3)
+	field.seed = 0
+	await frames(5)
+	assert_less(used()[0] - at_first[0], 1e5, "bytes")

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+## The GPU's simulation against the CPU's: two fields of one seed on one spot, pushed by the same bodies.
+extends "res://tests/field_case.gd"
+
+const ONE_STEP := 1e-5 # of a blade's length, after one step with contact
+const MANY_STEPS := 1e-3 # of a blade's length, after 600 steps without
+const PLACE := Vector3(0.25, 0.25, 0.25)
+
+var cpu: GrassField
+var gpu: GrassField
+
+
+func add_pair(properties := {}) -> bool:
+	gpu = add_field(properties)
+	cpu = add_field(properties)
+	cpu.backend = GrassField.BACKEND_CPU
+	await ticks(2)
+	return assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")
+
+
+## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length, over all awake tiles.
+func difference(tiles: Array[Vector2i]) -> float:
+	var most := 0.0
+	for tile in tiles:
+		for blade in BLADES:
+			var a := gpu.get_knots(tile, blade)
+			most = maxf(most, farthest(a, cpu.get_knots(tile, blade)) / (15 * a[0].distance_to(a[1])))
+	return most
+
+
+func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
+	var capsule := CapsuleShape3D.new()
+	capsule.radius = 0.1
+	capsule.height = 0.5
+	var box := BoxShape3D.new()
+	box.size = Vector3(0.3, 0.2, 0.4)
+	var cylinder := CylinderShape3D.new()
+	cylinder.radius = 0.15
+	cylinder.height = 0.3
+	var hull := ConvexPolygonShape3D.new()
+	hull.points = PackedVector3Array([Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)])
+	var bodies: Array[AnimatableBody3D] = []
+	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
+		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), 0.25, 0.3))
+		body.rotation = Vector3(0.3, 0.2, 0.1) * bodies.size()
+		bodies.append(body)
+	return bodies
+
+
+func test_rest_is_the_same() -> void:
+	if not await add_pair({seed = 3}):
+		return
+	assert_eq(difference([Vector2i.ZERO, Vector2i(7, 7)]), 0.0)
+
+
+func test_one_step_with_contact() -> void:
+	if not await add_pair():
+		return
+	var bodies := bodies_of_all_shapes()
+	for i in 10:
+		await ticks(1)
+		if cpu.get_statistics().steps > 0:
+			break
+	assert_eq(cpu.get_statistics().steps, 1)
+	var tiles := awake_tiles(cpu)
+	assert_eq(awake_tiles(gpu), tiles)
+	assert_greater(tiles.size(), 10)
+	var off := difference(tiles)
+	print("    parity after a step with contact: %s of a blade's length" % String.num_scientific(off))
+	assert_less(off, ONE_STEP)
+	for body in bodies:
+		body.free()
+	var still := add_field({simulated = false})
+	await ticks(2)
+	assert_greater(farthest(tile_knots(cpu, tiles[tiles.size() / 2]), tile_knots(still, tiles[tiles.size() / 2])), 0.02, "the contact bent blades")
+
+
+func test_six_hundred_steps_without_contact() -> void:
+	if not await add_pair({sleep_delay = 30.0}):
+		return
+	var body := add_held_body(ball(0.2), PLACE)
+	await seen()
+	body.free()
+	var tiles: Array[Vector2i] = [gpu.get_tile_at(PLACE)]
+	var most := 0.0
+	for i in 12:
+		most = maxf(most, difference(tiles))
+		await ticks(50)
+	most = maxf(most, difference(tiles))
+	print("    parity over 600 steps without contact: %s of a blade's length" % String.num_scientific(most))
+	assert_less(most, MANY_STEPS)
+	assert_eq(gpu.get_statistics().steps, cpu.get_statistics().steps)
+	assert_eq(gpu.get_statistics().simulated_blades, cpu.get_statistics().simulated_blades)
+
+
+func test_the_same_tiles_are_awake_in_every_tick() -> void:
+	if not await add_pair({sleep_delay = 0.3, settle_time = 0.2, pool_tiles = 24}):
+		return
+	var body := add_held_body(ball(0.2), Vector3(-2.5, 0.2, 0.2))
+	var most := 0
+	for i in 200:
+		body.position.x += 0.04
+		await ticks(1)
+		var awake := awake_tiles(cpu)
+		most = maxi(most, awake.size())
+		if not assert_eq(awake_tiles(gpu), awake, "tick %d" % i):
+			return
+		if not assert_eq(gpu.get_statistics().slept, cpu.get_statistics().slept, "tick %d" % i):
+			return
+	assert_greater(most, 5)
+	assert_eq(awake_tiles(gpu).size(), 0, "at the end all sleep")
+	assert_greater(gpu.get_statistics().slept, 15)
+
+
+## Contacts amplify rounding, so the long run is compared as a whole: how far blades are bent on average.
+func test_bent_alike_under_a_moving_body() -> void:
+	if not await add_pair():
+		return
+	var tile := Vector2i(4, 4)
+	var rest := tile_knots(cpu, tile)
+	var body := add_held_body(ball(0.2), Vector3(-1, 0.2, 0.2))
+	for i in 40:
+		body.position.x += 0.03
+		await ticks(1)
+	var bends: Array[float] = []
+	for field: GrassField in [cpu, gpu]:
+		var knots := tile_knots(field, tile)
+		var sum := 0.0
+		for i in knots.size():
+			sum += knots[i].distance_to(rest[i])
+		bends.append(1e3 * sum / knots.size())
+	print("    mean bend under a moving ball: CPU %.3f mm, GPU %.3f mm" % [bends[0], bends[1]])
+	assert_greater(bends[0], 10.0)
+	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
+
+
+func test_settled_on_the_gpu_too() -> void:
+	if not await add_pair({sleep_delay = 0.3, settle_time = 0.3}):
+		return
+	var tile := gpu.get_tile_at(PLACE)
+	var rest := tile_knots(gpu, tile)
+	var body := add_held_body(ball(0.2), PLACE)
+	await ticks(20)
+	assert_greater(farthest(tile_knots(gpu, tile), rest), 0.05)
+	body.free()
+	var last := rest
+	var limit := 120
+	while gpu.is_tile_awake(tile) and limit > 0:
+		last = tile_knots(gpu, tile)
+		await ticks(1)
+		limit -= 1
+	assert_less(farthest(last, rest), 1e-3, "the last simulated pose")
+	assert_eq(tile_knots(gpu, tile), rest, "asleep")

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+## What a field looks like, by numbers that no driver's rounding changes: shares and means, not pixels.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(192, 108)
+
+
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
+
+
+func add_ball(place: Vector3, radius := 0.2) -> AnimatableBody3D:
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	add_shape(body, ball(radius))
+	body.position = place
+	viewport.add_child(body)
+	return body
+
+
+func mean(image: Image) -> Color:
+	var small: Image = image.duplicate()
+	small.resize(1, 1, Image.INTERPOLATE_TRILINEAR)
+	return small.get_pixel(0, 0)
+
+
+func test_grass_covers_the_ground_green() -> void:
+	var empty := await picture()
+	assert_less(share_of(empty, is_green), 0.001, "nothing green without a field")
+	var field := add_seen_field()
+	await drawn()
+	var meadow := await picture()
+	var green := share_of(meadow, is_green)
+	var changed := share_of_changed(empty, meadow)
+	print("    green %.3f, covered %.3f of the picture" % [green, changed])
+	assert_greater(green, 0.25, "share of green pixels")
+	assert_less(green, 0.9)
+	assert_near(changed, green, 0.1, "what is covered is green")
+	var lower := meadow.get_region(Rect2i(SIZE.x / 4, SIZE.y / 2, SIZE.x / 2, SIZE.y / 4))
+	assert_greater(share_of(lower, is_green), 0.97, "the field's middle is covered")
+	var color := mean(lower)
+	assert_true(color.get_luminance() > 0.03 and color.get_luminance() < 0.7, "mean colour %s" % color)
+	assert_greater(color.g, 1.3 * color.b)
+	field.hide()
+	await drawn()
+	assert_less(difference(await picture(), empty).x, 0.01, "gone when hidden")
+
+
+func share_of_changed(a: Image, b: Image) -> float:
+	var count := 0
+	for y in a.get_height():
+		for x in a.get_width():
+			var one := a.get_pixel(x, y)
+			var other := b.get_pixel(x, y)
+			count += int(absf(one.r - other.r) + absf(one.g - other.g) + absf(one.b - other.b) > 0.05)
+	return float(count) / (a.get_width() * a.get_height())
+
+
+func test_both_backends_draw_the_same() -> void:
+	var gpu := add_seen_field()
+	await drawn()
+	var one := await picture()
+	gpu.backend = GrassField.BACKEND_CPU
+	await drawn()
+	var off := difference(one, await picture())
+	print("    GPU against CPU backend: mean difference %.5f" % off.y)
+	assert_less(off.y, 0.003)
+
+
+func test_wind_moves_and_stillness_does_not() -> void:
+	var field := add_seen_field()
+	await drawn()
+	var still := await picture()
+	assert_less(difference(still, await picture()).x, 0.01, "without wind")
+	field.wind_speed = 8.0
+	field.gust_strength = 1.0
+	await frames(10)
+	var blown := await picture()
+	await frames(20)
+	assert_greater(difference(blown, await picture()).y, 0.01, "in wind")
+
+
+func test_a_ball_leaves_a_mark_that_goes_away() -> void:
+	var field := add_seen_field({sleep_delay = 0.5, settle_time = 0.3})
+	await drawn()
+	var before_it := await picture()
+	var body := add_ball(Vector3(0, 0.15, 0.5), 0.3)
+	await ticks(30)
+	var pressed := difference(before_it, await picture())
+	body.free()
+	assert_greater(pressed.y, 0.01, "a dent")
+	await ticks(80)
+	assert_eq(field.get_awake_tile_count(), 0)
+	await drawn()
+	assert_less(difference(before_it, await picture()).x, 0.01, "the same picture as before")
+
+
+## A body above the tips wakes tiles and bends none: nobody may see it.
+func test_waking_and_sleeping_are_not_seen() -> void:
+	var field := add_seen_field({sleep_delay = 0.2, settle_time = 0.2})
+	await drawn()
+	var tip := 0.0
+	for x in 8:
+		for z in 8:
+			for knot in tile_knots(field, Vector2i(x, z)):
+				tip = maxf(tip, knot.y)
+	var asleep := await picture()
+	var body := add_ball(Vector3(0, tip + 0.11, 0.5), 0.1)
+	await ticks(5)
+	if not assert_greater(field.get_awake_tile_count(), 0, "tiles are awake"):
+		return
+	var awake := difference(asleep, await picture())
+	body.free()
+	await ticks(24)
+	var settled := difference(asleep, await picture())
+	await ticks(30)
+	assert_eq(field.get_awake_tile_count(), 0)
+	print("    asleep against awake: mean %.6f, most %.3f; settling: mean %.6f" % [awake.y, awake.x, settled.y])
+	assert_less(awake.y, 0.001, "awake")
+	assert_less(settled.y, 0.001, "settling")
+	await drawn()
+	assert_less(difference(asleep, await picture()).x, 0.01, "asleep again")
+
+
+func test_awake_tiles_are_shown_red() -> void:
+	var field := add_seen_field({debug_view = GrassField.DEBUG_VIEW_AWAKE_TILES})
+	look(Vector3(0, 6, 0), Vector3.ZERO)
+	add_ball(Vector3(1, 0.2, 0), 0.15)
+	await ticks(10)
+	await drawn()
+	var shown := await picture()
+	var red := share_of(shown, is_red)
+	var left := shown.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
+	print("    red %.3f of the picture, %.4f of the half without the ball" % [red, share_of(left, is_red)])
+	assert_greater(red, 0.01)
+	assert_less(red, 0.2)
+	assert_less(share_of(left, is_red), 0.001, "nothing is awake there")
+	field.debug_view = GrassField.DEBUG_VIEW_OFF
+	await drawn()
+	assert_less(share_of(await picture(), is_red), 0.001, "switched off")
+	field.debug_view = GrassField.DEBUG_VIEW_LOD
+	await drawn()
+	assert_greater(difference(shown, await picture()).y, 0.01, "levels of detail are coloured otherwise")
+
+
+func test_colors_reach_the_picture() -> void:
+	var field := add_seen_field({dry = 0.0, clump_tint = 0.0})
+	await drawn()
+	var green := mean(await picture())
+	field.tip_color = Color(0.9, 0.05, 0.05)
+	field.root_color = Color(0.5, 0.02, 0.02)
+	await drawn()
+	var red := mean(await picture())
+	assert_greater(red.r, green.r + 0.05)
+	assert_less(red.g, green.g)

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+## A test that draws: a small viewport with a world of its own, a camera, a light, and fields in it.
+extends "res://tests/field_case.gd"
+
+var viewport: SubViewport
+var camera: Camera3D
+
+
+func before() -> void:
+	open_view(Vector2i(64, 36))
+
+
+func open_view(size: Vector2i) -> void:
+	viewport = SubViewport.new()
+	viewport.size = size
+	viewport.own_world_3d = true
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	add_child(viewport)
+	camera = Camera3D.new()
+	camera.far = 100.0
+	camera.position = Vector3(0, 1, 3)
+	viewport.add_child(camera)
+
+
+## A GrassField in the viewport; see add_field().
+func add_seen_field(properties := {}) -> GrassField:
+	var field := add_field({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF} .merged(properties))
+	remove_child(field)
+	viewport.add_child(field)
+	return field
+
+
+func add_light() -> void:
+	var light := DirectionalLight3D.new()
+	light.rotation_degrees = Vector3(-50, 30, 0)
+	viewport.add_child(light)
+	var world := WorldEnvironment.new()
+	world.environment = Environment.new()
+	world.environment.background_mode = Environment.BG_COLOR
+	world.environment.background_color = Color(0.3, 0.4, 0.9)
+	world.environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
+	world.environment.ambient_light_color = Color.WHITE
+	world.environment.ambient_light_energy = 0.5
+	viewport.add_child(world)
+
+
+func look(from: Vector3, at: Vector3) -> void:
+	camera.look_at_from_position(from, at, Vector3.UP if absf((at - from).normalized().y) < 0.99 else Vector3.FORWARD)
+
+
+## Frames until what was drawn is known: the GPU's counts come about two frames late.
+func drawn() -> void:
+	await frames(5)
+
+
+## The viewport's picture as it is now.
+func picture() -> Image:
+	await frames(2)
+	await RenderingServer.frame_post_draw
+	return viewport.get_texture().get_image()
+
+
+## Share of the pixels that `is_counted` (a function of a Color) is true for.
+func share_of(image: Image, is_counted: Callable) -> float:
+	var count := 0
+	for y in image.get_height():
+		for x in image.get_width():
+			count += int(is_counted.call(image.get_pixel(x, y)))
+	return float(count) / (image.get_width() * image.get_height())
+
+
+## The greatest and the mean difference of two pictures, of all channels, 0..1.
+func difference(a: Image, b: Image) -> Vector2:
+	var most := 0.0
+	var sum := 0.0
+	for y in a.get_height():
+		for x in a.get_width():
+			var one := a.get_pixel(x, y)
+			var other := b.get_pixel(x, y)
+			var off := (absf(one.r - other.r) + absf(one.g - other.g) + absf(one.b - other.b)) / 3.0
+			most = maxf(most, off)
+			sum += off
+	return Vector2(most, sum / (a.get_width() * a.get_height()))
+
+
+func is_green(color: Color) -> bool:
+	return color.g > color.r and color.g > color.b
+
+
+func is_red(color: Color) -> bool:
+	return color.r > 1.3 * color.g and color.r > 1.3 * color.b
