@@ -4,6 +4,7 @@
 
 #include "class_docs.gen.h"
 #include "backend/parallel.h"
+#include "draw/shared_shader.h"
 #include "gpu/render_queue.h"
 #include "nodes/grass_field.h"
 #include "nodes/grass_patch.h"
@@ -29,6 +30,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 
 void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();
 	}
 }

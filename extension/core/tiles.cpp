@@ -100,12 +100,14 @@ void TileManager::begin_step() {
 
 void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 	_ranges.clear();
+	_swept.clear();
 	int64_t total = 0;
 	for (ColliderShape &collider : p_colliders) {
 		const char *reason = nullptr;
 		const bool is_good = collider.sanitise(reason);
 		_statistics.bad_colliders += is_good ? 0 : 1;
-		_ranges.push_back(is_good ? find_range(collider) : TileRange{});
+		_swept.push_back(is_good ? collider.get_swept_bounds() : Bounds{});
+		_ranges.push_back(is_good ? find_range(_swept.back()) : TileRange{});
 		total += _ranges.back().count();
 	}
 	// A body over more tiles than the pool holds, or bodies that together fill the list, get those around their centres.
@@ -118,19 +120,20 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		_statistics.capped += uint64_t(_ranges[i].count() - range.count());
 		for (int z = range.z_begin; z < range.z_end; z++) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
-				touch(_grid.get_index(x, z), uint32_t(i));
+				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
+					touch(_grid.get_index(x, z), uint32_t(i));
+				}
 			}
 		}
 	}
 }
 
-// The tiles whose box (square grown by the reach, ground to the highest tip) meets the collider's.
-TileRange TileManager::find_range(const ColliderShape &p_collider) const {
-	const Bounds bounds = p_collider.get_swept_bounds();
-	if (bounds.max.y() < 0.0 || bounds.min.y() > _params.height) {
+// The tiles whose box could meet the collider's: squares grown by the farthest reach, ground to the highest tip.
+TileRange TileManager::find_range(const Bounds &p_swept) const {
+	if (p_swept.max.y() < 0.0 || p_swept.min.y() > _params.height) {
 		return {};
 	}
-	return _grid.get_range(bounds.min.x(), bounds.max.x(), bounds.min.z(), bounds.max.z(), _params.reach);
+	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);
 }
 
 void TileManager::touch(int p_tile, uint32_t p_collider) {

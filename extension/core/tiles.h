@@ -5,10 +5,12 @@
 
 #include "core/body_shape.h"
 #include "core/slot_set.h"
+#include "core/tile_bounds.h"
 #include "core/tile_map.h"
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,6 +52,8 @@ public:
 	// A new grid, another pool size or another seed puts every tile to rest at once, as reset() does.
 	void set_grid(const TileGrid &p_grid);
 	void set_params(const TileParams &p_params);
+	// The boxes around the tiles' blades; without them a tile's box is its square grown by TileParams' reach and height.
+	void set_bounds(std::shared_ptr<const TileBounds> p_bounds) { _bounds = std::move(p_bounds); }
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
 
@@ -104,7 +108,7 @@ private:
 
 	void begin_step();
 	void find_touched_tiles(std::span<ColliderShape> p_colliders);
-	TileRange find_range(const ColliderShape &p_collider) const;
+	TileRange find_range(const Bounds &p_swept) const;
 	void touch(int p_tile, uint32_t p_collider);
 
 	void activate_tiles();
@@ -123,6 +127,7 @@ private:
 
 	TileGrid _grid;
 	TileParams _params;
+	std::shared_ptr<const TileBounds> _bounds;
 	double _time = 0.0; // seconds since reset
 
 	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
@@ -132,6 +137,7 @@ private:
 
 	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
 	std::vector<TileRange> _ranges;
+	std::vector<Bounds> _swept; // of the colliders
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;

@@ -2,18 +2,15 @@
 #include "draw/blade_materials.h"
 
 #include "draw/blade_mesh.h"
+#include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
-
-#include <godot_cpp/classes/shader.hpp>
 
 using namespace godot;
 
 namespace grass {
 
 BladeMaterials::BladeMaterials() {
-	Ref<Shader> shader;
-	shader.instantiate();
-	shader->set_code(String::utf8(shader::BLADE_GDSHADER));
+	const Ref<Shader> shader = shared_shader(shader::BLADE_GDSHADER);
 	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
 		Ref<ShaderMaterial> &material = _levels[size_t(level)];
 		material.instantiate();

@@ -2,10 +2,10 @@
 #include "draw/ground.h"
 
 #include "draw/field_instance.h"
+#include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -34,11 +34,8 @@ void Ground::create(const TileGrid &p_grid) {
 	arrays[Mesh::ARRAY_VERTEX] = vertices;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
-	Ref<Shader> shader;
-	shader.instantiate();
-	shader->set_code(String::utf8(shader::GROUND_GDSHADER));
 	_material.instantiate();
-	_material->set_shader(shader);
+	_material->set_shader(shared_shader(shader::GROUND_GDSHADER));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
 	_mesh.instantiate();
 	_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);

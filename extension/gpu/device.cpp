@@ -56,18 +56,34 @@ void GpuBuffer::free() {
 	_uploaded = PackedByteArray();
 }
 
+std::map<const uint32_t *, GpuPass::Pipeline> GpuPass::_pipelines;
+
 void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name) {
 	free();
-	PackedByteArray code;
-	code.resize(int64_t(p_spirv.size_bytes()));
-	std::memcpy(code.ptrw(), p_spirv.data(), p_spirv.size_bytes());
-	Ref<RDShaderSPIRV> spirv;
-	spirv.instantiate();
-	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
-	RenderingDevice *device = main_device();
-	_shader = device->shader_create_from_spirv(spirv, p_name);
-	ERR_FAIL_COND_MSG(!_shader.is_valid(), vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
-	_pipeline = device->compute_pipeline_create(_shader);
+	Pipeline &known = _pipelines[p_spirv.data()];
+	if (!known.pipeline.is_valid()) {
+		PackedByteArray code;
+		code.resize(int64_t(p_spirv.size_bytes()));
+		std::memcpy(code.ptrw(), p_spirv.data(), p_spirv.size_bytes());
+		Ref<RDShaderSPIRV> spirv;
+		spirv.instantiate();
+		spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
+		RenderingDevice *device = main_device();
+		known.shader = device->shader_create_from_spirv(spirv, p_name);
+		ERR_FAIL_COND_MSG(!known.shader.is_valid(), vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
+		known.pipeline = device->compute_pipeline_create(known.shader);
+	}
+	_shader = known.shader;
+	_pipeline = known.pipeline;
+}
+
+void GpuPass::free_pipelines() {
+	for (const auto &[code, known] : _pipelines) {
+		if (known.shader.is_valid()) { // takes the pipeline with it
+			main_device()->free_rid(known.shader);
+		}
+	}
+	_pipelines.clear();
 }
 
 void GpuPass::bind(int p_binding, const Binding &p_to) {
@@ -141,9 +157,6 @@ void GpuPass::free() {
 	}
 	if (_set.is_valid() && device->uniform_set_is_valid(_set)) {
 		device->free_rid(_set);
-	}
-	if (_shader.is_valid()) { // takes the pipeline with it
-		device->free_rid(_shader);
 	}
 	_set = _shader = _pipeline = RID();
 	_bindings.clear();

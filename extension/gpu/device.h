@@ -9,6 +9,7 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,10 @@ public:
 
 	~GpuPass() { free(); }
 
+	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take up to seconds for it.
 	void create(std::span<const uint32_t> p_spirv, const char *p_name);
+	// Frees all pipelines, for when the library is unloaded.
+	static void free_pipelines();
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);
@@ -68,6 +72,11 @@ private:
 	};
 	void bind(int p_binding, const Binding &p_to);
 	bool refresh_set();
+
+	struct Pipeline {
+		godot::RID shader, pipeline;
+	};
+	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code
 
 	godot::RID _shader, _pipeline, _set;
 	std::vector<Binding> _bindings;

@@ -103,6 +103,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
 	}
+	if (p_measure) {
+		read_times();
+	}
 	int64_t uploaded = 0;
 	uploaded += _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
@@ -188,7 +191,6 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 void GpuField::read_times() {
 	RenderingDevice *device = main_device();
 	double simulate = 0.0, cull = 0.0;
-	bool any = false;
 	const uint32_t count = device->get_captured_timestamps_count();
 	for (uint32_t i = 1; i < count; i++) {
 		const String name = device->get_captured_timestamp_name(i);
@@ -197,11 +199,12 @@ void GpuField::read_times() {
 		}
 		const double ms = double(device->get_captured_timestamp_gpu_time(i) - device->get_captured_timestamp_gpu_time(i - 1)) * 1e-6;
 		(name == String("GrassField cull") ? cull : simulate) += ms;
-		any = true;
 	}
-	if (any) {
-		std::lock_guard lock(_report->mutex);
+	std::lock_guard lock(_report->mutex);
+	if (simulate > 0.0) { // else that frame had no such pass: the last known time stands
 		_report->statistics.simulate_ms = simulate;
+	}
+	if (cull > 0.0) {
 		_report->statistics.cull_ms = cull;
 	}
 }

@@ -4,6 +4,7 @@
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -23,10 +24,16 @@ RenderQueue *RenderQueue::get_singleton() {
 
 void RenderQueue::free_singleton() {
 	if (_singleton != nullptr) {
+		if (main_device() != nullptr) {
+			_singleton->post(&GpuPass::free_pipelines);
+			RenderingServer::get_singleton()->force_sync();
+		}
 		memdelete(_singleton);
 		_singleton = nullptr;
 	}
 }
+
+void RenderQueue::_bind_methods() { ClassDB::bind_method(D_METHOD("_deliver", "data", "ticket"), &RenderQueue::_deliver); }
 
 void RenderQueue::post(Job p_job) {
 	{
@@ -50,7 +57,8 @@ void RenderQueue::_run() {
 void RenderQueue::read_later(const RID &p_buffer, uint32_t p_bytes, Receiver p_receiver) {
 	const int64_t ticket = _next_ticket++;
 	_receivers[ticket] = std::move(p_receiver);
-	main_device()->buffer_get_data_async(p_buffer, callable_mp(this, &RenderQueue::_deliver).bind(ticket), 0, p_bytes);
+	// By name, so that the engine looks whether this object is still there: it hands over what is under way at its very end.
+	main_device()->buffer_get_data_async(p_buffer, Callable(this, "_deliver").bind(ticket), 0, p_bytes);
 }
 
 void RenderQueue::_deliver(const PackedByteArray &p_data, int64_t p_ticket) {

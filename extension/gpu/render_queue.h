@@ -31,7 +31,7 @@ public:
 	void read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);
 
 protected:
-	static void _bind_methods() {}
+	static void _bind_methods();
 
 private:
 	void _run();

@@ -89,8 +89,10 @@ void GrassField::build() {
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)), float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
+	_bounds = std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
+	_tiles.set_bounds(_bounds);
 	_tiles.reset();
 	_clock.reset();
 	if (!Engine::get_singleton()->is_editor_hint()) { // the editor shows them beside the node
@@ -230,8 +232,8 @@ TileParams GrassField::tile_params() const {
 	params.pool_size = int(_pool_tiles);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
 	params.settle_time = param(PARAM_SETTLE_TIME);
-	params.reach = _setup.blade_reach();
-	params.height = _setup.blade_height();
+	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.height = _bounds ? _bounds->get_height() : 0.0;
 	params.seed = _setup.seed;
 	return params;
 }

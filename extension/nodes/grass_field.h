@@ -123,6 +123,7 @@ private:
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
+	std::shared_ptr<const TileBounds> _bounds;
 	TileManager _tiles;
 	StepClock _clock;
 	BodyTracker _tracker;

@@ -80,6 +80,8 @@ bool tile_collider(uint p_entry, out TileCollider r_collider) {
 	return make_tile_collider(collider_list[p_entry], slot.tile.xy, step.field.x, r_collider);
 }
 
+#include "compute/shape.inc"
+#include "compute/contact.inc"
 #include "compute/solve.inc"
 
 shared uint liveliest; // the bits of a float that is not negative order as the float does

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+## Times drawing and simulation on this machine and writes CSV: `./grass bench`, or `-- --out DIR` by hand.
+## Absolute times mean something on a GPU only; the files name the device.
+extends Node3D
+
+const Draw := preload("res://bench/bench_draw.gd")
+const Simulate := preload("res://bench/bench_simulate.gd")
+
+
+func _ready() -> void:
+	var folder := _argument("--out", OS.get_user_data_dir())
+	DirAccess.make_dir_recursive_absolute(folder)
+	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
+	for part: Node in [Draw.new(), Simulate.new()]:
+		add_child(part)
+		var rows: Array[PackedStringArray] = await part.run(is_software())
+		part.queue_free()
+		_write(folder.path_join(part.FILE), rows)
+	get_tree().quit()
+
+
+static func is_software() -> bool:
+	return RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+
+
+## Middle value; 0 of nothing.
+static func median(p_values: Array[float]) -> float:
+	var sorted := p_values.duplicate()
+	sorted.sort()
+	return sorted[sorted.size() >> 1] if sorted else 0.0
+
+
+func _argument(p_name: String, p_default: String) -> String:
+	var arguments := OS.get_cmdline_user_args()
+	var at := arguments.find(p_name)
+	return arguments[at + 1] if at >= 0 and at + 1 < arguments.size() else p_default
+
+
+func _write(p_path: String, p_rows: Array[PackedStringArray]) -> void:
+	var file := FileAccess.open(p_path, FileAccess.WRITE)
+	if file == null:
+		push_error("Bench: cannot write %s (%s)." % [p_path, error_string(FileAccess.get_open_error())])
+		return
+	file.store_line("# %s, %s, Godot %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(), Engine.get_version_info().string])
+	for row in p_rows:
+		file.store_csv_line(row)
+		print(", ".join(row))

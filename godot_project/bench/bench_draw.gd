@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+## GPU time of a drawn frame against the number of blades, from eye level and from above, with and without shadows.
+extends Node3D
+
+const FILE := "draw.csv"
+const FRAMES := 24 # measured, after as many to warm up
+
+var _field: GrassField
+var _camera: Camera3D
+var _sun: DirectionalLight3D
+
+
+func run(p_software: bool) -> Array[PackedStringArray]:
+	_camera = Camera3D.new()
+	_camera.far = 600.0
+	_sun = DirectionalLight3D.new()
+	_sun.rotation_degrees = Vector3(-50.0, 40.0, 0.0)
+	_field = GrassField.new()
+	_field.measure_time = true
+	for node: Node in [_camera, _sun, _field]:
+		add_child(node)
+	_camera.current = true
+	get_viewport().msaa_3d = Viewport.MSAA_DISABLED
+	RenderingServer.viewport_set_measure_render_time(get_viewport().get_viewport_rid(), true)
+	var rows: Array[PackedStringArray] = [["blades", "view", "shadows", "msaa", "drawn_blades", "drawn_triangles", "gpu_ms", "cull_ms"]]
+	rows.append(await _measure("nothing", 0.0, false, 0, 1 if p_software else FRAMES))
+	for side: float in [4.0, 8.0] if p_software else [32.0, 64.0, 128.0, 256.0]:
+		for view: String in ["eye", "above"]:
+			for shadows: bool in [false, true]:
+				rows.append(await _measure(view, side, shadows, 0, 1 if p_software else FRAMES))
+	if not p_software:
+		rows.append(await _measure("eye", 64.0, true, 2, FRAMES))
+	return rows
+
+
+func _measure(p_view: String, p_side: float, p_shadows: bool, p_msaa: int, p_frames: int) -> PackedStringArray:
+	_field.visible = p_side > 0.0
+	_field.size = Vector2.ONE * maxf(p_side, 1.0)
+	_sun.shadow_enabled = p_shadows
+	get_viewport().msaa_3d = p_msaa as Viewport.MSAA
+	if p_view == "above":
+		_camera.position = Vector3(0.0, 0.6 * p_side, 0.35 * p_side)
+		_camera.look_at(Vector3.ZERO)
+	else:
+		_camera.position = Vector3(0.0, 1.7, 0.45 * p_side)
+		_camera.rotation = Vector3(-0.12, 0.0, 0.0)
+	var times: Array[float] = []
+	for frame in 2 * p_frames + 4:
+		_camera.position.y += 1e-4 # a still picture would not be culled again
+		await RenderingServer.frame_post_draw
+		if frame >= p_frames + 4:
+			times.append(RenderingServer.viewport_get_measured_render_time_gpu(get_viewport().get_viewport_rid()))
+	var statistics := _field.get_statistics()
+	var blades: int = statistics.blades if _field.visible else 0
+	return [str(blades), p_view, "on" if p_shadows else "off", str(p_msaa), str(statistics.drawn_blades if blades else 0),
+			str(statistics.drawn_triangles if blades else 0), "%.3f" % preload("res://bench/bench.gd").median(times), "%.4f" % statistics.cull_ms]
