@@ -14,7 +14,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass editor   opens that project in the engine's editor
-  ./grass bench    runs the benchmark scenes
+  ./grass bench    runs the benchmarks, of the core and in the engine
   ./grass export OUT   packs the project to run elsewhere
   ./grass clean    removes what was built (--all: also what was fetched)
 
@@ -41,7 +41,7 @@ def parser():
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
 
 	commands.add_parser("editor", help="open the project in the editor")
-	bench = commands.add_parser("bench", help="run the benchmark scenes")
+	bench = commands.add_parser("bench", help="run the benchmarks")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")

@@ -7,7 +7,7 @@ import subprocess
 import time
 
 from tools import build, engine, machine, settle
-from tools.places import OUT, PROJECT
+from tools.places import BUILD, OUT, PROJECT
 from tools.say import Failure, progress, say
 
 LIMIT = 3600  # seconds
@@ -30,12 +30,12 @@ def play(scene, folder, arguments, size, method):
 		raise Failure(f"{scene} ended with code {code} (negative: a signal).")
 
 
-def ready(scene):
+def ready(scene, *targets):
 	"""Gets and builds what a scene needs."""
 	if not (PROJECT / scene.removeprefix("res://")).exists():
 		raise Failure(f"There is no {scene} in this version.")
 	machine.ensure(*machine.BUILDING, machine.SCREEN, machine.VULKAN)
-	build.scons("extension")
+	build.scons("extension", *targets)
 
 
 def results(folder):
@@ -59,8 +59,17 @@ def demo(out, size, method):
 
 
 def bench(out):
-	ready("res://bench/bench.tscn")
+	"""The core's benchmarks, one after the other, then the engine's."""
+	ready("res://bench/bench.tscn", "bench")
 	folder = pathlib.Path(out or OUT / "bench").resolve()
+	folder.mkdir(parents=True, exist_ok=True)
+	for program in sorted(file for file in (BUILD / "bench").iterdir() if file.is_file()):
+		with progress(f"Running {program.name}", every=10):
+			result = subprocess.run([str(program)], capture_output=True, text=True, timeout=LIMIT)
+		if result.returncode:
+			raise Failure(f"{program.name} ended with code {result.returncode}:\n{result.stderr}")
+		print(result.stdout, end="")
+		(folder / f"{program.name}.txt").write_text(result.stdout)
 	play("res://bench/bench.tscn", folder, [], SIZES["large"], "forward_plus")
 	results(folder)
 

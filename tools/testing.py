@@ -10,6 +10,8 @@ from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 LAYERS = ("unit", "headless", "gpu")
+OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
+PICTURES = "test_picture"
 UNIT_LIMIT = 900  # seconds
 ENGINE_LIMIT = 2400  # seconds
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
@@ -70,8 +72,8 @@ def unit_skips(program, chosen):
 class Reports:
 	"""Follows what the runner in the engine reports."""
 
-	def __init__(self, layer, may_be_none):
-		self.layer, self.may_be_none, self.tally = layer, may_be_none, Tally()
+	def __init__(self, layer, may_be_none, title=""):
+		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running, self.leaks = [], None, []
 
 	def line(self, text):
@@ -81,6 +83,7 @@ class Reports:
 				self.leaks.append(text)
 			return
 		what, name = text[len(MARK) :].split(" ", 1)
+		name = self.title + name.removeprefix(self.layer)
 		if what in ("plan", "run"):
 			self.open += [name] if what == "plan" else []
 			self.running = name if what == "run" else self.running
@@ -100,16 +103,16 @@ class Reports:
 			reason = f"while it ran, {how}" if name == self.running else f"not run: {how}"
 			self.tally.failed.append(f"{name}: {reason}")
 		if not planned and not self.may_be_none:
-			self.tally.failed.append(f"{self.layer}: no test was found ({how})")
+			self.tally.failed.append(f"{self.title}: no test was found ({how})")
 		elif how.startswith("the engine died") and not self.open:
-			self.tally.failed.append(f"{self.layer}: after the last test {how}")
+			self.tally.failed.append(f"{self.title}: after the last test {how}")
 		if self.leaks:
-			self.tally.failed.append(f"{self.layer}: leaks at exit: {'; '.join(self.leaks)}")
+			self.tally.failed.append(f"{self.title}: leaks at exit: {'; '.join(self.leaks)}")
 		return self.tally
 
 
-def in_engine(layer, command, environment, only):
-	reports = Reports(layer, bool(only))
+def in_engine(layer, command, environment, only, title=""):
+	reports = Reports(layer, bool(only), title)
 	arguments = ["--path", str(PROJECT), "--fixed-fps", "60", "res://tests/runner.tscn", "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
@@ -127,8 +130,12 @@ def headless(only):
 
 
 def gpu(only):
-	with engine.window(size="960x540", software=True) as (command, environment):
-		return in_engine("gpu", command, environment, only)
+	with engine.window(size="320x180", software=True) as (command, environment):
+		tally = in_engine("gpu", command, environment, only)
+	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
+		with engine.window(method, "320x180", software=True) as (command, environment):
+			tally.add(in_engine("gpu", command, environment, only or PICTURES, f"gpu ({method})"))
+	return tally
 
 
 def run(layers=LAYERS, only=""):

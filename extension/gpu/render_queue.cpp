@@ -43,15 +43,16 @@ void RenderQueue::post(Job p_job) {
 	RenderingServer::get_singleton()->call_on_render_thread(callable_mp(this, &RenderQueue::_run));
 }
 
+// One job a call: the calls stand in the renderer's queue among its own commands, and no job may come before those that
+// were given before it.
 void RenderQueue::_run() {
-	std::vector<Job> jobs;
+	Job job;
 	{
 		std::lock_guard lock(_mutex);
-		jobs.swap(_jobs);
+		job = std::move(_jobs.front());
+		_jobs.pop_front();
 	}
-	for (const Job &job : jobs) {
-		job();
-	}
+	job();
 }
 
 void RenderQueue::read_later(const RID &p_buffer, uint32_t p_bytes, Receiver p_receiver) {

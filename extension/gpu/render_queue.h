@@ -7,10 +7,10 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
-#include <vector>
 
 namespace grass {
 
@@ -39,7 +39,7 @@ private:
 
 	static RenderQueue *_singleton;
 	std::mutex _mutex;
-	std::vector<Job> _jobs;
+	std::deque<Job> _jobs;
 	std::map<int64_t, Receiver> _receivers; // render thread only
 	int64_t _next_ticket = 0;
 };

@@ -41,6 +41,7 @@ func table(p_bodies: int, p_software: bool) -> String:
 		["bodies", str(p_bodies)],
 		["awake tiles", ", ".join(_awake)],
 		["most awake", "%d tiles, %s blades" % [_most_awake, _with_commas(_most_awake * 64)]],
+		["pool", "%d tiles gave way, %d wishes refused" % [statistics.evicted, statistics.refused]],
 		["blade steps", _with_commas(statistics.simulated_blades)],
 		["drawn (last view)", "%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]],
 		["draw", _range(_draw, "ms GPU a frame")],

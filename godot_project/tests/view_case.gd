@@ -24,7 +24,7 @@ func open_view(size: Vector2i) -> void:
 
 ## A GrassField in the viewport; see add_field().
 func add_seen_field(properties := {}) -> GrassField:
-	var field := add_field({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF} .merged(properties))
+	var field := add_field(properties.merged({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF}))
 	remove_child(field)
 	viewport.add_child(field)
 	return field

@@ -13,7 +13,7 @@ func used() -> Array[float]:
 
 
 func test_out_and_in_leaves_nothing() -> void:
-	var field := add_seen_field({pool_tiles = 64})
+	var field := add_seen_field({size = Vector2(1, 1), pool_tiles = 64})
 	var body := AnimatableBody3D.new()
 	add_shape(body, ball(0.2))
 	viewport.add_child(body)
@@ -24,7 +24,7 @@ func test_out_and_in_leaves_nothing() -> void:
 		if i % 3 == 0:
 			await frames(1)
 		viewport.add_child(field)
-		await frames(2 if i % 2 else 4)
+		await frames(1 if i % 2 else 3)
 		if i == 9:
 			await frames(5)
 			at_first = used()
@@ -53,7 +53,7 @@ func test_a_field_takes_what_it_says_and_gives_it_back() -> void:
 
 
 func test_rebuilds_leave_nothing() -> void:
-	var field := add_seen_field({pool_tiles = 64})
+	var field := add_seen_field({size = Vector2(1, 1), pool_tiles = 64})
 	await frames(5)
 	var at_first := used()
 	for i in 20:
