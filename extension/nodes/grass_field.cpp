@@ -168,11 +168,11 @@ void GrassField::follow() {
 // The camera has its pose of this frame only now.
 void GrassField::_before_draw() {
 	build(); // also where the tree is paused from the first frame on
-	if (!_backend || !is_visible_in_tree() || get_viewport()->is_3d_disabled()) {
+	if (!_backend || !is_visible_in_tree()) {
 		return;
 	}
 	Camera3D *camera = find_camera();
-	if (camera == nullptr) {
+	if (camera == nullptr || camera->get_viewport()->is_3d_disabled()) {
 		return;
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());

@@ -15,6 +15,7 @@ func test_out_and_in_a_thousand_times() -> void:
 	var memory := Performance.get_monitor(Performance.MEMORY_STATIC)
 	for i in 1000:
 		remove_child(field)
+		assert_eq(field.get_body_count() + field.get_awake_tile_count() + field.get_blade_count(), 0, "out of the tree there is nothing")
 		add_child(field)
 		if i % 10 == 0: # now and then it also comes to life in between
 			await seen()
