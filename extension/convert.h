@@ -21,9 +21,15 @@
 
 namespace grass {
 
-inline Eigen::Vector2d to_eigen(const godot::Vector2 &p_v) { return { p_v.x, p_v.y }; }
-inline Eigen::Vector3d to_eigen(const godot::Vector3 &p_v) { return { p_v.x, p_v.y, p_v.z }; }
-inline Eigen::Quaterniond to_eigen(const godot::Quaternion &p_q) { return { p_q.w, p_q.x, p_q.y, p_q.z }; }
+inline Eigen::Vector2d to_eigen(const godot::Vector2 &p_v) {
+	return { p_v.x, p_v.y };
+}
+inline Eigen::Vector3d to_eigen(const godot::Vector3 &p_v) {
+	return { p_v.x, p_v.y, p_v.z };
+}
+inline Eigen::Quaterniond to_eigen(const godot::Quaternion &p_q) {
+	return { p_q.w, p_q.x, p_q.y, p_q.z };
+}
 
 inline Eigen::Matrix3d to_eigen(const godot::Basis &p_basis) {
 	Eigen::Matrix3d m;
@@ -47,7 +53,9 @@ inline Eigen::Vector4d to_eigen(const godot::Plane &p_plane) {
 	return { p_plane.normal.x, p_plane.normal.y, p_plane.normal.z, p_plane.d };
 }
 
-inline godot::Vector2 to_godot(const Eigen::Vector2d &p_v) { return { godot::real_t(p_v.x()), godot::real_t(p_v.y()) }; }
+inline godot::Vector2 to_godot(const Eigen::Vector2d &p_v) {
+	return { godot::real_t(p_v.x()), godot::real_t(p_v.y()) };
+}
 inline godot::Vector3 to_godot(const Eigen::Vector3d &p_v) {
 	return { godot::real_t(p_v.x()), godot::real_t(p_v.y()), godot::real_t(p_v.z()) };
 }
@@ -68,16 +76,14 @@ inline godot::Transform3D to_godot(const Eigen::Affine3d &p_a) {
 }
 
 // The bytes of an array of plain records, as RenderingDevice and Image take them.
-template <typename T>
-void copy_bytes(std::span<const T> p_from, godot::PackedByteArray &r_to) {
+template <typename T> void copy_bytes(std::span<const T> p_from, godot::PackedByteArray &r_to) {
 	r_to.resize(int64_t(p_from.size_bytes()));
 	if (!p_from.empty()) {
 		std::memcpy(r_to.ptrw(), p_from.data(), p_from.size_bytes());
 	}
 }
 
-template <typename T>
-godot::PackedByteArray to_bytes(std::span<const T> p_from) {
+template <typename T> godot::PackedByteArray to_bytes(std::span<const T> p_from) {
 	godot::PackedByteArray bytes;
 	copy_bytes(p_from, bytes);
 	return bytes;

@@ -2,8 +2,8 @@
 // The extension's table of contents: what it registers, at which level, and where the engine enters.
 #include "register_types.h"
 
-#include "class_docs.gen.h"
 #include "backend/parallel.h"
+#include "class_docs.gen.h"
 #include "draw/shared_shader.h"
 #include "gpu/render_queue.h"
 #include "nodes/grass_field.h"
@@ -35,7 +35,8 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	}
 }
 
-extern "C" GDExtensionBool GDE_EXPORT grass_field_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+extern "C" GDExtensionBool GDE_EXPORT grass_field_library_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
+		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
 	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(initialize_grass_field);
 	init.register_terminator(uninitialize_grass_field);

@@ -51,8 +51,10 @@ def unit(only):
 	print(result.stdout + result.stderr, end="")
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
-	names = re.findall(r"^TEST CASE:\s*(.*)$", result.stdout, re.MULTILINE)
-	names = list(dict.fromkeys(name.strip() for name in names)) + ["a test case"] * failed
+	# A block between rulers is one report: of failed checks, or only of a message.
+	blocks = [block for block in re.split(r"^=+$", result.stdout, flags=re.MULTILINE) if "ERROR:" in block]
+	names = [name.strip() for block in blocks for name in re.findall(r"^TEST CASE:\s*(.*)$", block, re.MULTILINE)]
+	names = list(dict.fromkeys(names)) + ["a test case"] * failed
 	failures = [f"unit: {name}" for name in names[:failed]]
 	if result.returncode and not failures:
 		failures = [f"unit: the tests ended with code {result.returncode}"]

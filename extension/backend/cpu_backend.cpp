@@ -24,12 +24,17 @@ constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with
 } // namespace
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
-		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_tiles), _parallel(memnew(Parallel)), _patch_texture(make_patch_texture(*p_setup.patch)) {
+		_setup(p_setup),
+		_pool(p_setup.patch, p_setup.pool_tiles),
+		_parallel(memnew(Parallel)),
+		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	update_pool_texture();
 }
 
-CpuBackend::~CpuBackend() { memdelete(_parallel); }
+CpuBackend::~CpuBackend() {
+	memdelete(_parallel);
+}
 
 void CpuBackend::step(const StepInput &p_input) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
@@ -108,13 +113,11 @@ void CpuBackend::add_tile(const FieldView &p_view, int p_x, int p_z) {
 		tint = 2.0f + float(level);
 	}
 	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
-	const float values[GRASS_INSTANCE_FLOATS] = {
-		1.0f, 0.0f, 0.0f, centre.x(), //
+	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
 		0.0f, 1.0f, 0.0f, centre.y(), //
 		0.0f, 0.0f, 1.0f, centre.z(), //
 		float(p_x), float(p_z), blades, tint, //
-		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(slot), grass_tile_hash(x, z, _setup.seed), 0.0f
-	};
+		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(slot), grass_tile_hash(x, z, _setup.seed), 0.0f };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
 }
 
@@ -130,7 +133,8 @@ void CpuBackend::update_pool_texture() {
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
 	_changed_slots.clear();
-	const Ref<Image> image = Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
+	const Ref<Image> image =
+			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
 	if (grown) {
 		_pool_texture = ImageTexture::create_from_image(image);
 		_materials.set("pool_knots", _pool_texture);

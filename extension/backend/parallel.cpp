@@ -22,6 +22,8 @@ void Parallel::run(int p_count, const std::function<void(int)> &p_body) {
 	_body = nullptr;
 }
 
-void Parallel::_run_one(uint32_t p_index) { (*_body)(int(p_index)); }
+void Parallel::_run_one(uint32_t p_index) {
+	(*_body)(int(p_index));
+}
 
 } // namespace grass

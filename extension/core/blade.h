@@ -12,8 +12,8 @@ namespace grass {
 
 // Field-space x, z (metres) of a root.
 // p_tile: tile coordinate; p_root: place in the tile, 0..1; p_tiles: tiles along x, z; p_tile_size: metres.
-inline Eigen::Vector2f root_place(const Eigen::Vector2f &p_tile, const Eigen::Vector2f &p_root,
-		const Eigen::Vector2f &p_tiles, float p_tile_size) {
+inline Eigen::Vector2f root_place(
+		const Eigen::Vector2f &p_tile, const Eigen::Vector2f &p_root, const Eigen::Vector2f &p_tiles, float p_tile_size) {
 	return (p_tile + p_root - 0.5f * p_tiles) * p_tile_size;
 }
 

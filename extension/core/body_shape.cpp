@@ -11,7 +11,9 @@ namespace grass {
 namespace {
 
 // True too if p_value is NaN.
-bool exceeds(const Eigen::Vector3d &p_value, double p_limit) { return !(p_value.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= p_limit); }
+bool exceeds(const Eigen::Vector3d &p_value, double p_limit) {
+	return !(p_value.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= p_limit);
+}
 
 bool sanitise_pose(ColliderPose &r_pose, const char *&r_reason) {
 	if (exceeds(r_pose.position, ColliderShape::MAX_POSITION)) {
@@ -55,7 +57,9 @@ ColliderPose to_pose(const Eigen::Affine3d &p_transform) {
 	return { p_transform.translation(), Quaternion(axes) };
 }
 
-vec4 to_vec4(const Eigen::Vector3f &p_xyz, float p_w) { return { p_xyz.x(), p_xyz.y(), p_xyz.z(), p_w }; }
+vec4 to_vec4(const Eigen::Vector3f &p_xyz, float p_w) {
+	return { p_xyz.x(), p_xyz.y(), p_xyz.z(), p_w };
+}
 
 vec4 to_vec4(const Quaternion &p_rotation) {
 	return { float(p_rotation.x()), float(p_rotation.y()), float(p_rotation.z()), float(p_rotation.w()) };

@@ -8,9 +8,15 @@ namespace grass {
 
 namespace {
 
-Vec3<float> xyz(const vec4 &p_a) { return { p_a.x, p_a.y, p_a.z }; }
-Turn<float> turn_of(const vec4 &p_a) { return { xyz(p_a), p_a.w }; }
-float total(const vec4 &p_a) { return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w); }
+Vec3<float> xyz(const vec4 &p_a) {
+	return { p_a.x, p_a.y, p_a.z };
+}
+Turn<float> turn_of(const vec4 &p_a) {
+	return { xyz(p_a), p_a.w };
+}
+float total(const vec4 &p_a) {
+	return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w);
+}
 
 // Radius of a sphere about the shape's centre, and the least thickness.
 void measure(int p_shape, const Vec3<float> &p_size, float &r_bound, float &r_thin) {
@@ -56,7 +62,8 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 		}
 		r_collider.planes = p_planes.subspan(size_t(first), size_t(count));
 	}
-	const Vec3<float> anchor{ float(p_collider.anchor.x - p_tile_x) * p_tile_size, 0.0f, float(p_collider.anchor.y - p_tile_z) * p_tile_size };
+	const Vec3<float> anchor{ float(p_collider.anchor.x - p_tile_x) * p_tile_size, 0.0f,
+		float(p_collider.anchor.y - p_tile_z) * p_tile_size };
 	r_collider.size = xyz(p_collider.size);
 	r_collider.centre = xyz(p_collider.position) + anchor;
 	r_collider.centre_before = xyz(p_collider.position_before) + anchor;

@@ -19,8 +19,7 @@ inline constexpr float TRACE_NEAR = 1e-3f;
 inline constexpr float BLOCKED = 1e6f;
 
 // A plane n.x = d that the shape lies behind, and how far in front of it a point is (metres, negative inside).
-template <class T>
-struct Face {
+template <class T> struct Face {
 	Vec3<T> normal;
 	T distance;
 };
@@ -40,31 +39,26 @@ struct TileCollider {
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
 
-template <class T>
-GRASS_INLINE Vec3<T> widened(const Vec3<float> &p_a) {
+template <class T> GRASS_INLINE Vec3<T> widened(const Vec3<float> &p_a) {
 	return { T(p_a.x), T(p_a.y), T(p_a.z) };
 }
-template <class T>
-GRASS_INLINE Turn<T> widened(const Turn<float> &p_a) {
+template <class T> GRASS_INLINE Turn<T> widened(const Turn<float> &p_a) {
 	return { widened<T>(p_a.axis), T(p_a.w) };
 }
 
 // What a collider stands on, in its own axes: a knot may not be pushed farther down than there is room above the ground.
-template <class T>
-struct Ground {
+template <class T> struct Ground {
 	Vec3<T> up; // unit
 	T room; // metres
 };
 
 // Whether leaving by the face would lead into the ground.
-template <class T>
-GRASS_INLINE auto is_blocked(const Face<T> &p_face, const Ground<T> &p_ground) {
+template <class T> GRASS_INLINE auto is_blocked(const Face<T> &p_face, const Ground<T> &p_ground) {
 	return p_face.distance * minimum(dot(p_face.normal, p_ground.up), T(0.0f)) > p_ground.room;
 }
 
 // The one of two faces that is nearer to a point behind both, but one that is open before one that is blocked.
-template <class T>
-GRASS_INLINE Face<T> outer(const Face<T> &p_a, const Face<T> &p_b, const Ground<T> &p_ground) {
+template <class T> GRASS_INLINE Face<T> outer(const Face<T> &p_a, const Face<T> &p_b, const Ground<T> &p_ground) {
 	const T score_a = p_a.distance - select(is_blocked(p_a, p_ground), T(BLOCKED), T(0.0f));
 	const T score_b = p_b.distance - select(is_blocked(p_b, p_ground), T(BLOCKED), T(0.0f));
 	const auto is_b = score_b > score_a;
@@ -87,8 +81,7 @@ GRASS_INLINE Face<T> round_face(const Vec3<T> &p_out, const T &p_radius, const V
 }
 
 // [Eq 10] The face nearest to a point in the shape's own axes; on the axis or at the centre a fixed one.
-template <class T>
-GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point, const Ground<T> &p_ground) {
+template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point, const Ground<T> &p_ground) {
 	const T zero(0.0f), one(1.0f);
 	const Vec3<T> size = widened<T>(p_collider.size);
 	const T sign_y = select(p_point.y < zero, -one, one);
@@ -123,14 +116,12 @@ GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_
 	}
 }
 // The same for a point that is outside, or where the ground does not matter.
-template <class T>
-GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point) {
+template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point) {
 	return find_face(p_collider, p_point, Ground<T>{ {}, T(0.0f) });
 }
 
 // Whether the collider, on its way during the step, comes within p_reach (metres) of the blade's root.
-template <class T>
-GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_root, const T &p_reach) {
+template <class T> GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_root, const T &p_reach) {
 	const Vec3<T> way = widened<T>(p_collider.centre - p_collider.centre_before);
 	const Vec3<T> from = widened<T>(p_collider.centre_before) - p_root;
 	const T t = minimum(maximum(-dot(from, way) / maximum(dot(way, way), T(TINY_SQUARED)), T(0.0f)), T(1.0f));
@@ -140,8 +131,7 @@ GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_
 }
 
 // A path of a knot during the step, from and to, in the shape's own axes at that time.
-template <class T>
-struct Path {
+template <class T> struct Path {
 	Vec3<T> from, to;
 };
 
@@ -153,8 +143,7 @@ GRASS_INLINE Path<T> relative_path(const TileCollider &p_collider, const Vec3<T>
 
 // [Eq 11] The face that a path meets, moved along to the path's end: its distance says how far the end is behind it.
 // Outside, and without a face met, the distance is not negative.
-template <class T>
-GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, const Path<T> &p_path, const Ground<T> &p_ground) {
+template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, const Path<T> &p_path, const Ground<T> &p_ground) {
 	const Vec3<T> way = p_path.to - p_path.from;
 	const T squared = dot(way, way);
 	Face<T> face = find_face(p_collider, p_path.to, p_ground);
@@ -164,8 +153,8 @@ GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, const Path<T> &p_path
 	const T nearest = -dot(p_path.from, way) / safe;
 	const Vec3<T> middle = p_path.from + way * minimum(maximum(nearest, T(0.0f)), T(1.0f));
 	const T bound(p_collider.bound);
-	const auto may_meet = ((face.distance < T(0.0f)) | (squared > T(p_collider.thin * p_collider.thin))) &
-			(dot(middle, middle) < bound * bound);
+	const auto may_meet =
+			((face.distance < T(0.0f)) | (squared > T(p_collider.thin * p_collider.thin))) & (dot(middle, middle) < bound * bound);
 	if (!any(may_meet)) {
 		return face;
 	}
@@ -190,15 +179,13 @@ GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, const Path<T> &p_path
 }
 
 // The ground under a knot p_height metres above it.
-template <class T>
-GRASS_INLINE Ground<T> ground_under(const TileCollider &p_collider, const T &p_height) {
+template <class T> GRASS_INLINE Ground<T> ground_under(const TileCollider &p_collider, const T &p_height) {
 	const Vec3<T> up = turned(inverse(widened<T>(p_collider.turn)), Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) });
 	return { up, maximum(p_height, T(0.0f)) };
 }
 
 // What would bring a knot out: a correction in the field's axes, and its length (0: no contact).
-template <class T>
-struct Contact {
+template <class T> struct Contact {
 	Vec3<T> direction;
 	T depth;
 };
@@ -206,8 +193,8 @@ struct Contact {
 // [Eq 12] The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before
 // to its pose now. Friction takes back what the knot slid along the surface, up to the depth times p_friction.
 template <class T>
-GRASS_INLINE Contact<T> find_contact(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to,
-		const T &p_friction) {
+GRASS_INLINE Contact<T> find_contact(
+		const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to, const T &p_friction) {
 	const Path<T> path = relative_path(p_collider, p_root, p_from, p_to);
 	const Face<T> face = sweep(p_collider, path, ground_under(p_collider, p_to.y));
 	const T depth = maximum(-face.distance, T(0.0f));

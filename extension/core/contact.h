@@ -14,15 +14,13 @@ inline constexpr int FIRST_BENDING_KNOT = 5;
 inline constexpr float REACH_MARGIN = 1.5f;
 
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
-template <class T>
-struct DeepestContact {
+template <class T> struct DeepestContact {
 	Contact<T> contact{ {}, T(0.0f) };
 	Vec3<T> place{};
 	T knot = T(0.0f);
 };
 
-template <class T>
-GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	DeepestContact<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
 		const auto is_near = comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
@@ -42,16 +40,14 @@ GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, con
 }
 
 // What a force along the contact's direction turns at hinge p_knot: its moment there; none beyond the contact.
-template <class T>
-GRASS_INLINE Vec3<T> moment(const DeepestContact<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
+template <class T> GRASS_INLINE Vec3<T> moment(const DeepestContact<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
 	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.contact.direction);
 	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
 }
 
 // [Eq 13] A contact bends the blade as a force there would: every hinge below it turns by the force's moment about that
 // hinge, so much in all that the knot comes out. Lengths stay; what is above the contact turns along.
-template <class T>
-GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContact<T> &p_deepest) {
+template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContact<T> &p_deepest) {
 	T stiffness(0.0f);
 	Vec3<T> sum{};
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
@@ -115,8 +111,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 
 // [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
 // colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit.
-template <class T>
-GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const T zero(0.0f);
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {

@@ -44,6 +44,8 @@ constexpr float half_to_float(uint16_t p_half) {
 }
 
 // p_value as a half holds it.
-constexpr float round_to_half(float p_value) { return half_to_float(float_to_half(p_value)); }
+constexpr float round_to_half(float p_value) {
+	return half_to_float(float_to_half(p_value));
+}
 
 } // namespace grass

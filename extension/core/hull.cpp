@@ -31,9 +31,8 @@ double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 // The usable points, each once.
 Points collect(std::span<const Eigen::Vector3d> p_points) {
 	Points points;
-	std::copy_if(p_points.begin(), p_points.end(), std::back_inserter(points), [](const Eigen::Vector3d &p_point) {
-		return p_point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= MAX_COORDINATE;
-	});
+	std::copy_if(p_points.begin(), p_points.end(), std::back_inserter(points),
+			[](const Eigen::Vector3d &p_point) { return p_point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= MAX_COORDINATE; });
 	const auto is_less = [](const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b) {
 		return std::lexicographical_compare(p_a.begin(), p_a.end(), p_b.begin(), p_b.end());
 	};
@@ -88,7 +87,9 @@ void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eige
 	}
 }
 
-double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) { return p_a.x() * p_b.y() - p_a.y() * p_b.x(); }
+double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
+}
 
 // Looks along the line through two points: if all others lie within half a turn, it is an edge of the hull, and the
 // outermost on either side span the two faces that meet there.

@@ -28,9 +28,15 @@ struct LaneMask {
 	Bits bits;
 };
 
-GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits & p_b.bits }; }
-GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits | p_b.bits }; }
-GRASS_INLINE LaneMask operator!(const LaneMask &p_a) { return { ~p_a.bits }; }
+GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) {
+	return { p_a.bits & p_b.bits };
+}
+GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) {
+	return { p_a.bits | p_b.bits };
+}
+GRASS_INLINE LaneMask operator!(const LaneMask &p_a) {
+	return { ~p_a.bits };
+}
 
 // Eight floats. Arithmetic is lane by lane and rounds as a plain float does.
 struct Lanes {
@@ -45,32 +51,60 @@ struct Lanes {
 	GRASS_INLINE void set(int p_lane, float p_value) { values[p_lane] = p_value; }
 };
 
-GRASS_INLINE Lanes operator+(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values + p_b.values); }
-GRASS_INLINE Lanes operator-(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values - p_b.values); }
-GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values * p_b.values); }
-GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values / p_b.values); }
-GRASS_INLINE Lanes operator-(const Lanes &p_a) { return Lanes(-p_a.values); }
-GRASS_INLINE LaneMask operator<(const Lanes &p_a, const Lanes &p_b) { return { p_a.values < p_b.values }; }
-GRASS_INLINE LaneMask operator>(const Lanes &p_a, const Lanes &p_b) { return { p_a.values > p_b.values }; }
-GRASS_INLINE LaneMask operator<=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values <= p_b.values }; }
-GRASS_INLINE LaneMask operator>=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values >= p_b.values }; }
+GRASS_INLINE Lanes operator+(const Lanes &p_a, const Lanes &p_b) {
+	return Lanes(p_a.values + p_b.values);
+}
+GRASS_INLINE Lanes operator-(const Lanes &p_a, const Lanes &p_b) {
+	return Lanes(p_a.values - p_b.values);
+}
+GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) {
+	return Lanes(p_a.values * p_b.values);
+}
+GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) {
+	return Lanes(p_a.values / p_b.values);
+}
+GRASS_INLINE Lanes operator-(const Lanes &p_a) {
+	return Lanes(-p_a.values);
+}
+GRASS_INLINE LaneMask operator<(const Lanes &p_a, const Lanes &p_b) {
+	return { p_a.values < p_b.values };
+}
+GRASS_INLINE LaneMask operator>(const Lanes &p_a, const Lanes &p_b) {
+	return { p_a.values > p_b.values };
+}
+GRASS_INLINE LaneMask operator<=(const Lanes &p_a, const Lanes &p_b) {
+	return { p_a.values <= p_b.values };
+}
+GRASS_INLINE LaneMask operator>=(const Lanes &p_a, const Lanes &p_b) {
+	return { p_a.values >= p_b.values };
+}
 
 // p_a where the mask is true, else p_b.
-GRASS_INLINE float select(bool p_mask, float p_a, float p_b) { return p_mask ? p_a : p_b; }
-GRASS_INLINE double select(bool p_mask, double p_a, double p_b) { return p_mask ? p_a : p_b; }
+GRASS_INLINE float select(bool p_mask, float p_a, float p_b) {
+	return p_mask ? p_a : p_b;
+}
+GRASS_INLINE double select(bool p_mask, double p_a, double p_b) {
+	return p_mask ? p_a : p_b;
+}
 GRASS_INLINE Lanes select(const LaneMask &p_mask, const Lanes &p_a, const Lanes &p_b) {
 	return Lanes(p_mask.bits ? p_a.values : p_b.values);
 }
 
 // Whether any lane's mask is true: what a branch may ask.
-GRASS_INLINE bool any(bool p_mask) { return p_mask; }
+GRASS_INLINE bool any(bool p_mask) {
+	return p_mask;
+}
 GRASS_INLINE bool any(const LaneMask &p_mask) {
 	const int64_t *quads = reinterpret_cast<const int64_t *>(&p_mask.bits);
 	return (quads[0] | quads[1] | quads[2] | quads[3]) != 0;
 }
 
-GRASS_INLINE float square_root(float p_a) { return std::sqrt(p_a); }
-GRASS_INLINE double square_root(double p_a) { return std::sqrt(p_a); }
+GRASS_INLINE float square_root(float p_a) {
+	return std::sqrt(p_a);
+}
+GRASS_INLINE double square_root(double p_a) {
+	return std::sqrt(p_a);
+}
 GRASS_INLINE Lanes square_root(const Lanes &p_a) {
 	Lanes root;
 #if defined(__SSE2__)
@@ -86,16 +120,13 @@ GRASS_INLINE Lanes square_root(const Lanes &p_a) {
 	return root;
 }
 
-template <class T>
-GRASS_INLINE T minimum(const T &p_a, const T &p_b) {
+template <class T> GRASS_INLINE T minimum(const T &p_a, const T &p_b) {
 	return select(p_a < p_b, p_a, p_b);
 }
-template <class T>
-GRASS_INLINE T maximum(const T &p_a, const T &p_b) {
+template <class T> GRASS_INLINE T maximum(const T &p_a, const T &p_b) {
 	return select(p_a > p_b, p_a, p_b);
 }
-template <class T>
-GRASS_INLINE T absolute(const T &p_a) {
+template <class T> GRASS_INLINE T absolute(const T &p_a) {
 	return select(p_a < T(0.0f), -p_a, p_a);
 }
 

@@ -16,7 +16,9 @@ static_assert(LOD_BLADES[0] == GRASS_BLADES_PER_TILE && LOD_BLADES[2] == GRASS_B
 static_assert(LOD_BLADES[3] == 32 && LOD_BLADES[4] == 16);
 
 // At least p_min; NaN becomes p_min too.
-float at_least(float p_value, float p_min) { return p_value > p_min ? p_value : p_min; }
+float at_least(float p_value, float p_min) {
+	return p_value > p_min ? p_value : p_min;
+}
 
 } // namespace
 
@@ -29,7 +31,9 @@ LodParams LodParams::sanitised() const {
 	return params;
 }
 
-LodLevel get_lod_level(int p_level) { return { LOD_BLADES[p_level], LOD_SEGMENTS[p_level] }; }
+LodLevel get_lod_level(int p_level) {
+	return { LOD_BLADES[p_level], LOD_SEGMENTS[p_level] };
+}
 
 float grass_lod_blades(float p_distance, float p_near, float p_far) {
 	const float share = 1.0f - 7.0f * (p_distance - p_near) / (8.0f * p_far);

@@ -134,7 +134,8 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	store(r_patch, p_blade, 0, x, z, azimuth, width);
 	for (int k = 1; k < GRASS_KNOTS; ++k) {
 		const Eigen::Vector3d knot = curve.knots[k] * length;
-		store(r_patch, p_blade, k, knot.x() * along_x - knot.z() * along_z, knot.y(), knot.x() * along_z + knot.z() * along_x, curve.twist[k]);
+		store(r_patch, p_blade, k, knot.x() * along_x - knot.z() * along_z, knot.y(), knot.x() * along_z + knot.z() * along_x,
+				curve.twist[k]);
 	}
 	measure(r_patch, p_blade);
 }

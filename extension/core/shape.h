@@ -8,8 +8,7 @@
 namespace grass {
 
 // A blade in blade space (metres, origin at the root).
-template <class T>
-struct Blade {
+template <class T> struct Blade {
 	Vec3<T> rest[GRASS_KNOTS]; // equilibrium under gravity; knots 0 and 1 clamp the blade
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
@@ -19,8 +18,7 @@ struct Blade {
 };
 
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
-template <class T>
-struct StepTerms {
+template <class T> struct StepTerms {
 	T keep, pull, pull_root, straighten;
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
@@ -28,11 +26,10 @@ struct StepTerms {
 	std::span<const TileCollider> colliders;
 };
 
-template <class T>
-StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
+template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
 	return { T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
-		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) },
-		T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend), int(p_step.contact.x), p_colliders };
+		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
+		int(p_step.contact.x), p_colliders };
 }
 
 // [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.
@@ -41,17 +38,14 @@ inline constexpr float root_share(int p_knot) {
 	return to_tip * to_tip;
 }
 
-template <class T>
-GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {
+template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {
 	return p_blade.rest[p_knot + 1] - p_blade.rest[p_knot];
 }
-template <class T>
-GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_knot) {
+template <class T> GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_knot) {
 	return p_blade.knots[p_knot + 1] - p_blade.knots[p_knot];
 }
 
-template <class T>
-GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
+template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	r_blade.reach = T(0.0f);
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		r_blade.lengths[k] = length(rest_segment(r_blade, k));
@@ -61,8 +55,7 @@ GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 
 // [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
 // about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.
-template <class T>
-GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
+template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
 	const Vec3<T> across = cross(p_lever, p_rest);
 	const T squared = dot(p_lever, p_lever);
 	const T product = square_root(squared * dot(p_rest, p_rest)) + dot(p_lever, p_rest);
@@ -72,8 +65,7 @@ GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) 
 
 // [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
 // exactly as a damped oscillator about its rest place does, at any time step.
-template <class T>
-GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const T limit = p_terms.max_move * r_blade.reach;
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
@@ -89,8 +81,7 @@ GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 
 // [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is drawn to where the segment before it, by its
 // transported frame (bend and twist), wants it. Weights 1, -2, 1 keep momentum; clamped knots do not take part.
-template <class T>
-GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	Turn<T> frame;
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> wanted = turned(frame, rest_segment(r_blade, k));
@@ -109,8 +100,7 @@ GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 }
 
 // [Eq 7] Length constraints, root to tip: both ends of a segment share what it is too long or too short by.
-template <class T>
-GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
+template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> found = segment(r_blade, k);
 		const T rest_length = r_blade.lengths[k];

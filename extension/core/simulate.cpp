@@ -13,7 +13,8 @@ namespace {
 
 constexpr int BLADES = GRASS_BLADES_PER_TILE;
 
-float step_state(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, Precision p_precision) {
+float step_state(
+		TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, Precision p_precision) {
 	switch (p_precision) {
 		case Precision::SCALAR_FLOAT:
 			return step_scalar_float(r_state, p_step, p_blend, p_colliders);
@@ -104,7 +105,8 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	for (const uint32_t index : p_input.collider_list.subspan(p_slot.list.y, p_slot.list.z)) {
 		TileCollider collider;
 		if (index < p_input.colliders.size() &&
-				make_tile_collider(p_input.colliders[index], p_slot.tile.x, p_slot.tile.y, p_input.step.field.x, p_input.planes, collider)) {
+				make_tile_collider(
+						p_input.colliders[index], p_slot.tile.x, p_slot.tile.y, p_input.step.field.x, p_input.planes, collider)) {
 			colliders.push_back(collider);
 		}
 	}

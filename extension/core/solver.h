@@ -8,8 +8,7 @@
 namespace grass {
 
 // [Eq 18] Moves the blade a share of the way to rest, standing still there; a share of 1 arrives exactly.
-template <class T>
-GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const auto arrives = p_terms.blend >= T(1.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> rest = r_blade.rest[k];
@@ -19,8 +18,7 @@ GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 }
 
 // Puts a blade with a number that is not finite to rest. Such a number survives every stage above, so once is enough.
-template <class T>
-GRASS_INLINE void mend(Blade<T> &r_blade) {
+template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
@@ -36,8 +34,7 @@ GRASS_INLINE void mend(Blade<T> &r_blade) {
 }
 
 // [Eq 19] Half the speed squared and the pull to rest, the mean of the free knots: J per kg of blade.
-template <class T>
-GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const GrassStep &p_step) {
+template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const GrassStep &p_step) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
@@ -48,8 +45,7 @@ GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const GrassStep &p_step) 
 }
 
 // Whether the blade stands at rest with nothing near it and no load on it: a step would not change a bit.
-template <class T>
-GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
@@ -64,8 +60,7 @@ GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) 
 }
 
 // The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
-template <class T>
-GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	if (p_terms.iterations == 0) {
 		return;
 	}

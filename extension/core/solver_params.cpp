@@ -40,7 +40,9 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	return { keep, 1.0 + keep - stay };
 }
 
-double or_zero(double p_value) { return std::isfinite(p_value) ? p_value : 0.0; }
+double or_zero(double p_value) {
+	return std::isfinite(p_value) ? p_value : 0.0;
+}
 
 } // namespace
 
@@ -82,7 +84,8 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	step.motion.w = float(-std::expm1(-bend * bend / params.iterations));
 
 	const double weight = at_tip.pull / (tip.w * tip.w);
-	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight), float(params.max_speed * g) };
+	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight),
+		float(params.max_speed * g) };
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), 0.0f };
 	step.energy = { float(1.0 / (h * h)), float(tip.w * tip.w), float(root.w * root.w - tip.w * tip.w), 0.0f };
 	return step;

@@ -10,28 +10,29 @@
 
 namespace grass {
 
-template <class T>
-inline constexpr int LANE_COUNT = 1;
-template <>
-inline constexpr int LANE_COUNT<Lanes> = Lanes::COUNT;
+template <class T> inline constexpr int LANE_COUNT = 1;
+template <> inline constexpr int LANE_COUNT<Lanes> = Lanes::COUNT;
 
-template <class T>
-GRASS_INLINE T load(const float *p_from) {
+template <class T> GRASS_INLINE T load(const float *p_from) {
 	return T(*p_from);
 }
-template <>
-GRASS_INLINE Lanes load<Lanes>(const float *p_from) {
+template <> GRASS_INLINE Lanes load<Lanes>(const float *p_from) {
 	Lanes lanes;
 	std::memcpy(&lanes.values, p_from, sizeof(lanes.values));
 	return lanes;
 }
 
-GRASS_INLINE void store(float p_value, float *r_to) { *r_to = p_value; }
-GRASS_INLINE void store(double p_value, float *r_to) { *r_to = float(p_value); }
-GRASS_INLINE void store(const Lanes &p_value, float *r_to) { std::memcpy(r_to, &p_value.values, sizeof(p_value.values)); }
+GRASS_INLINE void store(float p_value, float *r_to) {
+	*r_to = p_value;
+}
+GRASS_INLINE void store(double p_value, float *r_to) {
+	*r_to = float(p_value);
+}
+GRASS_INLINE void store(const Lanes &p_value, float *r_to) {
+	std::memcpy(r_to, &p_value.values, sizeof(p_value.values));
+}
 
-template <class T, int N>
-GRASS_INLINE Vec3<T> load_knot(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+template <class T, int N> GRASS_INLINE Vec3<T> load_knot(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
 	return { load<T>(&p_from[0][p_knot][p_blade]), load<T>(&p_from[1][p_knot][p_blade]), load<T>(&p_from[2][p_knot][p_blade]) };
 }
 template <class T, int N>
@@ -41,8 +42,12 @@ GRASS_INLINE void store_knot(const Vec3<T> &p_value, float (&r_to)[3][N][GRASS_B
 	store(p_value.z, &r_to[2][p_knot][p_blade]);
 }
 
-GRASS_INLINE float largest(float p_value) { return p_value; }
-GRASS_INLINE float largest(double p_value) { return float(p_value); }
+GRASS_INLINE float largest(float p_value) {
+	return p_value;
+}
+GRASS_INLINE float largest(double p_value) {
+	return float(p_value);
+}
 GRASS_INLINE float largest(const Lanes &p_value) {
 	float most = p_value[0];
 	for (int lane = 1; lane < Lanes::COUNT; lane++) {

@@ -22,7 +22,9 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 
 	std::vector<Box> blades(GRASS_PATCH_BLADES);
 	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {
-		const auto half = [&](int p_knot, int p_component) { return half_to_float(p_patch.texels[Patch::texel_index(b, p_knot) + size_t(p_component)]); };
+		const auto half = [&](int p_knot, int p_component) {
+			return half_to_float(p_patch.texels[Patch::texel_index(b, p_knot) + size_t(p_component)]);
+		};
 		Box box{ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
 		for (int k = 1; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3f knot = taller * Eigen::Vector3f(half(k, 0), half(k, 1), half(k, 2));
@@ -53,8 +55,9 @@ bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
 	}
 	const Box &box = _boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE];
 	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	return p_bounds.min.x() <= centre.x() + box.max_x && p_bounds.max.x() >= centre.x() + box.min_x && p_bounds.min.z() <= centre.z() + box.max_z &&
-			p_bounds.max.z() >= centre.z() + box.min_z && p_bounds.min.y() <= box.height && p_bounds.max.y() >= 0.0;
+	return p_bounds.min.x() <= centre.x() + box.max_x && p_bounds.max.x() >= centre.x() + box.min_x &&
+			p_bounds.min.z() <= centre.z() + box.max_z && p_bounds.max.z() >= centre.z() + box.min_z && p_bounds.min.y() <= box.height &&
+			p_bounds.max.y() >= 0.0;
 }
 
 } // namespace grass

@@ -16,9 +16,7 @@ struct Tunable {
 	double initial; // the default
 
 	// The nearest allowed value; NaN gives the default.
-	double clamp(double p_value) const {
-		return std::isnan(p_value) ? initial : std::clamp(p_value, minimum, maximum);
-	}
+	double clamp(double p_value) const { return std::isnan(p_value) ? initial : std::clamp(p_value, minimum, maximum); }
 	bool allows(double p_value) const { return p_value >= minimum && p_value <= maximum; }
 };
 

@@ -41,7 +41,8 @@ Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f
 	const float phase = 3.0f * p_random[1] + 0.9f * p_place.dot(ahead) - 0.7f * p_along;
 	float with = 0.5f * std::sin(5.1f * p_time + phase) + 0.3f * std::sin(8.9f * p_time + 1.7f * phase);
 	with += 0.2f * std::sin(14.3f * p_time + 2.3f * phase);
-	const float across = 0.6f * std::sin(4.3f * p_time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * p_time + 2.9f * phase);
+	const float across =
+			0.6f * std::sin(4.3f * p_time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * p_time + 2.9f * phase);
 	here.tilt = p_along * push * ((1.0f + 0.3f * with) * ahead + (0.25f * across + 0.4f * (p_random[3] - 0.5f)) * aside);
 	return here;
 }

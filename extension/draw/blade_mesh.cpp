@@ -14,9 +14,15 @@ constexpr int BLADES[GRASS_LOD_LEVELS] = GRASS_LOD_BLADES;
 constexpr int SEGMENTS[GRASS_LOD_LEVELS] = GRASS_LOD_SEGMENTS;
 } // namespace
 
-int lod_blades(int p_level) { return BLADES[p_level]; }
-int lod_segments(int p_level) { return SEGMENTS[p_level]; }
-int lod_triangles_per_blade(int p_level) { return 2 * SEGMENTS[p_level] - 1; }
+int lod_blades(int p_level) {
+	return BLADES[p_level];
+}
+int lod_segments(int p_level) {
+	return SEGMENTS[p_level];
+}
+int lod_triangles_per_blade(int p_level) {
+	return 2 * SEGMENTS[p_level] - 1;
+}
 
 void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material) {
 	const int segments = SEGMENTS[p_level];
@@ -40,7 +46,8 @@ void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Materi
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_INDEX] = indices;
-	p_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), Mesh::ARRAY_FLAG_USES_EMPTY_VERTEX_ARRAY);
+	p_mesh->add_surface_from_arrays(
+			Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), Mesh::ARRAY_FLAG_USES_EMPTY_VERTEX_ARRAY);
 	p_mesh->surface_set_material(p_mesh->get_surface_count() - 1, p_material);
 }
 

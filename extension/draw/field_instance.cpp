@@ -38,13 +38,15 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_
 
 void FieldInstance::reserve(int p_capacity) {
 	_capacity = p_capacity;
-	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
+	RenderingServer::get_singleton()->multimesh_allocate_data(
+			_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
 }
 
 void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	if (is_created()) {
 		follow_node(_instance, p_node, p_transform);
-		RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::ShadowCastingSetting(p_node->get_cast_shadows_setting()));
+		RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(
+				_instance, RenderingServer::ShadowCastingSetting(p_node->get_cast_shadows_setting()));
 	}
 }
 

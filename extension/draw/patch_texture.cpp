@@ -10,7 +10,8 @@ using namespace godot;
 namespace grass {
 
 Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
-	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
+	return ImageTexture::create_from_image(Image::create_from_data(
+			Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
 Ref<ImageTexture> lattice_texture() {
@@ -23,7 +24,8 @@ Ref<ImageTexture> lattice_texture() {
 			}
 		}
 	}
-	return ImageTexture::create_from_image(Image::create_from_data(GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
+	return ImageTexture::create_from_image(Image::create_from_data(
+			GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
 }
 
 AABB field_bounds(const FieldSetup &p_setup) {

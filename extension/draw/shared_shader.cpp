@@ -20,6 +20,8 @@ Ref<Shader> shared_shader(const char *p_code) {
 	return shader;
 }
 
-void free_shared_shaders() { shaders.clear(); }
+void free_shared_shaders() {
+	shaders.clear();
+}
 
 } // namespace grass

@@ -14,7 +14,9 @@ using namespace godot;
 
 namespace grass {
 
-RenderingDevice *main_device() { return RenderingServer::get_singleton()->get_rendering_device(); }
+RenderingDevice *main_device() {
+	return RenderingServer::get_singleton()->get_rendering_device();
+}
 
 void GpuBuffer::allocate(int64_t p_bytes, uint32_t p_fill) {
 	free();
@@ -70,7 +72,8 @@ void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name) {
 		spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
 		RenderingDevice *device = main_device();
 		known.shader = device->shader_create_from_spirv(spirv, p_name);
-		ERR_FAIL_COND_MSG(!known.shader.is_valid(), vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
+		ERR_FAIL_COND_MSG(!known.shader.is_valid(),
+				vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
 		known.pipeline = device->compute_pipeline_create(known.shader);
 	}
 	_shader = known.shader;

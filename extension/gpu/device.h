@@ -26,8 +26,7 @@ public:
 	// Allocates p_bytes, all zero (or p_fill in every 32-bit word, 0 or 0xffffffff). Frees what was there.
 	void allocate(int64_t p_bytes, uint32_t p_fill = 0);
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
-	template <typename T>
-	int64_t upload(std::span<const T> p_records) {
+	template <typename T> int64_t upload(std::span<const T> p_records) {
 		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
 	}
 	void free();

@@ -14,7 +14,9 @@ namespace grass {
 
 namespace {
 
-vec4 to_vec4(const Eigen::Vector4f &p_v) { return { p_v.x(), p_v.y(), p_v.z(), p_v.w() }; }
+vec4 to_vec4(const Eigen::Vector4f &p_v) {
+	return { p_v.x(), p_v.y(), p_v.z(), p_v.w() };
+}
 
 GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 	GrassView record;
@@ -23,7 +25,8 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 	}
 	record.eye = { p_view.eye.x(), p_view.eye.y(), p_view.eye.z(), p_view.shadow_margin };
 	record.lod = { p_view.lod.near, p_view.lod.far, p_view.lod.fine, p_view.lod.medium };
-	record.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()), p_setup.blade_height() };
+	record.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
+		p_setup.blade_height() };
 	record.blades = { p_setup.blade_reach(), float(p_view.debug_view), 0.0f, 0.0f };
 	record.patch_seed = { p_setup.seed, 0, 0, 0 };
 	return record;
@@ -32,7 +35,10 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 } // namespace
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
-		_setup(p_setup), _patch_texture(make_patch_texture(*p_setup.patch)), _report(std::make_shared<GpuReport>()), _field(std::make_shared<GpuField>(_report)) {
+		_setup(p_setup),
+		_patch_texture(make_patch_texture(*p_setup.patch)),
+		_report(std::make_shared<GpuReport>()),
+		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
@@ -54,16 +60,18 @@ GpuBackend::~GpuBackend() {
 }
 
 void GpuBackend::step(const StepInput &p_input) {
-	RenderQueue::get_singleton()->post([field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
+	RenderQueue::get_singleton()->post(
+			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
-	RenderQueue::get_singleton()->post([field = _field, view = to_record(p_view, _setup), multimesh = _instance.multimesh(), measure = _measure] {
-		field->draw(view, multimesh, measure);
-	});
+	RenderQueue::get_singleton()->post([field = _field, view = to_record(p_view, _setup), multimesh = _instance.multimesh(),
+											   measure = _measure] { field->draw(view, multimesh, measure); });
 }
 
-void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) { _instance.follow(p_node, p_transform); }
+void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	_instance.follow(p_node, p_transform);
+}
 
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
@@ -85,6 +93,8 @@ BackendStatistics GpuBackend::get_statistics() {
 	return _report->statistics;
 }
 
-int64_t GpuBackend::get_memory_usage() const { return GpuField::memory_usage(_setup); }
+int64_t GpuBackend::get_memory_usage() const {
+	return GpuField::memory_usage(_setup);
+}
 
 } // namespace grass

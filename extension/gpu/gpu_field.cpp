@@ -21,21 +21,21 @@ namespace {
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 
-template <typename T>
-PackedByteArray record_bytes(const T &p_record) {
+template <typename T> PackedByteArray record_bytes(const T &p_record) {
 	PackedByteArray bytes;
 	bytes.resize(sizeof(T));
 	std::memcpy(bytes.ptrw(), &p_record, sizeof(T));
 	return bytes;
 }
 
-uint32_t groups_of(int64_t p_threads, int64_t p_group) { return uint32_t((p_threads + p_group - 1) / p_group); }
+uint32_t groups_of(int64_t p_threads, int64_t p_group) {
+	return uint32_t((p_threads + p_group - 1) / p_group);
+}
 
 // Brackets work between two GPU timestamps, named so that read_times() finds them.
 class Stopwatch {
 public:
-	Stopwatch(bool p_measure, const char *p_end) :
-			_end(p_measure ? p_end : nullptr) {
+	Stopwatch(bool p_measure, const char *p_end) : _end(p_measure ? p_end : nullptr) {
 		if (_end != nullptr) {
 			main_device()->capture_timestamp("GrassField");
 		}
@@ -211,7 +211,8 @@ void GpuField::read_times() {
 
 std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
 	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
-	const PackedByteArray data = main_device()->buffer_get_data(_knots.rid(), uint32_t(p_slot * KNOT_FLOATS_PER_SLOT * 4), uint32_t(KNOT_FLOATS_PER_SLOT * 4));
+	const PackedByteArray data =
+			main_device()->buffer_get_data(_knots.rid(), uint32_t(p_slot * KNOT_FLOATS_PER_SLOT * 4), uint32_t(KNOT_FLOATS_PER_SLOT * 4));
 	for (int component = 0; component < 3 && !data.is_empty(); component++) {
 		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++) {
 			const int at = (component * GRASS_FREE_KNOTS + knot - GRASS_CLAMPED_KNOTS) * GRASS_BLADES_PER_TILE + p_blade;
@@ -236,7 +237,8 @@ void GpuField::free(const RID &p_multimesh) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (GpuBuffer *buffer :
+			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
 		buffer->free();
 	}
 }

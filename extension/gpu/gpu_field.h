@@ -32,8 +32,7 @@ struct GpuReport {
 
 class GpuField {
 public:
-	explicit GpuField(std::shared_ptr<GpuReport> p_report) :
-			_report(std::move(p_report)) {}
+	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);

@@ -33,7 +33,9 @@ void RenderQueue::free_singleton() {
 	}
 }
 
-void RenderQueue::_bind_methods() { ClassDB::bind_method(D_METHOD("_deliver", "data", "ticket"), &RenderQueue::_deliver); }
+void RenderQueue::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_deliver", "data", "ticket"), &RenderQueue::_deliver);
+}
 
 void RenderQueue::post(Job p_job) {
 	{

@@ -85,7 +85,8 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 }
 
 // The body's pose in field space. False while the body counts as ground.
-bool BodyTracker::pose_of(Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now) {
+bool BodyTracker::pose_of(
+		Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const Transform3D world = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_TRANSFORM);
 	const int64_t mode = server->body_get_mode(p_body.rid);
@@ -98,10 +99,11 @@ bool BodyTracker::pose_of(Body &p_body, const CollisionObject3D *p_node, const E
 	if (!p_body.has_before) { // the tick in which it was found counts too
 		p_body.before = r_now;
 		p_body.before.translation() -= step;
+		p_body.world_found = world;
 		p_body.has_before = true;
 	}
 	if (mode == PhysicsServer3D::BODY_MODE_STATIC && !(p_node != nullptr && p_node->is_class("RigidBody3D"))) { // a frozen one is no ground
-		p_body.has_moved = p_body.has_moved || !r_now.isApprox(p_body.before, 1e-6);
+		p_body.has_moved = p_body.has_moved || !world.is_equal_approx(p_body.world_found);
 		if (!p_body.has_moved) {
 			return false;
 		}
@@ -138,7 +140,8 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 }
 
 // All shapes that are enabled. Those far from the grass find no tile.
-void BodyTracker::collect_shapes(Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
+void BodyTracker::collect_shapes(
+		Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int32_t count = int32_t(server->body_get_shape_count(p_body.rid));
 	p_body.shapes.resize(size_t(count));

@@ -53,13 +53,16 @@ private:
 		int64_t overlaps = 0; // shapes of it that overlap the area
 		std::vector<TrackedShape> shapes;
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
+		godot::Transform3D world_found; // where it was when it came in: in the world, for a field may move over ground that does not
 		bool has_before = false;
 		bool has_moved = false; // a StaticBody3D counts from its first motion on
 		double last_step = 0.0; // metres that it moved in the tick before
 	};
 
-	bool pose_of(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now);
-	void collect_shapes(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
+	bool pose_of(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta,
+			Eigen::Affine3d &r_now);
+	void collect_shapes(
+			Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
 
 	godot::RID _area, _box;
 	uint32_t _mask = 1;

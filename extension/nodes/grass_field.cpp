@@ -86,7 +86,8 @@ void GrassField::build() {
 	_ground.free();
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
-	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)), float(param(PARAM_CLUMP_TINT)) };
+	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
+		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
 	_bounds = std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
@@ -185,7 +186,9 @@ void GrassField::_before_draw() {
 		view.planes[size_t(i)].w() = float(plane.w() - normal.dot(field.translation()));
 	}
 	view.eye = (field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin)).cast<float>();
-	view.lod = LodParams{ float(camera->get_near()), float(param(PARAM_LOD_FAR)), float(param(PARAM_LOD_FINE)), float(param(PARAM_LOD_MEDIUM)) }.sanitised();
+	view.lod = LodParams{ float(camera->get_near()), float(param(PARAM_LOD_FAR)), float(param(PARAM_LOD_FINE)),
+		float(param(PARAM_LOD_MEDIUM)) }
+					   .sanitised();
 	view.shadow_margin = get_cast_shadows_setting() == SHADOW_CASTING_SETTING_OFF ? 0.0f : float(param(PARAM_SHADOW_MARGIN));
 	view.debug_view = _debug_view;
 	_backend->draw(view);

@@ -14,8 +14,12 @@ using namespace godot;
 
 namespace grass {
 
-String GrassField::label() const { return vformat("GrassField '%s'", get_name()); }
-String GrassField::message(const char *p_text) const { return vformat("%s: %s", label(), p_text); }
+String GrassField::label() const {
+	return vformat("GrassField '%s'", get_name());
+}
+String GrassField::message(const char *p_text) const {
+	return vformat("%s: %s", label(), p_text);
+}
 
 void GrassField::set_size(const Vector2 &p_size) {
 	_size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
@@ -35,7 +39,9 @@ void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
 	request_rebuild();
 }
 
-void GrassField::_patch_changed() { request_rebuild(); }
+void GrassField::_patch_changed() {
+	request_rebuild();
+}
 
 void GrassField::set_seed(int64_t p_seed) {
 	_seed = checked_int("seed", p_seed, 0, UINT32_MAX, label());
@@ -179,9 +185,9 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::get_param);
 	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassField::set_color);
 	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassField::get_color);
-#define BIND_PROPERTY(m_info, m_setter, m_getter)                                          \
-	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassField::m_setter);             \
-	ClassDB::bind_method(D_METHOD(#m_getter), &GrassField::m_getter);                      \
+#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
+	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassField::m_setter);                                                             \
+	ClassDB::bind_method(D_METHOD(#m_getter), &GrassField::m_getter);                                                                      \
 	ADD_PROPERTY(m_info, #m_setter, #m_getter)
 
 	ADD_GROUP("Field", "");
@@ -202,13 +208,15 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Look", "");
 	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "ground"), set_ground, has_ground);
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
-		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color", "_get_color", int(i));
+		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color",
+				"_get_color", int(i));
 	}
 	add_numbers("Look");
 	ADD_GROUP("Level of Detail", "");
 	add_numbers("Level of Detail");
 	ADD_GROUP("Debug", "");
-	BIND_PROPERTY(PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail"), set_debug_view, get_debug_view);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail"), set_debug_view,
+			get_debug_view);
 	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
 #undef BIND_PROPERTY
 

@@ -51,7 +51,8 @@ int64_t GrassField::get_awake_tile_count() const {
 PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
 	PackedVector3Array result;
 	ERR_FAIL_COND_V_MSG(!_backend, result, message("there are no blades yet. Ask after the node's first frame in the tree."));
-	ERR_FAIL_COND_V_MSG(!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
+	ERR_FAIL_COND_V_MSG(
+			!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
 	const TileGrid &grid = _setup.grid;
 	const int blade = int(grass_tile_start(uint32_t(p_tile.x), uint32_t(p_tile.y), _setup.seed)) + int(p_blade);
@@ -60,7 +61,8 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 		return Eigen::Vector3f(half_to_float(half[0]), half_to_float(half[1]), half_to_float(half[2]));
 	};
 	const Eigen::Vector2f in_tile = texel(0).head<2>();
-	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile, Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
+	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile,
+			Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
 	const Clump clump = clump_at(place, _setup.clump);
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
@@ -142,13 +144,15 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 		}
 	}
 	if (_simulated && _collision_mask == 0) {
-		warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn `simulated` off.");
+		warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn "
+						   "`simulated` off.");
 	}
 	if (_simulated && _pool_tiles == 0) {
 		warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
 	}
 	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
-		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or use several fields.");
+		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
+						   "use several fields.");
 	}
 	return warnings;
 }

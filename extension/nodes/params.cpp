@@ -20,7 +20,8 @@ PropertyInfo property_of(const Tunable &p_tunable) {
 double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
 	const double value = p_tunable.clamp(p_value);
 	if (value != p_value) {
-		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum, p_tunable.maximum, String::utf8(p_tunable.unit), value));
+		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
+				p_tunable.maximum, String::utf8(p_tunable.unit), value));
 	}
 	return value;
 }

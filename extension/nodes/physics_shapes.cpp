@@ -32,7 +32,8 @@ void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
 	}
 	const Hull hull = Hull::make(points);
 	if (hull.is_bound) {
-		WARN_PRINT_ONCE("GrassField: a ConvexPolygonShape3D has too many points or faces for the grass solver; grass meets a 26-sided bound of it. Use a simpler shape to be exact.");
+		WARN_PRINT_ONCE("GrassField: a ConvexPolygonShape3D has too many points or faces for the grass solver; grass meets a 26-sided "
+						"bound of it. Use a simpler shape to be exact.");
 	}
 	r_tracked.shape.type = GRASS_HULL;
 	r_tracked.shape.size = hull.half_extents;
@@ -47,7 +48,8 @@ void set_bound(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
 		r_tracked.usable = false;
 		return;
 	}
-	WARN_PRINT_ONCE("GrassField: a moving body has a ConcavePolygonShape3D; grass meets the box around it. Give the body convex shapes to be exact.");
+	WARN_PRINT_ONCE("GrassField: a moving body has a ConcavePolygonShape3D; grass meets the box around it. Give the body convex shapes to "
+					"be exact.");
 	Eigen::Vector3d low = to_eigen(p_faces[0]), high = low;
 	for (int64_t i = 1; i < p_faces.size(); i++) {
 		low = low.cwiseMin(to_eigen(p_faces[i]));

@@ -33,8 +33,7 @@ struct BladeScene {
 	float length = 0.5f; // metres, of every blade
 
 	// Blades with their roots at the tile's centre: the first straight, the others leaning and curving ever more.
-	explicit BladeScene(float p_length = 0.5f) :
-			length(p_length) {
+	explicit BladeScene(float p_length = 0.5f) : length(p_length) {
 		std::memset(tile.get(), 0, sizeof(TileState));
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			const float curve = 1.2f * float(b) / float(GRASS_BLADES_PER_TILE), heading = 0.7f * float(b);
@@ -42,7 +41,8 @@ struct BladeScene {
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				set_rest(b, k, knot);
 				const float angle = curve * float(k) / float(GRASS_SEGMENTS);
-				knot += length / GRASS_SEGMENTS * Eigen::Vector3f(std::sin(angle) * std::cos(heading), std::cos(angle), std::sin(angle) * std::sin(heading));
+				knot += length / GRASS_SEGMENTS *
+						Eigen::Vector3f(std::sin(angle) * std::cos(heading), std::cos(angle), std::sin(angle) * std::sin(heading));
 			}
 		}
 	}
@@ -65,7 +65,8 @@ struct BladeScene {
 	}
 	Eigen::Vector3f knot(int p_blade, int p_knot) const {
 		const int free = p_knot - GRASS_CLAMPED_KNOTS;
-		return free < 0 ? rest(p_blade, p_knot) : Eigen::Vector3f(tile->knots[0][free][p_blade], tile->knots[1][free][p_blade], tile->knots[2][free][p_blade]);
+		return free < 0 ? rest(p_blade, p_knot)
+						: Eigen::Vector3f(tile->knots[0][free][p_blade], tile->knots[1][free][p_blade], tile->knots[2][free][p_blade]);
 	}
 
 	// Bends every blade to a circular arc towards +x, p_angle (radians) from root to tip.
@@ -86,7 +87,8 @@ struct BladeScene {
 		collider.rotation = collider.rotation_before = { 0.0f, 0.0f, 0.0f, 1.0f };
 		collider.size = { p_size.x(), p_size.y(), p_size.z(), 0.0f };
 		if (p_shape == GRASS_HULL) { // a box of that size, given by its planes
-			planes = { { 1, 0, 0, p_size.x() }, { -1, 0, 0, p_size.x() }, { 0, 1, 0, p_size.y() }, { 0, -1, 0, p_size.y() }, { 0, 0, 1, p_size.z() }, { 0, 0, -1, p_size.z() } };
+			planes = { { 1, 0, 0, p_size.x() }, { -1, 0, 0, p_size.x() }, { 0, 1, 0, p_size.y() }, { 0, -1, 0, p_size.y() },
+				{ 0, 0, 1, p_size.z() }, { 0, 0, -1, p_size.z() } };
 			collider.size.x = p_size.norm();
 			collider.position_before.w = float(planes.size());
 		}
@@ -150,7 +152,9 @@ struct BladeScene {
 				std::memcmp(&tile->rest[1][GRASS_CLAMPED_KNOTS], tile->knots[1], sizeof(tile->knots[1])) == 0 &&
 				std::memcmp(&tile->rest[2][GRASS_CLAMPED_KNOTS], tile->knots[2], sizeof(tile->knots[2])) == 0;
 	}
-	bool is_finite() const { return std::isfinite(largest([&](int b, int k) { return knot(b, k).cwiseAbs().sum(); })); }
+	bool is_finite() const {
+		return std::isfinite(largest([&](int b, int k) { return knot(b, k).cwiseAbs().sum(); }));
+	}
 	float depth_in(const TileCollider &p_collider, int p_blade, int p_knot) const {
 		const Eigen::Vector3f place = knot(p_blade, p_knot);
 		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };

@@ -16,11 +16,12 @@ const Eigen::Vector3f SIZE(0.15f, 0.12f, 0.1f);
 const Eigen::Vector3f FORWARD = Eigen::Vector3f::UnitX();
 
 // The lowest height at which the shape stands on the ground.
-float standing_height(int p_shape) { return p_shape == GRASS_SPHERE ? SIZE.x() : p_shape == GRASS_CAPSULE ? SIZE.x() + SIZE.y() : SIZE.y(); }
+float standing_height(int p_shape) {
+	return p_shape == GRASS_SPHERE ? SIZE.x() : p_shape == GRASS_CAPSULE ? SIZE.x() + SIZE.y() : SIZE.y();
+}
 
 // Moves collider 0 along x through the blades at p_speed (m/s), calling p_check after every step.
-template <class Check>
-void pass_through(BladeScene &r_scene, float p_speed, float p_height, const Check &p_check, float p_rate = 60.0f) {
+template <class Check> void pass_through(BladeScene &r_scene, float p_speed, float p_height, const Check &p_check, float p_rate = 60.0f) {
 	const float stride = p_speed / p_rate;
 	const int count = int(2.0f / stride) + 4;
 	for (int i = 0; i < count; i++) {
@@ -65,7 +66,8 @@ TEST_CASE("At a centre or on an axis the way out is a fixed one") {
 	for (const int shape : SHAPES) {
 		const TileCollider collider = make(shape);
 		for (const float along : { 0.0f, 0.05f }) {
-			const Face<float> face = find_face(collider, Vec3<float>{ 0.0f, along, 0.0f }), again = find_face(collider, Vec3<float>{ 0.0f, along, 0.0f });
+			const Face<float> face = find_face(collider, Vec3<float>{ 0.0f, along, 0.0f }),
+							  again = find_face(collider, Vec3<float>{ 0.0f, along, 0.0f });
 			CHECK(length(face.normal) == doctest::Approx(1.0f));
 			CHECK(face.distance < 0.0f);
 			CHECK(dot(face.normal, again.normal) == doctest::Approx(1.0f));
@@ -329,7 +331,8 @@ TEST_CASE("Random shapes, speeds, parameters and time steps: finite and as long 
 				scene.colliders.clear();
 				for (int j = int(uniform(0.0, 5.0)); j > 0; j--) {
 					const Eigen::Vector3f place(float(uniform(-0.5, 0.5)), float(uniform(-0.2, 0.6)), float(uniform(-0.5, 0.5)));
-					GrassCollider &collider = scene.add(SHAPES[int(uniform(0.0, 4.99))], place, Eigen::Vector3f::Constant(float(std::pow(10.0, uniform(-3.0, 0.3)))));
+					GrassCollider &collider = scene.add(
+							SHAPES[int(uniform(0.0, 4.99))], place, Eigen::Vector3f::Constant(float(std::pow(10.0, uniform(-3.0, 0.3)))));
 					const Eigen::Vector3f way = direction() * float(std::pow(10.0, uniform(-3.0, 1.5)));
 					BladeScene::place(collider, place - way, place);
 					const Eigen::Quaternionf turn(Eigen::AngleAxisf(float(uniform(0.0, 3.0)), direction()));

@@ -18,8 +18,12 @@ double decode(uint16_t p_half) {
 	return p_half & 0x8000 ? -magnitude : magnitude;
 }
 
-bool is_nan(uint16_t p_half) { return (p_half & 0x7c00) == 0x7c00 && (p_half & 0x3ff) != 0; }
-bool is_finite(uint16_t p_half) { return (p_half & 0x7c00) != 0x7c00; }
+bool is_nan(uint16_t p_half) {
+	return (p_half & 0x7c00) == 0x7c00 && (p_half & 0x3ff) != 0;
+}
+bool is_finite(uint16_t p_half) {
+	return (p_half & 0x7c00) != 0x7c00;
+}
 
 } // namespace
 

@@ -18,9 +18,15 @@ struct vec4 {
 	vec3 xyz;
 	float w;
 };
-float dot(vec3 p_a, vec3 p_b) { return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z; }
-vec3 abs(vec3 p_a) { return { std::abs(p_a.x), std::abs(p_a.y), std::abs(p_a.z) }; }
-float clamp(double p_value, double p_min, double p_max) { return float(std::clamp(p_value, p_min, p_max)); }
+float dot(vec3 p_a, vec3 p_b) {
+	return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z;
+}
+vec3 abs(vec3 p_a) {
+	return { std::abs(p_a.x), std::abs(p_a.y), std::abs(p_a.z) };
+}
+float clamp(double p_value, double p_min, double p_max) {
+	return float(std::clamp(p_value, p_min, p_max));
+}
 
 #include "../../shaders/shared/lod.inc"
 

@@ -32,8 +32,7 @@ struct PoolScene {
 	GrassStep step_record;
 	int time = 0;
 
-	explicit PoolScene(int p_slots) :
-			pool(shared_patch(), p_slots) {
+	explicit PoolScene(int p_slots) : pool(shared_patch(), p_slots) {
 		for (int i = 0; i < p_slots; i++) {
 			GrassSlot slot;
 			slot.tile = { i, 0, i, i };

@@ -25,13 +25,16 @@ struct Meadow {
 			return Eigen::Vector3f(half_to_float(half[0]), half_to_float(half[1]), half_to_float(half[2]));
 		};
 		const Eigen::Vector2f tiles(float(grid.get_tiles_x()), float(grid.get_tiles_z()));
-		const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_x), float(p_z)), texel(0).head<2>(), tiles, float(grid.get_tile_size()));
+		const Eigen::Vector2f place =
+				root_place(Eigen::Vector2f(float(p_x), float(p_z)), texel(0).head<2>(), tiles, float(grid.get_tile_size()));
 		const Eigen::Vector3f in_blade = rest_knot(texel(p_knot), p_knot, clump_at(place, clump));
 		return Eigen::Vector3d(place.x(), 0.0, place.y()) + in_blade.cast<double>();
 	}
 };
 
-Bounds point(const Eigen::Vector3d &p_at) { return { p_at, p_at }; }
+Bounds point(const Eigen::Vector3d &p_at) {
+	return { p_at, p_at };
+}
 
 } // namespace
 
@@ -53,7 +56,8 @@ TEST_CASE("tile bounds: are tighter than the farthest reach on all sides") {
 	const double side = 0.5 * meadow.grid.get_tile_size() + meadow.bounds.get_reach();
 	int met = 0, all = 0;
 	for (int x = 0; x < meadow.grid.get_tiles_x(); x++) {
-		for (const Eigen::Vector3d &corner : { Eigen::Vector3d(side, 0.3, 0.0), Eigen::Vector3d(-side, 0.3, 0.0), Eigen::Vector3d(0.0, 0.3, side) }) {
+		for (const Eigen::Vector3d &corner :
+				{ Eigen::Vector3d(side, 0.3, 0.0), Eigen::Vector3d(-side, 0.3, 0.0), Eigen::Vector3d(0.0, 0.3, side) }) {
 			met += meadow.bounds.meets(x, 9, point(meadow.grid.get_centre(x, 9) + 0.9 * corner)) ? 1 : 0;
 			all++;
 		}

@@ -41,7 +41,9 @@ int step(TileManager &r_manager, std::vector<ColliderShape> p_colliders, double 
 	return int(r_manager.get_slots().size());
 }
 
-uint32_t flags_of(const GrassSlot &p_record) { return p_record.list.w; }
+uint32_t flags_of(const GrassSlot &p_record) {
+	return p_record.list.w;
+}
 
 } // namespace
 

@@ -27,7 +27,9 @@ TileManager make_manager(int p_pool_size, const TileGrid &p_grid) {
 	return manager;
 }
 
-TileManager make_manager(int p_pool_size) { return make_manager(p_pool_size, TileGrid::make(20.0, 20.0, 256.0)); }
+TileManager make_manager(int p_pool_size) {
+	return make_manager(p_pool_size, TileGrid::make(20.0, 20.0, 256.0));
+}
 
 // A ball well inside of tile (p_x, 0), resting.
 ColliderShape make_ball(const TileManager &p_manager, int p_x) {
@@ -49,7 +51,9 @@ void step(TileManager &r_manager, std::vector<ColliderShape> p_colliders, double
 	r_manager.update(p_delta, p_colliders);
 }
 
-bool has_slot(const TileManager &p_manager, int p_tile) { return p_manager.get_slot_of(p_tile) != GRASS_NO_SLOT; }
+bool has_slot(const TileManager &p_manager, int p_tile) {
+	return p_manager.get_slot_of(p_tile) != GRASS_NO_SLOT;
+}
 
 // No slot and no tile twice among the live; every list within the entries; both ways tile <-> slot agree.
 void check_consistent(const TileManager &p_manager) {
@@ -78,8 +82,7 @@ void check_consistent(const TileManager &p_manager) {
 	REQUIRE(statistics.woken == statistics.slept + statistics.evicted + slots.size());
 }
 
-template <class T>
-bool have_same_bytes(std::span<const T> p_a, std::span<const T> p_b) {
+template <class T> bool have_same_bytes(std::span<const T> p_a, std::span<const T> p_b) {
 	return p_a.size() == p_b.size() && (p_a.empty() || std::memcmp(p_a.data(), p_b.data(), p_a.size_bytes()) == 0);
 }
 

@@ -48,13 +48,14 @@ GDExtensionClassCallVirtual find_virtual(void *p_class, GDExtensionConstStringNa
 	return nullptr;
 }
 
-void call_method(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count,
-		GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
+void call_method(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_arguments,
+		GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
 	const Variant *const *arguments = reinterpret_cast<const Variant *const *>(p_arguments);
 	static_cast<MethodBind *>(p_bind)->call(p_instance, arguments, p_count, *static_cast<Variant *>(r_result), *r_error);
 }
 
-void call_method_pointers(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
+void call_method_pointers(
+		void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
 	static_cast<MethodBind *>(p_bind)->call_pointers(p_instance, p_arguments, r_result);
 }
 
@@ -100,11 +101,13 @@ void ClassDB::add_class(const StringName &p_name, const StringName &p_parent, GD
 	engine::classdb_register_extension_class5(engine::library, p_name._native_ptr(), p_parent._native_ptr(), &p_info);
 }
 
-MethodBind *ClassDB::add_method(const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
+MethodBind *ClassDB::add_method(
+		const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
 	std::unique_ptr<MethodBind> method(p_method);
 	ClassRecord *record = find_class(p_class);
 	ERR_FAIL_NULL_V_MSG(record, nullptr, vformat("Method '%s' is bound to '%s', which is not registered.", p_definition.name, p_class));
-	ERR_FAIL_COND_V_MSG(record->methods.count(p_definition.name), nullptr, vformat("Method '%s::%s' is bound twice.", p_class, p_definition.name));
+	ERR_FAIL_COND_V_MSG(
+			record->methods.count(p_definition.name), nullptr, vformat("Method '%s::%s' is bound twice.", p_class, p_definition.name));
 	const size_t most = MAX(p_definition.arguments.size(), p_defaults.size());
 	ERR_FAIL_COND_V_MSG(most > method->arguments.size(), nullptr,
 			vformat("Method '%s::%s' is bound with more argument names or defaults than it has arguments.", p_class, p_definition.name));
@@ -112,7 +115,8 @@ MethodBind *ClassDB::add_method(const StringName &p_class, MethodBind *p_method,
 	method->class_name = p_class;
 	method->defaults = std::move(p_defaults);
 	for (size_t i = 0; i < method->arguments.size(); i++) {
-		method->arguments[i].name = i < p_definition.arguments.size() ? p_definition.arguments[i] : StringName(vformat("arg%d", int64_t(i)));
+		method->arguments[i].name =
+				i < p_definition.arguments.size() ? p_definition.arguments[i] : StringName(vformat("arg%d", int64_t(i)));
 	}
 	tell_engine(*method);
 	return (record->methods[p_definition.name] = std::move(method)).get();
@@ -128,19 +132,25 @@ MethodBind *ClassDB::get_method(const StringName &p_class, const StringName &p_m
 	return nullptr;
 }
 
-void ClassDB::add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter, int p_index) {
-	ERR_FAIL_COND_MSG(p_setter != StringName() && !get_method(p_class, p_setter), vformat("Setter '%s::%s' of property '%s' is not bound.", p_class, p_setter, p_info.name));
-	ERR_FAIL_COND_MSG(!get_method(p_class, p_getter), vformat("Getter '%s::%s' of property '%s' is not bound.", p_class, p_getter, p_info.name));
+void ClassDB::add_property(
+		const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter, int p_index) {
+	ERR_FAIL_COND_MSG(p_setter != StringName() && !get_method(p_class, p_setter),
+			vformat("Setter '%s::%s' of property '%s' is not bound.", p_class, p_setter, p_info.name));
+	ERR_FAIL_COND_MSG(
+			!get_method(p_class, p_getter), vformat("Getter '%s::%s' of property '%s' is not bound.", p_class, p_getter, p_info.name));
 	const GDExtensionPropertyInfo info = p_info._to_gdextension();
-	engine::classdb_register_extension_class_property_indexed(engine::library, p_class._native_ptr(), &info, p_setter._native_ptr(), p_getter._native_ptr(), p_index);
+	engine::classdb_register_extension_class_property_indexed(
+			engine::library, p_class._native_ptr(), &info, p_setter._native_ptr(), p_getter._native_ptr(), p_index);
 }
 
 void ClassDB::add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	engine::classdb_register_extension_class_property_group(engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
+	engine::classdb_register_extension_class_property_group(
+			engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
 }
 
 void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	engine::classdb_register_extension_class_property_subgroup(engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
+	engine::classdb_register_extension_class_property_subgroup(
+			engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
 }
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
@@ -148,14 +158,17 @@ void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) 
 	for (const PropertyInfo &info : p_signal.arguments) {
 		arguments.push_back(info._to_gdextension());
 	}
-	engine::classdb_register_extension_class_signal(engine::library, p_class._native_ptr(), p_signal.name._native_ptr(), arguments.data(), static_cast<GDExtensionInt>(arguments.size()));
+	engine::classdb_register_extension_class_signal(engine::library, p_class._native_ptr(), p_signal.name._native_ptr(), arguments.data(),
+			static_cast<GDExtensionInt>(arguments.size()));
 }
 
-void ClassDB::bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield) {
+void ClassDB::bind_integer_constant(
+		const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield) {
 	// The engine wants the enum's own name, without its class.
 	const PackedStringArray parts = String(p_enum).split(".");
 	const StringName plain = parts.is_empty() ? StringName() : StringName(parts[parts.size() - 1]);
-	engine::classdb_register_extension_class_integer_constant(engine::library, p_class._native_ptr(), plain._native_ptr(), p_name._native_ptr(), p_value, p_bitfield);
+	engine::classdb_register_extension_class_integer_constant(
+			engine::library, p_class._native_ptr(), plain._native_ptr(), p_name._native_ptr(), p_value, p_bitfield);
 }
 
 void ClassDB::initialize(GDExtensionInitializationLevel p_level) {

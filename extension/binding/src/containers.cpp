@@ -16,29 +16,20 @@ Array::Array(std::initializer_list<Variant> p_values) {
 }
 
 Array::Array(const Array &p_base, int64_t p_type, const StringName &p_class_name, const Variant &p_script) :
-		Opaque(2, static_cast<const void *>(&p_base), static_cast<const void *>(&p_type), static_cast<const void *>(&p_class_name), static_cast<const void *>(&p_script)) {}
+		Opaque(2, static_cast<const void *>(&p_base), static_cast<const void *>(&p_type), static_cast<const void *>(&p_class_name),
+				static_cast<const void *>(&p_script)) {}
 
 // The order of the engine's constructors.
-Array::Array(const PackedByteArray &p_from) :
-		Opaque(3, &p_from) {}
-Array::Array(const PackedInt32Array &p_from) :
-		Opaque(4, &p_from) {}
-Array::Array(const PackedInt64Array &p_from) :
-		Opaque(5, &p_from) {}
-Array::Array(const PackedFloat32Array &p_from) :
-		Opaque(6, &p_from) {}
-Array::Array(const PackedFloat64Array &p_from) :
-		Opaque(7, &p_from) {}
-Array::Array(const PackedStringArray &p_from) :
-		Opaque(8, &p_from) {}
-Array::Array(const PackedVector2Array &p_from) :
-		Opaque(9, &p_from) {}
-Array::Array(const PackedVector3Array &p_from) :
-		Opaque(10, &p_from) {}
-Array::Array(const PackedColorArray &p_from) :
-		Opaque(11, &p_from) {}
-Array::Array(const PackedVector4Array &p_from) :
-		Opaque(12, &p_from) {}
+Array::Array(const PackedByteArray &p_from) : Opaque(3, &p_from) {}
+Array::Array(const PackedInt32Array &p_from) : Opaque(4, &p_from) {}
+Array::Array(const PackedInt64Array &p_from) : Opaque(5, &p_from) {}
+Array::Array(const PackedFloat32Array &p_from) : Opaque(6, &p_from) {}
+Array::Array(const PackedFloat64Array &p_from) : Opaque(7, &p_from) {}
+Array::Array(const PackedStringArray &p_from) : Opaque(8, &p_from) {}
+Array::Array(const PackedVector2Array &p_from) : Opaque(9, &p_from) {}
+Array::Array(const PackedVector3Array &p_from) : Opaque(10, &p_from) {}
+Array::Array(const PackedColorArray &p_from) : Opaque(11, &p_from) {}
+Array::Array(const PackedVector4Array &p_from) : Opaque(12, &p_from) {}
 
 Variant &Array::operator[](int64_t p_index) {
 	return *static_cast<Variant *>(engine::array_operator_index(_storage, p_index));
@@ -52,8 +43,12 @@ void Array::set_typed(uint32_t p_type, const StringName &p_class_name, const Var
 Variant *Array::elements() const {
 	return is_empty() ? nullptr : static_cast<Variant *>(engine::array_operator_index_const(_storage, 0));
 }
-Variant *Array::end() { return elements() + size(); }
-const Variant *Array::end() const { return elements() + size(); }
+Variant *Array::end() {
+	return elements() + size();
+}
+const Variant *Array::end() const {
+	return elements() + size();
+}
 
 Variant &Dictionary::operator[](const Variant &p_key) {
 	return *static_cast<Variant *>(engine::dictionary_operator_index(_storage, p_key._native_ptr()));
@@ -62,15 +57,13 @@ const Variant &Dictionary::operator[](const Variant &p_key) const {
 	return *static_cast<const Variant *>(engine::dictionary_operator_index_const(_storage, p_key._native_ptr()));
 }
 
-Callable::Callable(Object *p_object, const StringName &p_method) :
-		Opaque(UNINITIALIZED) {
+Callable::Callable(Object *p_object, const StringName &p_method) : Opaque(UNINITIALIZED) {
 	GodotObject *const owner = internal::owner_of(p_object);
 	const GDExtensionConstTypePtr arguments[] = { &owner, &p_method };
 	internal::builtin_types[GDEXTENSION_VARIANT_TYPE_CALLABLE].constructors[2](_storage, arguments);
 }
 
-Signal::Signal(Object *p_object, const StringName &p_signal) :
-		Opaque(UNINITIALIZED) {
+Signal::Signal(Object *p_object, const StringName &p_signal) : Opaque(UNINITIALIZED) {
 	GodotObject *const owner = internal::owner_of(p_object);
 	const GDExtensionConstTypePtr arguments[] = { &owner, &p_signal };
 	internal::builtin_types[GDEXTENSION_VARIANT_TYPE_SIGNAL].constructors[2](_storage, arguments);

@@ -81,7 +81,8 @@ Object *get_object_instance_binding(GodotObject *p_object) {
 }
 
 GDExtensionMethodBindPtr EngineMethod::find() {
-	GDExtensionMethodBindPtr found = engine::classdb_get_method_bind(StringName(class_name)._native_ptr(), StringName(name)._native_ptr(), hash);
+	GDExtensionMethodBindPtr found =
+			engine::classdb_get_method_bind(StringName(class_name)._native_ptr(), StringName(name)._native_ptr(), hash);
 	CRASH_COND_MSG(!found, name);
 	bind.store(found, std::memory_order_release);
 	return found;
@@ -90,7 +91,8 @@ GDExtensionMethodBindPtr EngineMethod::find() {
 Variant EngineMethod::call_variants(GodotObject *p_owner, const Variant *const *p_arguments, int p_count) {
 	Variant result;
 	GDExtensionCallError error = { GDEXTENSION_CALL_OK, 0, 0 };
-	engine::object_method_bind_call(get(), p_owner, reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count, result._native_ptr(), &error);
+	engine::object_method_bind_call(
+			get(), p_owner, reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count, result._native_ptr(), &error);
 	return result;
 }
 

@@ -36,10 +36,13 @@ void FileAccess::store_buffer(const uint8_t *p_bytes, uint64_t p_length) {
 
 #ifdef HAS_WORKER_THREAD_POOL
 int64_t WorkerThreadPool::add_native_task(void (*p_function)(void *), void *p_data, bool p_high_priority, const String &p_description) {
-	return gdextension_interface::worker_thread_pool_add_native_task(_owner, p_function, p_data, p_high_priority, p_description._native_ptr());
+	return gdextension_interface::worker_thread_pool_add_native_task(
+			_owner, p_function, p_data, p_high_priority, p_description._native_ptr());
 }
-int64_t WorkerThreadPool::add_native_group_task(void (*p_function)(void *, uint32_t), void *p_data, int p_elements, int p_tasks, bool p_high_priority, const String &p_description) {
-	return gdextension_interface::worker_thread_pool_add_native_group_task(_owner, p_function, p_data, p_elements, p_tasks, p_high_priority, p_description._native_ptr());
+int64_t WorkerThreadPool::add_native_group_task(void (*p_function)(void *, uint32_t), void *p_data, int p_elements, int p_tasks,
+		bool p_high_priority, const String &p_description) {
+	return gdextension_interface::worker_thread_pool_add_native_group_task(
+			_owner, p_function, p_data, p_elements, p_tasks, p_high_priority, p_description._native_ptr());
 }
 #endif
 

@@ -79,11 +79,13 @@ bool load() {
 	engine::print_error = reinterpret_cast<GDExtensionInterfacePrintError>(engine::get_proc_address("print_error"));
 	ask_version(major, minor);
 	if (major < MINIMUM_MAJOR || (major == MINIMUM_MAJOR && minor < MINIMUM_MINOR)) {
-		snprintf(text, sizeof(text), "This extension needs Godot %u.%u or newer; this is Godot %u.%u.", MINIMUM_MAJOR, MINIMUM_MINOR, major, minor);
+		snprintf(text, sizeof(text), "This extension needs Godot %u.%u or newer; this is Godot %u.%u.", MINIMUM_MAJOR, MINIMUM_MINOR, major,
+				minor);
 		return refuse(text);
 	}
 	if (const char *missing = internal::load_interface(engine::get_proc_address)) {
-		snprintf(text, sizeof(text), "This extension was built for Godot %d.%d; this Godot %u.%u lacks the function '%s'.", GODOT_VERSION_MAJOR, GODOT_VERSION_MINOR, major, minor, missing);
+		snprintf(text, sizeof(text), "This extension was built for Godot %d.%d; this Godot %u.%u lacks the function '%s'.",
+				GODOT_VERSION_MAJOR, GODOT_VERSION_MINOR, major, minor, missing);
 		return refuse(text);
 	}
 	internal::load_builtins();
@@ -129,21 +131,33 @@ void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
 
 } // namespace
 
-internal::DocDataRegistration::DocDataRegistration(const char *, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data) {
+internal::DocDataRegistration::DocDataRegistration(
+		const char *, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data) {
 	documentation = { p_uncompressed_size, p_compressed_size, p_data };
 }
 
-GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) :
+GDExtensionBinding::InitObject::InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library,
+		GDExtensionInitialization *r_initialization) :
 		_get_proc_address(p_get_proc_address), _library(p_library), _initialization(r_initialization) {}
 
-void GDExtensionBinding::InitObject::register_initializer(Callback p_callback) const { initializer = p_callback; }
-void GDExtensionBinding::InitObject::register_terminator(Callback p_callback) const { terminator = p_callback; }
+void GDExtensionBinding::InitObject::register_initializer(Callback p_callback) const {
+	initializer = p_callback;
+}
+void GDExtensionBinding::InitObject::register_terminator(Callback p_callback) const {
+	terminator = p_callback;
+}
 void GDExtensionBinding::InitObject::set_minimum_library_initialization_level(ModuleInitializationLevel p_level) const {
 	minimum_level = static_cast<GDExtensionInitializationLevel>(p_level);
 }
-void GDExtensionBinding::InitObject::register_startup_callback(GDExtensionMainLoopStartupCallback p_callback) const { main_loop.startup_func = p_callback; }
-void GDExtensionBinding::InitObject::register_frame_callback(GDExtensionMainLoopFrameCallback p_callback) const { main_loop.frame_func = p_callback; }
-void GDExtensionBinding::InitObject::register_shutdown_callback(GDExtensionMainLoopShutdownCallback p_callback) const { main_loop.shutdown_func = p_callback; }
+void GDExtensionBinding::InitObject::register_startup_callback(GDExtensionMainLoopStartupCallback p_callback) const {
+	main_loop.startup_func = p_callback;
+}
+void GDExtensionBinding::InitObject::register_frame_callback(GDExtensionMainLoopFrameCallback p_callback) const {
+	main_loop.frame_func = p_callback;
+}
+void GDExtensionBinding::InitObject::register_shutdown_callback(GDExtensionMainLoopShutdownCallback p_callback) const {
+	main_loop.shutdown_func = p_callback;
+}
 
 GDExtensionBool GDExtensionBinding::InitObject::init() const {
 	engine::get_proc_address = _get_proc_address;

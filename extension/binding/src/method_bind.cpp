@@ -5,7 +5,8 @@
 
 namespace godot {
 
-void MethodBind::call(void *p_instance, const Variant *const *p_arguments, int64_t p_count, Variant &r_result, GDExtensionCallError &r_error) const {
+void MethodBind::call(
+		void *p_instance, const Variant *const *p_arguments, int64_t p_count, Variant &r_result, GDExtensionCallError &r_error) const {
 	const int64_t wanted = static_cast<int64_t>(arguments.size());
 	const int64_t missing = wanted - p_count;
 	r_error.error = GDEXTENSION_CALL_OK;
@@ -46,7 +47,8 @@ void check_argument(const Variant &p_value, GDExtensionVariantType p_type, int p
 }
 
 bool check_argument_count(int64_t p_count, int64_t p_expected, GDExtensionCallError &r_error) {
-	r_error.error = p_count > p_expected ? GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS : (p_count < p_expected ? GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS : GDEXTENSION_CALL_OK);
+	r_error.error = p_count > p_expected ? GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS
+										 : (p_count < p_expected ? GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS : GDEXTENSION_CALL_OK);
 	r_error.expected = static_cast<int32_t>(p_expected);
 	return p_count == p_expected;
 }
@@ -81,8 +83,10 @@ Callable make_callable(CallableMethod *p_method) {
 	info.callable_userdata = p_method;
 	info.token = gdextension_interface::token;
 	info.object_id = p_method->object_id;
-	info.call_func = [](void *p_data, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
-		method_of(p_data)->call(reinterpret_cast<const Variant *const *>(p_arguments), p_count, *static_cast<Variant *>(r_result), *r_error);
+	info.call_func = [](void *p_data, const GDExtensionConstVariantPtr *p_arguments, GDExtensionInt p_count, GDExtensionVariantPtr r_result,
+							 GDExtensionCallError *r_error) {
+		method_of(p_data)->call(
+				reinterpret_cast<const Variant *const *>(p_arguments), p_count, *static_cast<Variant *>(r_result), *r_error);
 	};
 	info.is_valid_func = [](void *p_data) -> GDExtensionBool {
 		const uint64_t id = method_of(p_data)->object_id;

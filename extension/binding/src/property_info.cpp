@@ -6,8 +6,14 @@
 
 namespace godot {
 
-PropertyInfo::PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint, const String &p_hint_string, uint32_t p_usage, const StringName &p_class_name) :
-		type(p_type), name(p_name), class_name(p_hint == PROPERTY_HINT_RESOURCE_TYPE ? StringName(p_hint_string) : p_class_name), hint(p_hint), hint_string(p_hint_string), usage(p_usage) {}
+PropertyInfo::PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint, const String &p_hint_string,
+		uint32_t p_usage, const StringName &p_class_name) :
+		type(p_type),
+		name(p_name),
+		class_name(p_hint == PROPERTY_HINT_RESOURCE_TYPE ? StringName(p_hint_string) : p_class_name),
+		hint(p_hint),
+		hint_string(p_hint_string),
+		usage(p_usage) {}
 
 PropertyInfo::PropertyInfo(const GDExtensionPropertyInfo *p_info) :
 		type(static_cast<Variant::Type>(p_info->type)),
@@ -38,7 +44,8 @@ void PropertyInfo::_update(GDExtensionPropertyInfo *r_info) const {
 }
 
 GDExtensionPropertyInfo PropertyInfo::_to_gdextension() const {
-	return { static_cast<GDExtensionVariantType>(type), name._native_ptr(), class_name._native_ptr(), hint, hint_string._native_ptr(), usage };
+	return { static_cast<GDExtensionVariantType>(type), name._native_ptr(), class_name._native_ptr(), hint, hint_string._native_ptr(),
+		usage };
 }
 
 namespace internal {

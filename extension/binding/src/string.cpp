@@ -10,8 +10,7 @@ namespace engine = gdextension_interface;
 namespace {
 
 // The engine's text in another encoding: asked for its length first.
-template <typename T, typename F>
-CharStringT<T> encode(const String &p_text, F p_function) {
+template <typename T, typename F> CharStringT<T> encode(const String &p_text, F p_function) {
 	const GDExtensionInt length = p_function(p_text._native_ptr(), nullptr, 0);
 	std::basic_string<T> text(length, T(0));
 	p_function(p_text._native_ptr(), text.data(), length);
@@ -21,14 +20,18 @@ CharStringT<T> encode(const String &p_text, F p_function) {
 } // namespace
 
 // The C interface makes new text in raw storage.
-String::String(const char *p_text) :
-		Opaque(UNINITIALIZED) { engine::string_new_with_latin1_chars(_storage, p_text); }
-String::String(const wchar_t *p_text) :
-		Opaque(UNINITIALIZED) { engine::string_new_with_wide_chars(_storage, p_text); }
-String::String(const char16_t *p_text) :
-		Opaque(UNINITIALIZED) { engine::string_new_with_utf16_chars(_storage, p_text); }
-String::String(const char32_t *p_text) :
-		Opaque(UNINITIALIZED) { engine::string_new_with_utf32_chars(_storage, p_text); }
+String::String(const char *p_text) : Opaque(UNINITIALIZED) {
+	engine::string_new_with_latin1_chars(_storage, p_text);
+}
+String::String(const wchar_t *p_text) : Opaque(UNINITIALIZED) {
+	engine::string_new_with_wide_chars(_storage, p_text);
+}
+String::String(const char16_t *p_text) : Opaque(UNINITIALIZED) {
+	engine::string_new_with_utf16_chars(_storage, p_text);
+}
+String::String(const char32_t *p_text) : Opaque(UNINITIALIZED) {
+	engine::string_new_with_utf32_chars(_storage, p_text);
+}
 
 String String::utf8(const char *p_text, int64_t p_length) {
 	String text;
@@ -48,21 +51,39 @@ Error String::parse_utf8(const char *p_text, int64_t p_length) {
 	return static_cast<Error>(engine::string_new_with_utf8_chars_and_len2(_storage, p_text, p_length));
 }
 
-CharString String::utf8() const { return encode<char>(*this, engine::string_to_utf8_chars); }
-CharString String::ascii() const { return encode<char>(*this, engine::string_to_latin1_chars); }
-Char16String String::utf16() const { return encode<char16_t>(*this, engine::string_to_utf16_chars); }
-Char32String String::utf32() const { return encode<char32_t>(*this, engine::string_to_utf32_chars); }
+CharString String::utf8() const {
+	return encode<char>(*this, engine::string_to_utf8_chars);
+}
+CharString String::ascii() const {
+	return encode<char>(*this, engine::string_to_latin1_chars);
+}
+Char16String String::utf16() const {
+	return encode<char16_t>(*this, engine::string_to_utf16_chars);
+}
+Char32String String::utf32() const {
+	return encode<char32_t>(*this, engine::string_to_utf32_chars);
+}
 
 String String::num_real(double p_number, bool p_trailing) {
 	const String text = String::num(p_number);
 	return p_trailing && text.is_valid_int() ? text + ".0" : text;
 }
 
-const char32_t *String::ptr() const { return is_empty() ? nullptr : &(*this)[0]; }
-char32_t *String::ptrw() { return is_empty() ? nullptr : &(*this)[0]; }
-const char32_t &String::operator[](int64_t p_index) const { return *engine::string_operator_index_const(_storage, p_index); }
-char32_t &String::operator[](int64_t p_index) { return *engine::string_operator_index(_storage, p_index); }
-Error String::resize(int64_t p_size) { return static_cast<Error>(engine::string_resize(_storage, p_size)); }
+const char32_t *String::ptr() const {
+	return is_empty() ? nullptr : &(*this)[0];
+}
+char32_t *String::ptrw() {
+	return is_empty() ? nullptr : &(*this)[0];
+}
+const char32_t &String::operator[](int64_t p_index) const {
+	return *engine::string_operator_index_const(_storage, p_index);
+}
+char32_t &String::operator[](int64_t p_index) {
+	return *engine::string_operator_index(_storage, p_index);
+}
+Error String::resize(int64_t p_size) {
+	return static_cast<Error>(engine::string_resize(_storage, p_size));
+}
 
 String String::operator+(char32_t p_other) const {
 	String text = *this;
@@ -88,12 +109,21 @@ String String::operator%(const Variant &p_values) const {
 	return result;
 }
 
-StringName::StringName(const char *p_text, bool p_static) :
-		Opaque(UNINITIALIZED) { engine::string_name_new_with_latin1_chars(_storage, p_text, p_static); }
+StringName::StringName(const char *p_text, bool p_static) : Opaque(UNINITIALIZED) {
+	engine::string_name_new_with_latin1_chars(_storage, p_text, p_static);
+}
 
-String itos(int64_t p_value) { return String::num_int64(p_value); }
-String uitos(uint64_t p_value) { return String::num_uint64(static_cast<int64_t>(p_value)); }
-String rtos(double p_value) { return String::num(p_value); }
-String rtoss(double p_value) { return String::num_scientific(p_value); }
+String itos(int64_t p_value) {
+	return String::num_int64(p_value);
+}
+String uitos(uint64_t p_value) {
+	return String::num_uint64(static_cast<int64_t>(p_value));
+}
+String rtos(double p_value) {
+	return String::num(p_value);
+}
+String rtoss(double p_value) {
+	return String::num_scientific(p_value);
+}
 
 } // namespace godot

@@ -24,11 +24,18 @@ const Variant *internal::variant_at(const Variant *p_values, size_t p_index) {
 	return p_values + p_index;
 }
 
-Variant::Variant() { engine::variant_new_nil(_storage); }
-Variant::Variant(const Variant &p_other) { engine::variant_new_copy(_storage, p_other._storage); }
-Variant::Variant(Variant &&p_other) noexcept :
-		Variant() { std::swap(_storage, p_other._storage); }
-Variant::~Variant() { engine::variant_destroy(_storage); }
+Variant::Variant() {
+	engine::variant_new_nil(_storage);
+}
+Variant::Variant(const Variant &p_other) {
+	engine::variant_new_copy(_storage, p_other._storage);
+}
+Variant::Variant(Variant &&p_other) noexcept : Variant() {
+	std::swap(_storage, p_other._storage);
+}
+Variant::~Variant() {
+	engine::variant_destroy(_storage);
+}
 
 Variant &Variant::operator=(const Variant &p_other) {
 	if (this != &p_other) {
@@ -46,14 +53,20 @@ Variant::Variant(bool p_value) {
 	const GDExtensionBool value = p_value;
 	to_variant(GDEXTENSION_VARIANT_TYPE_BOOL, _storage, &value);
 }
-Variant::Variant(int64_t p_value) { to_variant(GDEXTENSION_VARIANT_TYPE_INT, _storage, &p_value); }
-Variant::Variant(double p_value) { to_variant(GDEXTENSION_VARIANT_TYPE_FLOAT, _storage, &p_value); }
+Variant::Variant(int64_t p_value) {
+	to_variant(GDEXTENSION_VARIANT_TYPE_INT, _storage, &p_value);
+}
+Variant::Variant(double p_value) {
+	to_variant(GDEXTENSION_VARIANT_TYPE_FLOAT, _storage, &p_value);
+}
 Variant::Variant(const Object *p_value) {
 	GodotObject *const owner = p_value ? p_value->_owner : nullptr;
 	to_variant(GDEXTENSION_VARIANT_TYPE_OBJECT, _storage, &owner);
 }
 
-Variant::operator bool() const { return booleanize(); }
+Variant::operator bool() const {
+	return booleanize();
+}
 Variant::operator int64_t() const {
 	int64_t value = 0;
 	from_variant(GDEXTENSION_VARIANT_TYPE_INT, &value, this);
@@ -70,17 +83,17 @@ Variant::operator ObjectID() const {
 
 // The conversion writes to raw storage: a value that was made before is destroyed without being told, which is
 // harmless only for those that own nothing; so it goes to bytes and is moved from there.
-#define GODOT_VARIANT_BUILTIN(m_type) \
-	Variant::Variant(const m_type &p_value) { \
-		to_variant(internal::type_code<m_type>, _storage, &p_value); \
-	} \
-	Variant::operator m_type() const { \
-		alignas(m_type) unsigned char bytes[sizeof(m_type)]; \
-		from_variant(internal::type_code<m_type>, bytes, this); \
-		m_type *const made = reinterpret_cast<m_type *>(bytes); \
-		m_type value = std::move(*made); \
-		std::destroy_at(made); \
-		return value; \
+#define GODOT_VARIANT_BUILTIN(m_type)                                                                                                      \
+	Variant::Variant(const m_type &p_value) {                                                                                              \
+		to_variant(internal::type_code<m_type>, _storage, &p_value);                                                                       \
+	}                                                                                                                                      \
+	Variant::operator m_type() const {                                                                                                     \
+		alignas(m_type) unsigned char bytes[sizeof(m_type)];                                                                               \
+		from_variant(internal::type_code<m_type>, bytes, this);                                                                            \
+		m_type *const made = reinterpret_cast<m_type *>(bytes);                                                                            \
+		m_type value = std::move(*made);                                                                                                   \
+		std::destroy_at(made);                                                                                                             \
+		return value;                                                                                                                      \
 	}
 #include <godot_cpp/variant/variant_builtins.inc>
 #undef GODOT_VARIANT_BUILTIN
@@ -89,7 +102,9 @@ Object *Variant::get_validated_object() const {
 	return get_type() == OBJECT ? ObjectDB::get_instance(engine::variant_get_object_instance_id(_storage)) : nullptr;
 }
 
-Variant::Type Variant::get_type() const { return static_cast<Type>(engine::variant_get_type(_storage)); }
+Variant::Type Variant::get_type() const {
+	return static_cast<Type>(engine::variant_get_type(_storage));
+}
 String Variant::get_type_name(Type p_type) {
 	String name;
 	internal::builtin_types[STRING].destructor(name._native_ptr());
@@ -122,9 +137,11 @@ void Variant::evaluate(const Operator &p_operator, const Variant &p_a, const Var
 	r_valid = valid;
 }
 
-void Variant::callp(const StringName &p_method, const Variant **p_arguments, int p_count, Variant &r_result, GDExtensionCallError &r_error) {
+void Variant::callp(
+		const StringName &p_method, const Variant **p_arguments, int p_count, Variant &r_result, GDExtensionCallError &r_error) {
 	r_result.clear();
-	engine::variant_call(_storage, p_method._native_ptr(), reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count, r_result._storage, &r_error);
+	engine::variant_call(_storage, p_method._native_ptr(), reinterpret_cast<const GDExtensionConstVariantPtr *>(p_arguments), p_count,
+			r_result._storage, &r_error);
 }
 
 void Variant::set(const Variant &p_key, const Variant &p_value, bool *r_valid) {
@@ -169,7 +186,9 @@ Variant Variant::get_indexed(int64_t p_index, bool &r_valid, bool &r_out_of_boun
 	r_out_of_bounds = outside;
 	return result;
 }
-bool Variant::has_method(const StringName &p_method) const { return engine::variant_has_method(_storage, p_method._native_ptr()); }
+bool Variant::has_method(const StringName &p_method) const {
+	return engine::variant_has_method(_storage, p_method._native_ptr());
+}
 bool Variant::has_key(const Variant &p_key, bool *r_valid) const {
 	GDExtensionBool valid = false;
 	const bool found = engine::variant_has_key(_storage, p_key._storage, &valid);
@@ -179,9 +198,15 @@ bool Variant::has_key(const Variant &p_key, bool *r_valid) const {
 	return found;
 }
 
-uint32_t Variant::hash() const { return static_cast<uint32_t>(engine::variant_hash(_storage)); }
-bool Variant::hash_compare(const Variant &p_other) const { return engine::variant_hash_compare(_storage, p_other._storage); }
-bool Variant::booleanize() const { return engine::variant_booleanize(_storage); }
+uint32_t Variant::hash() const {
+	return static_cast<uint32_t>(engine::variant_hash(_storage));
+}
+bool Variant::hash_compare(const Variant &p_other) const {
+	return engine::variant_hash_compare(_storage, p_other._storage);
+}
+bool Variant::booleanize() const {
+	return engine::variant_booleanize(_storage);
+}
 String Variant::stringify() const {
 	String text;
 	engine::variant_stringify(_storage, text._native_ptr());
@@ -197,9 +222,9 @@ void Variant::clear() {
 	engine::variant_new_nil(_storage);
 }
 
-#define GODOT_TEXT(m_type) \
-	m_type::operator String() const { \
-		return Variant(*this).stringify(); \
+#define GODOT_TEXT(m_type)                                                                                                                 \
+	m_type::operator String() const {                                                                                                      \
+		return Variant(*this).stringify();                                                                                                 \
 	}
 GODOT_TEXT(Vector2)
 GODOT_TEXT(Vector2i)
@@ -219,9 +244,7 @@ GODOT_TEXT(Projection)
 GODOT_TEXT(Color)
 #undef GODOT_TEXT
 
-Color::Color(const String &p_code) :
-		Color(from_string(p_code, Color())) {}
-Color::Color(const char *p_code) :
-		Color(String(p_code)) {}
+Color::Color(const String &p_code) : Color(from_string(p_code, Color())) {}
+Color::Color(const char *p_code) : Color(String(p_code)) {}
 
 } // namespace godot

@@ -18,7 +18,8 @@ Wrapped::Wrapped() {
 	}
 	CRASH_COND_MSG(!construction.identity, "Objects of the engine are made with memnew or instantiate().");
 	const internal::ClassIdentity &identity = *construction.identity;
-	_owner = construction.recreated ? construction.recreated : gdextension_interface::classdb_construct_object2(identity.engine_class()._native_ptr());
+	_owner = construction.recreated ? construction.recreated
+									: gdextension_interface::classdb_construct_object2(identity.engine_class()._native_ptr());
 	if (identity.extension_class) {
 		gdextension_interface::object_set_instance(_owner, identity.extension_class()._native_ptr(), this);
 	}

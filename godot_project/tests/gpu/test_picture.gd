@@ -158,6 +158,27 @@ func test_awake_tiles_are_shown_red() -> void:
 	assert_greater(difference(shown, await picture()).y, 0.01, "levels of detail are coloured otherwise")
 
 
+func test_grass_casts_shadows() -> void:
+	var floor_ := MeshInstance3D.new()
+	floor_.mesh = PlaneMesh.new()
+	floor_.mesh.size = Vector2(12, 12)
+	floor_.position.y = -0.01
+	viewport.add_child(floor_)
+	var sun: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
+	sun.shadow_enabled = true
+	sun.look_at_from_position(Vector3.ZERO, Vector3(1, -0.5, 0)) # low, so that shadows fall beside the field
+	look(Vector3(3.2, 2, 0), Vector3(2.9, 0, 0))
+	var field := add_seen_field()
+	await drawn()
+	var beside := Rect2i(SIZE.x / 4, SIZE.y / 4, SIZE.x / 2, SIZE.y / 5)
+	var lit := mean((await picture()).get_region(beside)).get_luminance()
+	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+	await drawn()
+	var shaded := mean((await picture()).get_region(beside)).get_luminance()
+	print("    beside the field: %.3f lit, %.3f in its shadow" % [lit, shaded])
+	assert_less(shaded, 0.95 * lit)
+
+
 func test_colors_reach_the_picture() -> void:
 	var field := add_seen_field({dry = 0.0, clump_tint = 0.0})
 	await drawn()

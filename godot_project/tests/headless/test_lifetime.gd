@@ -65,6 +65,22 @@ func test_moved_and_turned_with_a_body_in_it() -> void:
 	assert_near(field.get_tile_center(Vector2i(4, 4)), Vector3(1000.25, 0, 0.25), 1e-4)
 
 
+func test_moved_over_ground_that_stays() -> void:
+	var field := add_field()
+	var slab := BoxShape3D.new()
+	slab.size = Vector3(20, 1, 20)
+	var ground := add_body(StaticBody3D.new(), slab, Vector3(0, -0.5, 0))
+	for i in 30:
+		field.position = Vector3(0.02 * i, 0, 0)
+		field.rotation.y = 0.05 * i
+		await ticks(1)
+	assert_eq(field.get_body_count(), 1)
+	assert_eq(field.get_awake_tile_count(), 0, "the ground did not move")
+	ground.position.y = -0.45
+	await seen()
+	assert_greater(field.get_awake_tile_count(), 0, "now it did")
+
+
 func test_a_turned_field_bends_where_the_body_is() -> void:
 	var field := add_field({rotation = Vector3(0.3, 1.0, -0.2), position = Vector3(5, 1, -3)})
 	await ticks(2)

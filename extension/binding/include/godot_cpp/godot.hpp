@@ -40,7 +40,8 @@ public:
 	// Fill one in the library's entry function and return its init().
 	class InitObject {
 	public:
-		InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization);
+		InitObject(GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library,
+				GDExtensionInitialization *r_initialization);
 
 		void register_initializer(Callback p_callback) const;
 		void register_terminator(Callback p_callback) const;

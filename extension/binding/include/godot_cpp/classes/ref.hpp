@@ -8,14 +8,12 @@
 
 namespace godot {
 
-template <typename T>
-class Ref {
+template <typename T> class Ref {
 public:
 	Ref() = default;
 	Ref(const Ref &p_other) { share(p_other._object); }
 	Ref(Ref &&p_other) noexcept { std::swap(_object, p_other._object); }
-	template <typename Other>
-	Ref(const Ref<Other> &p_other) { share(Object::cast_to<T>(p_other.ptr())); }
+	template <typename Other> Ref(const Ref<Other> &p_other) { share(Object::cast_to<T>(p_other.ptr())); }
 	// Takes part in the life of an object just made, too.
 	Ref(T *p_object) { begin(p_object); }
 	Ref(const Variant &p_value) { share(Object::cast_to<T>(p_value.get_validated_object())); }
@@ -26,8 +24,7 @@ public:
 		std::swap(_object, p_other._object);
 		return *this;
 	}
-	template <typename Other>
-	Ref &operator=(const Ref<Other> &p_other) { return replace(Ref(p_other)); }
+	template <typename Other> Ref &operator=(const Ref<Other> &p_other) { return replace(Ref(p_other)); }
 	Ref &operator=(T *p_object) { return replace(Ref(p_object)); }
 	Ref &operator=(const Variant &p_value) { return replace(Ref(p_value)); }
 
@@ -53,10 +50,8 @@ public:
 			}
 		}
 	}
-	template <typename... Arguments>
-	void instantiate(const Arguments &...p_arguments) { replace(Ref(memnew(T(p_arguments...)))); }
-	template <typename Other>
-	void reference_ptr(Other *p_object) { replace(Ref(Object::cast_to<T>(p_object))); }
+	template <typename... Arguments> void instantiate(const Arguments &...p_arguments) { replace(Ref(memnew(T(p_arguments...)))); }
+	template <typename Other> void reference_ptr(Other *p_object) { replace(Ref(Object::cast_to<T>(p_object))); }
 	static String get_class_static() { return T::get_class_static(); }
 
 	// From a call that has already counted the reference it returns.

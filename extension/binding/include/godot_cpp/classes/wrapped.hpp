@@ -16,8 +16,7 @@ class ClassDB;
 
 namespace internal {
 
-template <typename T>
-struct ClassHooks;
+template <typename T> struct ClassHooks;
 
 // What Wrapped must know of the class that memnew makes.
 struct ClassIdentity {
@@ -45,8 +44,7 @@ public:
 	GodotObject *_owner = nullptr; // the engine's half
 
 protected:
-	template <typename>
-	friend struct internal::ClassHooks;
+	template <typename> friend struct internal::ClassHooks;
 
 	Wrapped();
 
@@ -59,8 +57,7 @@ protected:
 	bool _property_get_revert(const StringName &, Variant &) const { return false; }
 	void _validate_property(PropertyInfo &) const {}
 	String _to_string() const { return String(); }
-	template <typename T, typename Base>
-	static void register_virtuals() {}
+	template <typename T, typename Base> static void register_virtuals() {}
 
 public:
 	static constexpr bool _is_singleton = false;
@@ -70,32 +67,32 @@ public:
 } // namespace godot
 
 // Stands first in every class of the extension. Binding itself goes through internal::ClassHooks (class_hooks.hpp).
-#define GDCLASS(m_class, m_inherits) \
-private: \
-	friend class ::godot::ClassDB; \
-	template <typename> \
-	friend struct ::godot::internal::ClassHooks; \
-\
-public: \
-	using self_type = m_class; \
-	using parent_type = m_inherits; \
-	static constexpr bool _is_extension = true; \
-	static const ::godot::StringName &get_class_static() { \
-		static const ::godot::StringName name(#m_class); \
-		return name; \
-	} \
-	static const ::godot::StringName &get_parent_class_static() { return m_inherits::get_class_static(); } \
-\
+#define GDCLASS(m_class, m_inherits)                                                                                                       \
+private:                                                                                                                                   \
+	friend class ::godot::ClassDB;                                                                                                         \
+	template <typename> friend struct ::godot::internal::ClassHooks;                                                                       \
+                                                                                                                                           \
+public:                                                                                                                                    \
+	using self_type = m_class;                                                                                                             \
+	using parent_type = m_inherits;                                                                                                        \
+	static constexpr bool _is_extension = true;                                                                                            \
+	static const ::godot::StringName &get_class_static() {                                                                                 \
+		static const ::godot::StringName name(#m_class);                                                                                   \
+		return name;                                                                                                                       \
+	}                                                                                                                                      \
+	static const ::godot::StringName &get_parent_class_static() {                                                                          \
+		return m_inherits::get_class_static();                                                                                             \
+	}                                                                                                                                      \
+                                                                                                                                           \
 private:
 
 // The same for the engine's classes; generated code only.
-#define ENGINE_CLASS(m_class, m_name, m_inherits) \
-	template <typename> \
-	friend struct ::godot::internal::ClassHooks; \
-\
-public: \
-	using self_type = m_class; \
-	using parent_type = m_inherits; \
-	using engine_type = m_class; \
-	static constexpr const char *_engine_class = #m_name; \
+#define ENGINE_CLASS(m_class, m_name, m_inherits)                                                                                          \
+	template <typename> friend struct ::godot::internal::ClassHooks;                                                                       \
+                                                                                                                                           \
+public:                                                                                                                                    \
+	using self_type = m_class;                                                                                                             \
+	using parent_type = m_inherits;                                                                                                        \
+	using engine_type = m_class;                                                                                                           \
+	static constexpr const char *_engine_class = #m_name;                                                                                  \
 	static const ::godot::StringName &get_class_static();

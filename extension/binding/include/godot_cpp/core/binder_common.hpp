@@ -13,23 +13,18 @@ namespace godot {
 namespace internal {
 
 // The object as a T, or null where it is none (defined in core/object.hpp).
-template <typename T>
-T *object_as(Object *p_object);
-template <typename T>
-GodotObject *owner_of(const T *p_object);
+template <typename T> T *object_as(Object *p_object);
+template <typename T> GodotObject *owner_of(const T *p_object);
 Object *object_in_ref(const void *p_ref);
 void set_ref(void *r_ref, GodotObject *p_object);
 
-template <typename T>
-inline constexpr bool is_ref = false;
-template <typename T>
-inline constexpr bool is_ref<Ref<T>> = true;
+template <typename T> inline constexpr bool is_ref = false;
+template <typename T> inline constexpr bool is_ref<Ref<T>> = true;
 
 } // namespace internal
 
 // One argument from a Variant.
-template <typename T>
-struct VariantCaster {
+template <typename T> struct VariantCaster {
 	using Bare = std::remove_cvref_t<T>;
 
 	static Bare cast(const Variant &p_value) {
@@ -48,14 +43,14 @@ struct VariantCaster {
 };
 
 // One argument from, or result to, the place where a pointer call keeps it.
-template <typename T>
-struct PtrToArg {
+template <typename T> struct PtrToArg {
 	using Bare = std::remove_cvref_t<T>;
 
 	static Bare convert(const void *p_place) {
 		if constexpr (std::is_pointer_v<Bare>) {
 			using Class = std::remove_cv_t<std::remove_pointer_t<Bare>>;
-			return p_place ? static_cast<Class *>(internal::get_object_instance_binding(*static_cast<GodotObject *const *>(p_place))) : nullptr;
+			return p_place ? static_cast<Class *>(internal::get_object_instance_binding(*static_cast<GodotObject *const *>(p_place)))
+						   : nullptr;
 		} else if constexpr (internal::is_ref<Bare>) {
 			return p_place ? Bare(static_cast<typename internal::NamedClass<Bare>::Type *>(internal::object_in_ref(p_place))) : Bare();
 		} else if constexpr (std::is_same_v<Bare, bool>) {
@@ -93,42 +88,34 @@ struct PtrToArg {
 namespace internal {
 
 // Whose function it is, what it takes and what it gives. Class is void for functions of no object.
-template <typename F>
-struct FunctionTraits;
-template <typename C, typename R, typename... P>
-struct FunctionTraits<R (C::*)(P...)> {
+template <typename F> struct FunctionTraits;
+template <typename C, typename R, typename... P> struct FunctionTraits<R (C::*)(P...)> {
 	using Class = C;
 	using Result = R;
 	using Parameters = std::tuple<P...>;
 	static constexpr bool CONST = false;
 };
-template <typename C, typename R, typename... P>
-struct FunctionTraits<R (C::*)(P...) const> : FunctionTraits<R (C::*)(P...)> {
+template <typename C, typename R, typename... P> struct FunctionTraits<R (C::*)(P...) const> : FunctionTraits<R (C::*)(P...)> {
 	static constexpr bool CONST = true;
 };
-template <typename R, typename... P>
-struct FunctionTraits<R (*)(P...)> {
+template <typename R, typename... P> struct FunctionTraits<R (*)(P...)> {
 	using Class = void;
 	using Result = R;
 	using Parameters = std::tuple<P...>;
 	static constexpr bool CONST = false;
 };
-template <typename C, typename R, typename... P>
-struct FunctionTraits<R (C::*)(P...) noexcept> : FunctionTraits<R (C::*)(P...)> {};
+template <typename C, typename R, typename... P> struct FunctionTraits<R (C::*)(P...) noexcept> : FunctionTraits<R (C::*)(P...)> {};
 template <typename C, typename R, typename... P>
 struct FunctionTraits<R (C::*)(P...) const noexcept> : FunctionTraits<R (C::*)(P...) const> {};
 
-template <typename F>
-inline constexpr size_t parameter_count = std::tuple_size_v<typename FunctionTraits<F>::Parameters>;
-template <typename F, size_t I>
-using Parameter = std::tuple_element_t<I, typename FunctionTraits<F>::Parameters>;
+template <typename F> inline constexpr size_t parameter_count = std::tuple_size_v<typename FunctionTraits<F>::Parameters>;
+template <typename F, size_t I> using Parameter = std::tuple_element_t<I, typename FunctionTraits<F>::Parameters>;
 
 // Marks the error where the value's type cannot become the parameter's.
 void check_argument(const Variant &p_value, GDExtensionVariantType p_type, int p_index, GDExtensionCallError &r_error);
 void mark_argument(GDExtensionVariantType p_type, int p_index, GDExtensionCallError &r_error);
 
-template <typename T>
-auto checked_argument(const Variant &p_value, int p_index, GDExtensionCallError &r_error) {
+template <typename T> auto checked_argument(const Variant &p_value, int p_index, GDExtensionCallError &r_error) {
 	check_argument(p_value, type_code<T>, p_index, r_error);
 	auto value = VariantCaster<T>::cast(p_value);
 	if constexpr (type_code<T> == GDEXTENSION_VARIANT_TYPE_OBJECT) {
@@ -145,8 +132,7 @@ auto checked_argument(const Variant &p_value, int p_index, GDExtensionCallError 
 	return value;
 }
 
-template <typename F, typename... A>
-decltype(auto) invoke(void *p_instance, F p_function, A &&...p_arguments) {
+template <typename F, typename... A> decltype(auto) invoke(void *p_instance, F p_function, A &&...p_arguments) {
 	using Class = typename FunctionTraits<F>::Class;
 	if constexpr (std::is_void_v<Class>) {
 		return p_function(std::forward<A>(p_arguments)...);
@@ -155,8 +141,7 @@ decltype(auto) invoke(void *p_instance, F p_function, A &&...p_arguments) {
 	}
 }
 
-template <typename T>
-Variant to_variant(const T &p_value) {
+template <typename T> Variant to_variant(const T &p_value) {
 	if constexpr (std::is_enum_v<T> || is_bitfield<T>) {
 		return static_cast<int64_t>(p_value);
 	} else {
@@ -166,7 +151,8 @@ Variant to_variant(const T &p_value) {
 
 // p_arguments holds exactly as many Variants as the function has parameters.
 template <typename F, size_t... I>
-void call_with_variants(void *p_instance, F p_function, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error, std::index_sequence<I...>) {
+void call_with_variants(void *p_instance, F p_function, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error,
+		std::index_sequence<I...>) {
 	if constexpr (std::is_void_v<typename FunctionTraits<F>::Result>) {
 		invoke(p_instance, p_function, checked_argument<Parameter<F, I>>(*p_arguments[I], I, r_error)...);
 	} else {
@@ -175,11 +161,13 @@ void call_with_variants(void *p_instance, F p_function, const Variant *const *p_
 }
 
 template <typename F, size_t... I>
-void call_with_pointers(void *p_instance, F p_function, const GDExtensionConstTypePtr *p_arguments, void *r_result, std::index_sequence<I...>) {
+void call_with_pointers(
+		void *p_instance, F p_function, const GDExtensionConstTypePtr *p_arguments, void *r_result, std::index_sequence<I...>) {
 	if constexpr (std::is_void_v<typename FunctionTraits<F>::Result>) {
 		invoke(p_instance, p_function, PtrToArg<Parameter<F, I>>::convert(p_arguments[I])...);
 	} else {
-		PtrToArg<typename FunctionTraits<F>::Result>::encode(invoke(p_instance, p_function, PtrToArg<Parameter<F, I>>::convert(p_arguments[I])...), r_result);
+		PtrToArg<typename FunctionTraits<F>::Result>::encode(
+				invoke(p_instance, p_function, PtrToArg<Parameter<F, I>>::convert(p_arguments[I])...), r_result);
 	}
 }
 

@@ -64,18 +64,15 @@ void load_builtins();
 
 // Storage of a builtin type, of WORDS pointers, that the engine makes, copies and destroys.
 // An object's first constructors are always: 0 empty, 1 copy.
-template <GDExtensionVariantType TYPE, int WORDS>
-class Opaque {
+template <GDExtensionVariantType TYPE, int WORDS> class Opaque {
 public:
 	void *_native_ptr() const { return const_cast<void **>(_storage); }
 
 protected:
 	Opaque() { builtin_types[TYPE].constructors[0](_storage, nullptr); }
 	Opaque(const Opaque &p_other) { construct(1, &p_other); }
-	Opaque(Opaque &&p_other) noexcept :
-			Opaque() { swap(p_other); }
-	template <typename... Arguments>
-	explicit Opaque(int p_constructor, const Arguments *...p_arguments) {
+	Opaque(Opaque &&p_other) noexcept : Opaque() { swap(p_other); }
+	template <typename... Arguments> explicit Opaque(int p_constructor, const Arguments *...p_arguments) {
 		construct(p_constructor, p_arguments...);
 	}
 	// Leaves the storage to be filled by whoever asks for it.
@@ -98,8 +95,7 @@ protected:
 	void *_storage[WORDS] = {};
 
 private:
-	template <typename... Arguments>
-	void construct(int p_constructor, const Arguments *...p_arguments) {
+	template <typename... Arguments> void construct(int p_constructor, const Arguments *...p_arguments) {
 		const GDExtensionConstTypePtr arguments[] = { p_arguments... };
 		builtin_types[TYPE].constructors[p_constructor](_storage, arguments);
 	}

@@ -18,49 +18,40 @@ struct MethodDefinition {
 	std::vector<StringName> arguments;
 };
 
-template <typename... Names>
-MethodDefinition D_METHOD(const StringName &p_name, const Names &...p_arguments) {
+template <typename... Names> MethodDefinition D_METHOD(const StringName &p_name, const Names &...p_arguments) {
 	return { p_name, { StringName(p_arguments)... } };
 }
 
 class ClassDB {
 public:
-	template <typename T>
-	static void register_class(bool p_virtual = false) {
-		register_as<T>(Kind{ .is_virtual = p_virtual });
-	}
-	template <typename T>
-	static void register_abstract_class() {
-		register_as<T>(Kind{ .is_abstract = true });
-	}
-	template <typename T>
-	static void register_internal_class() {
-		register_as<T>(Kind{ .is_exposed = false });
-	}
-	template <typename T>
-	static void register_runtime_class() {
-		register_as<T>(Kind{ .is_runtime = true });
-	}
+	template <typename T> static void register_class(bool p_virtual = false) { register_as<T>(Kind{ .is_virtual = p_virtual }); }
+	template <typename T> static void register_abstract_class() { register_as<T>(Kind{ .is_abstract = true }); }
+	template <typename T> static void register_internal_class() { register_as<T>(Kind{ .is_exposed = false }); }
+	template <typename T> static void register_runtime_class() { register_as<T>(Kind{ .is_runtime = true }); }
 
 	template <typename F, typename... Defaults>
 	static MethodBind *bind_method(const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
 		using Class = typename internal::FunctionTraits<F>::Class;
-		return add_method(Class::get_class_static(), new internal::MethodBindOf<Class, F>(p_function), p_definition, { Variant(p_defaults)... });
+		return add_method(
+				Class::get_class_static(), new internal::MethodBindOf<Class, F>(p_function), p_definition, { Variant(p_defaults)... });
 	}
 	template <typename F, typename... Defaults>
 	static MethodBind *bind_method(const char *p_name, F p_function, const Defaults &...p_defaults) {
 		return bind_method(D_METHOD(p_name), p_function, p_defaults...);
 	}
 	template <typename F, typename... Defaults>
-	static MethodBind *bind_static_method(const StringName &p_class, const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
+	static MethodBind *bind_static_method(
+			const StringName &p_class, const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
 		return add_method(p_class, new internal::MethodBindOf<void, F>(p_function), p_definition, { Variant(p_defaults)... });
 	}
 
-	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter, int p_index = -1);
+	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter,
+			int p_index = -1);
 	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
 	static void add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix);
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
-	static void bind_integer_constant(const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield = false);
+	static void bind_integer_constant(
+			const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield = false);
 	static MethodBind *get_method(const StringName &p_class, const StringName &p_method);
 
 	// Called by the library's entry, level by level.
@@ -75,8 +66,7 @@ private:
 		bool is_runtime = false; // a placeholder stands for it in the editor
 	};
 
-	template <typename T>
-	static void register_as(Kind p_kind) {
+	template <typename T> static void register_as(Kind p_kind) {
 		static_assert(std::is_same_v<typename T::self_type, T>, "Put GDCLASS(the class, its base) at its top.");
 		using Hooks = internal::ClassHooks<T>;
 		GDExtensionClassCreationInfo5 info = {};
@@ -100,14 +90,14 @@ private:
 		Hooks::bind();
 	}
 	static void add_class(const StringName &p_name, const StringName &p_parent, GDExtensionClassCreationInfo5 &p_info);
-	static MethodBind *add_method(const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults);
+	static MethodBind *add_method(
+			const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults);
 };
 
 namespace internal {
 
 // The name under which the engine knows the enum of a constant.
-template <typename T>
-StringName enum_name_of(T) {
+template <typename T> StringName enum_name_of(T) {
 	return GetTypeInfo<T>::get_class_info().class_name;
 }
 
@@ -121,6 +111,9 @@ StringName enum_name_of(T) {
 #define GDREGISTER_INTERNAL_CLASS(m_class) ::godot::ClassDB::register_internal_class<m_class>();
 #define GDREGISTER_RUNTIME_CLASS(m_class) ::godot::ClassDB::register_runtime_class<m_class>();
 
-#define BIND_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant);
-#define BIND_ENUM_CONSTANT(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant);
-#define BIND_BITFIELD_FLAG(m_constant) ::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant, true);
+#define BIND_CONSTANT(m_constant)                                                                                                          \
+	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant);
+#define BIND_ENUM_CONSTANT(m_constant)                                                                                                     \
+	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant);
+#define BIND_BITFIELD_FLAG(m_constant)                                                                                                     \
+	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant, true);

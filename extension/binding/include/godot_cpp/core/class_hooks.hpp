@@ -11,8 +11,7 @@ namespace godot::internal {
 const GDExtensionPropertyInfo *make_property_list(const List<PropertyInfo> &p_list, uint32_t *r_count);
 void free_property_list(GDExtensionClassInstancePtr p_instance, const GDExtensionPropertyInfo *p_list, uint32_t p_count);
 
-template <typename T>
-struct ClassHooks {
+template <typename T> struct ClassHooks {
 	using Parent = typename T::parent_type;
 
 	static T *self(GDExtensionClassInstancePtr p_instance) { return reinterpret_cast<T *>(p_instance); }
@@ -43,7 +42,8 @@ struct ClassHooks {
 		}
 	}
 
-	static GDExtensionBool set(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionConstVariantPtr p_value) {
+	static GDExtensionBool set(
+			GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionConstVariantPtr p_value) {
 		if constexpr (Parent::_is_extension) {
 			if (ClassHooks<Parent>::set(p_instance, p_name, p_value)) {
 				return true;
@@ -55,7 +55,8 @@ struct ClassHooks {
 		return false;
 	}
 
-	static GDExtensionBool get(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionVariantPtr r_value) {
+	static GDExtensionBool get(
+			GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionVariantPtr r_value) {
 		if constexpr (Parent::_is_extension) {
 			if (ClassHooks<Parent>::get(p_instance, p_name, r_value)) {
 				return true;
@@ -82,7 +83,8 @@ struct ClassHooks {
 		return false;
 	}
 
-	static GDExtensionBool property_get_revert(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionVariantPtr r_value) {
+	static GDExtensionBool property_get_revert(
+			GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionVariantPtr r_value) {
 		if constexpr (HAS_REVERT) {
 			return self(p_instance)->_property_get_revert(*static_cast<const StringName *>(p_name), *static_cast<Variant *>(r_value));
 		} else if constexpr (Parent::_is_extension) {
@@ -178,19 +180,16 @@ inline constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = {
 	[](void *, void *, GDExtensionBool) -> GDExtensionBool { return true; },
 };
 
-template <typename T>
-constexpr ClassIdentity make_identity() {
+template <typename T> constexpr ClassIdentity make_identity() {
 	if constexpr (T::_is_extension) {
 		return { &T::engine_type::get_class_static, &T::get_class_static, &extension_callbacks };
 	} else {
 		return { &T::get_class_static, nullptr, &engine_callbacks<T> };
 	}
 }
-template <typename T>
-inline constexpr ClassIdentity class_identity = make_identity<T>();
+template <typename T> inline constexpr ClassIdentity class_identity = make_identity<T>();
 
-template <typename T>
-void prepare_object() {
+template <typename T> void prepare_object() {
 	next_construction() = { &class_identity<T>, nullptr, nullptr };
 }
 

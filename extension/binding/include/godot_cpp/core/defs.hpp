@@ -32,23 +32,19 @@ namespace godot {
 
 using real_t = float; // the engine's single-precision build, the only one that the binding serves
 
-template <typename A, typename B>
-constexpr auto MIN(const A p_a, const B p_b) {
+template <typename A, typename B> constexpr auto MIN(const A p_a, const B p_b) {
 	return p_a < p_b ? p_a : p_b;
 }
 
-template <typename A, typename B>
-constexpr auto MAX(const A p_a, const B p_b) {
+template <typename A, typename B> constexpr auto MAX(const A p_a, const B p_b) {
 	return p_a > p_b ? p_a : p_b;
 }
 
-template <typename T, typename A, typename B>
-constexpr auto CLAMP(const T p_value, const A p_min, const B p_max) {
+template <typename T, typename A, typename B> constexpr auto CLAMP(const T p_value, const A p_min, const B p_max) {
 	return p_value < p_min ? p_min : (p_value > p_max ? p_max : p_value);
 }
 
-template <typename T>
-constexpr T SIGN(const T p_value) {
+template <typename T> constexpr T SIGN(const T p_value) {
 	return p_value > 0 ? T(1) : (p_value < 0 ? T(-1) : T(0));
 }
 

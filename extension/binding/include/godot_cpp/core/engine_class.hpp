@@ -7,16 +7,15 @@
 namespace godot::internal {
 
 void register_engine_class(const StringName &p_name, const GDExtensionInstanceBindingCallbacks *p_callbacks);
-template <typename T>
-void register_engine_class() {
+template <typename T> void register_engine_class() {
 	register_engine_class(T::get_class_static(), &engine_callbacks<T>);
 }
 void register_engine_classes(); // generated: all of them
 
 } // namespace godot::internal
 
-#define ENGINE_CLASS_DEFINE(m_class) \
-	const StringName &m_class::get_class_static() { \
-		static const StringName name(_engine_class); \
-		return name; \
+#define ENGINE_CLASS_DEFINE(m_class)                                                                                                       \
+	const StringName &m_class::get_class_static() {                                                                                        \
+		static const StringName name(_engine_class);                                                                                       \
+		return name;                                                                                                                       \
 	}

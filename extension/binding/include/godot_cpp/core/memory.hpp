@@ -30,19 +30,16 @@ namespace internal {
 
 // The two halves of memnew around the construction itself. For classes that the engine knows the first says which
 // object the base Wrapped shall make (class_hooks.hpp), the second sends NOTIFICATION_POSTINITIALIZE.
-template <typename T>
-void prepare_object();
+template <typename T> void prepare_object();
 void after_construction(Wrapped *p_object);
 
-template <typename T>
-void before_construction() {
+template <typename T> void before_construction() {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		prepare_object<T>();
 	}
 }
 
-template <typename T>
-T *finish_construction(T *p_object) {
+template <typename T> T *finish_construction(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		after_construction(p_object);
 	}
@@ -53,8 +50,7 @@ void destroy_object(Wrapped *p_object);
 
 } // namespace internal
 
-template <typename T>
-void memdelete(T *p_object) {
+template <typename T> void memdelete(T *p_object) {
 	if constexpr (std::is_base_of_v<Wrapped, T>) {
 		internal::destroy_object(p_object);
 	} else {
@@ -72,11 +68,11 @@ void operator delete(void *p_memory, ::godot::DefaultAllocator);
 #define memalloc(m_bytes) ::godot::Memory::alloc_static(m_bytes)
 #define memrealloc(m_memory, m_bytes) ::godot::Memory::realloc_static(m_memory, m_bytes)
 #define memfree(m_memory) ::godot::Memory::free_static(m_memory)
-#define memnew(m_class) \
-	(::godot::internal::before_construction<std::remove_pointer_t<decltype(new (::godot::DefaultAllocator{}) m_class)>>(), \
+#define memnew(m_class)                                                                                                                    \
+	(::godot::internal::before_construction<std::remove_pointer_t<decltype(new (::godot::DefaultAllocator{}) m_class)>>(),                 \
 			::godot::internal::finish_construction(new (::godot::DefaultAllocator{}) m_class))
-#define memdelete_notnull(m_object) \
-	if (m_object) { \
-		::godot::memdelete(m_object); \
-	} else \
+#define memdelete_notnull(m_object)                                                                                                        \
+	if (m_object) {                                                                                                                        \
+		::godot::memdelete(m_object);                                                                                                      \
+	} else                                                                                                                                 \
 		((void)0)

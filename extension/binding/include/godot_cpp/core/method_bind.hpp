@@ -24,14 +24,14 @@ public:
 
 	// With Variants, of which the last may be left to their defaults.
 	void call(void *p_instance, const Variant *const *p_arguments, int64_t p_count, Variant &r_result, GDExtensionCallError &r_error) const;
-	virtual void call_complete(void *p_instance, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error) const = 0;
+	virtual void call_complete(
+			void *p_instance, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error) const = 0;
 	virtual void call_pointers(void *p_instance, const GDExtensionConstTypePtr *p_arguments, void *r_result) const = 0;
 
 	static constexpr int MAX_ARGUMENTS = 16;
 
 protected:
-	template <typename T>
-	void add_argument() {
+	template <typename T> void add_argument() {
 		arguments.push_back(GetTypeInfo<T>::get_class_info());
 		argument_metadata.push_back(GetTypeInfo<T>::METADATA);
 	}
@@ -40,15 +40,13 @@ protected:
 namespace internal {
 
 // T: the class it is bound for, which may inherit the method.
-template <typename T, typename F>
-class MethodBindOf : public MethodBind {
+template <typename T, typename F> class MethodBindOf : public MethodBind {
 	using Traits = FunctionTraits<F>;
 	using Indices = std::make_index_sequence<parameter_count<F>>;
 	static_assert(parameter_count<F> <= MAX_ARGUMENTS);
 
 public:
-	explicit MethodBindOf(F p_function) :
-			_function(p_function) {
+	explicit MethodBindOf(F p_function) : _function(p_function) {
 		describe(Indices{});
 		if constexpr (!std::is_void_v<typename Traits::Result>) {
 			has_result = true;
@@ -63,7 +61,8 @@ public:
 		}
 	}
 
-	void call_complete(void *p_instance, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error) const override {
+	void call_complete(
+			void *p_instance, const Variant *const *p_arguments, Variant &r_result, GDExtensionCallError &r_error) const override {
 		call_with_variants(instance(p_instance), _function, p_arguments, r_result, r_error, Indices{});
 	}
 	void call_pointers(void *p_instance, const GDExtensionConstTypePtr *p_arguments, void *r_result) const override {
@@ -73,13 +72,8 @@ public:
 private:
 	F _function;
 
-	template <size_t... I>
-	void describe(std::index_sequence<I...>) {
-		(add_argument<Parameter<F, I>>(), ...);
-	}
-	static typename Traits::Class *instance(void *p_instance) {
-		return reinterpret_cast<typename Traits::Class *>(p_instance);
-	}
+	template <size_t... I> void describe(std::index_sequence<I...>) { (add_argument<Parameter<F, I>>(), ...); }
+	static typename Traits::Class *instance(void *p_instance) { return reinterpret_cast<typename Traits::Class *>(p_instance); }
 };
 
 } // namespace internal

@@ -13,7 +13,8 @@
 #define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
 #define ADD_SUBGROUP(m_name, m_prefix) ::godot::ClassDB::add_property_subgroup(get_class_static(), m_name, m_prefix)
 #define ADD_PROPERTY(m_property, m_setter, m_getter) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
-#define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter, m_index)
+#define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index)                                                                             \
+	::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter, m_index)
 
 namespace godot {
 
@@ -28,11 +29,9 @@ struct MethodInfo {
 
 	MethodInfo() = default;
 	template <typename... Arguments>
-	MethodInfo(const StringName &p_name, const Arguments &...p_arguments) :
-			name(p_name), arguments({ p_arguments... }) {}
+	MethodInfo(const StringName &p_name, const Arguments &...p_arguments) : name(p_name), arguments({ p_arguments... }) {}
 	template <typename... Arguments>
-	MethodInfo(const char *p_name, const Arguments &...p_arguments) :
-			name(p_name), arguments({ p_arguments... }) {}
+	MethodInfo(const char *p_name, const Arguments &...p_arguments) : name(p_name), arguments({ p_arguments... }) {}
 	template <typename... Arguments>
 	MethodInfo(Variant::Type p_result, const StringName &p_name, const Arguments &...p_arguments) :
 			name(p_name), arguments({ p_arguments... }) {
@@ -51,23 +50,19 @@ public:
 	}
 };
 
-template <typename T>
-T *Object::cast_to(Object *p_object) {
+template <typename T> T *Object::cast_to(Object *p_object) {
 	return dynamic_cast<T *>(p_object);
 }
-template <typename T>
-const T *Object::cast_to(const Object *p_object) {
+template <typename T> const T *Object::cast_to(const Object *p_object) {
 	return dynamic_cast<const T *>(p_object);
 }
 
 namespace internal {
 
-template <typename T>
-T *object_as(Object *p_object) {
+template <typename T> T *object_as(Object *p_object) {
 	return dynamic_cast<T *>(p_object);
 }
-template <typename T>
-GodotObject *owner_of(const T *p_object) {
+template <typename T> GodotObject *owner_of(const T *p_object) {
 	return p_object ? p_object->_owner : nullptr;
 }
 

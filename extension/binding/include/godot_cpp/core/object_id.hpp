@@ -9,10 +9,8 @@ namespace godot {
 class ObjectID {
 public:
 	ObjectID() = default;
-	explicit ObjectID(uint64_t p_id) :
-			_id(p_id) {}
-	explicit ObjectID(int64_t p_id) :
-			_id(static_cast<uint64_t>(p_id)) {}
+	explicit ObjectID(uint64_t p_id) : _id(p_id) {}
+	explicit ObjectID(int64_t p_id) : _id(static_cast<uint64_t>(p_id)) {}
 
 	bool is_ref_counted() const { return (_id >> 63) != 0; }
 	bool is_valid() const { return _id != 0; }

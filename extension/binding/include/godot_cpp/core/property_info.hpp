@@ -17,9 +17,11 @@ struct PropertyInfo {
 
 	PropertyInfo() = default;
 	PropertyInfo(Variant::Type p_type, const StringName &p_name, PropertyHint p_hint = PROPERTY_HINT_NONE,
-			const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT, const StringName &p_class_name = StringName());
+			const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT,
+			const StringName &p_class_name = StringName());
 	PropertyInfo(GDExtensionVariantType p_type, const StringName &p_name, PropertyHint p_hint = PROPERTY_HINT_NONE,
-			const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT, const StringName &p_class_name = StringName()) :
+			const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT,
+			const StringName &p_class_name = StringName()) :
 			PropertyInfo(static_cast<Variant::Type>(p_type), p_name, p_hint, p_hint_string, p_usage, p_class_name) {}
 	explicit PropertyInfo(const GDExtensionPropertyInfo *p_info);
 

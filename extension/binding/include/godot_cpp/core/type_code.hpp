@@ -10,29 +10,21 @@
 
 namespace godot {
 
-template <typename T>
-class Ref;
-template <typename T>
-class BitField;
-template <typename T>
-class TypedArray;
+template <typename T> class Ref;
+template <typename T> class BitField;
+template <typename T> class TypedArray;
 
 namespace internal {
 
 // Whatever is none of the below is taken for an object (or a pointer or Ref to one).
-template <typename T>
-inline constexpr GDExtensionVariantType builtin_code = GDEXTENSION_VARIANT_TYPE_OBJECT;
+template <typename T> inline constexpr GDExtensionVariantType builtin_code = GDEXTENSION_VARIANT_TYPE_OBJECT;
 
-template <>
-inline constexpr GDExtensionVariantType builtin_code<Variant> = GDEXTENSION_VARIANT_TYPE_NIL;
-template <typename T>
-inline constexpr GDExtensionVariantType builtin_code<BitField<T>> = GDEXTENSION_VARIANT_TYPE_INT;
-template <typename T>
-inline constexpr GDExtensionVariantType builtin_code<TypedArray<T>> = GDEXTENSION_VARIANT_TYPE_ARRAY;
+template <> inline constexpr GDExtensionVariantType builtin_code<Variant> = GDEXTENSION_VARIANT_TYPE_NIL;
+template <typename T> inline constexpr GDExtensionVariantType builtin_code<BitField<T>> = GDEXTENSION_VARIANT_TYPE_INT;
+template <typename T> inline constexpr GDExtensionVariantType builtin_code<TypedArray<T>> = GDEXTENSION_VARIANT_TYPE_ARRAY;
 
-#define GODOT_BUILTIN_CODE(m_type, m_code) \
-	template <> \
-	inline constexpr GDExtensionVariantType builtin_code<m_type> = GDEXTENSION_VARIANT_TYPE_##m_code;
+#define GODOT_BUILTIN_CODE(m_type, m_code)                                                                                                 \
+	template <> inline constexpr GDExtensionVariantType builtin_code<m_type> = GDEXTENSION_VARIANT_TYPE_##m_code;
 GODOT_BUILTIN_CODE(String, STRING)
 GODOT_BUILTIN_CODE(Vector2, VECTOR2)
 GODOT_BUILTIN_CODE(Vector2i, VECTOR2I)
@@ -69,8 +61,7 @@ GODOT_BUILTIN_CODE(PackedColorArray, PACKED_COLOR_ARRAY)
 GODOT_BUILTIN_CODE(PackedVector4Array, PACKED_VECTOR4_ARRAY)
 #undef GODOT_BUILTIN_CODE
 
-template <typename T>
-constexpr GDExtensionVariantType find_type_code() {
+template <typename T> constexpr GDExtensionVariantType find_type_code() {
 	if constexpr (std::is_same_v<T, bool>) {
 		return GDEXTENSION_VARIANT_TYPE_BOOL;
 	} else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
@@ -83,8 +74,7 @@ constexpr GDExtensionVariantType find_type_code() {
 }
 
 // Of a parameter or result type; references and const do not matter.
-template <typename T>
-inline constexpr GDExtensionVariantType type_code = find_type_code<std::remove_cvref_t<T>>();
+template <typename T> inline constexpr GDExtensionVariantType type_code = find_type_code<std::remove_cvref_t<T>>();
 
 } // namespace internal
 

@@ -8,11 +8,9 @@
 namespace godot {
 
 // A set of flags of one enum.
-template <typename T>
-class BitField {
+template <typename T> class BitField {
 public:
-	BitField(int64_t p_value) :
-			_value(p_value) {}
+	BitField(int64_t p_value) : _value(p_value) {}
 	void set_flag(T p_flag) { _value |= int64_t(p_flag); }
 	bool has_flag(T p_flag) const { return _value & int64_t(p_flag); }
 	void clear_flag(T p_flag) { _value &= ~int64_t(p_flag); }
@@ -26,18 +24,14 @@ private:
 namespace internal {
 
 // Says the C++ name of an enum, once VARIANT_ENUM_CAST stood after it.
-template <typename T>
-inline constexpr const char *enum_name = nullptr;
-template <typename T>
-inline constexpr bool is_bitfield = false;
-template <typename T>
-inline constexpr bool is_bitfield<BitField<T>> = true;
+template <typename T> inline constexpr const char *enum_name = nullptr;
+template <typename T> inline constexpr bool is_bitfield = false;
+template <typename T> inline constexpr bool is_bitfield<BitField<T>> = true;
 
 // "grass::GrassField::Mode" is GrassField.Mode to the engine.
 StringName engine_enum_name(const char *p_qualified);
 
-template <typename T>
-constexpr GDExtensionClassMethodArgumentMetadata number_metadata() {
+template <typename T> constexpr GDExtensionClassMethodArgumentMetadata number_metadata() {
 	if constexpr (std::is_same_v<T, bool>) {
 		return GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE;
 	} else if constexpr (std::is_integral_v<T>) {
@@ -62,31 +56,25 @@ constexpr GDExtensionClassMethodArgumentMetadata number_metadata() {
 }
 
 // The class that a pointer, Ref or TypedArray element names; void for anything else.
-template <typename T>
-struct NamedClass {
+template <typename T> struct NamedClass {
 	using Type = void;
 };
-template <typename T>
-struct NamedClass<T *> {
+template <typename T> struct NamedClass<T *> {
 	using Type = std::remove_const_t<T>;
 };
-template <typename T>
-struct NamedClass<Ref<T>> {
+template <typename T> struct NamedClass<Ref<T>> {
 	using Type = T;
 };
-template <typename T>
-struct Element {
+template <typename T> struct Element {
 	using Type = void;
 };
-template <typename T>
-struct Element<TypedArray<T>> {
+template <typename T> struct Element<TypedArray<T>> {
 	using Type = T;
 };
 
 } // namespace internal
 
-template <typename T>
-struct GetTypeInfo {
+template <typename T> struct GetTypeInfo {
 	using Bare = std::remove_cvref_t<T>;
 	static constexpr GDExtensionVariantType VARIANT_TYPE = internal::type_code<T>;
 	static constexpr GDExtensionClassMethodArgumentMetadata METADATA = internal::number_metadata<Bare>();
@@ -118,15 +106,12 @@ struct GetTypeInfo {
 
 } // namespace godot
 
-#define VARIANT_ENUM_CAST(m_enum) \
-	namespace godot { \
-	template <> \
-	inline constexpr const char *internal::enum_name<m_enum> = #m_enum; \
+#define VARIANT_ENUM_CAST(m_enum)                                                                                                          \
+	namespace godot {                                                                                                                      \
+	template <> inline constexpr const char *internal::enum_name<m_enum> = #m_enum;                                                        \
 	}
-#define VARIANT_BITFIELD_CAST(m_enum) \
-	namespace godot { \
-	template <> \
-	inline constexpr const char *internal::enum_name<m_enum> = #m_enum; \
-	template <> \
-	inline constexpr const char *internal::enum_name<BitField<m_enum>> = #m_enum; \
+#define VARIANT_BITFIELD_CAST(m_enum)                                                                                                      \
+	namespace godot {                                                                                                                      \
+	template <> inline constexpr const char *internal::enum_name<m_enum> = #m_enum;                                                        \
+	template <> inline constexpr const char *internal::enum_name<BitField<m_enum>> = #m_enum;                                              \
 	}

@@ -9,10 +9,10 @@ namespace godot::internal {
 void bind_virtual_method(const StringName &p_class, const char *p_method, GDExtensionClassCallVirtual p_call, uint32_t p_hash);
 
 // Binds T's method if T itself overrides Base's: only then does its pointer name another class.
-template <typename T, auto METHOD, auto BASE_METHOD>
-void bind_virtual(const char *p_name, uint32_t p_hash) {
+template <typename T, auto METHOD, auto BASE_METHOD> void bind_virtual(const char *p_name, uint32_t p_hash) {
 	if constexpr (!std::is_same_v<decltype(METHOD), decltype(BASE_METHOD)>) {
-		const GDExtensionClassCallVirtual call = [](GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
+		const GDExtensionClassCallVirtual call = [](GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments,
+														 GDExtensionTypePtr r_result) {
 			call_with_ptr_args(reinterpret_cast<T *>(p_instance), METHOD, p_arguments, r_result);
 		};
 		bind_virtual_method(T::get_class_static(), p_name, call, p_hash);

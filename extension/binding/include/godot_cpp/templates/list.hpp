@@ -6,8 +6,7 @@
 
 namespace godot {
 
-template <typename T>
-class List {
+template <typename T> class List {
 public:
 	void push_back(const T &p_value) { _values.push_back(p_value); }
 	void push_front(const T &p_value) { _values.push_front(p_value); }

@@ -8,12 +8,10 @@
 
 namespace godot {
 
-template <typename T>
-class LocalVector {
+template <typename T> class LocalVector {
 public:
 	LocalVector() = default;
-	LocalVector(std::initializer_list<T> p_values) :
-			_values(p_values) {}
+	LocalVector(std::initializer_list<T> p_values) : _values(p_values) {}
 
 	void push_back(const T &p_value) { _values.push_back(p_value); }
 	void resize(uint32_t p_size) { _values.resize(p_size); }

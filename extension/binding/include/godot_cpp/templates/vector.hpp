@@ -8,12 +8,10 @@
 
 namespace godot {
 
-template <typename T>
-class Vector {
+template <typename T> class Vector {
 public:
 	Vector() = default;
-	Vector(std::initializer_list<T> p_values) :
-			_values(p_values) {}
+	Vector(std::initializer_list<T> p_values) : _values(p_values) {}
 
 	void push_back(const T &p_value) { _values.push_back(p_value); }
 	void resize(int64_t p_size) { _values.resize(p_size); }

@@ -12,8 +12,7 @@ struct AABB {
 	Vector3 size;
 
 	constexpr AABB() = default;
-	constexpr AABB(const Vector3 &p_position, const Vector3 &p_size) :
-			position(p_position), size(p_size) {}
+	constexpr AABB(const Vector3 &p_position, const Vector3 &p_size) : position(p_position), size(p_size) {}
 
 	const Vector3 &get_position() const { return position; }
 	void set_position(const Vector3 &p_position) { position = p_position; }
@@ -29,17 +28,20 @@ struct AABB {
 
 	bool has_point(const Vector3 &p_point) const {
 		const Vector3 end = get_end();
-		return p_point.x >= position.x && p_point.y >= position.y && p_point.z >= position.z && p_point.x <= end.x && p_point.y <= end.y && p_point.z <= end.z;
+		return p_point.x >= position.x && p_point.y >= position.y && p_point.z >= position.z && p_point.x <= end.x && p_point.y <= end.y &&
+				p_point.z <= end.z;
 	}
 	bool intersects(const AABB &p_box) const {
 		const Vector3 end = get_end();
 		const Vector3 other = p_box.get_end();
-		return position.x < other.x && end.x > p_box.position.x && position.y < other.y && end.y > p_box.position.y && position.z < other.z && end.z > p_box.position.z;
+		return position.x < other.x && end.x > p_box.position.x && position.y < other.y && end.y > p_box.position.y &&
+				position.z < other.z && end.z > p_box.position.z;
 	}
 	bool intersects_inclusive(const AABB &p_box) const {
 		const Vector3 end = get_end();
 		const Vector3 other = p_box.get_end();
-		return position.x <= other.x && end.x >= p_box.position.x && position.y <= other.y && end.y >= p_box.position.y && position.z <= other.z && end.z >= p_box.position.z;
+		return position.x <= other.x && end.x >= p_box.position.x && position.y <= other.y && end.y >= p_box.position.y &&
+				position.z <= other.z && end.z >= p_box.position.z;
 	}
 	// Where the line enters and the side of the box there, if asked for. A ray has one direction, a segment two ends.
 	bool intersects_segment(const Vector3 &p_from, const Vector3 &p_to, Vector3 *r_point = nullptr, Vector3 *r_normal = nullptr) const {
@@ -55,7 +57,8 @@ struct AABB {
 	bool encloses(const AABB &p_box) const {
 		const Vector3 end = get_end();
 		const Vector3 other = p_box.get_end();
-		return position.x <= p_box.position.x && position.y <= p_box.position.y && position.z <= p_box.position.z && end.x >= other.x && end.y >= other.y && end.z >= other.z;
+		return position.x <= p_box.position.x && position.y <= p_box.position.y && position.z <= p_box.position.z && end.x >= other.x &&
+				end.y >= other.y && end.z >= other.z;
 	}
 	AABB merge(const AABB &p_box) const {
 		const Vector3 low = position.min(p_box.position);
@@ -75,10 +78,12 @@ struct AABB {
 	AABB grow(real_t p_by) const { return AABB(position - Vector3(p_by, p_by, p_by), size + Vector3(p_by, p_by, p_by) * 2); }
 	void grow_by(real_t p_by) { *this = grow(p_by); }
 	Vector3 get_endpoint(int p_index) const {
-		return Vector3(position.x + (p_index & 4 ? size.x : 0), position.y + (p_index & 2 ? size.y : 0), position.z + (p_index & 1 ? size.z : 0));
+		return Vector3(
+				position.x + (p_index & 4 ? size.x : 0), position.y + (p_index & 2 ? size.y : 0), position.z + (p_index & 1 ? size.z : 0));
 	}
 	Vector3 get_support(const Vector3 &p_direction) const {
-		return Vector3(position.x + (p_direction.x > 0 ? size.x : 0), position.y + (p_direction.y > 0 ? size.y : 0), position.z + (p_direction.z > 0 ? size.z : 0));
+		return Vector3(position.x + (p_direction.x > 0 ? size.x : 0), position.y + (p_direction.y > 0 ? size.y : 0),
+				position.z + (p_direction.z > 0 ? size.z : 0));
 	}
 	int get_longest_axis_index() const { return size.max_axis_index(); }
 	real_t get_longest_axis_size() const { return MAX(size.x, MAX(size.y, size.z)); }

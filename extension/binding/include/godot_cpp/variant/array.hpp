@@ -25,8 +25,7 @@ public:
 	Array(const PackedColorArray &p_from);
 	Array(const PackedVector4Array &p_from);
 
-	template <typename... Arguments>
-	static Array make(const Arguments &...p_values);
+	template <typename... Arguments> static Array make(const Arguments &...p_values);
 
 	Variant &operator[](int64_t p_index);
 	const Variant &operator[](int64_t p_index) const;

@@ -79,7 +79,9 @@ struct Basis {
 	void get_axis_angle(Vector3 &r_axis, real_t &r_angle) const { get_quaternion().get_axis_angle(r_axis, r_angle); }
 	Basis lerp(const Basis &p_to, real_t p_weight) const { return *this + (p_to - *this) * p_weight; }
 	void set_euler(const Vector3 &p_euler, EulerOrder p_order = EULER_ORDER_YXZ) { *this = from_euler(p_euler, p_order); }
-	bool is_equal_approx(const Basis &p_b) const { return rows[0].is_equal_approx(p_b.rows[0]) && rows[1].is_equal_approx(p_b.rows[1]) && rows[2].is_equal_approx(p_b.rows[2]); }
+	bool is_equal_approx(const Basis &p_b) const {
+		return rows[0].is_equal_approx(p_b.rows[0]) && rows[1].is_equal_approx(p_b.rows[1]) && rows[2].is_equal_approx(p_b.rows[2]);
+	}
 	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }
 
 	operator Quaternion() const { return get_quaternion(); }
@@ -118,9 +120,8 @@ inline void Basis::set_quaternion(const Quaternion &p_rotation) {
 	const Quaternion &q = p_rotation;
 	const real_t s = 2 / q.length_squared();
 	const Vector3 v = Vector3(q.x, q.y, q.z) * s;
-	*this = Basis(1 - (q.y * v.y + q.z * v.z), q.x * v.y - q.w * v.z, q.x * v.z + q.w * v.y,
-			q.x * v.y + q.w * v.z, 1 - (q.x * v.x + q.z * v.z), q.y * v.z - q.w * v.x,
-			q.x * v.z - q.w * v.y, q.y * v.z + q.w * v.x, 1 - (q.x * v.x + q.y * v.y));
+	*this = Basis(1 - (q.y * v.y + q.z * v.z), q.x * v.y - q.w * v.z, q.x * v.z + q.w * v.y, q.x * v.y + q.w * v.z,
+			1 - (q.x * v.x + q.z * v.z), q.y * v.z - q.w * v.x, q.x * v.z - q.w * v.y, q.y * v.z + q.w * v.x, 1 - (q.x * v.x + q.y * v.y));
 }
 
 } // namespace godot

@@ -2,8 +2,8 @@
 // Something to call: a method of an object, or code of ours (callable_mp).
 #pragma once
 
-#include <godot_cpp/variant/variant_pointers.hpp>
 #include <godot_cpp/variant/string_name.hpp>
+#include <godot_cpp/variant/variant_pointers.hpp>
 
 namespace godot {
 

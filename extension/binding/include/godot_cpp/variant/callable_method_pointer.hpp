@@ -24,8 +24,7 @@ Callable make_callable(CallableMethod *p_method);
 // Whether the count fits; marks the error otherwise.
 bool check_argument_count(int64_t p_count, int64_t p_expected, GDExtensionCallError &r_error);
 
-template <typename T, typename F>
-class CallableMethodOf : public CallableMethod {
+template <typename T, typename F> class CallableMethodOf : public CallableMethod {
 public:
 	CallableMethodOf(T *p_object, F p_function) {
 		memset(static_cast<void *>(&_target), 0, sizeof(_target));
@@ -53,13 +52,11 @@ private:
 	} _target;
 };
 
-template <typename T, typename F>
-Callable callable_of(T *p_object, F p_function) {
+template <typename T, typename F> Callable callable_of(T *p_object, F p_function) {
 	using Target = std::remove_const_t<T>;
 	return make_callable(memnew((CallableMethodOf<Target, F>)(const_cast<Target *>(p_object), p_function)));
 }
-template <typename F>
-Callable callable_of_static(F p_function) {
+template <typename F> Callable callable_of_static(F p_function) {
 	return make_callable(memnew((CallableMethodOf<void, F>)(nullptr, p_function)));
 }
 

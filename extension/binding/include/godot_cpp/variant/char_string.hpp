@@ -8,12 +8,10 @@
 
 namespace godot {
 
-template <typename T>
-class CharStringT {
+template <typename T> class CharStringT {
 public:
 	CharStringT() = default;
-	explicit CharStringT(std::basic_string<T> p_text) :
-			_text(std::move(p_text)) {}
+	explicit CharStringT(std::basic_string<T> p_text) : _text(std::move(p_text)) {}
 
 	const T *get_data() const { return _text.c_str(); }
 	const T *ptr() const { return _text.c_str(); }

@@ -15,12 +15,9 @@ struct Color {
 		float components[4];
 	};
 
-	constexpr Color() :
-			r(0), g(0), b(0), a(1) {}
-	constexpr Color(float p_r, float p_g, float p_b, float p_a = 1) :
-			r(p_r), g(p_g), b(p_b), a(p_a) {}
-	constexpr Color(const Color &p_color, float p_a) :
-			r(p_color.r), g(p_color.g), b(p_color.b), a(p_a) {}
+	constexpr Color() : r(0), g(0), b(0), a(1) {}
+	constexpr Color(float p_r, float p_g, float p_b, float p_a = 1) : r(p_r), g(p_g), b(p_b), a(p_a) {}
+	constexpr Color(const Color &p_color, float p_a) : r(p_color.r), g(p_color.g), b(p_color.b), a(p_a) {}
 	// A name or #rrggbb.
 	Color(const String &p_code);
 	Color(const char *p_code);
@@ -42,7 +39,10 @@ struct Color {
 	constexpr bool operator==(const Color &p_c) const { return r == p_c.r && g == p_c.g && b == p_c.b && a == p_c.a; }
 	constexpr bool operator!=(const Color &p_c) const { return !(*this == p_c); }
 	Color lerp(const Color &p_to, float p_weight) const { return *this + (p_to - *this) * p_weight; }
-	bool is_equal_approx(const Color &p_c) const { return Math::is_equal_approx(r, p_c.r) && Math::is_equal_approx(g, p_c.g) && Math::is_equal_approx(b, p_c.b) && Math::is_equal_approx(a, p_c.a); }
+	bool is_equal_approx(const Color &p_c) const {
+		return Math::is_equal_approx(r, p_c.r) && Math::is_equal_approx(g, p_c.g) && Math::is_equal_approx(b, p_c.b) &&
+				Math::is_equal_approx(a, p_c.a);
+	}
 
 	operator String() const;
 

@@ -9,15 +9,12 @@ namespace godot {
 class NodePath : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_NODE_PATH, 1> {
 public:
 	NodePath() = default;
-	NodePath(const String &p_from) :
-			Opaque(2, &p_from) {}
-	NodePath(const char *p_from) :
-			NodePath(String(p_from)) {}
+	NodePath(const String &p_from) : Opaque(2, &p_from) {}
+	NodePath(const char *p_from) : NodePath(String(p_from)) {}
 
 #include <godot_cpp/variant/gen/node_path.inc>
 };
 
-inline String::String(const NodePath &p_from) :
-		Opaque(3, &p_from) {}
+inline String::String(const NodePath &p_from) : Opaque(3, &p_from) {}
 
 } // namespace godot

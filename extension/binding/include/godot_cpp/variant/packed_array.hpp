@@ -14,8 +14,7 @@ namespace godot::internal {
 const void *packed_read(GDExtensionVariantType p_type, const void *p_array);
 void *packed_write(GDExtensionVariantType p_type, void *p_array);
 
-template <typename Self, typename Element, GDExtensionVariantType TYPE>
-class PackedArray : public Opaque<TYPE, 2> {
+template <typename Self, typename Element, GDExtensionVariantType TYPE> class PackedArray : public Opaque<TYPE, 2> {
 public:
 	PackedArray() = default;
 	PackedArray(std::initializer_list<Element> p_values) {
@@ -42,8 +41,7 @@ public:
 	const Element *end() const { return ptr() + count(); }
 
 protected:
-	explicit PackedArray(int p_constructor, const Array *p_from) :
-			Opaque<TYPE, 2>(p_constructor, p_from) {}
+	explicit PackedArray(int p_constructor, const Array *p_from) : Opaque<TYPE, 2>(p_constructor, p_from) {}
 
 private:
 	Self &self() { return static_cast<Self &>(*this); }

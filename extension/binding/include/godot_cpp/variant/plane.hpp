@@ -12,12 +12,9 @@ struct Plane {
 	real_t d = 0;
 
 	constexpr Plane() = default;
-	constexpr Plane(real_t p_a, real_t p_b, real_t p_c, real_t p_d) :
-			normal(p_a, p_b, p_c), d(p_d) {}
-	constexpr Plane(const Vector3 &p_normal, real_t p_d = 0) :
-			normal(p_normal), d(p_d) {}
-	Plane(const Vector3 &p_normal, const Vector3 &p_point) :
-			normal(p_normal), d(p_normal.dot(p_point)) {}
+	constexpr Plane(real_t p_a, real_t p_b, real_t p_c, real_t p_d) : normal(p_a, p_b, p_c), d(p_d) {}
+	constexpr Plane(const Vector3 &p_normal, real_t p_d = 0) : normal(p_normal), d(p_d) {}
+	Plane(const Vector3 &p_normal, const Vector3 &p_point) : normal(p_normal), d(p_normal.dot(p_point)) {}
 	Plane(const Vector3 &p_a, const Vector3 &p_b, const Vector3 &p_c, ClockDirection p_direction = CLOCKWISE) {
 		normal = (p_direction == CLOCKWISE ? (p_a - p_c).cross(p_a - p_b) : (p_a - p_b).cross(p_a - p_c)).normalized();
 		d = normal.dot(p_a);
@@ -29,7 +26,9 @@ struct Plane {
 	real_t distance_to(const Vector3 &p_point) const { return normal.dot(p_point) - d; }
 	bool is_point_over(const Vector3 &p_point) const { return normal.dot(p_point) > d; }
 	Vector3 project(const Vector3 &p_point) const { return p_point - normal * distance_to(p_point); }
-	bool has_point(const Vector3 &p_point, real_t p_tolerance = real_t(CMP_EPSILON)) const { return Math::abs(distance_to(p_point)) <= p_tolerance; }
+	bool has_point(const Vector3 &p_point, real_t p_tolerance = real_t(CMP_EPSILON)) const {
+		return Math::abs(distance_to(p_point)) <= p_tolerance;
+	}
 	// The point goes to r_point where there is one. A ray has one direction, a segment two ends.
 	bool intersect_3(const Plane &p_b, const Plane &p_c, Vector3 *r_point = nullptr) const;
 	bool intersects_ray(const Vector3 &p_from, const Vector3 &p_direction, Vector3 *r_point) const;

@@ -22,8 +22,7 @@ struct Projection {
 	Vector4 columns[4] = { Vector4(1, 0, 0, 0), Vector4(0, 1, 0, 0), Vector4(0, 0, 1, 0), Vector4(0, 0, 0, 1) };
 
 	constexpr Projection() = default;
-	constexpr Projection(const Vector4 &p_x, const Vector4 &p_y, const Vector4 &p_z, const Vector4 &p_w) :
-			columns{ p_x, p_y, p_z, p_w } {}
+	constexpr Projection(const Vector4 &p_x, const Vector4 &p_y, const Vector4 &p_z, const Vector4 &p_w) : columns{ p_x, p_y, p_z, p_w } {}
 	Projection(const Transform3D &p_transform);
 
 	Vector4 &operator[](int p_column) { return columns[p_column]; }
@@ -36,7 +35,9 @@ struct Projection {
 	}
 	Vector4 operator*(const Vector4 &p_v) const { return xform(p_v); }
 	Projection operator*(const Projection &p_m) const { return Projection(xform(p_m[0]), xform(p_m[1]), xform(p_m[2]), xform(p_m[3])); }
-	bool operator==(const Projection &p_m) const { return columns[0] == p_m[0] && columns[1] == p_m[1] && columns[2] == p_m[2] && columns[3] == p_m[3]; }
+	bool operator==(const Projection &p_m) const {
+		return columns[0] == p_m[0] && columns[1] == p_m[1] && columns[2] == p_m[2] && columns[3] == p_m[3];
+	}
 	bool operator!=(const Projection &p_m) const { return !(*this == p_m); }
 
 	operator Transform3D() const;

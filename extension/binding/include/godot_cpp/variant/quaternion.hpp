@@ -14,10 +14,8 @@ struct Quaternion {
 		real_t components[4];
 	};
 
-	constexpr Quaternion() :
-			x(0), y(0), z(0), w(1) {}
-	constexpr Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) :
-			x(p_x), y(p_y), z(p_z), w(p_w) {}
+	constexpr Quaternion() : x(0), y(0), z(0), w(1) {}
+	constexpr Quaternion(real_t p_x, real_t p_y, real_t p_z, real_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
 	// The axis must be of length 1.
 	Quaternion(const Vector3 &p_axis, real_t p_angle) {
 		const Vector3 v = p_axis * std::sin(p_angle / 2);
@@ -35,10 +33,8 @@ struct Quaternion {
 	constexpr Quaternion operator/(real_t p_s) const { return *this * (1 / p_s); }
 	constexpr Quaternion operator-() const { return Quaternion(-x, -y, -z, -w); }
 	constexpr Quaternion operator*(const Quaternion &p_q) const {
-		return Quaternion(w * p_q.x + x * p_q.w + y * p_q.z - z * p_q.y,
-				w * p_q.y + y * p_q.w + z * p_q.x - x * p_q.z,
-				w * p_q.z + z * p_q.w + x * p_q.y - y * p_q.x,
-				w * p_q.w - x * p_q.x - y * p_q.y - z * p_q.z);
+		return Quaternion(w * p_q.x + x * p_q.w + y * p_q.z - z * p_q.y, w * p_q.y + y * p_q.w + z * p_q.x - x * p_q.z,
+				w * p_q.z + z * p_q.w + x * p_q.y - y * p_q.x, w * p_q.w - x * p_q.x - y * p_q.y - z * p_q.z);
 	}
 	Quaternion &operator+=(const Quaternion &p_q) { return *this = *this + p_q; }
 	Quaternion &operator-=(const Quaternion &p_q) { return *this = *this - p_q; }
@@ -67,7 +63,8 @@ struct Quaternion {
 		r_angle = get_angle();
 	}
 	bool is_equal_approx(const Quaternion &p_q) const {
-		return Math::is_equal_approx(x, p_q.x) && Math::is_equal_approx(y, p_q.y) && Math::is_equal_approx(z, p_q.z) && Math::is_equal_approx(w, p_q.w);
+		return Math::is_equal_approx(x, p_q.x) && Math::is_equal_approx(y, p_q.y) && Math::is_equal_approx(z, p_q.z) &&
+				Math::is_equal_approx(w, p_q.w);
 	}
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z) && Math::is_finite(w); }
 
@@ -76,13 +73,16 @@ struct Quaternion {
 #include <godot_cpp/variant/gen/quaternion.inc>
 };
 
-constexpr Quaternion operator*(real_t p_s, const Quaternion &p_q) { return p_q * p_s; }
+constexpr Quaternion operator*(real_t p_s, const Quaternion &p_q) {
+	return p_q * p_s;
+}
 
 inline Quaternion::Quaternion(const Vector3 &p_from, const Vector3 &p_to) {
 	const Vector3 axis = p_from.cross(p_to);
 	const real_t cosine = p_from.dot(p_to);
 	if (cosine < -1 + real_t(CMP_EPSILON)) { // opposite: any axis across
-		const Vector3 side = (Math::abs(p_from.x) <= Math::abs(p_from.y) && Math::abs(p_from.x) <= Math::abs(p_from.z) ? Vector3(1, 0, 0) : Vector3(0, 1, 0));
+		const Vector3 side = (Math::abs(p_from.x) <= Math::abs(p_from.y) && Math::abs(p_from.x) <= Math::abs(p_from.z) ? Vector3(1, 0, 0)
+																													   : Vector3(0, 1, 0));
 		const Vector3 v = p_from.cross(side).normalized();
 		*this = Quaternion(v.x, v.y, v.z, 0);
 	} else {

@@ -11,10 +11,8 @@ struct Rect2 {
 	Vector2 size;
 
 	constexpr Rect2() = default;
-	constexpr Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height) :
-			position(p_x, p_y), size(p_width, p_height) {}
-	constexpr Rect2(const Vector2 &p_position, const Vector2 &p_size) :
-			position(p_position), size(p_size) {}
+	constexpr Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height) : position(p_x, p_y), size(p_width, p_height) {}
+	constexpr Rect2(const Vector2 &p_position, const Vector2 &p_size) : position(p_position), size(p_size) {}
 
 	const Vector2 &get_position() const { return position; }
 	void set_position(const Vector2 &p_position) { position = p_position; }

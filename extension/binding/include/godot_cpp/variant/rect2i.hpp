@@ -12,10 +12,8 @@ struct Rect2i {
 	Vector2i size;
 
 	constexpr Rect2i() = default;
-	constexpr Rect2i(int32_t p_x, int32_t p_y, int32_t p_width, int32_t p_height) :
-			position(p_x, p_y), size(p_width, p_height) {}
-	constexpr Rect2i(const Vector2i &p_position, const Vector2i &p_size) :
-			position(p_position), size(p_size) {}
+	constexpr Rect2i(int32_t p_x, int32_t p_y, int32_t p_width, int32_t p_height) : position(p_x, p_y), size(p_width, p_height) {}
+	constexpr Rect2i(const Vector2i &p_position, const Vector2i &p_size) : position(p_position), size(p_size) {}
 
 	const Vector2i &get_position() const { return position; }
 	void set_position(const Vector2i &p_position) { position = p_position; }

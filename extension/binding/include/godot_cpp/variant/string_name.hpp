@@ -11,12 +11,10 @@ namespace godot {
 class StringName : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, 1> {
 public:
 	StringName() = default;
-	StringName(const String &p_from) :
-			Opaque(2, &p_from) {}
+	StringName(const String &p_from) : Opaque(2, &p_from) {}
 	// Latin-1. p_static: the text outlives the program, so the engine need not copy it.
 	StringName(const char *p_text, bool p_static = false);
-	StringName(const char32_t *p_text) :
-			StringName(String(p_text)) {}
+	StringName(const char32_t *p_text) : StringName(String(p_text)) {}
 
 	bool operator==(const StringName &p_other) const { return _storage[0] == p_other._storage[0]; }
 	bool operator!=(const StringName &p_other) const { return _storage[0] != p_other._storage[0]; }
@@ -42,8 +40,7 @@ inline String operator+(const char *p_a, const StringName &p_b) {
 	return String(p_a) + String(p_b);
 }
 
-inline String::String(const StringName &p_from) :
-		Opaque(2, &p_from) {}
+inline String::String(const StringName &p_from) : Opaque(2, &p_from) {}
 inline bool String::operator==(const StringName &p_other) const {
 	return *this == String(p_other);
 }

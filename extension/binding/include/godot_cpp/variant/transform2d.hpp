@@ -13,8 +13,7 @@ struct Transform2D {
 	constexpr Transform2D() = default;
 	constexpr Transform2D(real_t p_xx, real_t p_xy, real_t p_yx, real_t p_yy, real_t p_ox, real_t p_oy) :
 			columns{ Vector2(p_xx, p_xy), Vector2(p_yx, p_yy), Vector2(p_ox, p_oy) } {}
-	constexpr Transform2D(const Vector2 &p_x, const Vector2 &p_y, const Vector2 &p_origin) :
-			columns{ p_x, p_y, p_origin } {}
+	constexpr Transform2D(const Vector2 &p_x, const Vector2 &p_y, const Vector2 &p_origin) : columns{ p_x, p_y, p_origin } {}
 	Transform2D(real_t p_angle, const Vector2 &p_origin) :
 			columns{ Vector2(std::cos(p_angle), std::sin(p_angle)), Vector2(-std::sin(p_angle), std::cos(p_angle)), p_origin } {}
 

@@ -8,8 +8,7 @@
 
 namespace godot {
 
-template <typename T>
-class TypedArray : public Array {
+template <typename T> class TypedArray : public Array {
 public:
 	TypedArray() { set_element_type(); }
 	TypedArray(const TypedArray &) = default;
@@ -21,10 +20,8 @@ public:
 			assign(p_array);
 		}
 	}
-	TypedArray(const Variant &p_value) :
-			TypedArray(Array(p_value)) {}
-	TypedArray(std::initializer_list<Variant> p_values) :
-			TypedArray(Array(p_values)) {}
+	TypedArray(const Variant &p_value) : TypedArray(Array(p_value)) {}
+	TypedArray(std::initializer_list<Variant> p_values) : TypedArray(Array(p_values)) {}
 
 	TypedArray &operator=(const TypedArray &) = default;
 	void operator=(const Array &p_array) {

@@ -87,8 +87,7 @@ public:
 	static_assert(int(OP_MAX) == int(GDEXTENSION_VARIANT_OP_MAX));
 
 	Variant();
-	Variant(std::nullptr_t) :
-			Variant() {}
+	Variant(std::nullptr_t) : Variant() {}
 	Variant(const Variant &p_other);
 	Variant(Variant &&p_other) noexcept;
 	~Variant();
@@ -97,29 +96,18 @@ public:
 
 	Variant(bool p_value);
 	Variant(int64_t p_value);
-	Variant(int32_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(int16_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(int8_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(uint64_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(uint32_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(uint16_t p_value) :
-			Variant(int64_t(p_value)) {}
-	Variant(uint8_t p_value) :
-			Variant(int64_t(p_value)) {}
+	Variant(int32_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(int16_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(int8_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(uint64_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(uint32_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(uint16_t p_value) : Variant(int64_t(p_value)) {}
+	Variant(uint8_t p_value) : Variant(int64_t(p_value)) {}
 	Variant(double p_value);
-	Variant(float p_value) :
-			Variant(double(p_value)) {}
-	Variant(const char *p_value) :
-			Variant(String(p_value)) {}
-	Variant(const char32_t *p_value) :
-			Variant(String(p_value)) {}
-	Variant(const ObjectID &p_value) :
-			Variant(int64_t(p_value)) {}
+	Variant(float p_value) : Variant(double(p_value)) {}
+	Variant(const char *p_value) : Variant(String(p_value)) {}
+	Variant(const char32_t *p_value) : Variant(String(p_value)) {}
+	Variant(const ObjectID &p_value) : Variant(int64_t(p_value)) {}
 	Variant(const Object *p_value);
 
 	operator bool() const;
@@ -136,8 +124,8 @@ public:
 	operator ObjectID() const;
 	operator Object *() const { return get_validated_object(); }
 
-#define GODOT_VARIANT_BUILTIN(m_type) \
-	Variant(const m_type &p_value); \
+#define GODOT_VARIANT_BUILTIN(m_type)                                                                                                      \
+	Variant(const m_type &p_value);                                                                                                        \
 	operator m_type() const;
 #include <godot_cpp/variant/variant_builtins.inc>
 #undef GODOT_VARIANT_BUILTIN
@@ -155,8 +143,7 @@ public:
 	static void evaluate(const Operator &p_operator, const Variant &p_a, const Variant &p_b, Variant &r_result, bool &r_valid);
 
 	void callp(const StringName &p_method, const Variant **p_arguments, int p_count, Variant &r_result, GDExtensionCallError &r_error);
-	template <typename... Arguments>
-	Variant call(const StringName &p_method, const Arguments &...p_arguments) {
+	template <typename... Arguments> Variant call(const StringName &p_method, const Arguments &...p_arguments) {
 		const Variant values[] = { Variant(p_arguments)..., Variant() };
 		Variant result;
 		GDExtensionCallError error;
@@ -186,14 +173,12 @@ private:
 	uint64_t _storage[3]; // the single-precision engine's size
 };
 
-template <typename... Arguments>
-Array Array::make(const Arguments &...p_values) {
+template <typename... Arguments> Array Array::make(const Arguments &...p_values) {
 	return Array{ Variant(p_values)... };
 }
 
 // "%s is %d years old" and so on.
-template <typename... Arguments>
-String vformat(const String &p_text, const Arguments &...p_values) {
+template <typename... Arguments> String vformat(const String &p_text, const Arguments &...p_values) {
 	return p_text % Variant(Array::make(p_values...));
 }
 

@@ -23,10 +23,8 @@ struct Vector2 {
 		real_t coord[2];
 	};
 
-	constexpr Vector2() :
-			x(0), y(0) {}
-	constexpr Vector2(real_t p_x, real_t p_y) :
-			x(p_x), y(p_y) {}
+	constexpr Vector2() : x(0), y(0) {}
+	constexpr Vector2(real_t p_x, real_t p_y) : x(p_x), y(p_y) {}
 
 	real_t &operator[](int p_axis) { return coord[p_axis]; }
 	const real_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -67,7 +65,9 @@ struct Vector2 {
 	Vector2 round() const { return Vector2(std::round(x), std::round(y)); }
 	Vector2 min(const Vector2 &p_v) const { return Vector2(MIN(x, p_v.x), MIN(y, p_v.y)); }
 	Vector2 max(const Vector2 &p_v) const { return Vector2(MAX(x, p_v.x), MAX(y, p_v.y)); }
-	Vector2 clamp(const Vector2 &p_min, const Vector2 &p_max) const { return Vector2(CLAMP(x, p_min.x, p_max.x), CLAMP(y, p_min.y, p_max.y)); }
+	Vector2 clamp(const Vector2 &p_min, const Vector2 &p_max) const {
+		return Vector2(CLAMP(x, p_min.x, p_max.x), CLAMP(y, p_min.y, p_max.y));
+	}
 	bool is_equal_approx(const Vector2 &p_v) const { return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y); }
 	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y); }
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y); }
@@ -81,10 +81,18 @@ struct Vector2 {
 using Size2 = Vector2;
 using Point2 = Vector2;
 
-constexpr Vector2 operator*(float p_s, const Vector2 &p_v) { return p_v * p_s; }
-constexpr Vector2 operator*(double p_s, const Vector2 &p_v) { return p_v * real_t(p_s); }
-constexpr Vector2 operator*(int32_t p_s, const Vector2 &p_v) { return p_v * real_t(p_s); }
-constexpr Vector2 operator*(int64_t p_s, const Vector2 &p_v) { return p_v * real_t(p_s); }
+constexpr Vector2 operator*(float p_s, const Vector2 &p_v) {
+	return p_v * p_s;
+}
+constexpr Vector2 operator*(double p_s, const Vector2 &p_v) {
+	return p_v * real_t(p_s);
+}
+constexpr Vector2 operator*(int32_t p_s, const Vector2 &p_v) {
+	return p_v * real_t(p_s);
+}
+constexpr Vector2 operator*(int64_t p_s, const Vector2 &p_v) {
+	return p_v * real_t(p_s);
+}
 
 inline Vector2 Vector2::normalized() const {
 	const real_t squared = length_squared();

@@ -23,10 +23,8 @@ struct Vector2i {
 		int32_t coord[2];
 	};
 
-	constexpr Vector2i() :
-			x(0), y(0) {}
-	constexpr Vector2i(int32_t p_x, int32_t p_y) :
-			x(p_x), y(p_y) {}
+	constexpr Vector2i() : x(0), y(0) {}
+	constexpr Vector2i(int32_t p_x, int32_t p_y) : x(p_x), y(p_y) {}
 
 	int32_t &operator[](int p_axis) { return coord[p_axis]; }
 	const int32_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -67,8 +65,12 @@ struct Vector2i {
 using Size2i = Vector2i;
 using Point2i = Vector2i;
 
-inline Vector2::operator Vector2i() const { return Vector2i(static_cast<int32_t>(x), static_cast<int32_t>(y)); }
+inline Vector2::operator Vector2i() const {
+	return Vector2i(static_cast<int32_t>(x), static_cast<int32_t>(y));
+}
 
-constexpr Vector2i operator*(int32_t p_s, const Vector2i &p_v) { return p_v * p_s; }
+constexpr Vector2i operator*(int32_t p_s, const Vector2i &p_v) {
+	return p_v * p_s;
+}
 
 } // namespace godot

@@ -21,10 +21,8 @@ struct Vector3 {
 		real_t coord[3];
 	};
 
-	constexpr Vector3() :
-			x(0), y(0), z(0) {}
-	constexpr Vector3(real_t p_x, real_t p_y, real_t p_z) :
-			x(p_x), y(p_y), z(p_z) {}
+	constexpr Vector3() : x(0), y(0), z(0) {}
+	constexpr Vector3(real_t p_x, real_t p_y, real_t p_z) : x(p_x), y(p_y), z(p_z) {}
 
 	real_t &operator[](int p_axis) { return coord[p_axis]; }
 	const real_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -74,7 +72,9 @@ struct Vector3 {
 	Vector3 clampf(real_t p_min, real_t p_max) const { return clamp(Vector3(p_min, p_min, p_min), Vector3(p_max, p_max, p_max)); }
 	Axis min_axis_index() const { return x < y ? (x < z ? AXIS_X : AXIS_Z) : (y < z ? AXIS_Y : AXIS_Z); }
 	Axis max_axis_index() const { return x < y ? (y < z ? AXIS_Z : AXIS_Y) : (x < z ? AXIS_Z : AXIS_X); }
-	bool is_equal_approx(const Vector3 &p_v) const { return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z); }
+	bool is_equal_approx(const Vector3 &p_v) const {
+		return Math::is_equal_approx(x, p_v.x) && Math::is_equal_approx(y, p_v.y) && Math::is_equal_approx(z, p_v.z);
+	}
 	bool is_zero_approx() const { return Math::is_zero_approx(x) && Math::is_zero_approx(y) && Math::is_zero_approx(z); }
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y) && Math::is_finite(z); }
 
@@ -84,10 +84,18 @@ struct Vector3 {
 #include <godot_cpp/variant/gen/vector3.inc>
 };
 
-constexpr Vector3 operator*(float p_s, const Vector3 &p_v) { return p_v * p_s; }
-constexpr Vector3 operator*(double p_s, const Vector3 &p_v) { return p_v * real_t(p_s); }
-constexpr Vector3 operator*(int32_t p_s, const Vector3 &p_v) { return p_v * real_t(p_s); }
-constexpr Vector3 operator*(int64_t p_s, const Vector3 &p_v) { return p_v * real_t(p_s); }
+constexpr Vector3 operator*(float p_s, const Vector3 &p_v) {
+	return p_v * p_s;
+}
+constexpr Vector3 operator*(double p_s, const Vector3 &p_v) {
+	return p_v * real_t(p_s);
+}
+constexpr Vector3 operator*(int32_t p_s, const Vector3 &p_v) {
+	return p_v * real_t(p_s);
+}
+constexpr Vector3 operator*(int64_t p_s, const Vector3 &p_v) {
+	return p_v * real_t(p_s);
+}
 
 inline Vector3 Vector3::normalized() const {
 	const real_t squared = length_squared();

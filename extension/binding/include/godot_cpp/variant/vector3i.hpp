@@ -21,10 +21,8 @@ struct Vector3i {
 		int32_t coord[3];
 	};
 
-	constexpr Vector3i() :
-			x(0), y(0), z(0) {}
-	constexpr Vector3i(int32_t p_x, int32_t p_y, int32_t p_z) :
-			x(p_x), y(p_y), z(p_z) {}
+	constexpr Vector3i() : x(0), y(0), z(0) {}
+	constexpr Vector3i(int32_t p_x, int32_t p_y, int32_t p_z) : x(p_x), y(p_y), z(p_z) {}
 
 	int32_t &operator[](int p_axis) { return coord[p_axis]; }
 	const int32_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -62,8 +60,12 @@ struct Vector3i {
 #include <godot_cpp/variant/gen/vector3i.inc>
 };
 
-inline Vector3::operator Vector3i() const { return Vector3i(static_cast<int32_t>(x), static_cast<int32_t>(y), static_cast<int32_t>(z)); }
+inline Vector3::operator Vector3i() const {
+	return Vector3i(static_cast<int32_t>(x), static_cast<int32_t>(y), static_cast<int32_t>(z));
+}
 
-constexpr Vector3i operator*(int32_t p_s, const Vector3i &p_v) { return p_v * p_s; }
+constexpr Vector3i operator*(int32_t p_s, const Vector3i &p_v) {
+	return p_v * p_s;
+}
 
 } // namespace godot

@@ -22,10 +22,8 @@ struct Vector4 {
 		real_t coord[4];
 	};
 
-	constexpr Vector4() :
-			x(0), y(0), z(0), w(0) {}
-	constexpr Vector4(real_t p_x, real_t p_y, real_t p_z, real_t p_w) :
-			x(p_x), y(p_y), z(p_z), w(p_w) {}
+	constexpr Vector4() : x(0), y(0), z(0), w(0) {}
+	constexpr Vector4(real_t p_x, real_t p_y, real_t p_z, real_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
 
 	real_t &operator[](int p_axis) { return coord[p_axis]; }
 	const real_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -45,7 +43,9 @@ struct Vector4 {
 	Vector4 &operator/=(real_t p_s) { return *this = *this / p_s; }
 	constexpr bool operator==(const Vector4 &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z && w == p_v.w; }
 	constexpr bool operator!=(const Vector4 &p_v) const { return !(*this == p_v); }
-	constexpr bool operator<(const Vector4 &p_v) const { return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : (z != p_v.z ? z < p_v.z : w < p_v.w)); }
+	constexpr bool operator<(const Vector4 &p_v) const {
+		return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : (z != p_v.z ? z < p_v.z : w < p_v.w));
+	}
 
 	real_t length_squared() const { return x * x + y * y + z * z + w * w; }
 	real_t length() const { return std::sqrt(length_squared()); }
@@ -60,6 +60,8 @@ struct Vector4 {
 #include <godot_cpp/variant/gen/vector4.inc>
 };
 
-constexpr Vector4 operator*(real_t p_s, const Vector4 &p_v) { return p_v * p_s; }
+constexpr Vector4 operator*(real_t p_s, const Vector4 &p_v) {
+	return p_v * p_s;
+}
 
 } // namespace godot

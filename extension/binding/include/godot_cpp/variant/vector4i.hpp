@@ -22,10 +22,8 @@ struct Vector4i {
 		int32_t coord[4];
 	};
 
-	constexpr Vector4i() :
-			x(0), y(0), z(0), w(0) {}
-	constexpr Vector4i(int32_t p_x, int32_t p_y, int32_t p_z, int32_t p_w) :
-			x(p_x), y(p_y), z(p_z), w(p_w) {}
+	constexpr Vector4i() : x(0), y(0), z(0), w(0) {}
+	constexpr Vector4i(int32_t p_x, int32_t p_y, int32_t p_z, int32_t p_w) : x(p_x), y(p_y), z(p_z), w(p_w) {}
 
 	int32_t &operator[](int p_axis) { return coord[p_axis]; }
 	const int32_t &operator[](int p_axis) const { return coord[p_axis]; }
@@ -47,7 +45,9 @@ struct Vector4i {
 	Vector4i &operator/=(int32_t p_s) { return *this = *this / p_s; }
 	constexpr bool operator==(const Vector4i &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z && w == p_v.w; }
 	constexpr bool operator!=(const Vector4i &p_v) const { return !(*this == p_v); }
-	constexpr bool operator<(const Vector4i &p_v) const { return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : (z != p_v.z ? z < p_v.z : w < p_v.w)); }
+	constexpr bool operator<(const Vector4i &p_v) const {
+		return x != p_v.x ? x < p_v.x : (y != p_v.y ? y < p_v.y : (z != p_v.z ? z < p_v.z : w < p_v.w));
+	}
 
 	int64_t length_squared() const { return int64_t(x) * x + int64_t(y) * y + int64_t(z) * z + int64_t(w) * w; }
 	double length() const { return std::sqrt(static_cast<double>(length_squared())); }
@@ -62,6 +62,8 @@ struct Vector4i {
 #include <godot_cpp/variant/gen/vector4i.inc>
 };
 
-constexpr Vector4i operator*(int32_t p_s, const Vector4i &p_v) { return p_v * p_s; }
+constexpr Vector4i operator*(int32_t p_s, const Vector4i &p_v) {
+	return p_v * p_s;
+}
 
 } // namespace godot

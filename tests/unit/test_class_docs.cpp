@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The class reference says what the code does: every number is described, with the default that stands beside its code.
+#include "class_docs.gen.h"
+#include "nodes/field_params.h"
+
+#include <doctest/doctest.h>
+
+#include <charconv>
+#include <string>
+
+using namespace grass;
+
+namespace {
+
+std::string_view docs_of(std::string_view p_class) {
+	for (const std::string_view &text : CLASS_DOCS) {
+		if (text.find("class name=\"" + std::string(p_class) + "\"") != std::string_view::npos) {
+			return text;
+		}
+	}
+	return {};
+}
+
+// The member's element with its text, or nothing.
+std::string_view member_of(std::string_view p_docs, std::string_view p_name) {
+	const size_t begin = p_docs.find("<member name=\"" + std::string(p_name) + "\"");
+	if (begin == std::string_view::npos) {
+		return {};
+	}
+	return p_docs.substr(begin, p_docs.find("</member>", begin) - begin);
+}
+
+double default_of(std::string_view p_member) {
+	const std::string_view key = "default=\"";
+	const size_t begin = p_member.find(key);
+	double value = std::nan("");
+	if (begin != std::string_view::npos) {
+		const char *first = p_member.data() + begin + key.size();
+		std::from_chars(first, p_member.data() + p_member.size(), value);
+	}
+	return value;
+}
+
+void check(std::string_view p_docs, const Tunable &p_tunable) {
+	INFO("property ", p_tunable.name);
+	const std::string_view member = member_of(p_docs, p_tunable.name);
+	CHECK(default_of(member) == doctest::Approx(p_tunable.initial));
+	CHECK(member.size() > member.find('>') + 20); // words, not only the element
+}
+
+} // namespace
+
+TEST_CASE("class docs: every number of a GrassField is described, with its default") {
+	for (const FieldParam &param : FIELD_PARAMS) {
+		check(docs_of("GrassField"), param.tunable);
+	}
+	for (const NamedColor &color : FIELD_COLORS) {
+		INFO("colour ", color.name);
+		CHECK_FALSE(member_of(docs_of("GrassField"), color.name).empty());
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassPatch is described, with its default") {
+	for (const Tunable &tunable : { LENGTH_MIN, LENGTH_MAX, WIDTH_MIN, WIDTH_MAX }) {
+		check(docs_of("GrassPatch"), tunable);
+	}
+	for (const Tunable &tunable : TYPE_WEIGHTS) {
+		check(docs_of("GrassPatch"), tunable);
+	}
+}
