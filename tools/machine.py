@@ -125,7 +125,8 @@ def x_server():
 def software_vulkan():
 	"""Lavapipe for the engine: the system's for an engine of the machine's, else the fetched one. None if there is none."""
 	fetched = unpacked(settle.LIBRARIES + "/libvulkan_lvp.so")
-	return next(iter(vulkan_drivers()[1]), fetched) if godot() != str(UNPACKED / "usr/bin/godot") else fetched
+	engine_is_fetched = godot() in (None, str(UNPACKED / "usr/bin/godot"))  # or will be
+	return fetched if engine_is_fetched else next(iter(vulkan_drivers()[1]), fetched)
 
 
 # What each command needs: how to find it, and the Debian packages that bring it.

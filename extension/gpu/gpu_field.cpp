@@ -191,6 +191,7 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 void GpuField::read_times() {
 	RenderingDevice *device = main_device();
 	double simulate = 0.0, cull = 0.0;
+	int steps = 0; // a slow frame holds several
 	const uint32_t count = device->get_captured_timestamps_count();
 	for (uint32_t i = 1; i < count; i++) {
 		const String name = device->get_captured_timestamp_name(i);
@@ -198,11 +199,16 @@ void GpuField::read_times() {
 			continue;
 		}
 		const double ms = double(device->get_captured_timestamp_gpu_time(i) - device->get_captured_timestamp_gpu_time(i - 1)) * 1e-6;
-		(name == String("GrassField cull") ? cull : simulate) += ms;
+		if (name == String("GrassField cull")) {
+			cull = ms;
+		} else {
+			simulate += ms;
+			steps++;
+		}
 	}
 	std::lock_guard lock(_report->mutex);
-	if (simulate > 0.0) { // else that frame had no such pass: the last known time stands
-		_report->statistics.simulate_ms = simulate;
+	if (steps > 0) { // else that frame had no such pass: the last known time stands
+		_report->statistics.simulate_ms = simulate / steps;
 	}
 	if (cull > 0.0) {
 		_report->statistics.cull_ms = cull;

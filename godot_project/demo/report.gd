@@ -45,7 +45,7 @@ func table(p_bodies: int, p_software: bool) -> String:
 		["blade steps", _with_commas(statistics.simulated_blades)],
 		["drawn (last view)", "%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]],
 		["draw", _range(_draw, "ms GPU a frame")],
-		["simulate", _range(_simulate, "ms a frame" if statistics.backend == "GPU" else "ms a tick")],
+		["simulate", _range(_simulate, "ms a tick")],
 		["tile management", _range(_management, "ms CPU a tick")],
 		["cull", "%.3f ms" % statistics.cull_ms],
 		["memory", "%.1f MB" % (statistics.memory / 1e6)],
