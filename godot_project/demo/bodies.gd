@@ -61,7 +61,7 @@ func throw(body: RigidBody3D, extent: float) -> void:
 	var towards := Vector3(1.0, 0.0, _random.randf_range(-0.5, 0.5)).normalized()
 	body.position = Vector3(-0.42 * extent, _random.randf_range(0.8, 2.5), from)
 	body.rotation = Vector3(_random.randf(), _random.randf(), _random.randf()) * TAU
-	body.linear_velocity = towards * _random.randf_range(4.0, 0.25 * extent + 5.0) + Vector3(0.0, _random.randf_range(0.0, 3.0), 0.0)
+	body.linear_velocity = towards * _random.randf_range(4.0, 0.4 * extent + 5.0) + Vector3(0.0, _random.randf_range(0.0, 3.0), 0.0)
 	body.angular_velocity = Vector3(_random.randfn(), _random.randfn(), _random.randfn()) * 6.0
 	body.angular_damp = 1.2
 	body.linear_damp = 0.35
