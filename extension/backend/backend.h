@@ -42,7 +42,7 @@ private:
 
 // From where, and how finely, the field is drawn in a frame. Field space, metres.
 struct FieldView {
-	std::array<Eigen::Vector4f, 6> planes; // of the camera's frustum, n.x <= d inside
+	std::array<Eigen::Vector4f, 6> planes = {}; // of the camera's frustum, n.x <= d inside
 	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
 	LodParams lod;
 	float shadow_margin = 0.0f; // how far outside of the frustum a tile is still drawn, for its shadow

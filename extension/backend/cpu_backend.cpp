@@ -29,6 +29,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_parallel(memnew(Parallel)),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
+	_changed_slots.reset(p_setup.pool_tiles, false);
 	update_pool_texture();
 }
 
@@ -45,7 +46,7 @@ void CpuBackend::step(const StepInput &p_input) {
 			_slot_of_tile.erase(slot.tile.z);
 		} else {
 			_slot_of_tile[slot.tile.z] = slot.tile.w;
-			_changed_slots.push_back(slot.tile.w);
+			_changed_slots.insert(slot.tile.w);
 			_highest_slot = std::max(_highest_slot, slot.tile.w);
 		}
 	}
@@ -112,27 +113,29 @@ void CpuBackend::add_tile(const FieldView &p_view, int p_x, int p_z) {
 	} else if (p_view.debug_view == GRASS_DEBUG_LOD) {
 		tint = 2.0f + float(level);
 	}
+	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
+	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
 	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
 	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
 		0.0f, 1.0f, 0.0f, centre.y(), //
 		0.0f, 0.0f, 1.0f, centre.z(), //
 		float(p_x), float(p_z), blades, tint, //
-		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(slot), grass_tile_hash(x, z, _setup.seed), 0.0f };
+		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(low), grass_tile_hash(x, z, _setup.seed), float(high) };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
 }
 
 void CpuBackend::update_pool_texture() {
 	const int rows = std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(_highest_slot + 1))));
 	const bool grown = rows > _pool_rows;
-	if (!grown && _changed_slots.empty()) {
+	if (!grown && _changed_slots.find(0) == SlotSet::NONE) {
 		return;
 	}
 	_pool_rows = std::max(rows, _pool_rows);
 	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
-	for (const int slot : _changed_slots) {
+	for (int slot = _changed_slots.find(0); slot != SlotSet::NONE; slot = _changed_slots.find(slot + 1)) {
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
-	_changed_slots.clear();
+	_changed_slots.reset(_setup.pool_tiles, false);
 	const Ref<Image> image =
 			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
 	if (grown) {

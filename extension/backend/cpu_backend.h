@@ -6,6 +6,7 @@
 #include "backend/backend.h"
 #include "backend/parallel.h"
 #include "core/simulate.h"
+#include "core/slot_set.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 
@@ -47,7 +48,7 @@ private:
 	BladeMaterials _materials;
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture;
 	int _pool_rows = 0; // of the pool texture; grows with the highest slot in use
-	std::vector<int> _changed_slots; // rows of the texture to write before the next frame
+	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
 	int _highest_slot = -1;
 	std::vector<uint16_t> _pool_texels;
 	std::array<FieldInstance, GRASS_LOD_LEVELS> _levels;

@@ -29,7 +29,6 @@ struct ColliderShape {
 	static constexpr double MAX_POSITION = 1e7, MAX_SIZE = 1e5; // Metres. Beyond that it is a mistake, not a body.
 	static constexpr double MIN_SIZE = 1e-4; // Metres; smaller sizes (a capsule's axis excepted) become this.
 
-	uint64_t id = 0; // The caller's own; not used here.
 	int type = GRASS_SPHERE; // GRASS_SPHERE, GRASS_CAPSULE, GRASS_BOX, GRASS_CYLINDER or GRASS_HULL.
 	// Sphere: radius; capsule: radius, half the axis between the caps' centres (along y); box: half extents; cylinder:
 	// radius, half height (along y). Hull: half extents of the box around it, centred at the shape's origin (put the

@@ -52,14 +52,6 @@ static_assert(offsetof(GrassStep, energy) == 48);
 static_assert(offsetof(GrassStep, field) == 64);
 static_assert(offsetof(GrassStep, clump) == 80);
 
-static_assert(sizeof(GrassStep) == 96 && std::is_trivially_copyable_v<GrassStep>);
-static_assert(offsetof(GrassStep, motion) == 0);
-static_assert(offsetof(GrassStep, load) == 16);
-static_assert(offsetof(GrassStep, contact) == 32);
-static_assert(offsetof(GrassStep, energy) == 48);
-static_assert(offsetof(GrassStep, field) == 64);
-static_assert(offsetof(GrassStep, clump) == 80);
-
 static_assert(sizeof(GrassView) == 176 && std::is_trivially_copyable_v<GrassView>);
 static_assert(offsetof(GrassView, planes) == 0);
 static_assert(offsetof(GrassView, eye) == 96);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/layout.h"
+#include "core/tunable.h"
 
 #include <Eigen/Core>
 
@@ -10,12 +11,19 @@
 
 namespace grass {
 
+// From here on one eighth of the blades is drawn. The view's far end, or where the field ends for the eye.
+inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
+// Blades have 15 segments up to here, then 7. Usual 4 to 15; beyond twice that vertices are finer than pixels.
+inline constexpr Tunable LOD_FINE{ "lod_fine", "m", 0.0, 1000.0, 0.5, 6.0 };
+// Blades have 7 segments up to here, then 3. Usual two to three times fine.
+inline constexpr Tunable LOD_MEDIUM{ "lod_medium", "m", 0.0, 1000.0, 0.5, 18.0 };
+
 // Distances from the camera to a tile's centre, metres.
 struct LodParams {
 	float near = 0.05f; // Full count of blades up to here: the camera's near plane.
-	float far = 100.0f; // One eighth of the blades beyond about this: the camera's far plane, or where the field ends.
-	float fine = 8.0f; // 15 segments a blade up to here, usual 4 to 15; beyond twice that vertices are finer than pixels.
-	float medium = 20.0f; // 7 segments up to here, then 3. Usual two to three times fine.
+	float far = float(LOD_FAR.initial); // One eighth of the blades beyond about this: the camera's far plane, or where the field ends.
+	float fine = float(LOD_FINE.initial); // 15 segments a blade up to here
+	float medium = float(LOD_MEDIUM.initial); // 7 segments up to here, then 3
 
 	// The same with NaN, negative and disordered values mended: 0 <= near, 0.001 <= far, 0 <= fine <= medium.
 	LodParams sanitised() const;

@@ -329,8 +329,8 @@ bool TileManager::is_awake(int p_tile) const {
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	return bytes(_awake) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() + bytes(_ranges) +
-			bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_yielding) +
-			bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
+			bytes(_swept) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
+			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
 }
 
 } // namespace grass

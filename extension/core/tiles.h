@@ -16,12 +16,18 @@
 
 namespace grass {
 
+// Time from the last touch to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to rest; above 5 s
+// tiles are simulated that nothing moves in.
+inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
+// Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
+inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
+
 struct TileParams {
 	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
 
 	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
-	double sleep_delay = 2.0; // Seconds from the last touch to settling; usual 1 to 5. Shorter: blades still swing.
-	double settle_time = 0.5; // Seconds on the way back to rest; usual 0.2 to 1. 0: one step, seen as a jerk.
+	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
+	double settle_time = SETTLE_TIME.initial; // Seconds.
 	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
 	double height = 1.0; // Metres to the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.

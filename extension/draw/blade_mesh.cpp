@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/blade_mesh.h"
 
-#include "core/layout.h"
+#include "core/lod.h"
 
 #include <godot_cpp/variant/packed_int32_array.hpp>
 
@@ -9,27 +9,22 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-constexpr int BLADES[GRASS_LOD_LEVELS] = GRASS_LOD_BLADES;
-constexpr int SEGMENTS[GRASS_LOD_LEVELS] = GRASS_LOD_SEGMENTS;
-} // namespace
-
 int lod_blades(int p_level) {
-	return BLADES[p_level];
+	return get_lod_level(p_level).blades;
 }
 int lod_segments(int p_level) {
-	return SEGMENTS[p_level];
+	return get_lod_level(p_level).segments;
 }
 int lod_triangles_per_blade(int p_level) {
-	return 2 * SEGMENTS[p_level] - 1;
+	return 2 * lod_segments(p_level) - 1;
 }
 
 void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material) {
-	const int segments = SEGMENTS[p_level];
+	const int blades = lod_blades(p_level), segments = lod_segments(p_level);
 	PackedInt32Array indices;
-	indices.resize(int64_t(BLADES[p_level]) * lod_triangles_per_blade(p_level) * 3);
+	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level) * 3);
 	int32_t *next = indices.ptrw();
-	for (int blade = 0; blade < BLADES[p_level]; blade++) {
+	for (int blade = 0; blade < blades; blade++) {
 		const int first = blade * 2 * (segments + 1);
 		for (int row = 0; row < segments; row++) {
 			const int left = first + 2 * row, right = left + 1;

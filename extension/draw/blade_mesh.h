@@ -12,7 +12,7 @@ int lod_blades(int p_level); // blades in the level's mesh
 int lod_segments(int p_level); // segments a blade
 int lod_triangles_per_blade(int p_level); // quads, and one triangle at the tip
 
-// Adds the level's mesh as one more surface of p_mesh. p_custom_aabb covers all tiles of an instance.
+// Adds the level's mesh as one more surface of p_mesh.
 void add_lod_surface(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_level, const godot::Ref<godot::Material> &p_material);
 
 } // namespace grass

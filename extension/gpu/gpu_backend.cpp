@@ -76,9 +76,7 @@ void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
 	RenderQueue::get_singleton()->post([field = _field, knots, p_slot, p_blade] { *knots = field->read_knots(p_slot, p_blade); });
-	if (knots->empty()) { // the render thread is another one
-		RenderingServer::get_singleton()->force_sync();
-	}
+	RenderingServer::get_singleton()->force_sync(); // the render thread may be another one: until then `knots` is its own
 	return *knots;
 }
 

@@ -74,7 +74,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	format.instantiate();
 	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
 	format->set_width(POOL_TEXTURE_WIDTH);
-	format->set_height(uint32_t(_slots));
+	format->set_height(uint32_t(std::max<int64_t>(_slots, 1))); // no texture is empty
 	format->set_usage_bits(RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT);
 	Ref<RDTextureView> view;
 	view.instantiate();

@@ -64,7 +64,7 @@ private:
 	GpuBuffer _view;
 	// Written and read by cull, one frame.
 	GpuBuffer _counts;
-	// Written by simulate, read by the blade shader, as long as the field: knots as drawn.
+	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler;
 	godot::Ref<godot::Texture2DRD> _pool;
 	godot::RID _culled_into; // the instance buffer of the last cull

@@ -14,6 +14,40 @@ namespace grass {
 
 namespace {
 
+// Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
+constexpr double BLADE_FRICTION = 0.5;
+
+// Shapes that were added in the physics server itself have no owner in the node.
+bool is_disabled(const CollisionObject3D *p_node, int32_t p_shape) {
+	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
+	for (int64_t i = 0; i < owners.size(); i++) {
+		const uint32_t owner = uint32_t(owners[i]);
+		for (int32_t k = 0; k < p_node->shape_owner_get_shape_count(owner); k++) {
+			if (p_node->shape_owner_get_shape_index(owner, k) == p_shape) {
+				return p_node->is_shape_owner_disabled(owner);
+			}
+		}
+	}
+	return false;
+}
+
+// Takes the scale of p_basis into the shape: poses hold rotation only.
+void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
+	const Eigen::Vector3d scale = p_basis.colwise().norm();
+	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
+		return;
+	}
+	if (r_shape.type == GRASS_BOX || r_shape.type == GRASS_HULL) {
+		r_shape.size = r_shape.size.cwiseProduct(scale);
+	} else { // round about y: radius, half length along y
+		r_shape.size = { r_shape.size.x() * std::max(scale.x(), scale.z()), r_shape.size.y() * scale.y(), 0.0 };
+	}
+	for (Eigen::Vector4f &plane : r_shape.planes) {
+		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(scale.cast<float>());
+		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
+	}
+}
+
 // A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
 // between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
 constexpr double TELEPORT_DISTANCE = 2.0;
@@ -144,9 +178,10 @@ void BodyTracker::collect_shapes(
 		Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int32_t count = int32_t(server->body_get_shape_count(p_body.rid));
+	const double friction = server->body_get_param(p_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
 	p_body.shapes.resize(size_t(count));
 	for (int32_t index = 0; index < count; index++) {
-		if (p_node != nullptr && p_node->is_shape_owner_disabled(p_node->shape_find_owner(index))) {
+		if (p_node != nullptr && is_disabled(p_node, index)) {
 			continue;
 		}
 		TrackedShape &tracked = p_body.shapes[size_t(index)];
@@ -155,7 +190,8 @@ void BodyTracker::collect_shapes(
 		}
 		const Eigen::Affine3d local = to_eigen(server->body_get_shape_transform(p_body.rid, index)) * tracked.offset;
 		ColliderShape collider = tracked.shape;
-		collider.id = (p_body.rid.get_id() << 8) ^ uint64_t(index);
+		scale_shape(collider, (p_now * local).linear());
+		collider.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
 		collider.set_poses(p_body.before * local, p_now * local);
 		r_colliders.push_back(collider);
 	}

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/clump.h"
+#include "core/lod.h"
 #include "core/patch.h"
 #include "core/solver_params.h"
 #include "core/tile_grid.h"
@@ -19,17 +20,6 @@ namespace grass {
 inline constexpr Tunable FIELD_SIZE{ "size", "m", 0.1, 16384.0, 0.1, 32.0 };
 // A tile holds 64 blades, so this decides its side: 256 gives 0.5 m. Meadow 150 to 400, lawn 400 to 1500.
 inline constexpr Tunable DENSITY{ "density", "blades/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
-// Time from the last touch to settling. Below 1 s blades still swing when they are put to rest; above 5 s tiles
-// are simulated that nothing moves in.
-inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
-// Time on the way from wherever a blade is to rest. 0: it jumps there.
-inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
-// From here on one eighth of the blades is drawn. The view's far end, or where the field ends for the eye.
-inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
-// Blades have 15 segments up to here, then 7.
-inline constexpr Tunable LOD_FINE{ "lod_fine", "m", 0.0, 1000.0, 0.5, 6.0 };
-// Blades have 7 segments up to here, then 3.
-inline constexpr Tunable LOD_MEDIUM{ "lod_medium", "m", 0.0, 1000.0, 0.5, 18.0 };
 // Tiles this far outside of the view are still drawn, for their shadows. 0: shadows pop at the picture's edge.
 inline constexpr Tunable SHADOW_MARGIN{ "shadow_margin", "m", 0.0, 50.0, 0.1, 2.0 };
 

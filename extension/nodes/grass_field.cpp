@@ -154,7 +154,6 @@ void GrassField::frame(double p_delta) {
 		return;
 	}
 	_time += p_delta;
-	follow();
 	if (param(PARAM_WIND_SPEED) > 0.0) {
 		_backend->set_uniform("grass_time", _time); // the ground has no wind
 	}
@@ -166,10 +165,14 @@ void GrassField::follow() {
 	_ground.follow(this, transform, _has_ground);
 }
 
-// The camera has its pose of this frame only now.
+// The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
 	build(); // also where the tree is paused from the first frame on
-	if (!_backend || !is_visible_in_tree()) {
+	if (!_backend) {
+		return;
+	}
+	follow();
+	if (!is_visible_in_tree()) {
 		return;
 	}
 	Camera3D *camera = find_camera();
@@ -202,10 +205,14 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 
 Transform3D GrassField::field_transform() const {
 	const Transform3D transform = get_global_transform();
-	if (!transform.is_finite() || Math::is_zero_approx(transform.basis.determinant())) {
+	if (!transform.is_finite() || transform.basis.determinant() == 0.0) {
 		return Transform3D(Basis(), transform.origin.is_finite() ? transform.origin : Vector3());
 	}
-	return transform.orthonormalized();
+	Transform3D turned = transform.orthonormalized();
+	if (turned.basis.determinant() < 0.0) { // a mirrored field would turn its blades inside out
+		turned.basis.scale_local(Vector3(-1, 1, 1));
+	}
+	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
 }
 
 Camera3D *GrassField::find_camera() const {

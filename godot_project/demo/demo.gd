@@ -26,7 +26,7 @@ var _time := 0.0 # seconds since the throw, in physics ticks
 
 func _ready() -> void:
 	_read_options()
-	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU or field.get_statistics().backend == "CPU"
+	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU or RenderingServer.get_current_rendering_method() == "gl_compatibility"
 	var size: String = _options.size if _options.size else ("small" if software else "large")
 	var side: float = SIZES.get(size, size.to_float())
 	field.size = Vector2(side, side)

@@ -50,13 +50,15 @@ void write_instance(uint p_instance, ivec2 p_tile, vec3 p_centre, float p_blades
 	} else if (view.blades.y == float(GRASS_DEBUG_LOD)) {
 		tint = 2.0 + float(p_level);
 	}
+	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
+	int high = p_slot == GRASS_NO_SLOT ? 0 : p_slot / GRASS_SLOT_HALF;
 	uint start = grass_tile_start(uint(p_tile.x), uint(p_tile.y), view.patch_seed.x);
 	float values[GRASS_INSTANCE_FLOATS] = float[GRASS_INSTANCE_FLOATS](
 			1.0, 0.0, 0.0, p_centre.x,
 			0.0, 1.0, 0.0, p_centre.y,
 			0.0, 0.0, 1.0, p_centre.z,
 			float(p_tile.x), float(p_tile.y), p_blades, tint,
-			float(start / uint(GRASS_START_STRIDE)), float(p_slot), grass_tile_hash(uint(p_tile.x), uint(p_tile.y), view.patch_seed.x), 0.0);
+			float(start / uint(GRASS_START_STRIDE)), float(low), grass_tile_hash(uint(p_tile.x), uint(p_tile.y), view.patch_seed.x), float(high));
 	uint at = p_instance * uint(GRASS_INSTANCE_FLOATS);
 	for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
 		instances[at + uint(i)] = values[i];

@@ -223,3 +223,26 @@ func test_odd_sizes_do_no_harm() -> void:
 		shape.shape = odd
 		await seen()
 		assert_true(all_finite(field, awake_tiles(field)), "%s" % odd)
+
+
+## A CollisionShape3D that is scaled meets grass at the size it has.
+func test_scaled_shapes_bend_at_their_scaled_size() -> void:
+	var awake: Array[int] = []
+	for scale_by: float in [1.0, 3.0]:
+		var field := GrassField.new()
+		field.size = Vector2(8.0, 8.0)
+		add_child(field)
+		var body := AnimatableBody3D.new()
+		var shape := CollisionShape3D.new()
+		shape.shape = BoxShape3D.new()
+		shape.shape.size = Vector3.ONE * 0.5
+		shape.scale = Vector3.ONE * scale_by
+		body.add_child(shape)
+		body.position.y = 0.25 * scale_by
+		add_child(body)
+		await ticks(10)
+		awake.append(field.get_awake_tile_count())
+		body.free()
+		field.free()
+	assert_greater(awake[0], 0)
+	assert_greater(awake[1], 1.5 * awake[0], "awake tiles %s" % [awake])
