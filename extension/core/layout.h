@@ -43,14 +43,15 @@ static_assert(offsetof(GrassCollider, position_before) == 48);
 static_assert(offsetof(GrassCollider, rotation_before) == 64);
 static_assert(offsetof(GrassCollider, size) == 80);
 
-static_assert(sizeof(GrassStep) == 96 && std::is_trivially_copyable_v<GrassStep>);
+static_assert(sizeof(GrassStep) == 112 && std::is_trivially_copyable_v<GrassStep>);
 static_assert(sizeof(GrassStep) <= 128, "a push constant may be no larger everywhere");
 static_assert(offsetof(GrassStep, motion) == 0);
 static_assert(offsetof(GrassStep, load) == 16);
 static_assert(offsetof(GrassStep, contact) == 32);
-static_assert(offsetof(GrassStep, energy) == 48);
-static_assert(offsetof(GrassStep, field) == 64);
-static_assert(offsetof(GrassStep, clump) == 80);
+static_assert(offsetof(GrassStep, chain) == 48);
+static_assert(offsetof(GrassStep, energy) == 64);
+static_assert(offsetof(GrassStep, field) == 80);
+static_assert(offsetof(GrassStep, clump) == 96);
 
 static_assert(sizeof(GrassView) == 176 && std::is_trivially_copyable_v<GrassView>);
 static_assert(offsetof(GrassView, planes) == 0);

@@ -27,6 +27,11 @@ struct Oscillator {
 	}
 };
 
+// Of a swing between two steps, radians.
+constexpr double MOST_TURN = 2.5;
+// Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
+constexpr double FIRST_MODE = 3.5160152685;
+
 // [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
 struct TwoStep {
 	double keep, pull;
@@ -48,9 +53,10 @@ double or_zero(double p_value) {
 
 SolverParams SolverParams::sanitised() const {
 	SolverParams params;
-	params.stiffness = STIFFNESS.clamp(stiffness);
+	params.method = method;
+	params.natural_frequency = NATURAL_FREQUENCY.clamp(natural_frequency);
+	params.damping_ratio = DAMPING_RATIO.clamp(damping_ratio);
 	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
-	params.damping = DAMPING.clamp(damping);
 	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
 	params.friction = FRICTION.clamp(friction);
 	params.max_speed = MAX_SPEED.clamp(max_speed);
@@ -72,8 +78,10 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	const double g = _delta_before > 0.0 ? _delta_before : h;
 	_delta_before = h;
 
-	const Oscillator tip{ TURN * params.stiffness, params.damping };
-	const Oscillator root{ TURN * params.stiffness * params.root_stiffness, params.damping };
+	const double swing = TURN * params.natural_frequency, damping = params.damping_ratio * swing;
+	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
+	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(h, g)), damping };
+	const Oscillator root{ tip.w * params.root_stiffness, damping };
 	const TwoStep at_tip = two_step(tip, h, g);
 	const TwoStep at_root = two_step(root, h, h);
 	step.motion.x = float(at_tip.keep);
@@ -86,7 +94,11 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	const double weight = at_tip.pull / (tip.w * tip.w);
 	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight),
 		float(params.max_speed * g) };
-	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), 0.0f };
+	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
+	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
+	if (params.method == Method::DIRECT) {
+		step.load = { float(params.load[0] * h * h), float(params.load[1] * h * h), float(params.load[2] * h * h), step.load.w };
+	}
 	step.energy = { float(1.0 / (h * h)), float(tip.w * tip.w), float(root.w * root.w - tip.w * tip.w), 0.0f };
 	return step;
 }

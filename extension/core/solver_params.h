@@ -8,13 +8,14 @@
 
 namespace grass {
 
-// Swings per second of a bent blade's tip without damping. Below 0.2 grass stays down for seconds, above 4 it snaps back.
-inline constexpr Tunable STIFFNESS{ "stiffness", "Hz", 0.1, 4.0, 0.05, 0.9 };
-// The same at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
+// Swings per second of a bent blade without damping: what it is made of, its section and its length in one number.
+// Below 0.3 grass stays down for seconds, above 5 it snaps back.
+inline constexpr Tunable NATURAL_FREQUENCY{ "natural_frequency", "Hz", 0.1, 10.0, 0.05, 1.2 };
+// How fast a swing dies down: 0 never, 1 without swinging over. Below 0.1 grass nods for seconds, above 1.5 it creeps.
+inline constexpr Tunable DAMPING_RATIO{ "damping_ratio", "", 0.0, 3.0, 0.01, 0.5 };
+// METHOD_PBD: frequency at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
 inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1.6 };
-// Rate at which a swing dies down. Below 1 grass nods for seconds, above 15 it creeps.
-inline constexpr Tunable DAMPING{ "damping", "1/s", 0.0, 30.0, 0.1, 4.0 };
-// Swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
+// METHOD_PBD: swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
 inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
 // Factor on the friction of bodies. 0: blades slide freely.
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
@@ -23,10 +24,14 @@ inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 3.0 };
 // Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 
+// How a blade is solved. docs/solver.md compares them.
+enum class Method { DIRECT = GRASS_METHOD_DIRECT, PBD = GRASS_METHOD_PBD };
+
 struct SolverParams {
-	double stiffness = STIFFNESS.initial; // Hz
+	Method method = Method::PBD;
+	double natural_frequency = NATURAL_FREQUENCY.initial; // Hz
+	double damping_ratio = DAMPING_RATIO.initial;
 	double root_stiffness = ROOT_STIFFNESS.initial;
-	double damping = DAMPING.initial; // 1/s
 	double bend_stiffness = BEND_STIFFNESS.initial; // Hz
 	double friction = FRICTION.initial;
 	double max_speed = MAX_SPEED.initial; // blade lengths per second

@@ -25,6 +25,10 @@ class GrassField : public godot::GeometryInstance3D {
 	GDCLASS(GrassField, godot::GeometryInstance3D)
 
 public:
+	enum SolverMethod {
+		METHOD_DIRECT = int(Method::DIRECT),
+		METHOD_PBD = int(Method::PBD),
+	};
 	enum BackendMode {
 		BACKEND_AUTO, // GPU where the renderer has a RenderingDevice, else CPU
 		BACKEND_CPU,
@@ -45,6 +49,8 @@ public:
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
 	bool is_simulated() const { return _simulated; }
+	void set_method(SolverMethod p_method);
+	SolverMethod get_method() const { return _solver_method; }
 	void set_backend(BackendMode p_mode);
 	BackendMode get_backend() const { return _backend_mode; }
 	void set_pool_tiles(int64_t p_tiles);
@@ -112,6 +118,7 @@ private:
 	godot::Ref<GrassPatch> _patch;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
+	SolverMethod _solver_method = SolverMethod(SolverParams().method);
 	BackendMode _backend_mode = BACKEND_AUTO;
 	DebugView _debug_view = DEBUG_VIEW_OFF;
 	std::array<double, FIELD_PARAMS.size()> _params;
@@ -132,5 +139,6 @@ private:
 
 } // namespace grass
 
+VARIANT_ENUM_CAST(grass::GrassField::SolverMethod);
 VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
 VARIANT_ENUM_CAST(grass::GrassField::DebugView);

@@ -61,6 +61,11 @@ void GrassField::set_backend(BackendMode p_mode) {
 	request_rebuild();
 }
 
+void GrassField::set_method(SolverMethod p_method) {
+	ERR_FAIL_INDEX_MSG(int(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
+	_solver_method = p_method;
+}
+
 void GrassField::set_pool_tiles(int64_t p_tiles) {
 	_pool_tiles = checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label());
 	request_rebuild();
@@ -158,10 +163,11 @@ void GrassField::set_all_uniforms() {
 
 SolverParams GrassField::solver_params() const {
 	SolverParams params;
-	params.stiffness = param(PARAM_STIFFNESS);
+	params.method = Method(_solver_method);
+	params.natural_frequency = param(PARAM_NATURAL_FREQUENCY);
+	params.damping_ratio = param(PARAM_DAMPING_RATIO);
 	params.root_stiffness = param(PARAM_ROOT_STIFFNESS);
 	params.bend_stiffness = param(PARAM_BEND_STIFFNESS);
-	params.damping = param(PARAM_DAMPING);
 	params.friction = param(PARAM_FRICTION);
 	params.max_speed = param(PARAM_MAX_SPEED);
 	params.iterations = int(param(PARAM_ITERATIONS));
@@ -200,6 +206,7 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Simulation", "");
 	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "simulated"), set_simulated, is_simulated);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_collision_mask, get_collision_mask);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM, "Direct,PBD"), set_method, get_method);
 	add_numbers("Simulation");
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, "0,16384,1,suffix:tiles"), set_pool_tiles, get_pool_tiles);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
@@ -234,6 +241,8 @@ void GrassField::_bind_methods() {
 
 	BIND_ENUM_CONSTANT(BACKEND_AUTO);
 	BIND_ENUM_CONSTANT(BACKEND_CPU);
+	BIND_ENUM_CONSTANT(METHOD_DIRECT);
+	BIND_ENUM_CONSTANT(METHOD_PBD);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);

@@ -319,9 +319,9 @@ TEST_CASE("Random shapes, speeds, parameters and time steps: finite and as long 
 		CAPTURE(round);
 		BladeScene scene;
 		scene.step_function = ALL_STEPS[round % 3];
-		scene.params.stiffness = draw(STIFFNESS);
+		scene.params.natural_frequency = draw(NATURAL_FREQUENCY);
 		scene.params.root_stiffness = draw(ROOT_STIFFNESS);
-		scene.params.damping = draw(DAMPING);
+		scene.params.damping_ratio = draw(DAMPING_RATIO);
 		scene.params.bend_stiffness = draw(BEND_STIFFNESS);
 		scene.params.friction = draw(FRICTION);
 		scene.params.max_speed = draw(MAX_SPEED);

@@ -30,9 +30,9 @@ TEST_CASE("A blade at rest keeps every bit whatever the parameters and the time 
 	};
 	for (int i = 0; i < 50; i++) {
 		BladeScene scene;
-		scene.params.stiffness = draw(STIFFNESS);
+		scene.params.natural_frequency = draw(NATURAL_FREQUENCY);
 		scene.params.root_stiffness = draw(ROOT_STIFFNESS);
-		scene.params.damping = draw(DAMPING);
+		scene.params.damping_ratio = draw(DAMPING_RATIO);
 		scene.params.bend_stiffness = draw(BEND_STIFFNESS);
 		scene.params.iterations = int(draw(ITERATIONS));
 		scene.add(GRASS_SPHERE, NEARBY, { 0.15f, 0, 0 });
@@ -47,10 +47,10 @@ TEST_CASE("The two-step coefficients follow a damped oscillator exactly, also wh
 	for (const double damping : { 0.0, 2.0, 5.0, 12.0 }) {
 		for (const bool is_steady : { true, false }) {
 			SolverParams params;
-			params.damping = damping;
+			params.damping_ratio = damping / (2.0 * 3.14159265358979 * params.natural_frequency);
 			StepClock clock;
 			std::mt19937 random(7);
-			const double w = 2.0 * 3.14159265358979 * params.stiffness;
+			const double w = 2.0 * 3.14159265358979 * params.natural_frequency;
 			const double q = w * w - damping * damping;
 			const auto exact = [&](double p_t) { // starts at 1 with a speed of 3
 				const double root = std::sqrt(std::abs(q));

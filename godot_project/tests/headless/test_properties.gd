@@ -3,7 +3,7 @@
 extends "res://tests/field_case.gd"
 
 const UNITS: Dictionary[String, String] = {
-	size = "m", density = "blades/m²", clump_size = "m", stiffness = "Hz", damping = "1/s", sleep_delay = "s", settle_time = "s",
+	size = "m", density = "blades/m²", clump_size = "m", natural_frequency = "Hz", sleep_delay = "s", settle_time = "s",
 	wind_speed = "m/s", wind_direction = "°", pool_tiles = "tiles", lod_far = "m", lod_fine = "m", lod_medium = "m", shadow_margin = "m",
 }
 const BAD: Array[float] = [NAN, INF, -INF, 0.0, -1.0, 1e30]
@@ -138,7 +138,7 @@ func test_enums_refuse_what_they_do_not_have() -> void:
 func test_copies_keep_the_properties() -> void:
 	var patch := GrassPatch.new()
 	patch.length_max = 0.4
-	var field := add_field({size = Vector2(2, 3), density = 400.0, seed = 5, patch = patch, stiffness = 2.0, tip_color = Color.CORAL,
+	var field := add_field({size = Vector2(2, 3), density = 400.0, seed = 5, patch = patch, natural_frequency = 2.0, tip_color = Color.CORAL,
 			collision_mask = 6, simulated = false, wind_speed = 1.5, backend = GrassField.BACKEND_CPU})
 	var scene := PackedScene.new()
 	assert_eq(scene.pack(field), OK)
