@@ -97,7 +97,7 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
 	if (params.method == Method::DIRECT) {
-		step.load = { float(params.load[0] * h * h), float(params.load[1] * h * h), float(params.load[2] * h * h), step.load.w };
+		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
 	}
 	step.energy = { float(1.0 / (h * h)), float(tip.w * tip.w), float(root.w * root.w - tip.w * tip.w), 0.0f };
 	return step;
