@@ -13,9 +13,12 @@ inline constexpr float CONTACT_OVER_INERTIA = 100.0f;
 inline constexpr float CONTACT_OVER_BENDING = 8.0f;
 // How much more a knot that sticks is held along the surface than across it: what it gives is creep.
 inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
+// Depth in skins from which on a touch is a hit, which bends the blade without caution.
+inline constexpr float HIT = 4.0f;
 // Of one joint, radians. More, after a violent hit, would be a knot that does not untie.
 inline constexpr float MOST_TWIST = 1.0f;
-// Depth of contact that one solve takes back, at most: share of the way along the blade from the clamp.
+// Depth of contact that a solve can take back, segment lengths: a linear model of more crumples the blade. What is deeper is
+// a blow, and what blows cannot take back is left to finish().
 inline constexpr float MOST_DEPTH = 0.5f;
 
 // An implicit step of `span` seconds from a base place and speed; the step's target is where the knots would go alone.
@@ -113,6 +116,7 @@ template <class T> struct Beyond {
 	Rows<T> Q;
 	Vec3<T> p, q;
 	Vec3<T> pull; // sum of the inertial forces, for the tension
+	T caution; // see Stage
 };
 
 // [Eq 26] A knot's inertia, and what touches it.
@@ -129,7 +133,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 		return;
 	}
 	const T l = p_blade.lengths[p_knot - 1];
-	const T depth = minimum(touch.depth, p_chain.mean_length * T(MOST_DEPTH * float(p_knot - 1)));
+	const T depth = select(touch.depth > p_chain.mean_length * T(MOST_DEPTH), T(0.0f), touch.depth);
 	const T hard = weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(l * l, T(TINY_SQUARED));
 	const T skin = maximum(l * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
@@ -137,6 +141,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
 	const T slipped = length(touch.slip);
 	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), touch.friction * push / maximum(slipped, T(1e-12f)));
+	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
 	r_beyond.p = r_beyond.p + touch.normal * push - touch.slip * grip;
 	add_outer(r_beyond.P, touch.normal, stiffness - grip);
 	add_identity(r_beyond.P, grip);
@@ -205,11 +210,12 @@ GRASS_INLINE void solve_chain(
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, gains);
 	Beyond<T> beyond{};
+	beyond.caution = p_stage.caution;
 	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
-		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + p_stage.caution));
+		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};
 	T twist_before(0.0f);

@@ -13,7 +13,7 @@ inline constexpr int FIRST_BENDING_KNOT = 5;
 
 // What one surface turns may run into another: so often all of them are asked. In a wedge colliders have the last word, and
 // the ground a knot at most its gap deeper.
-inline constexpr int PUSH_ROUNDS = 6;
+inline constexpr int PUSH_ROUNDS = 8;
 
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestContact {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/chain.h"
+#include "core/contact.h"
 
 namespace grass {
 
@@ -10,6 +11,8 @@ namespace grass {
 // fast swings.
 inline constexpr float STAGE_SHARE = 0.29289322f;
 
+// Rounds of blows in one step, at most.
+inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
 inline constexpr float CAUTION = 4.0f;
 
@@ -33,6 +36,29 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 		r_fastest = maximum(r_fastest, size * keep * p_terms.step_ratio);
 	}
 	return start;
+}
+
+// [Eq 32] What is too deep in a collider for a linear model is hit out of it: the deepest contact bends the blade as METHOD_PBD's
+// does, and its inertia comes along.
+template <class T, class Mask>
+GRASS_INLINE void take_blows(
+		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_near) {
+	const T deep = r_blade.reach * T(MOST_DEPTH / float(GRASS_SEGMENTS));
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		r_blade.before[k] = p_start.place[k];
+	}
+	for (int round = 0; round < BLOWS; round++) {
+		DeepestContact<T> deepest = find_deepest_contact(r_blade, p_terms);
+		const auto is_blow = p_is_near & (deepest.contact.depth > deep);
+		if (!any(is_blow)) {
+			return;
+		}
+		deepest.contact.depth = select(is_blow, deepest.contact.depth, T(0.0f));
+		bend(r_blade, deepest);
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			r_stage.target[k] = select(is_blow, r_blade.knots[k], r_stage.target[k]);
+		}
+	}
 }
 
 template <class T, class Mask>
@@ -65,6 +91,9 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 		set_target(stage, k, start.place[k], start.speed[k], p_terms.load);
 	}
 	follow_targets(r_blade, stage);
+	if (any(p_is_near)) {
+		take_blows(r_blade, p_terms, start, stage, p_is_near);
+	}
 	solve_stage(r_blade, p_terms, stage, is_single, p_terms.iterations, halves);
 
 	if (any(!is_single)) {

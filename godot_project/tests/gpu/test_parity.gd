@@ -4,6 +4,7 @@ extends "res://tests/field_case.gd"
 
 const ONE_STEP := 1e-5 # of a blade's length, after one step with contact
 const MANY_STEPS := 1e-3 # of a blade's length, after 600 steps without
+const PLACE_HEIGHT := 0.5 # of bodies that have only begun to press the grass down, metres
 const PLACE := Vector3(0.25, 0.25, 0.25)
 
 var cpu: GrassField
@@ -41,7 +42,7 @@ func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
 	hull.points = PackedVector3Array([Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)])
 	var bodies: Array[AnimatableBody3D] = []
 	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
-		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), 0.25, 0.3))
+		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), PLACE_HEIGHT, 0.3))
 		body.rotation = Vector3(0.3, 0.2, 0.1) * bodies.size()
 		bodies.append(body)
 	return bodies
