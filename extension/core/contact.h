@@ -10,8 +10,10 @@ namespace grass {
 // Contacts of knots below this one do not bend the whole blade: on so short a lever they would fling it. finish() turns
 // their own segments.
 inline constexpr int FIRST_BENDING_KNOT = 5;
-// How far, in blade lengths from the root, knots are looked after before their lengths are put right.
-inline constexpr float REACH_MARGIN = 1.5f;
+
+// What one surface turns may run into another: so often all of them are asked. In a wedge colliders have the last word, and
+// the ground a knot at most its gap deeper.
+inline constexpr int PUSH_ROUNDS = 6;
 
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestContact {
@@ -128,10 +130,10 @@ template <class T> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T
 		const Vec3<T> straight = knot - parent;
 		Vec3<T> segment = straight;
 		const T gap = minimum(p_terms.ground_gap * rest_length, r_blade.rest[k].y);
-		for (int round = 0; round < 2; round++) { // twice, since what one surface turns may run into another
+		for (int round = 0; round < PUSH_ROUNDS; round++) {
 			const Vec3<T> start = segment;
-			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
 			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
+			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
 			const Vec3<T> turned_by = segment - start;
 			if (!any(dot(turned_by, turned_by) > zero)) {
 				break;

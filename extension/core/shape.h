@@ -7,11 +7,19 @@
 
 namespace grass {
 
+// How far, in blade lengths from the root, knots are looked after before their lengths are put right.
+inline constexpr float REACH_MARGIN = 1.5f;
+
+// A blade with a knot faster than a swing of its own from lying flat would be: METHOD_DIRECT takes it with more damping.
+// Frequency (radians per second) over the root of EI / (density area length^4), for a uniform cantilever.
+inline constexpr float WILD = 3.516f;
+
 // A blade in blade space (metres, origin at the root).
 template <class T> struct Blade {
 	Vec3<T> rest[GRASS_KNOTS]; // equilibrium under gravity; knots 0 and 1 clamp the blade
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
+	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending settles within a step
 	Vec3<T> root; // from the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 	T reach; // of the whole blade
@@ -22,14 +30,19 @@ template <class T> struct StepTerms {
 	T keep, pull, pull_root, straighten;
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
+	T seconds, step_ratio, bending, drag; // GrassStep.chain
+	T wild_move;
 	int iterations;
+	bool is_direct;
 	std::span<const TileCollider> colliders;
 };
 
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
 	return { T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		int(p_step.contact.x), p_colliders };
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w),
+		T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT,
+		p_colliders };
 }
 
 // [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.

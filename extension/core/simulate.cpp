@@ -90,6 +90,7 @@ void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
 				if (k >= GRASS_CLAMPED_KNOTS) {
 					state.knots[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
 					state.before[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
+					state.twist[k - GRASS_CLAMPED_KNOTS][b] = 0.0f;
 				}
 			}
 		}
@@ -149,6 +150,7 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 			for (int c = 0; c < 3; c++) {
 				texel[c] = float_to_half(knot[c] - state.rest[c][k][b]);
 			}
+			texel[3] = float_to_half(k < GRASS_CLAMPED_KNOTS ? 0.0f : state.twist[k - GRASS_CLAMPED_KNOTS][b]);
 		}
 	}
 }

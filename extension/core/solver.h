@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/contact.h"
+#include "core/direct.h"
 
 namespace grass {
 
@@ -14,6 +15,7 @@ template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T
 		const Vec3<T> rest = r_blade.rest[k];
 		r_blade.knots[k] = select(arrives, rest, r_blade.knots[k] + (rest - r_blade.knots[k]) * p_terms.blend);
 		r_blade.before[k] = select(arrives, rest, r_blade.before[k] + (rest - r_blade.before[k]) * p_terms.blend);
+		r_blade.twist[k - 1] = select(arrives, T(0.0f), r_blade.twist[k - 1] * (T(1.0f) - p_terms.blend));
 	}
 }
 
@@ -22,13 +24,14 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
-		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z));
+		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]));
 	}
 	const auto is_broken = !(sum < T(1e30f));
 	if (any(is_broken)) {
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_broken, r_blade.rest[k], r_blade.knots[k]);
 			r_blade.before[k] = select(is_broken, r_blade.rest[k], r_blade.before[k]);
+			r_blade.twist[k - 1] = select(is_broken, T(0.0f), r_blade.twist[k - 1]);
 		}
 	}
 }
@@ -45,29 +48,27 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 }
 
 // Whether the blade stands at rest with nothing near it and no load on it: a step would not change a bit.
-template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+template <class T, class Mask> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		sum = sum + (dot(away, away) + dot(moved, moved));
 	}
-	auto is_busy = !(sum <= T(0.0f));
-	for (const TileCollider &collider : p_terms.colliders) {
-		is_busy = is_busy | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
-	}
-	return !any(is_busy);
+	return !any((!(sum <= T(0.0f))) | p_is_near);
 }
 
-// The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
-template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
-	if (p_terms.iterations == 0) {
-		return;
+// Whether something may touch the blade in this step.
+template <class T> GRASS_INLINE auto is_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	auto near = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		near = near | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
 	}
-	measure_lengths(r_blade);
-	if (is_idle(r_blade, p_terms)) {
-		return;
-	}
+	return near;
+}
+
+// The method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
+template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);
@@ -78,6 +79,23 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 				bend(r_blade, deepest);
 			}
 		}
+	}
+}
+
+// The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
+template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	if (p_terms.iterations == 0) {
+		return;
+	}
+	measure_lengths(r_blade);
+	const auto near = is_near(r_blade, p_terms);
+	if (is_idle(r_blade, p_terms, near)) {
+		return;
+	}
+	if (p_terms.is_direct) {
+		step_direct(r_blade, p_terms, near);
+	} else {
+		step_pbd(r_blade, p_terms);
 	}
 	if (any(p_terms.blend > T(0.0f))) {
 		settle(r_blade, p_terms);

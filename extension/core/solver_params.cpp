@@ -103,7 +103,7 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
 	if (params.method == Method::DIRECT) {
-		step.load = { float(params.load[0] * h * h), float(params.load[1] * h * h), float(params.load[2] * h * h), step.load.w };
+		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
 	}
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
 	step.energy = { float(1.0 / (h * h)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };

@@ -69,10 +69,14 @@ GRASS_INLINE float step_tile(TileState &r_state, const GrassStep &p_step, float 
 			blade.before[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.before, free, first);
 		}
 		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
+		}
 		step_blade(blade, terms);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
 			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
+			store(blade.twist[k - 1], &r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
 		liveliest = std::max(liveliest, largest(measure_energy(blade, p_step)));
 	}

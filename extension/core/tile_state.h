@@ -15,6 +15,7 @@ struct alignas(32) TileState {
 	float rest[3][GRASS_KNOTS][GRASS_BLADES_PER_TILE];
 	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
+	float twist[GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // of the joint below each knot, radians
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
 };
 

@@ -41,8 +41,9 @@ layout(set = 0, binding = GRASS_BINDING_KNOTS_BEFORE, std430) restrict buffer Kn
 
 // Written once, when the field is made.
 layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
-// Written here, read by the blade shader.
-layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict writeonly image2D pool_texture;
+// Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians, which
+// this pass reads again.
+layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict image2D pool_texture;
 // Written here, read by the CPU some frames later: the liveliest blade's energy, by slot, J/kg.
 layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
 	float slot_energy[];
@@ -76,12 +77,73 @@ vec3 rest_of(int p_knot) {
 #include "compute/vector.inc"
 #include "compute/collide.inc"
 
-bool tile_collider(uint p_entry, out TileCollider r_collider) {
-	return make_tile_collider(collider_list[p_entry], slot.tile.xy, step.field.x, r_collider);
+// The first colliders of the tile's list, which all of its blades share.
+shared TileCollider shared_colliders[GRASS_SHARED_COLLIDERS];
+shared uint shared_valid; // one bit for each
+
+void share_colliders(uint p_blade) {
+	if (p_blade == 0u) {
+		shared_valid = 0u;
+	}
+	barrier();
+	if (p_blade < min(slot.list.z, uint(GRASS_SHARED_COLLIDERS))) {
+		TileCollider collider;
+		if (make_tile_collider(collider_list[slot.list.y + p_blade], slot.tile.xy, step.field.x, collider)) {
+			atomicOr(shared_valid, 1u << p_blade);
+		}
+		shared_colliders[p_blade] = collider;
+	}
+	barrier();
+}
+
+// Collider p_entry of the tile's list.
+TileCollider tile_collider(uint p_entry) {
+	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
+		return shared_colliders[p_entry];
+	}
+	TileCollider collider;
+	make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
+	return collider;
 }
 
 #include "compute/shape.inc"
+
+uint near_colliders; // one bit for each shared one
+
+bool is_within_reach(TileCollider p_collider) {
+	return comes_within(p_collider, root, reach * REACH_MARGIN);
+}
+
+// Whether collider p_entry may touch the blade in this step.
+bool comes_near(uint p_entry) {
+	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
+		return (near_colliders & (1u << p_entry)) != 0u;
+	}
+	TileCollider collider;
+	bool is_valid = make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
+	return is_valid && is_within_reach(collider);
+}
+
+// Whether any of them may.
+bool find_near(uint p_count) {
+	near_colliders = 0u;
+	for (uint i = 0u; i < min(p_count, uint(GRASS_SHARED_COLLIDERS)); i++) {
+		if ((shared_valid & (1u << i)) != 0u && is_within_reach(shared_colliders[i])) {
+			near_colliders |= 1u << i;
+		}
+	}
+	bool is_near = near_colliders != 0u;
+	for (uint i = uint(GRASS_SHARED_COLLIDERS); i < p_count && !is_near; i++) {
+		is_near = comes_near(i);
+	}
+	return is_near;
+}
+
 #include "compute/contact.inc"
+#include "compute/touch.inc"
+#include "compute/matrix.inc"
+#include "compute/chain.inc"
+#include "compute/direct.inc"
 #include "compute/solve.inc"
 
 shared uint liveliest; // the bits of a float that is not negative order as the float does
@@ -96,7 +158,7 @@ void find_blade(uint p_blade) {
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
-void load_knots() {
+void load_knots(uint p_blade) {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	knots[0] = rest_of(0);
 	knots[1] = rest_of(1);
@@ -104,7 +166,9 @@ void load_knots() {
 		if (is_fresh) {
 			knots[k] = rest_of(k);
 			set_before(k, knots[k]);
+			twist[k - 1] = 0.0;
 		} else {
+			twist[k - 1] = imageLoad(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w)).w;
 			knots[k] = vec3(pool_knots[pool_place(k, 0u)], pool_knots[pool_place(k, 1u)], pool_knots[pool_place(k, 2u)]);
 		}
 	}
@@ -117,7 +181,7 @@ void store_knots(uint p_blade) {
 		pool_knots[pool_place(k, 2u)] = knots[k].z;
 	}
 	for (int k = 1; k < GRASS_KNOTS; k++) {
-		imageStore(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w), vec4(knots[k] - rest_of(k), 0.0));
+		imageStore(pool_texture, ivec2(k + GRASS_KNOTS * int(p_blade), slot.tile.w), vec4(knots[k] - rest_of(k), k > 1 ? twist[k - 1] : 0.0));
 	}
 }
 
@@ -131,9 +195,10 @@ void main() {
 	if (is_retired) {
 		return;
 	}
+	share_colliders(blade);
 	find_blade(blade);
-	load_knots();
-	step_blade(slot.list.yz);
+	load_knots(blade);
+	step_blade(slot.list.z);
 	store_knots(blade);
 
 	if (blade == 0u) {

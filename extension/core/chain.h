@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// METHOD_DIRECT: a blade is a chain of rigid segments on springy joints (an inextensible elastic rod), and one implicit
+// step is one sweep from tip to root and one back. Twin of shaders/compute/chain.inc. docs/solver.md derives it.
+#pragma once
+
+#include "core/matrix.h"
+#include "core/touch.h"
+
+namespace grass {
+
+// Added to what a joint's spring and a knot's inertia resist with, to make contact stiffer than both.
+inline constexpr float CONTACT_OVER_INERTIA = 100.0f;
+inline constexpr float CONTACT_OVER_BENDING = 8.0f;
+// How much more a knot that sticks is held along the surface than across it: what it gives is creep.
+inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
+// Of one joint, radians. More, after a violent hit, would be a knot that does not untie.
+inline constexpr float MOST_TWIST = 1.0f;
+// Depth of contact that one solve takes back, at most: share of the way along the blade from the clamp.
+inline constexpr float MOST_DEPTH = 0.5f;
+
+// An implicit step of `span` seconds from a base place and speed; the step's target is where the knots would go alone.
+template <class T> struct Stage {
+	T span; // seconds
+	T caution; // resistance of the joints to one solve, shares of their stiffness
+	T weight; // of a knot's inertia: 1 + drag
+	Vec3<T> base[GRASS_KNOTS]; // metres
+	Vec3<T> target[GRASS_KNOTS]; // metres
+};
+
+// What the sweep from tip to root leaves for the way back: the turn of segment s is
+// turn + spring * (turn of segment s - 1) - G^T (shift of knot s).
+template <class T> struct JointGain {
+	Vec3<T> turn;
+	Symmetric<T> spring;
+	Rows<T> shift;
+};
+
+// What does not change during a step.
+template <class T> struct ChainTerms {
+	T bending; // EI / (density area mean length), m^3/s^2
+	T mean_length;
+};
+
+template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	const T mean = p_blade.reach * T(1.0f / float(GRASS_SEGMENTS));
+	const T squared = p_blade.reach * p_blade.reach;
+	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
+}
+
+// [Eq 23] Stiffness of joint p_joint: EI over the length of blade that it stands for. The first one stands for the whole
+// clamped segment and half of the next, and for the lever that it lacks by sitting at that segment's end.
+template <class T> GRASS_INLINE T joint_length(const Blade<T> &p_blade, int p_joint) {
+	const T here = p_blade.lengths[p_joint], before = p_blade.lengths[p_joint - 1];
+	if (p_joint > 1) {
+		return (before + here) * T(0.5f);
+	}
+	const T whole = p_blade.reach, free = whole - before, rest = free - here * T(0.5f);
+	const T a = whole * whole, b = rest * rest;
+	return (a * a - b * b) / maximum(T(4.0f) * free * free * free, T(1e-24f));
+}
+
+template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
+	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
+	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+}
+
+// [Eq 24] Where the knots would go without springs and contact: with their speed, drag and load.
+template <class T>
+GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_speed, const Vec3<T> &p_load) {
+	r_stage.base[p_knot] = p_base;
+	r_stage.target[p_knot] = p_base + (p_speed * r_stage.span + p_load * (r_stage.span * r_stage.span)) * (T(1.0f) / r_stage.weight);
+}
+
+// [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths.
+template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage) {
+	Vec3<T> carry{};
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> found = (p_stage.target[k] + carry) - r_blade.knots[k - 1];
+		const T squared = dot(found, found);
+		const auto is_long = squared > T(TINY_SQUARED);
+		const T found_length = square_root(select(is_long, squared, T(1.0f)));
+		const Vec3<T> change =
+				select(is_long, found * ((r_blade.lengths[k - 1] - found_length) / found_length), rest_segment(r_blade, k - 1) - found);
+		carry = carry + change;
+		r_blade.knots[k] = p_stage.target[k] + carry;
+	}
+}
+
+// [Eq 25] The rotation vector (radians) of a turn: 4 atan(|q| / (1 + w)) about its axis, by Pade's quotient for atan.
+template <class T> GRASS_INLINE Vec3<T> rotation_vector(const Turn<T> &p_turn) {
+	const T quarter = T(1.0f) / (T(1.0f) + p_turn.w);
+	const T z = dot(p_turn.axis, p_turn.axis) * quarter * quarter;
+	return p_turn.axis * (T(4.0f) * quarter * (T(15.0f) + T(4.0f) * z) / (T(15.0f) + T(9.0f) * z));
+}
+
+// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted.
+template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+	Turn<T> frame;
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
+		const Vec3<T> e = segment(p_blade, s);
+		const Vec3<T> axis = e * (p_blade.twist[s] / maximum(p_blade.lengths[s], T(1e-12f)));
+		const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
+		r_gains[s].turn = rotation_vector(turn);
+		frame = after(turn, frame);
+	}
+}
+
+// The quadratic model of everything beyond a joint, as a function of the joint's shift x and of the turn r of the
+// segment before it: x P x / 2 + x Q r + r S r / 2 - p x - q r.
+template <class T> struct Beyond {
+	Symmetric<T> P, S;
+	Rows<T> Q;
+	Vec3<T> p, q;
+	Vec3<T> pull; // sum of the inertial forces, for the tension
+};
+
+// [Eq 26] A knot's inertia, and what touches it.
+template <class T>
+GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
+		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
+	const Vec3<T> force = (p_stage.target[p_knot] - p_blade.knots[p_knot]) * weight;
+	r_beyond.pull = r_beyond.pull + force;
+	r_beyond.p = r_beyond.p + force;
+	add_identity(r_beyond.P, weight);
+	const Touch<T> touch = find_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	if (!any(touch.depth > T(0.0f))) {
+		return;
+	}
+	const T l = p_blade.lengths[p_knot - 1];
+	const T depth = minimum(touch.depth, p_chain.mean_length * T(MOST_DEPTH * float(p_knot - 1)));
+	const T hard = weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(l * l, T(TINY_SQUARED));
+	const T skin = maximum(l * T(SKIN), T(1e-12f));
+	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
+	const T stiffness = hard * in_skin;
+	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
+	const T slipped = length(touch.slip);
+	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), touch.friction * push / maximum(slipped, T(1e-12f)));
+	r_beyond.p = r_beyond.p + touch.normal * push - touch.slip * grip;
+	add_outer(r_beyond.P, touch.normal, stiffness - grip);
+	add_identity(r_beyond.P, grip);
+}
+
+// e x (each row), that is P E with E r = r x e.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
+	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
+		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
+}
+// E^T Q.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
+	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
+}
+
+// [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
+template <class T> GRASS_INLINE void carry_to_base(Beyond<T> &r_beyond, const Vec3<T> &p_e) {
+	const Rows<T> before = crossed(p_e, r_beyond.Q);
+	const Rows<T> moved = crossed(p_e, r_beyond.P);
+	r_beyond.Q = { r_beyond.Q.x + moved.x, r_beyond.Q.y + moved.y, r_beyond.Q.z + moved.z };
+	const Rows<T> after = crossed(p_e, r_beyond.Q);
+	r_beyond.S.xx = r_beyond.S.xx + (before.x.x + after.x.x);
+	r_beyond.S.yy = r_beyond.S.yy + (before.y.y + after.y.y);
+	r_beyond.S.zz = r_beyond.S.zz + (before.z.z + after.z.z);
+	r_beyond.S.xy = r_beyond.S.xy + (before.y.x + after.x.y);
+	r_beyond.S.xz = r_beyond.S.xz + (before.z.x + after.x.z);
+	r_beyond.S.yz = r_beyond.S.yz + (before.z.y + after.y.z);
+	r_beyond.q = r_beyond.q + cross(p_e, r_beyond.p);
+	// [Eq 28] A segment under tension resists being turned.
+	const T tension = maximum(dot(r_beyond.pull, p_e), T(0.0f));
+	const T squared = maximum(dot(p_e, p_e), T(TINY_SQUARED));
+	add_identity(r_beyond.S, tension);
+	add_outer(r_beyond.S, p_e, -tension / squared);
+}
+
+// [Eq 29] The joint takes the turn that costs least; what it would be, for any shift and turn before it, is the gain.
+template <class T>
+GRASS_INLINE void eliminate_joint(Beyond<T> &r_beyond, JointGain<T> &r_gain, const Vec3<T> &p_moment, const T &p_stiffness) {
+	Symmetric<T> D = r_beyond.S;
+	add_identity(D, p_stiffness);
+	const Symmetric<T> inverted = inverse(D);
+	const Rows<T> Q = r_beyond.Q;
+	const Rows<T> G = { inverted * Q.x, inverted * Q.y, inverted * Q.z };
+	const Vec3<T> turn = inverted * (r_beyond.q - p_moment);
+
+	r_beyond.P.xx = r_beyond.P.xx - dot(G.x, Q.x);
+	r_beyond.P.yy = r_beyond.P.yy - dot(G.y, Q.y);
+	r_beyond.P.zz = r_beyond.P.zz - dot(G.z, Q.z);
+	r_beyond.P.xy = r_beyond.P.xy - dot(G.x, Q.y);
+	r_beyond.P.xz = r_beyond.P.xz - dot(G.x, Q.z);
+	r_beyond.P.yz = r_beyond.P.yz - dot(G.y, Q.z);
+	r_beyond.p = r_beyond.p - Vec3<T>{ dot(Q.x, turn), dot(Q.y, turn), dot(Q.z, turn) };
+	r_beyond.q = turn * p_stiffness + p_moment;
+	r_beyond.Q = { G.x * p_stiffness, G.y * p_stiffness, G.z * p_stiffness };
+	const Symmetric<T> spring = { inverted.xx * p_stiffness, inverted.yy * p_stiffness, inverted.zz * p_stiffness,
+		inverted.xy * p_stiffness, inverted.xz * p_stiffness, inverted.yz * p_stiffness };
+	r_beyond.S = { p_stiffness - spring.xx * p_stiffness, p_stiffness - spring.yy * p_stiffness, p_stiffness - spring.zz * p_stiffness,
+		-spring.xy * p_stiffness, -spring.xz * p_stiffness, -spring.yz * p_stiffness };
+	r_gain = { turn, spring, G };
+}
+
+// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
+template <class T, class Mask>
+GRASS_INLINE void solve_chain(
+		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
+	JointGain<T> gains[GRASS_SEGMENTS];
+	measure_joints(r_blade, gains);
+	Beyond<T> beyond{};
+	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
+		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
+		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
+		carry_to_base(beyond, segment(r_blade, s));
+		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + p_stage.caution));
+	}
+	Vec3<T> shift{}, turn{};
+	T twist_before(0.0f);
+	Vec3<T> parent = r_blade.knots[1];
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const JointGain<T> &gain = gains[s];
+		turn = gain.turn + gain.spring * turn - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
+		const Vec3<T> knot = r_blade.knots[s + 1];
+		const Vec3<T> e = knot - parent;
+		// The part about the segment itself is twist; it would spoil the turn, being much larger.
+		const T along = dot(turn, e) / maximum(dot(e, e), T(TINY_SQUARED));
+		const T twist = along * r_blade.lengths[s];
+		const T twisted = minimum(maximum(r_blade.twist[s] + (twist - twist_before), T(-MOST_TWIST)), T(MOST_TWIST));
+		r_blade.twist[s] = select(p_active, twisted, r_blade.twist[s]);
+		twist_before = twist;
+		shift = shift + turn_change(turn_by(turn - e * along), e);
+		parent = knot;
+		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
+	}
+}
+
+} // namespace grass
