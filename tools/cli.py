@@ -43,6 +43,7 @@ def parser():
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
+	bench.add_argument("--only", choices=("draw", "simulate", "sleep"), help="only this one of those in the engine")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")
@@ -60,7 +61,7 @@ def dispatch(options):
 	if options.command == "demo":
 		scenes.demo(options.out, options.size, options.method)
 	elif options.command == "bench":
-		scenes.bench(options.out)
+		scenes.bench(options.out, options.only)
 	elif options.command == "editor":
 		scenes.editor()
 	elif options.command == "build":

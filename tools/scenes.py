@@ -58,19 +58,19 @@ def demo(out, size, method):
 	results(folder)
 
 
-def bench(out):
-	"""The core's benchmarks, one after the other, then the engine's."""
-	ready("res://bench/bench.tscn", "bench")
+def bench(out, only):
+	"""The core's benchmarks, one after the other, then the engine's; or `only` one of the engine's."""
+	ready("res://bench/bench.tscn", *([] if only else ["bench"]))
 	folder = pathlib.Path(out or OUT / "bench").resolve()
 	folder.mkdir(parents=True, exist_ok=True)
-	for program in sorted(file for file in (BUILD / "bench").iterdir() if file.is_file()):
+	for program in [] if only else sorted(file for file in (BUILD / "bench").iterdir() if file.is_file()):
 		with progress(f"Running {program.name}", every=10):
 			result = subprocess.run([str(program)], capture_output=True, text=True, timeout=LIMIT)
 		if result.returncode:
 			raise Failure(f"{program.name} ended with code {result.returncode}:\n{result.stderr}")
 		print(result.stdout, end="")
 		(folder / f"{program.name}.txt").write_text(result.stdout)
-	play("res://bench/bench.tscn", folder, [], SIZES["large"], "forward_plus")
+	play("res://bench/bench.tscn", folder, ["--only", only] if only else [], SIZES["large"], "forward_plus")
 	results(folder)
 
 

@@ -77,8 +77,8 @@ public:
 
 	// Knots of a blade of an awake tile, blade space, metres: GRASS_KNOTS points. Waits for the GPU: for tests and tools.
 	virtual std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) = 0;
-	// Energy per slot as last reported, J/kg; empty while unknown. Holds until the next call.
-	virtual std::span<const float> read_energy() = 0;
+	// The newest that is known, without waiting; holds until the next call.
+	virtual EnergyReport read_energy() = 0;
 	virtual BackendStatistics get_statistics() = 0;
 	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
 	virtual const char *get_name() const = 0;

@@ -50,6 +50,7 @@ void CpuBackend::step(const StepInput &p_input) {
 			_highest_slot = std::max(_highest_slot, slot.tile.w);
 		}
 	}
+	_step_number = p_input.number;
 	_statistics.steps++;
 	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
 	if (_measure) {

@@ -28,7 +28,7 @@ public:
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override { return _pool.get_knots(p_slot, p_blade); }
-	std::span<const float> read_energy() override { return _pool.get_energy(); }
+	EnergyReport read_energy() override { return { _step_number, _pool.get_energy() }; }
 	BackendStatistics get_statistics() override { return _statistics; }
 	int64_t get_memory_usage() const override;
 	const char *get_name() const override { return "CPU"; }
@@ -42,6 +42,7 @@ private:
 	CpuPool _pool;
 	Parallel *_parallel;
 	bool _measure = false;
+	uint64_t _step_number = 0; // of the last step
 	BackendStatistics _statistics;
 	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
 

@@ -45,6 +45,8 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	return { keep, 1.0 + keep - stay };
 }
 
+constexpr double TURN = 2.0 * std::numbers::pi;
+
 double or_zero(double p_value) {
 	return std::isfinite(p_value) ? p_value : 0.0;
 }
@@ -67,13 +69,17 @@ SolverParams SolverParams::sanitised() const {
 	return params;
 }
 
+double SolverParams::energy_within(double p_distance) const {
+	const double speed = TURN * sanitised().natural_frequency * p_distance;
+	return 0.5 * speed * speed / GRASS_FREE_KNOTS;
+}
+
 GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	const SolverParams params = p_params.sanitised();
 	GrassStep step;
 	if (!(p_delta > 0.0) || !std::isfinite(p_delta)) {
 		return step;
 	}
-	constexpr double TURN = 2.0 * std::numbers::pi;
 	const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
 	const double g = _delta_before > 0.0 ? _delta_before : h;
 	_delta_before = h;
@@ -99,7 +105,8 @@ GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	if (params.method == Method::DIRECT) {
 		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
 	}
-	step.energy = { float(1.0 / (h * h)), float(tip.w * tip.w), float(root.w * root.w - tip.w * tip.w), 0.0f };
+	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
+	step.energy = { float(1.0 / (h * h)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
 	return step;
 }
 

@@ -39,6 +39,9 @@ struct SolverParams {
 	int iterations = int(ITERATIONS.initial);
 	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, on top of the gravity that the rest pose carries already
 
+	// [Eq S1] The energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast
+	// enough to swing farther. J/kg.
+	double energy_within(double p_distance) const;
 	// The same within the tunables' ranges; what is not a number becomes the default.
 	SolverParams sanitised() const;
 };

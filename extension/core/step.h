@@ -17,6 +17,13 @@ struct StepInput {
 	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
+	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
+};
+
+// What the blades of each slot still moved by after a step, as the backend reports it, late as it may be.
+struct EnergyReport {
+	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
+	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
 };
 
 } // namespace grass

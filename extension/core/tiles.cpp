@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Which tiles wake, and who gives way. How they sleep: tiles_sleep.cpp; what comes of it: tiles_records.cpp.
 #include "core/tiles.h"
 
 #include <cmath>
-#include <limits>
 
 namespace grass {
 
@@ -38,6 +38,7 @@ TileParams TileParams::sanitised() const {
 	TileParams params = *this;
 	params.pool_size = std::clamp(pool_size, 0, MAX_POOL_SIZE);
 	params.sleep_delay = limit(sleep_delay, 3600.0, defaults.sleep_delay);
+	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
 	params.reach = limit(reach, 100.0, defaults.reach);
 	params.height = limit(height, 100.0, defaults.height);
@@ -78,6 +79,7 @@ void TileManager::reset() {
 void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	const double delta = std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
 	_time += delta;
+	_step_number++;
 	begin_step();
 	find_touched_tiles(p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
@@ -175,7 +177,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	awake = {};
 	awake.tile = { x, z, p_tile, p_slot };
 	awake.start = grass_tile_start(uint32_t(x), uint32_t(z), _params.seed);
-	awake.is_fresh = awake.is_touched = true;
+	awake.is_fresh = awake.is_touched = true; // touched: deactivate_tiles() sets the timestamps
 	_slot_of_tile.insert(p_tile, p_slot);
 	_used.insert(p_slot);
 	_statistics.woken++;
@@ -217,113 +219,17 @@ bool TileManager::is_calmer(int p_slot, int p_other) const {
 	return a.touched != b.touched ? a.touched < b.touched : p_slot < p_other;
 }
 
-void TileManager::deactivate_tiles(double p_delta) {
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		Awake &awake = _awake[size_t(slot)];
-		if (awake.is_touched) {
-			awake.touched = _time;
-			awake.is_settling = false;
-			awake.blend = 0.0f;
-		} else if (awake.blend >= 1.0f) {
-			retire(slot);
-			_free.insert(slot);
-		} else if (should_settle(awake)) {
-			settle(awake, p_delta);
-		}
-	}
-}
-
-// The policy of going to sleep: the paper's delay since the last touch.
-bool TileManager::should_settle(const Awake &p_awake) const {
-	return p_awake.is_settling || _time - p_awake.touched >= _params.sleep_delay;
-}
-
-// Takes the share of what is left of the way that brings the tile to rest in settle_time at even pace.
-void TileManager::settle(Awake &r_awake, double p_delta) {
-	if (!r_awake.is_settling) {
-		r_awake.is_settling = true;
-		r_awake.settle_left = _params.settle_time;
-	}
-	// What rounding leaves of a step is no step of its own.
-	const bool arrives = r_awake.settle_left <= p_delta * 1.0001;
-	r_awake.blend = arrives ? 1.0f : float(p_delta / r_awake.settle_left);
-	r_awake.settle_left -= p_delta;
-}
-
-// Announces that the slot's tile is at rest from now on. The slot is its caller's.
-void TileManager::retire(int p_slot) {
-	Awake &awake = _awake[size_t(p_slot)];
-	(awake.blend >= 1.0f ? _statistics.slept : _statistics.evicted)++;
-	_records.push_back({ awake.tile, { awake.start, 0, 0, GRASS_SLOT_RETIRED }, {} });
-	_slot_of_tile.erase(awake.tile.z);
-	_used.erase(p_slot);
-	awake = {};
-}
-
-// Sorts the touches by slot, each tile's objects in the order in which they were given; packs the objects in use.
-void TileManager::write_lists(std::span<const ColliderShape> p_colliders) {
-	_colliders.clear();
-	_planes.clear();
-	size_t kept = 0;
-	uint32_t last = std::numeric_limits<uint32_t>::max();
-	for (const Touch &touch : _touches) { // rising by collider
-		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
-		if (slot != SlotSet::NONE) {
-			if (touch.collider != last) {
-				last = touch.collider;
-				pack_collider(p_colliders[last]);
-			}
-			_awake[size_t(slot)].list_count++;
-			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
-		}
-	}
-	_touches.resize(kept);
-	uint32_t end = 0;
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		_awake[size_t(slot)].list_begin = end;
-		end += _awake[size_t(slot)].list_count;
-		_awake[size_t(slot)].list_count = 0;
-	}
-	_collider_list.resize(kept);
-	for (const Touch &touch : _touches) {
-		Awake &awake = _awake[size_t(touch.slot)];
-		_collider_list[awake.list_begin + awake.list_count++] = touch.collider;
-	}
-	_statistics.colliders = int(_colliders.size());
-	_statistics.list_entries = int(kept);
-}
-
-void TileManager::pack_collider(const ColliderShape &p_collider) {
-	_colliders.push_back(p_collider.pack(_grid, int(_planes.size())));
-	if (p_collider.type == GRASS_HULL) {
-		_planes.insert(_planes.end(), p_collider.planes.begin(), p_collider.planes.end());
-	}
-}
-
-void TileManager::write_records() {
-	_statistics.awake = _statistics.settling = 0;
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		const Awake &awake = _awake[size_t(slot)];
-		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0);
-		_records.push_back({ awake.tile, { awake.start, awake.list_begin, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
-		(awake.is_settling ? _statistics.settling : _statistics.awake)++;
-	}
-	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake + _statistics.settling);
-}
-
-void TileManager::report_energy(int p_slot, int p_tile, float p_energy) {
-	if (get_tile_of(p_slot) == p_tile && p_tile != TileMap::NONE && std::isfinite(p_energy)) {
-		_awake[size_t(p_slot)].energy = std::max(p_energy, 0.0f);
-	}
-}
-
 int TileManager::get_tile_of(int p_slot) const {
 	return p_slot >= 0 && p_slot < _params.pool_size ? _awake[size_t(p_slot)].tile.z : TileMap::NONE;
 }
 
 bool TileManager::is_awake(int p_tile) const {
+	return get_slot_of(p_tile) != GRASS_NO_SLOT;
+}
+
+bool TileManager::is_settling(int p_tile) const {
 	const int slot = get_slot_of(p_tile);
-	return slot != GRASS_NO_SLOT && !_awake[size_t(slot)].is_settling;
+	return slot != GRASS_NO_SLOT && _awake[size_t(slot)].is_settling;
 }
 
 size_t TileManager::get_memory_usage() const {

@@ -5,6 +5,8 @@
 
 #include "core/body_shape.h"
 #include "core/slot_set.h"
+#include "core/solver_params.h"
+#include "core/step.h"
 #include "core/tile_bounds.h"
 #include "core/tile_map.h"
 
@@ -16,17 +18,28 @@
 
 namespace grass {
 
-// Time from the last touch to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to rest; above 5 s
-// tiles are simulated that nothing moves in.
+// SleepMode::TIMER: time from the last touch to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
+// rest; above 5 s tiles are simulated that nothing moves in.
 inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
+// SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
+// stop; below 0.1 mm tiles are simulated that nobody sees move.
+inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1.0 };
 // Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
 inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
+
+// When a tile that no object touches goes to sleep.
+enum class SleepMode {
+	TIMER, // sleep_delay after the last touch: the paper's
+	ENERGY, // once its blades have been calm for a while
+};
 
 struct TileParams {
 	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
 
 	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
+	SleepMode sleep_mode = SleepMode::ENERGY;
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
+	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
 	double height = 1.0; // Metres to the highest tip. Too small: bodies pass through tips.
@@ -38,11 +51,12 @@ struct TileParams {
 
 // now: after the last update. The rest counts since the last reset.
 struct TileStatistics {
-	int awake = 0; // now: touched, or within the sleep delay
-	int settling = 0; // now: on the way back to rest
+	int awake = 0; // now: tiles that have a slot
+	int settling = 0; // now: those of them that are on the way back to rest
 	int colliders = 0; // now: that touch an awake tile
 	int list_entries = 0; // now: sum over the tiles of their objects
-	int high_water = 0; // most slots ever in use at once
+	int high_water = 0; // most tiles ever awake at once
+	uint64_t tile_steps = 0; // awake tiles, summed over the steps
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
@@ -69,6 +83,8 @@ public:
 	// One step of p_delta seconds (not finite or negative: 0). Mends p_colliders, see ColliderShape::sanitise(). The
 	// same calls make the same records, bit for bit. What the getters below return holds until the next call.
 	void update(double p_delta, std::span<ColliderShape> p_colliders);
+	// Of the last update, 0 before the first; never falls, not even by reset().
+	uint64_t get_step_number() const { return _step_number; }
 
 	// Retired tiles first, then the live ones by rising slot. A slot can be in both parts: given away at once.
 	std::span<const GrassSlot> get_slots() const { return _records; }
@@ -80,27 +96,31 @@ public:
 	// Never more entries than this in get_collider_list(), for buffers made once.
 	int get_list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * _params.pool_size); }
 
-	// What the tile's blades still move by, from the backend, late as it may be: unit of the backend's choice, 0 is rest.
-	// Ignored if the slot is another tile's by now, or p_energy is not finite. Decides who gives way in a full pool.
-	void report_energy(int p_slot, int p_tile, float p_energy);
+	// Decides who is calm: goes to sleep, or gives way in a full pool. Left out: what is not finite, and what was measured
+	// before the tile was last touched, thus also the energies of slots that were other tiles' then.
+	void report_energy(const EnergyReport &p_report);
 
 	int get_slot_of(int p_tile) const { return _slot_of_tile.find(p_tile); } // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
-	bool is_awake(int p_tile) const; // Simulated and not settling.
+	bool is_awake(int p_tile) const; // Has a slot.
+	bool is_settling(int p_tile) const; // Awake, and on the way back to rest.
 	size_t get_memory_usage() const; // Bytes; does not depend on the field's size.
 
 private:
 	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).
 	static constexpr int MIN_LIST_CAPACITY = 4096;
 	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
+	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
 	// An awake tile.
 	struct Awake {
 		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
 		uint32_t start = 0; // first blade in the patch
 		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
+		uint64_t touched_step = 0; // its number
+		double calm_since = NEVER; // timestamp
 		double settle_left = 0.0; // seconds to rest, while settling
-		float energy = NO_ENERGY;
+		float energy = NO_ENERGY; // since the last touch
 		float blend = 0.0f; // of this step's record; 1: at rest after it
 		bool is_fresh = false, is_touched = false, is_settling = false;
 		uint32_t list_begin = 0, list_count = 0;
@@ -123,8 +143,10 @@ private:
 	bool is_calmer(int p_slot, int p_other) const;
 
 	void deactivate_tiles(double p_delta);
+	void keep_awake(Awake &r_awake) const;
+	bool is_calm(const Awake &p_awake) const;
 	bool should_settle(const Awake &p_awake) const;
-	void settle(Awake &r_awake, double p_delta);
+	void settle(Awake &r_awake, double p_delta) const;
 	void retire(int p_slot);
 
 	void write_lists(std::span<const ColliderShape> p_colliders);
@@ -135,6 +157,7 @@ private:
 	TileParams _params;
 	std::shared_ptr<const TileBounds> _bounds;
 	double _time = 0.0; // seconds since reset
+	uint64_t _step_number = 0;
 
 	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
 	std::vector<Awake> _awake;

@@ -80,10 +80,10 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 	return *knots;
 }
 
-std::span<const float> GpuBackend::read_energy() {
+EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
 	_energy = _report->energy;
-	return _energy;
+	return { _report->energy_step, _energy };
 }
 
 BackendStatistics GpuBackend::get_statistics() {

@@ -27,7 +27,7 @@ public:
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override;
-	std::span<const float> read_energy() override;
+	EnergyReport read_energy() override;
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
 	const char *get_name() const override { return "GPU"; }

@@ -53,6 +53,7 @@ private:
 } // namespace
 
 StepRecords::StepRecords(const StepInput &p_input) :
+		number(p_input.number),
 		slots(p_input.slots.begin(), p_input.slots.end()),
 		colliders(p_input.colliders.begin(), p_input.colliders.end()),
 		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
@@ -134,11 +135,14 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 	}
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), [report = _report](const PackedByteArray &p_data) {
+	// The device copies it between this step's dispatch and the next one's, so it is this step's.
+	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
+		report->energy_step = number;
 		report->energy.resize(size_t(p_data.size()) / 4);
 		std::memcpy(report->energy.data(), p_data.ptr(), report->energy.size() * 4);
-	});
+	};
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
 }
 
 void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {

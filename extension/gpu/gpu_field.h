@@ -14,6 +14,7 @@ namespace grass {
 
 // The records of one simulation step, copied on the main thread for the render thread.
 struct StepRecords {
+	uint64_t number;
 	std::vector<GrassSlot> slots;
 	std::vector<GrassCollider> colliders;
 	std::vector<uint32_t> collider_list;
@@ -27,6 +28,7 @@ struct StepRecords {
 struct GpuReport {
 	std::mutex mutex;
 	BackendStatistics statistics;
+	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 };
 

@@ -128,16 +128,14 @@ void GrassField::physics_tick(double p_delta) {
 	_tracker.set_box(transform, half);
 	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
-	const std::span<const float> energy = _backend->read_energy();
-	for (size_t slot = 0; slot < energy.size() && int(slot) < _tiles.get_statistics().high_water; slot++) {
-		_tiles.report_energy(int(slot), _tiles.get_tile_of(int(slot)), energy[slot]);
-	}
+	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
 	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
 	if (_tiles.get_slots().empty()) {
 		return; // nothing is awake: no dispatch, no upload
 	}
 	StepInput input;
+	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
@@ -240,7 +238,9 @@ std::shared_ptr<const Patch> GrassField::find_patch() const {
 TileParams GrassField::tile_params() const {
 	TileParams params;
 	params.pool_size = int(_pool_tiles);
+	params.sleep_mode = grass::SleepMode(_sleep_mode);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
+	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;

@@ -29,6 +29,10 @@ public:
 		METHOD_DIRECT = int(Method::DIRECT),
 		METHOD_PBD = int(Method::PBD),
 	};
+	enum SleepMode {
+		SLEEP_TIMER = int(grass::SleepMode::TIMER),
+		SLEEP_ENERGY = int(grass::SleepMode::ENERGY),
+	};
 	enum BackendMode {
 		BACKEND_AUTO, // GPU where the renderer has a RenderingDevice, else CPU
 		BACKEND_CPU,
@@ -51,6 +55,8 @@ public:
 	bool is_simulated() const { return _simulated; }
 	void set_method(SolverMethod p_method);
 	SolverMethod get_method() const { return _solver_method; }
+	void set_sleep_mode(SleepMode p_mode);
+	SleepMode get_sleep_mode() const { return _sleep_mode; }
 	void set_backend(BackendMode p_mode);
 	BackendMode get_backend() const { return _backend_mode; }
 	void set_pool_tiles(int64_t p_tiles);
@@ -110,6 +116,7 @@ private:
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
+	void update_tiles();
 	godot::String label() const; // of this node, for messages
 	godot::String message(const char *p_text) const;
 	double param(FieldParamId p_param) const { return _params[size_t(p_param)]; }
@@ -119,6 +126,7 @@ private:
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);
+	SleepMode _sleep_mode = SleepMode(TileParams().sleep_mode);
 	BackendMode _backend_mode = BACKEND_AUTO;
 	DebugView _debug_view = DEBUG_VIEW_OFF;
 	std::array<double, FIELD_PARAMS.size()> _params;
@@ -140,5 +148,6 @@ private:
 } // namespace grass
 
 VARIANT_ENUM_CAST(grass::GrassField::SolverMethod);
+VARIANT_ENUM_CAST(grass::GrassField::SleepMode);
 VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
 VARIANT_ENUM_CAST(grass::GrassField::DebugView);

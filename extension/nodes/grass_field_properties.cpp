@@ -66,6 +66,12 @@ void GrassField::set_method(SolverMethod p_method) {
 	_solver_method = p_method;
 }
 
+void GrassField::set_sleep_mode(SleepMode p_mode) {
+	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
+	_sleep_mode = p_mode;
+	update_tiles();
+}
+
 void GrassField::set_pool_tiles(int64_t p_tiles) {
 	_pool_tiles = checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label());
 	request_rebuild();
@@ -98,9 +104,7 @@ void GrassField::set_param(int p_param, double p_value) {
 			request_rebuild();
 			break;
 		case Effect::STEP:
-			if (_backend) { // else build() will
-				_tiles.set_params(tile_params());
-			}
+			update_tiles();
 			break;
 		case Effect::UNIFORM:
 			set_uniform(info.tunable.name, _params[size_t(p_param)]);
@@ -110,6 +114,12 @@ void GrassField::set_param(int p_param, double p_value) {
 			break;
 		case Effect::VIEW:
 			break;
+	}
+}
+
+void GrassField::update_tiles() {
+	if (_backend) { // else build() will
+		_tiles.set_params(tile_params());
 	}
 }
 
@@ -207,6 +217,7 @@ void GrassField::_bind_methods() {
 	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "simulated"), set_simulated, is_simulated);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_collision_mask, get_collision_mask);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM, "Direct,PBD"), set_method, get_method);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "sleep_mode", PROPERTY_HINT_ENUM, "Timer,Energy"), set_sleep_mode, get_sleep_mode);
 	add_numbers("Simulation");
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, "0,16384,1,suffix:tiles"), set_pool_tiles, get_pool_tiles);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
@@ -243,6 +254,8 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(BACKEND_CPU);
 	BIND_ENUM_CONSTANT(METHOD_DIRECT);
 	BIND_ENUM_CONSTANT(METHOD_PBD);
+	BIND_ENUM_CONSTANT(SLEEP_TIMER);
+	BIND_ENUM_CONSTANT(SLEEP_ENERGY);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);

@@ -41,11 +41,11 @@ Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
 }
 
 bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
-	return _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.get_slot_of(_setup.grid.get_index(p_tile.x, p_tile.y)) != GRASS_NO_SLOT;
+	return _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
 }
 
 int64_t GrassField::get_awake_tile_count() const {
-	return _tiles.get_statistics().awake + _tiles.get_statistics().settling;
+	return _tiles.get_statistics().awake;
 }
 
 PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
@@ -100,6 +100,7 @@ Dictionary GrassField::get_statistics() const {
 	result["blades"] = get_blade_count();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
+	result["tile_steps"] = int64_t(tiles.tile_steps);
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);

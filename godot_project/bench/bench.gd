@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: MIT
-## Times drawing and simulation on this machine and writes CSV: `./grass bench`, or `-- --out DIR` by hand.
+## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
+##   --out DIR      folder for the files
+##   --only PART    draw, simulate or sleep
 extends Node3D
 
 const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
+const Sleep := preload("res://bench/bench_sleep.gd")
 
 
 func _ready() -> void:
 	var folder := _argument("--out", OS.get_user_data_dir())
 	DirAccess.make_dir_recursive_absolute(folder)
 	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
-	for part: Node in [Draw.new(), Simulate.new()]:
+	for script: GDScript in [Draw, Simulate, Sleep]:
+		var part: Node = script.new()
+		if not part.FILE.begins_with(_argument("--only", "")):
+			part.free()
+			continue
 		add_child(part)
 		var rows: Array[PackedStringArray] = await part.run(is_software())
 		part.queue_free()

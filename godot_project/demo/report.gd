@@ -16,7 +16,7 @@ func _init(p_field: GrassField) -> void:
 
 func tick(p_time: float) -> void:
 	var statistics := _field.get_statistics()
-	var awake: int = statistics.awake_tiles + statistics.settling_tiles
+	var awake: int = statistics.awake_tiles
 	_most_awake = maxi(_most_awake, awake)
 	_management.append(statistics.management_ms)
 	if statistics.simulate_ms > 0.0:
@@ -42,6 +42,7 @@ func table(p_bodies: int, p_software: bool) -> String:
 		["awake tiles", ", ".join(_awake)],
 		["most awake", "%d tiles, %s blades" % [_most_awake, _with_commas(_most_awake * 64)]],
 		["pool", "%d tiles gave way, %d wishes refused" % [statistics.evicted, statistics.refused]],
+		["tile steps", _with_commas(statistics.tile_steps)],
 		["blade steps", _with_commas(statistics.simulated_blades)],
 		["drawn (last view)", "%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]],
 		["draw", _range(_draw, "ms GPU a frame")],

@@ -55,7 +55,7 @@ void run(double p_size, int p_count) {
 		const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
 		if (step >= WARM_STEPS) {
 			times.push_back(time.count());
-			awake += manager.get_statistics().awake + manager.get_statistics().settling;
+			awake += manager.get_statistics().awake;
 			entries += manager.get_statistics().list_entries;
 		}
 	}

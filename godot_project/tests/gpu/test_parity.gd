@@ -82,7 +82,7 @@ func test_the_first_contact() -> void:
 
 
 func test_six_hundred_steps_without_contact() -> void:
-	if not await add_pair({sleep_delay = 30.0}):
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
 	var body := add_held_body(ball(0.2), PLACE)
 	await seen()
@@ -100,7 +100,7 @@ func test_six_hundred_steps_without_contact() -> void:
 
 
 func test_the_same_tiles_are_awake_in_every_tick() -> void:
-	if not await add_pair({sleep_delay = 0.3, settle_time = 0.2, pool_tiles = 24}):
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.3, settle_time = 0.2, pool_tiles = 24}):
 		return
 	var body := add_held_body(ball(0.2), Vector3(-2.5, 0.2, 0.2))
 	var most := 0
@@ -141,7 +141,7 @@ func test_bent_alike_under_a_moving_body() -> void:
 
 
 func test_settled_on_the_gpu_too() -> void:
-	if not await add_pair({sleep_delay = 0.3, settle_time = 0.3}):
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.3, settle_time = 0.3}):
 		return
 	var tile := gpu.get_tile_at(PLACE)
 	var rest := tile_knots(gpu, tile)
@@ -157,3 +157,47 @@ func test_settled_on_the_gpu_too() -> void:
 		limit -= 1
 	assert_less(farthest(last, rest), 1e-3, "the last simulated pose")
 	assert_eq(tile_knots(gpu, tile), rest, "asleep")
+
+
+## Energies arrive late from the GPU, so it may sleep later than the CPU, never before. Nothing else is asked of the GPU
+## here: reading knots would bring the energies too.
+func test_asleep_by_energy_on_the_gpu_too() -> void:
+	if not await add_pair({sleep_mode = GrassField.SLEEP_ENERGY}):
+		return
+	var body := add_held_body(ball(0.2), PLACE)
+	await ticks(20)
+	body.free()
+	var ends := {}
+	for i in 400:
+		for field: GrassField in [cpu, gpu]:
+			if not ends.has(field) and field.get_awake_tile_count() == 0:
+				ends[field] = i
+		await ticks(1)
+	if not assert_eq(ends.size(), 2, "both sleep"):
+		return
+	print("    asleep by energy: CPU after %d ticks, GPU after %d" % [ends[cpu], ends[gpu]])
+	assert_true(ends[gpu] >= ends[cpu], "not before")
+	assert_less(ends[gpu] - ends[cpu], 60, "ticks later")
+	assert_eq(gpu.get_statistics().slept, cpu.get_statistics().slept)
+
+
+func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:
+	if not await add_pair({sleep_mode = GrassField.SLEEP_ENERGY}):
+		return
+	var tile := gpu.get_tile_at(PLACE)
+	var rest := tile_knots(gpu, tile)
+	var body := add_held_body(ball(0.2), PLACE)
+	await ticks(20)
+	body.free()
+	var poses: Array[PackedVector3Array] = [tile_knots(gpu, tile)]
+	while gpu.is_tile_awake(tile) and poses.size() < 400:
+		await ticks(1)
+		poses.append(tile_knots(gpu, tile))
+	assert_eq(poses[-1], rest, "asleep")
+	var step := 0.0
+	for i in 10: # settling is shorter
+		step = maxf(step, farthest(poses[-1 - i], poses[-2 - i]))
+	var way := farthest(poses[-11], rest)
+	print("    the last 10 of %d ticks moved blades by %.3f mm, one by %.3f mm" % [poses.size(), 1e3 * way, 1e3 * step])
+	assert_less(way, 1e-3, "metres")
+	assert_less(step, 1e-3, "metres")

@@ -94,7 +94,7 @@ func test_wind_moves_and_stillness_does_not() -> void:
 
 
 func test_a_ball_leaves_a_mark_that_goes_away() -> void:
-	var field := add_seen_field({sleep_delay = 0.5, settle_time = 0.3})
+	var field := add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.5, settle_time = 0.3})
 	look(Vector3(0, 3, 0), Vector3.ZERO)
 	await drawn()
 	var before_it := await picture()
@@ -112,7 +112,7 @@ func test_a_ball_leaves_a_mark_that_goes_away() -> void:
 
 ## A body above the tips wakes tiles and bends none: nobody may see it.
 func test_waking_and_sleeping_are_not_seen() -> void:
-	var field := add_seen_field({sleep_delay = 0.2, settle_time = 0.2})
+	var field := add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.2, settle_time = 0.2})
 	await drawn()
 	var tip := 0.0
 	for x in 8:

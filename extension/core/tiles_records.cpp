@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What TileManager hands to the backend.
+#include "core/tiles.h"
+
+#include <limits>
+
+namespace grass {
+
+// Sorts the touches by slot, each tile's objects in the order in which they were given; packs the objects in use.
+void TileManager::write_lists(std::span<const ColliderShape> p_colliders) {
+	_colliders.clear();
+	_planes.clear();
+	size_t kept = 0;
+	uint32_t last = std::numeric_limits<uint32_t>::max();
+	for (const Touch &touch : _touches) { // rising by collider
+		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
+		if (slot != SlotSet::NONE) {
+			if (touch.collider != last) {
+				last = touch.collider;
+				pack_collider(p_colliders[last]);
+			}
+			_awake[size_t(slot)].list_count++;
+			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
+		}
+	}
+	_touches.resize(kept);
+	uint32_t end = 0;
+	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+		_awake[size_t(slot)].list_begin = end;
+		end += _awake[size_t(slot)].list_count;
+		_awake[size_t(slot)].list_count = 0;
+	}
+	_collider_list.resize(kept);
+	for (const Touch &touch : _touches) {
+		Awake &awake = _awake[size_t(touch.slot)];
+		_collider_list[awake.list_begin + awake.list_count++] = touch.collider;
+	}
+	_statistics.colliders = int(_colliders.size());
+	_statistics.list_entries = int(kept);
+}
+
+void TileManager::pack_collider(const ColliderShape &p_collider) {
+	_colliders.push_back(p_collider.pack(_grid, int(_planes.size())));
+	if (p_collider.type == GRASS_HULL) {
+		_planes.insert(_planes.end(), p_collider.planes.begin(), p_collider.planes.end());
+	}
+}
+
+void TileManager::write_records() {
+	_statistics.awake = _statistics.settling = 0;
+	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+		const Awake &awake = _awake[size_t(slot)];
+		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0);
+		_records.push_back({ awake.tile, { awake.start, awake.list_begin, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
+		_statistics.awake++;
+		_statistics.settling += awake.is_settling ? 1 : 0;
+	}
+	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
+	_statistics.tile_steps += uint64_t(_statistics.awake);
+}
+
+} // namespace grass
