@@ -2,25 +2,28 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    draw, simulate or sleep
+##   --only PART    draw, simulate, sleep or kernel
+##   --kernel FILE  simulate.glsl as SPIR-V, for the part `kernel`, which is left out without it
 extends Node3D
 
 const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
+const Kernel := preload("res://bench/bench_kernel.gd")
 
 
 func _ready() -> void:
 	var folder := _argument("--out", OS.get_user_data_dir())
 	DirAccess.make_dir_recursive_absolute(folder)
 	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
-	for script: GDScript in [Draw, Simulate, Sleep]:
+	var kernel := _argument("--kernel", "")
+	for script: GDScript in [Draw, Simulate, Sleep, Kernel]:
 		var part: Node = script.new()
-		if not part.FILE.begins_with(_argument("--only", "")):
+		if not part.FILE.begins_with(_argument("--only", "")) or script == Kernel and not kernel:
 			part.free()
 			continue
 		add_child(part)
-		var rows: Array[PackedStringArray] = await part.run(is_software())
+		var rows: Array[PackedStringArray] = await (part.run(kernel, is_software()) if script == Kernel else part.run(is_software()))
 		part.queue_free()
 		_write(folder.path_join(part.FILE), rows)
 	get_tree().quit()

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+## The simulation pass alone, without field, physics and frames: tiles of swinging blades, each with its own colliders
+## that move through it. Wall time of many dispatches, checked against the GPU's own timestamps.
+##   bench.tscn -- --kernel simulate.spv [--out DIR]
+extends Node
+
+const FILE := "kernel.csv"
+const TILE_SIZE := 0.5 # metres
+const BLADES := 64 # a tile
+const KNOTS := 16
+const FREE_KNOTS := 14
+const PATCH_BLADES := 16384
+const LENGTH := 0.5 # of a blade, metres
+const FREQUENCY := 1.2 # Hz
+const RATE := 60.0 # steps a second
+const STEPS := 200
+const WARM_UP := 20
+const FLOOR_BYTES := 4 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: knots and knots before, read and written; texture
+enum { DIRECT, PBD }
+
+var _device: RenderingDevice
+var _made: Array[RID] = []
+var _pipeline: RID
+var _shader: RID
+
+
+func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
+	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
+	_device = RenderingServer.create_local_rendering_device()
+	var code := RDShaderSPIRV.new()
+	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv))
+	_shader = _device.shader_create_from_spirv(code)
+	_pipeline = _device.compute_pipeline_create(_shader)
+	for method: int in [DIRECT, PBD]:
+		for tiles: int in [64] if p_software else [1024, 4096, 16384]:
+			for colliders: int in [0, 4]:
+				rows.append(_measure(method, 2, tiles, colliders, 4 if p_software else STEPS))
+	_device.free_rid(_pipeline)
+	_device.free_rid(_shader)
+	_device.free()
+	return rows
+
+
+func _measure(p_method: int, p_iterations: int, p_tiles: int, p_colliders: int, p_steps: int) -> PackedStringArray:
+	var sets: Array[RID] = []
+	var shared := _shared_resources(p_tiles)
+	for phase in 8: # the colliders go to and fro
+		sets.append(_uniform_set(shared, p_tiles, p_colliders, phase))
+	var bend := _push(p_method, p_iterations, Vector3(25.0, 0.0, 10.0))
+	var free := _push(p_method, p_iterations, Vector3.ZERO)
+	_run(sets, bend, p_tiles, WARM_UP) # a strong wind bends all blades
+	_device.buffer_update(shared[0], 0, p_tiles * 48, _slots(p_tiles, p_colliders, 0))
+	_run(sets, bend, p_tiles, WARM_UP)
+	_device.capture_timestamp("begin")
+	var start := Time.get_ticks_usec()
+	_run(sets, free, p_tiles, p_steps)
+	var wall := (Time.get_ticks_usec() - start) * 1e-3 / p_steps
+	var gpu := 0.0
+	for i in _device.get_captured_timestamps_count() - 1:
+		gpu = maxf(gpu, (_device.get_captured_timestamp_gpu_time(i + 1) - _device.get_captured_timestamp_gpu_time(i)) * 1e-6)
+	for rid in sets:
+		_device.free_rid(rid)
+	for rid in _made:
+		_device.free_rid(rid)
+	_made.clear()
+	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), str(p_colliders), "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES)]
+
+
+func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:
+	_device.capture_timestamp("from")
+	var list := _device.compute_list_begin()
+	_device.compute_list_bind_compute_pipeline(list, _pipeline)
+	for step in p_steps:
+		_device.compute_list_bind_uniform_set(list, p_sets[step % p_sets.size()], 0)
+		_device.compute_list_set_push_constant(list, p_push, p_push.size())
+		_device.compute_list_dispatch(list, p_tiles, 1, 1)
+		_device.compute_list_add_barrier(list)
+	_device.compute_list_end()
+	_device.capture_timestamp("to")
+	_device.submit()
+	_device.sync()
+
+
+func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray:
+	var w := TAU * FREQUENCY
+	var h := 1.0 / RATE
+	var pull := w * w * h * h
+	return PackedFloat32Array([
+		0.9, pull, pull, 0.5, # motion
+		p_load.x * (1.0 if p_method == DIRECT else h * h), p_load.y, p_load.z * (1.0 if p_method == DIRECT else h * h), 20.0 * h,
+		p_iterations, 1.0, 0.02, p_method, # contact
+		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
+		RATE * RATE, w * w, w * w, 0.0, # energy
+		TILE_SIZE, 128.0, 128.0, 0.0, # field
+		1.6, 0.0, 0.0, 0.0, # clump
+	]).to_byte_array()
+
+
+## Slots (all fresh), knots, knots before, patch, pool texture, energy, tile table.
+func _shared_resources(p_tiles: int) -> Array[RID]:
+	var pool := p_tiles * 3 * FREE_KNOTS * BLADES * 4
+	var patch := RDTextureFormat.new()
+	patch.format = RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT
+	patch.width = 2048
+	patch.height = 128
+	patch.usage_bits = RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT
+	var pool_texture := RDTextureFormat.new()
+	pool_texture.format = patch.format
+	pool_texture.width = KNOTS * BLADES
+	pool_texture.height = p_tiles
+	pool_texture.usage_bits = RenderingDevice.TEXTURE_USAGE_STORAGE_BIT
+	return _keep([
+		_device.storage_buffer_create(p_tiles * 48, _slots(p_tiles, 0, 1)),
+		_device.storage_buffer_create(pool),
+		_device.storage_buffer_create(pool),
+		_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
+		_device.sampler_create(RDSamplerState.new()),
+		_device.texture_create(pool_texture, RDTextureView.new()),
+		_device.storage_buffer_create(p_tiles * 4),
+		_device.storage_buffer_create(p_tiles * 4),
+	])
+
+
+func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
+	var words := PackedInt32Array()
+	for tile in p_tiles:
+		words.append_array([tile % 128, tile / 128, tile, tile, (tile * 8) % (PATCH_BLADES - BLADES), tile * p_colliders, p_colliders, p_bits, 0, 0, 0, 0])
+	return words.to_byte_array()
+
+
+func _patch_texels() -> PackedByteArray:
+	var image := Image.create_empty(2048, 128, false, Image.FORMAT_RGBAH)
+	for blade in PATCH_BLADES:
+		var at := Vector2i(blade % 128 * KNOTS, blade / 128)
+		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
+		for knot in range(1, KNOTS):
+			var lean := 0.3 * knot * knot / 225.0 * LENGTH
+			image.set_pixelv(at + Vector2i(knot, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
+	return image.get_data()
+
+
+func _uniform_set(p_shared: Array[RID], p_tiles: int, p_colliders: int, p_phase: int) -> RID:
+	var lists := PackedInt32Array(range(maxi(1, p_tiles * p_colliders)))
+	var colliders := PackedByteArray()
+	for entry in p_colliders:
+		colliders.append_array(_collider(entry, p_phase))
+	var all := PackedByteArray()
+	for tile in p_tiles:
+		for entry in p_colliders:
+			var record := colliders.slice(entry * 96, entry * 96 + 96)
+			record.encode_s32(0, tile % 128)
+			record.encode_s32(4, tile / 128)
+			all.append_array(record)
+	if all.is_empty():
+		all.resize(96)
+	var own := _keep([
+		_device.storage_buffer_create(all.size(), all),
+		_device.storage_buffer_create(lists.size() * 4, lists.to_byte_array()),
+		_device.storage_buffer_create(16),
+	])
+	var uniforms: Array[RDUniform] = []
+	var buffers: Array[RID] = [p_shared[0], own[0], own[1], own[2], p_shared[1], p_shared[2]]
+	for binding in buffers.size():
+		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
+	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
+	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
+	uniforms.append(_uniform(8, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6]]))
+	uniforms.append(_uniform(9, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[7]]))
+	return _device.uniform_set_create(uniforms, _shader, 0)
+
+
+## Balls of 8 cm, one in each quarter of the tile, that go to and fro by 1 cm a step.
+func _collider(p_entry: int, p_phase: int) -> PackedByteArray:
+	var place := Vector3(0.125 if p_entry & 1 else -0.125, 0.2, 0.125 if p_entry & 2 else -0.125)
+	var now := place + Vector3(0.01 * absi(p_phase - 4), 0.0, 0.0)
+	var before := place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0.0, 0.0)
+	return PackedFloat32Array([0, 0, 0, 0, now.x, now.y, now.z, 0.5, 0, 0, 0, 1, before.x, before.y, before.z, 0, 0, 0, 0, 1, 0.08, 0, 0, 0]).to_byte_array()
+
+
+func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array[RID]) -> RDUniform:
+	var uniform := RDUniform.new()
+	uniform.binding = p_binding
+	uniform.uniform_type = p_type
+	for id in p_ids:
+		uniform.add_id(id)
+	return uniform
+
+
+func _keep(p_made: Array[RID]) -> Array[RID]:
+	_made.append_array(p_made)
+	return p_made
