@@ -70,8 +70,17 @@ void set_before(int p_knot, vec3 p_place) {
 	pool_before[pool_place(p_knot, 1u)] = p_place.y;
 	pool_before[pool_place(p_knot, 2u)] = p_place.z;
 }
+// The rest pose, fetched once: a texture answers too slowly to be asked in every loop.
+vec3 rest_knots[GRASS_KNOTS];
+float lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
+
 vec3 rest_of(int p_knot) {
-	return grass_rest_knot(texelFetch(patch_texture, texel + ivec2(p_knot, 0), 0).xyz, p_knot, clump);
+	return rest_knots[p_knot];
+}
+void load_rest() {
+	for (int k = 0; k < GRASS_KNOTS; k++) {
+		rest_knots[k] = grass_rest_knot(texelFetch(patch_texture, texel + ivec2(k, 0), 0).xyz, k, clump);
+	}
 }
 
 #include "compute/vector.inc"
@@ -160,6 +169,7 @@ void find_blade(uint p_blade) {
 
 void load_knots(uint p_blade) {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+	load_rest();
 	knots[0] = rest_of(0);
 	knots[1] = rest_of(1);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
