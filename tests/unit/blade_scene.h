@@ -127,7 +127,7 @@ struct BladeScene {
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 				const float value = p_measure(b, k);
-				most = value <= most ? most : value; // keeps NaN
+				most = value <= most || std::isnan(most) ? most : value; // keeps NaN
 			}
 		}
 		return most;

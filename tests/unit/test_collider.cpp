@@ -75,6 +75,22 @@ TEST_CASE("At a centre or on an axis the way out is a fixed one") {
 	}
 }
 
+TEST_CASE("A segment placed before a plane keeps its length, also one that points along the normal but for rounding")  {
+	std::mt19937 random(5);
+	std::uniform_real_distribution<float> part(-1.0f, 1.0f);
+	for (int i = 0; i < 20000; i++) {
+		const Vec3<float> up{ 0.0f, 1.0f, 0.0f };
+		const Vec3<float> normal = normalized<float>({ part(random), part(random), part(random) }, up);
+		const float length_wanted = std::pow(10.0f, -2.0f + part(random));
+		const float tilt = i % 2 ? 0.0f : std::pow(10.0f, -5.0f + 3.0f * part(random));
+		const Vec3<float> along = normal * (i % 4 < 2 ? -length_wanted : 0.3f * length_wanted);
+		const Vec3<float> segment = along + perpendicular(normal) * (tilt * length_wanted);
+		const Vec3<float> placed = place_before_plane(segment, normal, 0.7f * length_wanted, length_wanted);
+		REQUIRE(length(placed) == doctest::Approx(length_wanted).epsilon(1e-5));
+		REQUIRE(dot(placed, normal) == doctest::Approx(0.7f * length_wanted).epsilon(1e-5));
+	}
+}
+
 TEST_CASE("A path through a shape meets its near side, at any speed; beside it none") {
 	for (const int shape : SHAPES) {
 		const TileCollider collider = make(shape);
