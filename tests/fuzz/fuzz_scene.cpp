@@ -158,14 +158,16 @@ std::string play_bytes(std::span<const uint8_t> p_bytes) {
 		read_rest_pose(bytes, scene, b);
 	}
 	for (int frame = 0; frame < 24; frame++) {
+		double delta = bytes.odd(bytes.between(0.0, 0.1));
 		if (frame % 6 == 0) {
 			scene.colliders.clear();
 			for (int i = bytes.below(6); i > 0; i--) {
 				read_collider(bytes, scene);
 			}
 			read_state(bytes, scene);
+			delta = 1.0 / 60.0; // a step of no time would leave a broken state as it is
 		}
-		scene.step(bytes.odd(bytes.between(0.0, 0.1)));
+		scene.step(delta);
 		const std::string failure = look(scene, frame);
 		if (!failure.empty()) {
 			return failure;

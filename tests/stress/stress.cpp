@@ -117,7 +117,8 @@ Storm::Storm(BladeScene &r_scene, Dice &r_dice, int p_count, double p_smallest, 
 		}
 		_scene.planes = std::move(planes);
 		_bodies.push_back({ Eigen::Vector3f::NullaryExpr([&] { return float(r_dice.uniform(-ROOM, ROOM)); }),
-				r_dice.direction() * float(r_dice.magnitude(1e-3, p_speed)), r_dice.direction(), 0.0f, float(r_dice.uniform(-20.0, 20.0)) });
+				r_dice.direction() * float(r_dice.magnitude(1e-3, p_speed)), r_dice.direction(), 0.0f,
+				float(r_dice.uniform(-20.0, 20.0)) });
 		write(collider, _bodies.back(), _bodies.back());
 	}
 }

@@ -35,7 +35,7 @@ std::string run_draw(int p_number, int p_bodies, double p_largest, double p_spee
 } // namespace
 
 TEST_CASE("stress: random parameters, time steps and a few bodies, 600 frames of a tile each") {
-	check_each(sized(400, 10000), [](int p_number) { return run_draw(p_number, p_number % 5, 0.5, 30.0, FRAMES); });
+	check_each(sized(300, 10000), [](int p_number) { return run_draw(p_number, p_number % 5, 0.5, 30.0, FRAMES); });
 }
 
 TEST_CASE("stress: storms of hundreds of overlapping bodies of all shapes") {

@@ -75,7 +75,7 @@ TEST_CASE("At a centre or on an axis the way out is a fixed one") {
 	}
 }
 
-TEST_CASE("A segment placed before a plane keeps its length, also one that points along the normal but for rounding")  {
+TEST_CASE("A segment placed before a plane keeps its length, also one that points along the normal but for rounding") {
 	std::mt19937 random(5);
 	std::uniform_real_distribution<float> part(-1.0f, 1.0f);
 	for (int i = 0; i < 20000; i++) {
