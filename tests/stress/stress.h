@@ -12,7 +12,6 @@
 namespace grass::test {
 
 inline constexpr Method METHODS[] = { Method::DIRECT, Method::PBD };
-inline constexpr int SHAPES[] = { GRASS_SPHERE, GRASS_CAPSULE, GRASS_BOX, GRASS_CYLINDER, GRASS_HULL };
 
 // Error of a segment's length that always holds, as a share of it.
 inline constexpr float MOST_STRETCH = 1e-3f;
