@@ -119,4 +119,3 @@ TEST_CASE("Colliders with a number that is not finite, or without planes, are le
 		CHECK(scene.is_exactly_at_rest());
 	}
 }
-

@@ -79,7 +79,8 @@ TEST_CASE("The two-step coefficients follow a damped oscillator exactly, also wh
 	}
 }
 
-TEST_CASE_TEMPLATE("A bent blade is back at rest within 1 % of its length in 0.5 to 1.5 s, at any frame rate and number of iterations", M, Direct, Pbd) {
+TEST_CASE_TEMPLATE("A bent blade is back at rest within 1 % of its length in 0.5 to 1.5 s, at any frame rate and number of iterations", M,
+		Direct, Pbd) {
 	const auto return_time = [](double p_rate, int p_iterations) {
 		BladeScene scene(M::METHOD);
 		scene.params.iterations = p_iterations;
@@ -105,7 +106,9 @@ TEST_CASE_TEMPLATE("A bent blade is back at rest within 1 % of its length in 0.5
 	}
 }
 
-TEST_CASE_TEMPLATE("The way back differs by less than 2 % of the length (RMS) between 30, 60, 144 and 720 steps a second, 2, 3 and 10 iterations", M, Direct, Pbd) {
+TEST_CASE_TEMPLATE(
+		"The way back differs by less than 2 % of the length (RMS) between 30, 60, 144 and 720 steps a second, 2, 3 and 10 iterations", M,
+		Direct, Pbd) {
 	constexpr int GRID = 30; // the places in time that all rates share, 1/s
 	const auto path = [](int p_rate, int p_iterations) {
 		BladeScene scene(M::METHOD);
@@ -189,4 +192,3 @@ TEST_CASE_TEMPLATE("Settling arrives exactly at rest, step by step nearer", M, D
 		CHECK(scene.is_exactly_at_rest());
 	}
 }
-

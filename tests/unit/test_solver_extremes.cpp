@@ -59,7 +59,8 @@ TEST_CASE_TEMPLATE("A blade with a number that is not finite goes back to rest, 
 	}
 }
 
-TEST_CASE_TEMPLATE("Knots in one place, folded segments and segments without length come apart without a division by zero", M, Direct, Pbd) {
+TEST_CASE_TEMPLATE(
+		"Knots in one place, folded segments and segments without length come apart without a division by zero", M, Direct, Pbd) {
 	for (const Step step : ALL_STEPS) {
 		BladeScene scene(M::METHOD);
 		scene.step_function = step;
