@@ -20,7 +20,7 @@ inline constexpr float AT_REST = 0.01f;
 
 const char *name_of(Method p_method);
 
-// p_full if the environment has GRASS_STRESS=full (`./grass bench stress`), else p_usual.
+// p_full if the environment has GRASS_STRESS=full (`./grass bench stress`), else p_usual, or less of it under a sanitizer.
 int sized(int p_usual, int p_full);
 
 // Calls p_body(i) for every i below p_count, on all cores. It returns what went wrong, "" if nothing; every failure is a failed

@@ -128,9 +128,11 @@ TEST_CASE_TEMPLATE("A pressed blade stays above the ground and below what presse
 	for (const int shape : { GRASS_BOX, GRASS_CYLINDER, GRASS_HULL }) {
 		CAPTURE(shape);
 		BladeScene scene(M::METHOD);
-		scene.params.natural_frequency = 0.9; // Hz: METHOD_PBD holds still under its softest usual blades only
-		scene.params.damping_ratio = 0.7;
-		scene.params.iterations = 3;
+		if (M::METHOD == Method::PBD) { // holds still if blades are soft, damped and solved often enough only
+			scene.params.natural_frequency = 0.9; // Hz
+			scene.params.damping_ratio = 0.7;
+			scene.params.iterations = 3;
+		}
 		scene.add(shape, { 0.0f, 0.7f, 0.0f }, { 0.5f, 0.1f, 0.5f });
 		float height = 0.7f;
 		for (int i = 0; i < 240; i++) { // comes down to 8 cm above the ground in a second and stays
