@@ -132,3 +132,21 @@ TEST_CASE_TEMPLATE("A world scaled by 1/1000 or 1000 moves as the world itself",
 		CHECK(scene.largest([&](int b, int k) { return (scaled.knot(b, k) / scale - scene.knot(b, k)).norm() / scene.length; }) < 1e-3f);
 	}
 }
+
+TEST_CASE_TEMPLATE("Knots absurdly far away and absurd loads leave lengths right", M, Direct, Pbd) {
+	for (const float far : { 1e4f, 1e15f, 1e29f }) {
+		CAPTURE(far);
+		BladeScene scene(M::METHOD);
+		scene.tile->knots[0][4][7] = far;
+		scene.tile->before[1][9][8] = -far;
+		scene.step();
+		CHECK(scene.is_finite());
+		CHECK(scene.stretch() < 1e-3f);
+		scene.params.load[0] = double(far) * double(far);
+		for (int i = 0; i < 60; i++) {
+			scene.step();
+			REQUIRE(scene.is_finite());
+			REQUIRE(scene.stretch() < 1e-3f);
+		}
+	}
+}
