@@ -34,7 +34,7 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, headless, gpu (default: all, in that order)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, stress, headless, gpu (default: all, in that order)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 
 	build = commands.add_parser("build", help="build the extension")
@@ -42,6 +42,7 @@ def parser():
 
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
+	bench.add_argument("what", nargs="?", choices=("stress",), help="stress: only the stress tests, in full; takes an hour")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
 	bench.add_argument("--only", choices=("draw", "simulate", "sleep"), help="only this one of those in the engine")
 
@@ -61,6 +62,8 @@ def dispatch(options):
 	if options.command == "demo":
 		scenes.demo(options.out, options.size, options.method)
 	elif options.command == "bench":
+		if options.what == "stress":
+			return testing.stress_in_full()
 		scenes.bench(options.out, options.only)
 	elif options.command == "editor":
 		scenes.editor()

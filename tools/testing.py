@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the layers of tests and adds them up. The last line is `N passed, N failed`, and skips if there are any."""
 
+import os
 import re
 import subprocess
 from dataclasses import dataclass, field
@@ -9,10 +10,11 @@ from tools import build, engine, machine
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
-LAYERS = ("unit", "headless", "gpu")
+PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
+LAYERS = (*PROGRAMS, "headless", "gpu")
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
-UNIT_LIMIT = 900  # seconds
+PROGRAM_LIMIT = 900  # seconds
 ENGINE_LIMIT = 2400  # seconds
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
@@ -39,15 +41,15 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def unit(only):
-	"""The core's tests, without the engine. Each TEST_CASE counts one."""
-	program = str(BUILD / "unit/unit_tests")
+def core(layer, only):
+	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one."""
+	program = str(BUILD / layer / f"{layer}_tests")
 	chosen = [f"--test-case=*{only}*"] if only else []
 	try:
-		with progress("Running the unit tests"):
-			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=UNIT_LIMIT)
+		with progress(f"Running the {layer} tests"):
+			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT)
 	except subprocess.TimeoutExpired:
-		return Tally(failed=[f"unit: still running after {UNIT_LIMIT} s"])
+		return Tally(failed=[f"{layer}: still running after {PROGRAM_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
@@ -55,13 +57,13 @@ def unit(only):
 	blocks = [block for block in re.split(r"^=+$", result.stdout, flags=re.MULTILINE) if "ERROR:" in block]
 	names = [name.strip() for block in blocks for name in re.findall(r"^TEST CASE:\s*(.*)$", block, re.MULTILINE)]
 	names = list(dict.fromkeys(names)) + ["a test case"] * failed
-	failures = [f"unit: {name}" for name in names[:failed]]
+	failures = [f"{layer}: {name}" for name in names[:failed]]
 	if result.returncode and not failures:
-		failures = [f"unit: the tests ended with code {result.returncode}"]
-	return Tally(passed, failures, [f"unit: {name} (marked to be skipped)" for name in unit_skips(program, chosen)])
+		failures = [f"{layer}: the tests ended with code {result.returncode}"]
+	return Tally(passed, failures, [f"{layer}: {name} (marked to be skipped)" for name in skips(program, chosen)])
 
 
-def unit_skips(program, chosen):
+def skips(program, chosen):
 	"""Names of the test cases that are marked to be skipped."""
 
 	def names(*arguments):
@@ -69,6 +71,14 @@ def unit_skips(program, chosen):
 		return {line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))}
 
 	return sorted(names("--no-skip") - names())
+
+
+def stress_in_full():
+	"""The stress tests in their full size, as they come. Returns the exit code."""
+	machine.ensure(*machine.BUILDING)
+	build.scons("stress")
+	command = [str(BUILD / "stress/stress_tests"), "--duration=true"]
+	return subprocess.run(command, env={**os.environ, "GRASS_STRESS": "full"}).returncode
 
 
 class Reports:
@@ -144,14 +154,14 @@ def run(layers=LAYERS, only=""):
 	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
 	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if "gpu" in layers else []
 	machine.ensure(*machine.BUILDING, *on_screen)
-	targets = {layer: "unit" if layer == "unit" else "extension" for layer in layers}
+	targets = {layer: layer if layer in PROGRAMS else "extension" for layer in layers}
 	build.scons(*sorted(set(targets.values())))
 	if "extension" in targets.values():
 		engine.import_project()
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = {"unit": unit, "headless": headless, "gpu": gpu}[layer](only)
+		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

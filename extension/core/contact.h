@@ -15,6 +15,9 @@ inline constexpr int FIRST_BENDING_KNOT = 5;
 // the ground a knot at most its gap deeper.
 inline constexpr int PUSH_ROUNDS = 8;
 
+// What of a segment must lie across a normal to tell a side, segment lengths.
+inline constexpr float LEAST_SIDE = 1e-6f;
+
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestContact {
 	Contact<T> contact{ {}, T(0.0f) };
@@ -84,7 +87,11 @@ GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> 
 		return p_segment;
 	}
 	const T wanted = minimum(p_ahead, p_length);
-	const Vec3<T> side = normalized(p_segment - p_normal * along, perpendicular(p_normal));
+	// Of a segment along the normal only rounding errors are left across it, in any direction: taken out twice, or no side.
+	const Vec3<T> rough = p_segment - p_normal * along;
+	const Vec3<T> across = rough - p_normal * dot(rough, p_normal);
+	const auto has_side = dot(across, across) > p_length * p_length * T(LEAST_SIDE * LEAST_SIDE);
+	const Vec3<T> side = normalized(select(has_side, across, Vec3<T>{}), perpendicular(p_normal));
 	const Vec3<T> placed = p_normal * wanted + side * square_root(maximum(p_length * p_length - wanted * wanted, T(0.0f)));
 	return select(along < p_ahead, placed, p_segment);
 }

@@ -66,14 +66,27 @@ template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	}
 }
 
+// From here on, 1 + the cosine of the angle between them, two directions count as opposite (2.6 degrees); the way from there,
+// shares of the lever, is what it would be at this angle.
+inline constexpr float OPPOSITE = 1e-3f;
+inline constexpr float WAY_ASIDE = 0.045f;
+
 // [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
 // about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.
+// A knot opposite to its rest place, where every arc is as long as the other, takes a fixed one.
 template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
 	const Vec3<T> across = cross(p_lever, p_rest);
 	const T squared = dot(p_lever, p_lever);
-	const T product = square_root(squared * dot(p_rest, p_rest)) + dot(p_lever, p_rest);
+	const T size = square_root(squared * dot(p_rest, p_rest));
+	const T product = size + dot(p_lever, p_rest);
 	const T outwards = dot(across, across) / maximum(product * squared, T(TINY_SQUARED));
-	return (p_rest - p_lever) + p_lever * outwards;
+	const Vec3<T> way = (p_rest - p_lever) + p_lever * outwards;
+	const auto is_opposite = product < size * T(OPPOSITE);
+	if (!any(is_opposite)) {
+		return way;
+	}
+	const Vec3<T> aside = perpendicular(normalized(p_rest, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
+	return select(is_opposite, aside * (length(p_rest) * T(WAY_ASIDE)), way);
 }
 
 // [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves

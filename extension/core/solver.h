@@ -19,14 +19,18 @@ template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T
 	}
 }
 
-// Puts a blade with a number that is not finite to rest. Such a number survives every stage above, so once is enough.
+// Farthest that the knots of a blade may be from the root, all together, blade lengths: the fastest blade under the greatest load,
+// before its lengths are put right. Rounding of anything farther would spoil the lengths.
+inline constexpr float MOST_AWAY = 1000.0f;
+
+// Puts a blade with a number that is not finite, or that is absurdly large, to rest. Such a number survives every stage.
 template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
-		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]));
+		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]) * r_blade.reach);
 	}
-	const auto is_broken = !(sum < T(1e30f));
+	const auto is_broken = !(sum < r_blade.reach * T(MOST_AWAY));
 	if (any(is_broken)) {
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_broken, r_blade.rest[k], r_blade.knots[k]);
@@ -100,8 +104,9 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	if (any(p_terms.blend > T(0.0f))) {
 		settle(r_blade, p_terms);
 	}
-	finish(r_blade, p_terms);
 	mend(r_blade);
+	finish(r_blade, p_terms);
+	mend(r_blade); // what a body of absurd size did in finish()
 }
 
 } // namespace grass

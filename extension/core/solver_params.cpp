@@ -64,7 +64,7 @@ SolverParams SolverParams::sanitised() const {
 	params.max_speed = MAX_SPEED.clamp(max_speed);
 	params.iterations = int(ITERATIONS.clamp(iterations));
 	for (int i = 0; i < 3; i++) {
-		params.load[i] = or_zero(load[i]);
+		params.load[i] = std::clamp(or_zero(load[i]), -MAX_LOAD, MAX_LOAD);
 	}
 	return params;
 }

@@ -46,6 +46,8 @@ struct SolverParams {
 	SolverParams sanitised() const;
 };
 
+// Greatest load in any direction, m/s^2.
+inline constexpr double MAX_LOAD = 1000.0;
 // Longer steps (a frame that took half a second) are taken as this one: seconds.
 inline constexpr double MAX_STEP = 0.1;
 // Gap between a free knot and the ground, segment lengths.

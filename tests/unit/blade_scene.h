@@ -19,6 +19,15 @@ namespace grass::test {
 using Step = float (*)(TileState &, const GrassStep &, float, std::span<const TileCollider>);
 inline constexpr Step ALL_STEPS[] = { step_lanes, step_scalar_float, step_scalar_double };
 
+// Both methods, for TEST_CASE_TEMPLATE.
+struct Direct {
+	static constexpr Method METHOD = Method::DIRECT;
+};
+struct Pbd {
+	static constexpr Method METHOD = Method::PBD;
+};
+
+inline constexpr int SHAPES[] = { GRASS_SPHERE, GRASS_CAPSULE, GRASS_BOX, GRASS_CYLINDER, GRASS_HULL };
 inline constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
 struct BladeScene {
@@ -33,7 +42,8 @@ struct BladeScene {
 	float length = 0.5f; // metres, of every blade
 
 	// Blades with their roots at the tile's centre: the first straight, the others leaning and curving ever more.
-	explicit BladeScene(float p_length = 0.5f) : length(p_length) {
+	explicit BladeScene(float p_length = 0.5f, Method p_method = Method::DIRECT) : length(p_length) {
+		params.method = p_method;
 		std::memset(tile.get(), 0, sizeof(TileState));
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			const float curve = 1.2f * float(b) / float(GRASS_BLADES_PER_TILE), heading = 0.7f * float(b);
@@ -46,6 +56,8 @@ struct BladeScene {
 			}
 		}
 	}
+
+	explicit BladeScene(Method p_method) : BladeScene(0.5f, p_method) {}
 
 	void set_rest(int p_blade, int p_knot, const Eigen::Vector3f &p_place) {
 		for (int c = 0; c < 3; c++) {
@@ -127,7 +139,7 @@ struct BladeScene {
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 				const float value = p_measure(b, k);
-				most = value <= most ? most : value; // keeps NaN
+				most = value <= most || std::isnan(most) ? most : value; // keeps NaN
 			}
 		}
 		return most;

@@ -2,6 +2,8 @@
 // The pool on the CPU: records in, knots out.
 #include <doctest/doctest.h>
 
+#include "blade_scene.h"
+
 #include "core/blade.h"
 #include "core/half.h"
 #include "core/simulate.h"
@@ -12,6 +14,7 @@
 #include <limits>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
@@ -25,6 +28,7 @@ std::shared_ptr<const Patch> shared_patch() {
 // A pool, and a ball that rolls over its tiles (x = 0 ..., z = 0).
 struct PoolScene {
 	CpuPool pool;
+	SolverParams params;
 	StepClock clock;
 	std::vector<GrassSlot> slots;
 	std::vector<GrassCollider> colliders{ 1 };
@@ -32,7 +36,8 @@ struct PoolScene {
 	GrassStep step_record;
 	int time = 0;
 
-	explicit PoolScene(int p_slots) : pool(shared_patch(), p_slots) {
+	explicit PoolScene(int p_slots, Method p_method = Method::DIRECT) : pool(shared_patch(), p_slots) {
+		params.method = p_method;
 		for (int i = 0; i < p_slots; i++) {
 			GrassSlot slot;
 			slot.tile = { i, 0, i, i };
@@ -43,7 +48,7 @@ struct PoolScene {
 		colliders[0].size.x = 0.15f;
 	}
 	void step(const ParallelFor &p_parallel_for = serial_for, double p_delta = 1.0 / 60.0) {
-		step_record = clock.advance(SolverParams(), p_delta);
+		step_record = clock.advance(params, p_delta);
 		step_record.field = { TILE_SIZE, 64, 64, 0 };
 		step_record.clump = { 1.6f, 1, 1, 1 };
 		colliders[0].position_before = { -0.5f + 0.05f * float(time), 0.15f, 0.03f, 0.0f };
@@ -89,8 +94,8 @@ TEST_CASE("A tile wakes at rest, exactly where it is drawn at rest") {
 	}
 }
 
-TEST_CASE("A ball bends blades, their clamped knots keep every bit, and they rise again") {
-	PoolScene scene(4);
+TEST_CASE_TEMPLATE("A ball bends blades, their clamped knots keep every bit, and they rise again", M, Direct, Pbd) {
+	PoolScene scene(4, M::METHOD);
 	float energy = 0.0f;
 	for (int i = 0; i < 40; i++) {
 		scene.step();
@@ -116,8 +121,8 @@ TEST_CASE("A ball bends blades, their clamped knots keep every bit, and they ris
 	}
 }
 
-TEST_CASE("The order of the tiles does not change a bit") {
-	PoolScene forwards(8), backwards(8);
+TEST_CASE_TEMPLATE("The order of the tiles does not change a bit", M, Direct, Pbd) {
+	PoolScene forwards(8, M::METHOD), backwards(8, M::METHOD);
 	for (int i = 0; i < 60; i++) {
 		forwards.step();
 		backwards.step([](int p_count, const std::function<void(int)> &p_body) {
@@ -133,8 +138,8 @@ TEST_CASE("The order of the tiles does not change a bit") {
 	}
 }
 
-TEST_CASE("Settling ends at rest, bit for bit, and a tile that wakes again starts there") {
-	PoolScene scene(2);
+TEST_CASE_TEMPLATE("Settling ends at rest, bit for bit, and a tile that wakes again starts there", M, Direct, Pbd) {
+	PoolScene scene(2, M::METHOD);
 	for (int i = 0; i < 12; i++) {
 		scene.step();
 	}
@@ -157,8 +162,8 @@ TEST_CASE("Settling ends at rest, bit for bit, and a tile that wakes again start
 	CHECK(scene.pool.get_knots(1, 5)[15] == scene.rest(1, 5, 15));
 }
 
-TEST_CASE("A step of no time leaves everything where it is, but wakes what is fresh") {
-	PoolScene scene(2);
+TEST_CASE_TEMPLATE("A step of no time leaves everything where it is, but wakes what is fresh", M, Direct, Pbd) {
+	PoolScene scene(2, M::METHOD);
 	scene.step(serial_for, 0.0);
 	CHECK(scene.pool.get_knots(0, 3)[15] == scene.rest(0, 3, 15));
 	for (int i = 0; i < 12; i++) {
@@ -235,8 +240,8 @@ TEST_CASE("Records of slots, blades, list entries and tiles that do not exist ar
 	CHECK(scene.pool.get_knots(-1, 0).empty());
 }
 
-TEST_CASE("A tile far from the field's middle moves as one near it") {
-	PoolScene near(1), far(1);
+TEST_CASE_TEMPLATE("A tile far from the field's middle moves as one near it", M, Direct, Pbd) {
+	PoolScene near(1, M::METHOD), far(1, M::METHOD);
 	constexpr int MILES = 200000; // tiles, 100 km
 	far.slots[0].tile.x = MILES;
 	far.colliders[0].anchor.x = MILES;

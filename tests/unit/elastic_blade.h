@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// One blade in double precision by METHOD_DIRECT, for the tests of its physics.
+#pragma once
+
+#include "core/solver.h"
+#include "core/solver_params.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace grass::test {
+
+struct ElasticBlade {
+	Blade<double> blade{};
+	SolverParams params;
+	StepClock clock;
+
+	// p_place: of the share of the way from root to tip, metres.
+	explicit ElasticBlade(const std::function<Eigen::Vector3d(double)> &p_place) {
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			const Eigen::Vector3d place = p_place(double(k) / GRASS_SEGMENTS);
+			blade.rest[k] = blade.knots[k] = blade.before[k] = { place.x(), place.y(), place.z() };
+		}
+	}
+	// Of half a metre, upright.
+	static ElasticBlade straight() {
+		return ElasticBlade([](double p_share) { return Eigen::Vector3d(0.0, 0.5 * p_share, 0.0); });
+	}
+	// Upright at the root, level at the tip.
+	static ElasticBlade quarter_circle() {
+		return ElasticBlade([](double p_share) {
+			const double angle = 0.5 * std::numbers::pi * p_share, radius = 0.3;
+			return Eigen::Vector3d(radius * (1.0 - std::cos(angle)), radius * std::sin(angle), 0.0);
+		});
+	}
+
+	Eigen::Vector3d place(int p_knot) const { return { blade.knots[p_knot].x, blade.knots[p_knot].y, blade.knots[p_knot].z }; }
+	double rest_length(int p_segment) const { return grass::length(rest_segment(blade, p_segment)); }
+	double length() const {
+		double sum = 0.0;
+		for (int s = 0; s < GRASS_SEGMENTS; s++) {
+			sum += rest_length(s);
+		}
+		return sum;
+	}
+	// The worst of the segments, shares of it.
+	double stretch() const {
+		double most = 0.0;
+		for (int s = 0; s < GRASS_SEGMENTS; s++) {
+			most = std::max(most, std::abs(grass::length(segment(blade, s)) / rest_length(s) - 1.0));
+		}
+		return most;
+	}
+
+	// To an arc towards +x, p_angle radians from root to tip, standing still.
+	void bend(double p_angle) {
+		for (int k = 1; k < GRASS_SEGMENTS; k++) {
+			const double angle = p_angle * double(k) / (GRASS_SEGMENTS - 1), length = rest_length(k);
+			blade.knots[k + 1] = blade.knots[k] + Vec3<double>{ length * std::sin(angle), length * std::cos(angle), 0.0 };
+			blade.before[k + 1] = blade.knots[k + 1];
+		}
+	}
+	void step(double p_delta) { step_blade(blade, make_terms<double>(clock.advance(params, p_delta), 0.0f, {})); }
+	void step_for(double p_seconds, double p_rate) {
+		for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {
+			step(1.0 / p_rate);
+		}
+	}
+
+	// Of the knots' speed and of the joints' turns, per mass of a segment: J/kg. p_delta: of the last step, seconds.
+	double energy(double p_delta) {
+		measure_lengths(blade);
+		StepClock other;
+		const StepTerms<double> terms = make_terms<double>(other.advance(params, p_delta), 0.0f, {});
+		const ChainTerms<double> chain = make_chain_terms(blade, terms);
+		JointGain<double> joints[GRASS_SEGMENTS];
+		measure_joints(blade, joints);
+		double sum = 0.0;
+		for (int s = 1; s < GRASS_SEGMENTS; s++) {
+			const Vec3<double> speed = (blade.knots[s + 1] - blade.before[s + 1]) * (1.0 / p_delta);
+			sum += 0.5 * knot_mass(blade, s + 1, chain) * dot(speed, speed);
+			sum += 0.5 * chain.bending / joint_length(blade, s) * dot(joints[s].turn, joints[s].turn);
+		}
+		return sum;
+	}
+};
+
+} // namespace grass::test
