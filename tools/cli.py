@@ -42,9 +42,10 @@ def parser():
 
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress",), help="stress: only the stress tests, in full; takes an hour")
+	bench.add_argument("what", nargs="?", choices=("stress", "accuracy"), help="stress: only the stress tests, in full; takes an hour. accuracy: run time against error")
+	bench.add_argument("--quick", action="store_true", help="accuracy: a sample, in seconds")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument("--only", choices=("draw", "simulate", "sleep"), help="only this one of those in the engine")
+	bench.add_argument("--only", choices=("draw", "simulate", "sleep", "kernel"), help="only this one of those in the engine")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")
@@ -57,13 +58,16 @@ def parser():
 
 def dispatch(options):
 	"""Returns the exit code."""
-	from tools import build, export, scenes, testing  # here, so that the explanation is at once
+	from tools import accuracy, build, export, scenes, testing  # here, so that the explanation is at once
 
 	if options.command == "demo":
 		scenes.demo(options.out, options.size, options.method)
 	elif options.command == "bench":
 		if options.what == "stress":
 			return testing.stress_in_full()
+		if options.what == "accuracy":
+			accuracy.run(options.out, options.quick)
+			return 0
 		scenes.bench(options.out, options.only)
 	elif options.command == "editor":
 		scenes.editor()

@@ -63,7 +63,7 @@ def bench(out, only):
 	ready("res://bench/bench.tscn", *([] if only else ["bench"]))
 	folder = pathlib.Path(out or OUT / "bench").resolve()
 	folder.mkdir(parents=True, exist_ok=True)
-	for program in [] if only else sorted(file for file in (BUILD / "bench").iterdir() if file.is_file()):
+	for program in [] if only else sorted(file for file in (BUILD / "bench").iterdir() if file.is_file() and not file.name.startswith("accuracy")):
 		with progress(f"Running {program.name}", every=10):
 			result = subprocess.run([str(program)], capture_output=True, text=True, timeout=LIMIT)
 		if result.returncode:
