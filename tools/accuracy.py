@@ -61,7 +61,7 @@ def write_table(path, rows):
 	with open(path, "w", encoding="utf-8", newline="") as file:
 		file.write(f"# {processor()}, one core; commit {commit()}; {datetime.date.today()}; ./grass bench accuracy\n")
 		file.write("# ms: a frame (1/60 s) of 65,536 swinging blades\n")
-		writer = csv.DictWriter(file, COLUMNS)
+		writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
 		writer.writeheader()
 		writer.writerows(rows)
 
