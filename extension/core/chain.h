@@ -117,6 +117,7 @@ template <class T> struct Beyond {
 	Vec3<T> p, q;
 	Vec3<T> pull; // sum of the inertial forces, for the tension
 	T caution; // see Stage
+	T deepest; // touch that the solve had to leave out, metres
 };
 
 // [Eq 26] A knot's inertia, and what touches it.
@@ -133,7 +134,9 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 		return;
 	}
 	const T l = p_blade.lengths[p_knot - 1];
-	const T depth = select(touch.depth > p_chain.mean_length * T(MOST_DEPTH), T(0.0f), touch.depth);
+	const auto is_blow = touch.depth > p_chain.mean_length * T(MOST_DEPTH);
+	const T depth = select(is_blow, T(0.0f), touch.depth);
+	r_beyond.deepest = maximum(r_beyond.deepest, select(is_blow, touch.depth, T(0.0f)));
 	const T hard = weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(l * l, T(TINY_SQUARED));
 	const T skin = maximum(l * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
@@ -203,9 +206,10 @@ GRASS_INLINE void eliminate_joint(Beyond<T> &r_beyond, JointGain<T> &r_gain, con
 	r_gain = { turn, spring, G };
 }
 
-// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
+// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move. Returns the depth (metres) of a touch that
+// is a blow, which the solve leaves out; 0: there was none.
 template <class T, class Mask>
-GRASS_INLINE void solve_chain(
+GRASS_INLINE T solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, gains);
@@ -235,6 +239,7 @@ GRASS_INLINE void solve_chain(
 		parent = knot;
 		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
 	}
+	return beyond.deepest;
 }
 
 } // namespace grass

@@ -42,14 +42,14 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 // does, and its inertia comes along.
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
-		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_near) {
+		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
 	const T deep = r_blade.reach * T(MOST_DEPTH / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
 	for (int round = 0; round < BLOWS; round++) {
 		DeepestContact<T> deepest = find_deepest_contact(r_blade, p_terms);
-		const auto is_blow = p_is_near & (deepest.contact.depth > deep);
+		const auto is_blow = p_is_hit & (deepest.contact.depth > deep);
 		if (!any(is_blow)) {
 			return;
 		}
@@ -61,16 +61,37 @@ GRASS_INLINE void take_blows(
 	}
 }
 
+// [Eq 30] The solves of a stage: p_single where a blade takes the step in one stage, else p_double. Blades that the first one shows
+// to be hit start again, from the blow.
 template <class T, class Mask>
-GRASS_INLINE void solve_stage(
-		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Stage<T> &p_stage, const Mask &p_is_single, int p_single, int p_double) {
+GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage,
+		const Mask &p_is_single, const Mask &p_is_near, int p_single, int p_double) {
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
-	for (int i = 0; i < (p_single > p_double ? p_single : p_double); i++) {
-		const auto is_active =
-				(i < p_single ? p_is_single : p_is_single & !p_is_single) | (i < p_double ? !p_is_single : p_is_single & !p_is_single);
-		if (any(is_active)) {
-			solve_chain(r_blade, p_terms, chain, p_stage, is_active);
+	const Mask none = p_is_single & !p_is_single;
+	Vec3<T> guess[GRASS_KNOTS];
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		guess[k] = r_blade.knots[k];
+	}
+	Mask is_hit = none;
+	const int count = p_single > p_double ? p_single : p_double;
+	for (int i = 0; i < count;) {
+		const bool is_again = any(is_hit);
+		const Mask is_active = is_again ? is_hit : (i < p_single ? p_is_single : none) | (i < p_double ? !p_is_single : none);
+		if (!any(is_active)) {
+			return;
 		}
+		const T blow = solve_chain(r_blade, p_terms, chain, r_stage, is_active);
+		const Mask is_blow = p_is_near & (blow > T(0.0f));
+		if (i > 0 || is_again || !any(is_blow)) {
+			is_hit = none;
+			i++;
+			continue;
+		}
+		is_hit = is_blow;
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			r_blade.knots[k] = select(is_hit, guess[k], r_blade.knots[k]);
+		}
+		take_blows(r_blade, p_terms, p_start, r_stage, is_hit);
 	}
 }
 
@@ -79,7 +100,7 @@ GRASS_INLINE void solve_stage(
 template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const auto is_single = p_is_near | (fastest > r_blade.reach * p_terms.wild_move) | (T(float(p_terms.iterations)) < T(2.0f));
+	const Mask is_single = p_is_near | (fastest > r_blade.reach * p_terms.wild_move) | (T(float(p_terms.iterations)) < T(2.0f));
 	const T seconds = p_terms.seconds;
 	const int halves = (p_terms.iterations + 1) / 2;
 
@@ -91,10 +112,7 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 		set_target(stage, k, start.place[k], start.speed[k], p_terms.load);
 	}
 	follow_targets(r_blade, stage);
-	if (any(p_is_near)) {
-		take_blows(r_blade, p_terms, start, stage, p_is_near);
-	}
-	solve_stage(r_blade, p_terms, stage, is_single, p_terms.iterations, halves);
+	solve_stage(r_blade, p_terms, start, stage, is_single, p_is_near, p_terms.iterations, halves);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
@@ -109,7 +127,7 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, p_terms.load);
 		}
 		follow_targets(r_blade, stage);
-		solve_stage(r_blade, p_terms, stage, is_single, 0, halves);
+		solve_stage(r_blade, p_terms, start, stage, is_single, Mask(is_single & !is_single), 0, halves);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;
 			r_blade.knots[k] = select(is_single, first[k], r_blade.knots[k]);
