@@ -157,7 +157,8 @@ int main(int p_count, char **p_arguments) {
 					double kept = 0.0;
 					const double frequency = frequency_error(config, kept);
 					const std::pair<const char *, double> errors[] = { { "static_1", static_error(config, 1.0) },
-						{ "static_5", static_error(config, 5.0) }, { "frequency", frequency }, { "amplitude_lost", std::max(1.0 - kept, 0.0) },
+						{ "static_5", static_error(config, 5.0) }, { "frequency", frequency },
+						{ "amplitude_lost", std::max(1.0 - kept, 0.0) },
 						{ "transient", difference(transient(config), transient_reference) },
 						{ "sphere_sweep", difference(sphere_sweep(config), sweep_reference) } };
 					for (const auto &[name, value] : errors) {
