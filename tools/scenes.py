@@ -70,7 +70,8 @@ def bench(out, only):
 			raise Failure(f"{program.name} ended with code {result.returncode}:\n{result.stderr}")
 		print(result.stdout, end="")
 		(folder / f"{program.name}.txt").write_text(result.stdout)
-	play("res://bench/bench.tscn", folder, ["--only", only] if only else [], SIZES["large"], "forward_plus")
+	kernel = ["--kernel", str(BUILD / "gen/spirv/shaders_compute_simulate.glsl.spv")]
+	play("res://bench/bench.tscn", folder, [*kernel, *(["--only", only] if only else [])], SIZES["large"], "forward_plus")
 	results(folder)
 
 
