@@ -6,6 +6,7 @@
 #include "core/tile_state.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace grass {
 
@@ -68,7 +69,8 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 	_simulated_blades += int64_t(awake.size()) * BLADES;
 }
 
-void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
+// The rest pose: the patch's, grown by the clump at the root, or as a map says (p_growth).
+void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
 	const ClumpParams params{ p_step.clump.x, p_step.clump.y, p_step.clump.z, p_step.clump.w };
@@ -79,27 +81,45 @@ void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
 			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
 		};
 		const Eigen::Vector2f place = texel(0).head<2>();
-		const Clump clump = clump_at(root_place(tile, place, tiles, p_step.field.x), params);
+		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
+		Clump clump;
+		if (p_growth) {
+			clump.height = growth.x;
+			clump.lean = { growth.y, growth.z };
+		} else {
+			clump = clump_at(root_place(tile, place, tiles, p_step.field.x), params);
+		}
 		state.root[0][b] = (place.x() - 0.5f) * p_step.field.x;
-		state.root[1][b] = 0.0f;
+		state.root[1][b] = growth.w;
 		state.root[2][b] = (place.y() - 0.5f) * p_step.field.x;
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3f rest = rest_knot(texel(k), k, clump);
 			for (int c = 0; c < 3; c++) {
 				state.rest[c][k][b] = rest[c];
-				if (k >= GRASS_CLAMPED_KNOTS) {
-					state.knots[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
-					state.before[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
-					state.twist[k - GRASS_CLAMPED_KNOTS][b] = 0.0f;
-				}
 			}
 		}
 	}
 }
 
+// Every blade at rest.
+void CpuPool::wake(const GrassSlot &p_slot) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	for (int c = 0; c < 3; c++) {
+		std::memcpy(state.knots[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.knots[c]));
+		std::memcpy(state.before[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.before[c]));
+	}
+	std::memset(state.twist, 0, sizeof(state.twist));
+}
+
 void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision) {
-	if (p_slot.list.w & GRASS_SLOT_FRESH) {
-		wake(p_slot, p_input.step);
+	const auto growth = std::find_if(
+			p_input.growth.begin(), p_input.growth.end(), [&](const SlotGrowth &p_growth) { return p_growth.slot == p_slot.tile.w; });
+	const bool is_fresh = p_slot.list.w & GRASS_SLOT_FRESH;
+	if (is_fresh || growth != p_input.growth.end()) {
+		find_rest(p_slot, p_input.step, growth == p_input.growth.end() ? nullptr : &*growth);
+	}
+	if (is_fresh) {
+		wake(p_slot);
 	}
 	std::vector<TileCollider> colliders;
 	colliders.reserve(p_slot.list.z);

@@ -57,7 +57,8 @@ public:
 	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);
 
 private:
-	void wake(const GrassSlot &p_slot, const GrassStep &p_step);
+	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
+	void wake(const GrassSlot &p_slot);
 	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
 
 	std::shared_ptr<const Patch> _patch;

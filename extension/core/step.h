@@ -6,9 +6,16 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 
 namespace grass {
+
+// How the blades of an awake tile grow, where a map decides it. Made when the tile wakes, and when the map changes below it.
+struct SlotGrowth {
+	int slot = GRASS_NO_SLOT;
+	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
+};
 
 // Views only: the arrays belong to TileManager and hold until its next update().
 struct StepInput {
@@ -16,6 +23,7 @@ struct StepInput {
 	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
 	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
+	std::span<const SlotGrowth> growth; // Of fields with a map: every fresh slot, and those below which it changed.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
 };

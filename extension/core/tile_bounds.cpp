@@ -53,11 +53,16 @@ bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
 	if (_boxes.empty()) {
 		return false;
 	}
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+	if (ground.is_bare()) {
+		return false;
+	}
 	const Box &box = _boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE];
 	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	return p_bounds.min.x() <= centre.x() + box.max_x && p_bounds.max.x() >= centre.x() + box.min_x &&
-			p_bounds.min.z() <= centre.z() + box.max_z && p_bounds.max.z() >= centre.z() + box.min_z && p_bounds.min.y() <= box.height &&
-			p_bounds.max.y() >= 0.0;
+	const Eigen::Vector3d from = p_bounds.min - centre - Eigen::Vector3d(_lean, _lean, _lean);
+	const Eigen::Vector3d to = p_bounds.max - centre + Eigen::Vector3d(_lean, 0.0, _lean);
+	return from.x() <= box.max_x && to.x() >= box.min_x && from.z() <= box.max_z && to.z() >= box.min_z &&
+			from.y() <= double(ground.high) + box.height && to.y() >= double(ground.low);
 }
 
 } // namespace grass

@@ -41,7 +41,8 @@ TileParams TileParams::sanitised() const {
 	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
 	params.reach = limit(reach, 100.0, defaults.reach);
-	params.height = limit(height, 100.0, defaults.height);
+	params.low = std::isfinite(low) ? low : defaults.low;
+	params.height = std::isfinite(height) ? height : defaults.height;
 	return params;
 }
 
@@ -130,9 +131,9 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 	}
 }
 
-// The tiles whose box could meet the collider's: squares grown by the farthest reach, ground to the highest tip.
+// The tiles whose box could meet the collider's: squares grown by the farthest reach, lowest ground to highest tip.
 TileRange TileManager::find_range(const Bounds &p_swept) const {
-	if (p_swept.max.y() < 0.0 || p_swept.min.y() > _params.height) {
+	if (p_swept.max.y() < _params.low || p_swept.min.y() > _params.height) {
 		return {};
 	}
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);

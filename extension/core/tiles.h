@@ -42,7 +42,8 @@ struct TileParams {
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
-	double height = 1.0; // Metres to the highest tip. Too small: bodies pass through tips.
+	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
+	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
 
 	// The same within limits; NaN becomes the default.
