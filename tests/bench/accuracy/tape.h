@@ -60,7 +60,7 @@ public:
 			take.state = find_state(r_state);
 		}
 		GrassStep step = p_step;
-		step.field = { 0.5f, 1.0f, 1.0f, 0.0f };
+		step.field = { 0.5f, 1.0f, 1.0f, float(GRASS_KNOTS) };
 		step.clump = { 1.0f, 0.0f, 0.0f, 0.0f }; // no clumps: the patch's knots as they are
 		if (take.runs.empty() || std::memcmp(&take.runs.back().step, &step, sizeof(step)) != 0) {
 			take.runs.push_back({ 0, step });
