@@ -5,6 +5,7 @@
 
 #include "core/clump.h"
 #include "core/lod.h"
+#include "core/map/tile_cover.h"
 #include "core/patch.h"
 #include "core/step.h"
 #include "core/tile_grid.h"
@@ -29,6 +30,8 @@ struct FieldSetup {
 	ClumpParams clump;
 	int pool_tiles = 0; // tiles that may be awake at once
 	uint32_t seed = 0;
+	bool is_mapped = false; // a map says what grows where
+	float follow_slope = 0.0f; // FOLLOW_SLOPE
 
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
@@ -36,8 +39,11 @@ struct FieldSetup {
 	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()); }
 
 private:
-	// How far a clump's lean moves a tip, at most: the chord of the angle whose half has that tangent, on both axes.
-	float blade_lean() const { return 2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) * blade_length(); }
+	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
+	// that tangent, on both axes.
+	float blade_lean() const {
+		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
+	}
 };
 
 // From where, and how finely, the field is drawn in a frame. Field space, metres.
@@ -69,6 +75,8 @@ public:
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
+	// Of fields with a map: what it says about the tiles, of which those in p_changed may differ from the last call.
+	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets a uniform of the blade shader.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 

@@ -23,9 +23,9 @@ struct StepInput {
 	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
 	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
-	std::span<const SlotGrowth> growth; // Of fields with a map: every fresh slot, and those below which it changed.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
+	std::span<const SlotGrowth> growth; // Of fields with a map: every fresh slot, and those below which it changed.
 };
 
 // What the blades of each slot still moved by after a step, as the backend reports it, late as it may be.

@@ -14,7 +14,7 @@ godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
 // RGBA8, GRASS_LATTICE_CELLS a side: the numbers that [Eq B1] blends, for the shaders that draw.
 godot::Ref<godot::ImageTexture> lattice_texture();
 
-// Box around all blades of the field at rest and in wind, field space, metres.
-godot::AABB field_bounds(const FieldSetup &p_setup);
+// Box around all blades of the field at rest and in wind, field space, metres. p_cover: null on level ground.
+godot::AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover = nullptr);
 
 } // namespace grass

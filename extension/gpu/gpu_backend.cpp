@@ -28,7 +28,7 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 	record.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
 		p_setup.blade_height() };
 	record.blades = { p_setup.blade_reach(), float(p_view.debug_view), 0.0f, 0.0f };
-	record.patch_seed = { p_setup.seed, 0, 0, 0 };
+	record.patch_seed = { p_setup.seed, p_setup.is_mapped ? 1u : 0u, 0, 0 };
 	return record;
 }
 
@@ -36,6 +36,7 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
@@ -71,6 +72,17 @@ void GpuBackend::draw(const FieldView &p_view) {
 
 void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_instance.follow(p_node, p_transform);
+}
+
+void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	_instance.set_bounds(field_bounds(_setup, p_cover.get()));
+	if (p_changed.count() > 0) { // whole rows: one copy
+		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
+		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
+		RenderQueue::get_singleton()->post([field = _field, first, changed = std::vector<TileCover::Tile>(tiles.begin(), tiles.end())] {
+			field->set_cover(first, changed);
+		});
+	}
 }
 
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {

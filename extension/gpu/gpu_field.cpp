@@ -58,6 +58,7 @@ StepRecords::StepRecords(const StepInput &p_input) :
 		colliders(p_input.colliders.begin(), p_input.colliders.end()),
 		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
 		planes(p_input.planes.begin(), p_input.planes.end()),
+		growth(p_input.growth.begin(), p_input.growth.end()),
 		step(p_input.step) {}
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
@@ -70,6 +71,8 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_energy.allocate(_slots * 4);
 	_table.allocate(_tiles * 4, uint32_t(GRASS_NO_SLOT));
 	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
+	_growth.allocate(p_setup.is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	_cover.allocate(p_setup.is_mapped ? _tiles * int64_t(sizeof(TileCover::Tile)) : 0);
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -98,6 +101,7 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	_simulate.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
@@ -112,6 +116,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	for (const SlotGrowth &growth : p_records.growth) {
+		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+	}
 	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -145,6 +152,13 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
 }
 
+void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
+	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), std::span<const TileCover::Tile>(p_tiles));
+	_table_changed = true; // other tiles may be drawn now
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.uploaded_bytes += uploaded;
+}
+
 void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimesh);
@@ -163,6 +177,7 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 	_culled_into = instances;
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
+	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
@@ -247,8 +262,8 @@ void GpuField::free(const RID &p_multimesh) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer :
-			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
+				 &_cover, &_view, &_counts }) {
 		buffer->free();
 	}
 }
@@ -258,7 +273,9 @@ int64_t GpuField::memory_usage(const FieldSetup &p_setup) {
 	const int64_t instances = std::min<int64_t>(tiles, GRASS_MAX_DRAWN_TILES) * GRASS_INSTANCE_FLOATS * 4;
 	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot)) + 4;
 	const int64_t patch = int64_t(p_setup.patch->texels.size()) * 2;
-	return patch + p_setup.pool_tiles * slot + tiles * 4 + instances;
+	const int64_t map =
+			p_setup.is_mapped ? p_setup.pool_tiles * int64_t(sizeof(SlotGrowth::blades)) + tiles * int64_t(sizeof(TileCover::Tile)) : 0;
+	return patch + p_setup.pool_tiles * slot + tiles * 4 + instances + map;
 }
 
 } // namespace grass

@@ -19,6 +19,7 @@ struct StepRecords {
 	std::vector<GrassCollider> colliders;
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
+	std::vector<SlotGrowth> growth;
 	GrassStep step;
 
 	explicit StepRecords(const StepInput &p_input);
@@ -42,6 +43,8 @@ public:
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimesh.
 	void draw(const GrassView &p_view, const godot::RID &p_multimesh, bool p_measure);
+	// The cover of consecutive tiles from p_first on.
+	void set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
 	// p_multimesh: its command buffer goes too; the engine never frees that (seen in 4.6).
 	void free(const godot::RID &p_multimesh);
@@ -62,6 +65,9 @@ private:
 	GpuBuffer _knots, _knots_before, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
+	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
+	// stand, read by cull. Fields without a map have none (16 bytes).
+	GpuBuffer _growth, _cover;
 	// Written every frame, read by cull.
 	GpuBuffer _view;
 	// Written and read by cull, one frame.

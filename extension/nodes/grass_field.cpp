@@ -68,6 +68,8 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
+	_field_map.reset();
+	_map_textures.free();
 	_tiles.reset();
 }
 
@@ -90,7 +92,8 @@ void GrassField::build() {
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	_bounds = std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_bounds = std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	build_map();
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -111,9 +114,10 @@ void GrassField::build() {
 		_backend = std::make_unique<CpuBackend>(_setup);
 	}
 	_backend->set_measure_time(_measure_time);
-	_ground.create(_setup.grid);
+	_ground.create(_setup.grid, _setup.is_mapped);
 	follow();
 	set_all_uniforms();
+	update_map();
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -121,10 +125,12 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+	update_map();
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
-	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
+	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
+			real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
 	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
@@ -140,6 +146,7 @@ void GrassField::physics_tick(double p_delta) {
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
+	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
@@ -161,7 +168,7 @@ void GrassField::frame(double p_delta) {
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _has_ground);
+	_ground.follow(this, transform, _has_ground && ground_reach() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
@@ -170,6 +177,7 @@ void GrassField::_before_draw() {
 	if (!_backend) {
 		return;
 	}
+	update_map();
 	follow();
 	if (!is_visible_in_tree()) {
 		return;
@@ -244,7 +252,9 @@ TileParams GrassField::tile_params() const {
 	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.is_mapped = _field_map != nullptr;
 	params.seed = _setup.seed;
 	return params;
 }

@@ -4,10 +4,13 @@
 #pragma once
 
 #include "backend/backend.h"
+#include "core/map/field_map.h"
 #include "core/tiles.h"
 #include "draw/ground.h"
+#include "draw/map_textures.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_params.h"
+#include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -49,6 +52,8 @@ public:
 	godot::Vector2 get_size() const { return _size; }
 	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
+	godot::Ref<GrassMap> get_map() const { return _map; }
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
@@ -108,6 +113,12 @@ private:
 	void _before_draw();
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
+	// grass_field_map.cpp
+	void build_map();
+	void update_map();
+	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
+	std::span<const SlotGrowth> grow_tiles();
+	double ground_reach() const;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
@@ -123,6 +134,7 @@ private:
 
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
+	godot::Ref<GrassMap> _map;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);
@@ -138,7 +150,13 @@ private:
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
-	std::shared_ptr<const TileBounds> _bounds;
+	std::shared_ptr<TileBounds> _bounds;
+	std::unique_ptr<FieldMap> _field_map; // null: no map
+	MapTextures _map_textures;
+	bool _map_has_changed = false;
+	MapRegion _changed_region; // where
+	TileRange _regrown; // tiles below which the map changed since the last tick
+	std::vector<SlotGrowth> _growth; // of this tick
 	TileManager _tiles;
 	StepClock _clock;
 	BodyTracker _tracker;

@@ -23,6 +23,15 @@ bool GrassMap::is_usable() const {
 }
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed) {
+	Rect2 region;
+	for (const MapKey &key : p_changed) {
+		const Rect2 chunk(Vector2(key.x, key.z) * MAP_CHUNK_SIZE, Vector2(1, 1) * MAP_CHUNK_SIZE);
+		region = key == p_changed.front() ? chunk : region.merge(chunk);
+	}
+	tell(p_changed, region);
+}
+
+void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
 	if (p_changed.empty()) {
 		return;
 	}
@@ -30,7 +39,14 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 	for (const MapKey &key : p_changed) {
 		chunks.push_back(Vector2i(key.x, key.z));
 	}
-	emit_signal("chunks_changed", chunks);
+	emit_signal("chunks_changed", chunks, p_region);
+	emit_changed();
+}
+
+// Everywhere.
+void GrassMap::tell_all() {
+	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
+	emit_signal("chunks_changed", get_chunks(), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
 	emit_changed();
 }
 
@@ -38,8 +54,7 @@ void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
 	if (is_usable()) {
 		_map.set_base_density(checked(BASE_DENSITY, p_density, label()));
-		emit_signal("chunks_changed", get_chunks());
-		emit_changed();
+		tell_all();
 	}
 }
 
@@ -50,7 +65,11 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 		return String(reason.c_str());
 	}
 	_unread.clear();
-	tell(_map.compare(before));
+	if (before.get_base_density() != _map.get_base_density()) {
+		tell_all();
+	} else {
+		tell(_map.compare(before));
+	}
 	return String();
 }
 
@@ -75,7 +94,8 @@ BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
 		WARN_PRINT(vformat("%s: some of a stroke is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
 				label(), int64_t(PaintMap::MAX_CHUNKS)));
 	}
-	tell(result.changed);
+	const Eigen::Vector2d size = result.max - result.min;
+	tell(result.changed, Rect2(to_godot(result.min), to_godot(size)));
 	return result;
 }
 
@@ -105,8 +125,13 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
 	if (is_usable()) {
 		const std::vector<MapKey> changed = _map.compare(p_snapshot->map);
+		const bool is_everywhere = _map.get_base_density() != p_snapshot->map.get_base_density();
 		_map = p_snapshot->map;
-		tell(changed);
+		if (is_everywhere) {
+			tell_all();
+		} else {
+			tell(changed);
+		}
 	}
 }
 
@@ -143,7 +168,8 @@ void GrassMap::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR), "set_base_density",
 			"get_base_density");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_data", "get_data");
-	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i")));
+	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i"),
+			PropertyInfo(Variant::RECT2, "region", PROPERTY_HINT_NONE, "suffix:m")));
 
 	BIND_ENUM_CONSTANT(CHANNEL_DENSITY);
 	BIND_ENUM_CONSTANT(CHANNEL_HEIGHT);

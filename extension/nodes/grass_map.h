@@ -65,7 +65,9 @@ protected:
 
 private:
 	bool is_usable() const;
-	void tell(const std::vector<MapKey> &p_changed);
+	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
+	void tell(const std::vector<MapKey> &p_changed); // of whole chunks
+	void tell_all();
 	godot::String label() const; // for messages
 
 	PaintMap _map;

@@ -65,10 +65,11 @@ func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: Rend
 	_made.append(sampler)
 	var energy := _buffer(p_tiles * 4)
 	var table := _buffer(p_tiles * 4)
+	var growth := _buffer(16) # no tile has a map
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
-	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table]]
+	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table], [growth]]
 	for binding in bound.size():
 		var type := RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER
 		if bound[binding].has(patch):

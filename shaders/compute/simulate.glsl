@@ -57,6 +57,11 @@ layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffe
 layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
 	int tile_table[];
 };
+// Written by the CPU when a tile of a field with a map wakes, and when the map changes below it; by slot and blade: factor
+// on the length; lean x, z; ground under the root, metres.
+layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer GrowthBuffer {
+	vec4 blade_growth[];
+};
 
 // This thread's blade.
 GrassSlot slot;
@@ -167,8 +172,15 @@ void find_blade(uint p_blade) {
 	texel = ivec2((blade % GRASS_PATCH_BLADES_PER_ROW) * GRASS_KNOTS, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
-	clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
-	root = vec3((place.x - 0.5) * step.field.x, 0.0, (place.y - 0.5) * step.field.x);
+	float ground = 0.0;
+	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+		vec4 growth = blade_growth[slot.tile.w * GRASS_BLADES_PER_TILE + int(p_blade)];
+		clump = GrassClump(growth.x, growth.yz, 0.0);
+		ground = growth.w;
+	} else {
+		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
+	}
+	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
