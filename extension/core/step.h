@@ -25,7 +25,7 @@ struct StepInput {
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
-	std::span<const SlotGrowth> growth; // Of fields with a map: every fresh slot, and those below which it changed.
+	std::span<const SlotGrowth> growth = {}; // Of fields with a map: every fresh slot, and those below which it changed.
 };
 
 // What the blades of each slot still moved by after a step, as the backend reports it, late as it may be.

@@ -91,12 +91,51 @@ BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
 	}
 	const BrushResult result = apply_brush(_map, p_shape, p_brush);
 	if (result.out_of_room) {
-		WARN_PRINT(vformat("%s: some of a stroke is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
-				label(), int64_t(PaintMap::MAX_CHUNKS)));
+		warn_of_lost_texels();
 	}
 	const Eigen::Vector2d size = result.max - result.min;
 	tell(result.changed, Rect2(to_godot(result.min), to_godot(size)));
 	return result;
+}
+
+LaidGround GrassMap::lay(const MapRegion &p_region, const HeightAt &p_height) {
+	if (!is_usable()) {
+		return {};
+	}
+	const LaidGround result = lay_ground(_map, p_region, p_height);
+	if (result.out_of_room) {
+		warn_of_lost_texels();
+	}
+	const Eigen::Vector2d size = result.region.max - result.region.min;
+	tell(result.changed, Rect2(to_godot(result.region.min), to_godot(size)));
+	return result;
+}
+
+void GrassMap::warn_of_lost_texels() const {
+	WARN_PRINT(vformat("%s: some of what was painted is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
+			label(), int64_t(PaintMap::MAX_CHUNKS)));
+}
+
+bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
+	ERR_FAIL_COND_V_MSG(p_heights.is_null() || p_heights->is_empty(), false,
+			vformat("%s: set_ground() needs an image of heights in metres, in its red channel.", label()));
+	ERR_FAIL_COND_V_MSG(p_heights->is_compressed(), false,
+			vformat("%s: set_ground() cannot read a compressed image. Call decompress() on it, or use FORMAT_RF.", label()));
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), false,
+			vformat("%s: set_ground() needs a region with a width and a depth, in metres.", label()));
+	const int32_t width = p_heights->get_width(), depth = p_heights->get_height();
+	const auto texel = [&](double p_i, double p_j) {
+		return double(p_heights->get_pixel(int32_t(std::clamp(p_i, 0.0, width - 1.0)), int32_t(std::clamp(p_j, 0.0, depth - 1.0))).r);
+	};
+	const auto height = [&](const Eigen::Vector2d &p_place) {
+		const Eigen::Array2d share = (p_place - to_eigen(p_region.position)).array() / to_eigen(p_region.size).array();
+		const Eigen::Array2d at = share * Eigen::Array2d(width, depth) - 0.5, corner = at.floor(), t = at - corner;
+		const double near_row = texel(corner.x(), corner.y()) * (1.0 - t.x()) + texel(corner.x() + 1.0, corner.y()) * t.x();
+		const double far_row = texel(corner.x(), corner.y() + 1.0) * (1.0 - t.x()) + texel(corner.x() + 1.0, corner.y() + 1.0) * t.x();
+		return near_row * (1.0 - t.y()) + far_row * t.y();
+	};
+	const LaidGround laid = lay({ to_eigen(p_region.position), to_eigen(p_region.get_end()) }, height);
+	return laid.asked > laid.missing;
 }
 
 double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {
@@ -157,6 +196,7 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_data"), &GrassMap::get_data);
 	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);

@@ -127,6 +127,8 @@ TEST_CASE("growth: a cut leaves every blade as long as it says, and shorter ones
 	CHECK(grown(Clump(), here, 0.1f).height == 1.0f);
 	here.height = 0.25f;
 	CHECK(grown(Clump(), here, 0.5f).height == 0.25f);
+	here.cut = here.height = 0.0f;
+	CHECK(grown(Clump(), here, 0.5f).height == float(GRASS_STUBBLE)); // a blade of no length has no direction
 }
 
 TEST_CASE("growth: blades follow their share of the slope, no farther than the bound that culling uses [Eq M4]") {

@@ -8,7 +8,7 @@ namespace grass {
 
 FieldMap::FieldMap(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, float p_follow) :
 		_grid(p_grid), _patch(std::move(p_patch)), _clump(p_clump), _follow(p_follow) {
-	_layers.reset(p_grid);
+	_layers.reset(p_grid, double(_patch->max_length) * CLUMP_TALLEST);
 	_cover->reset(p_grid);
 }
 

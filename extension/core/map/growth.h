@@ -54,6 +54,7 @@ inline Clump grown(const Clump &p_clump, const Growth &p_growth, float p_length)
 	if (p_growth.cut < float(MAP_UNCUT)) {
 		grown.height = std::min(grown.height, p_growth.cut / std::max(p_length, 1e-4f));
 	}
+	grown.height = std::max(grown.height, float(GRASS_STUBBLE));
 	const float combed = p_growth.lean.norm();
 	if (combed > 0.0f) {
 		const float share = std::min(combed, 1.0f);

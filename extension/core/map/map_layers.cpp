@@ -29,9 +29,9 @@ uint8_t to_byte(double p_share) {
 // Puts one layer together.
 class Composer {
 public:
-	Composer(const PaintMap &p_map, const MapKey &p_key) :
-			_map(p_map),
+	Composer(const PaintMap &p_map, const MapKey &p_key, int32_t p_uncut) :
 			_key(p_key),
+			_uncut(p_uncut),
 			_density(p_map, MAP_DENSITY),
 			_height(p_map, MAP_HEIGHT),
 			_cut(p_map, MAP_CUT),
@@ -70,7 +70,7 @@ private:
 		const double wear = _wear.value(0, i, j), size = info_of(MAP_DENSITY).texel_size();
 		put(r_texel[0], to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
 		put(r_texel[1], to_byte(_height.sample(0, { (i + 0.5) * size, (j + 0.5) * size }) * (1.0 - GRASS_WEAR_PRESSES * wear)));
-		put(r_texel[2], uint8_t(_cut.code(0, i, j)));
+		put(r_texel[2], uint8_t(std::min(_cut.code(0, i, j), _uncut)));
 		put(r_texel[3], to_byte(wear));
 	}
 
@@ -83,8 +83,8 @@ private:
 		put(r_layer.ground[p_texel], float(_ground.value(0, i, j)));
 	}
 
-	const PaintMap &_map;
 	MapKey _key;
+	int32_t _uncut;
 	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _tint;
 	bool _changed = false;
 };
@@ -126,7 +126,8 @@ MapRegion MapRegion::joined(const MapRegion &p_other) const {
 	return { min.cwiseMin(p_other.min), max.cwiseMax(p_other.max) };
 }
 
-void MapLayers::reset(const TileGrid &p_grid) {
+void MapLayers::reset(const TileGrid &p_grid, double p_tallest) {
+	_uncut = std::min(int32_t(std::ceil(p_tallest / info_of(MAP_CUT).unit)), MAP_UNCUT_CODE);
 	const double half_x = 0.5 * p_grid.get_size_x(), half_z = 0.5 * p_grid.get_size_z();
 	const auto chunk = [](double p_place) {
 		return std::clamp(int(std::floor(p_place / MAP_CHUNK_SIZE)), -PaintMap::REACH, PaintMap::REACH - 1);
@@ -173,7 +174,7 @@ std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_reg
 						std::vector<uint8_t>(COARSE * 4) });
 			}
 			const bool differs =
-					Composer(p_map, key).compose(is_new ? MapRegion::of_chunk(key).grown(1.0) : region, _layers[size_t(layer)]);
+					Composer(p_map, key, _uncut).compose(is_new ? MapRegion::of_chunk(key).grown(1.0) : region, _layers[size_t(layer)]);
 			if (differs || is_new) {
 				changed.push_back(layer);
 			}

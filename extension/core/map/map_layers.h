@@ -30,8 +30,9 @@ struct MapLayer {
 
 class MapLayers {
 public:
-	// The chunks under a field, all without a layer.
-	void reset(const TileGrid &p_grid);
+	// The chunks under a field, all without a layer. p_tallest: metres, of its longest blade. Uncut grass counts as cut at
+	// this length: what is blended between it and a cut beside it then changes where blades are.
+	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
 	// Brings the layers in p_region up to date. Returns which of them changed, rising. Chunks get layers as they come.
 	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
 
@@ -55,6 +56,7 @@ private:
 	MapKey _first;
 	int _width = 0, _depth = 0;
 	bool _is_full = false;
+	int32_t _uncut = MAP_UNCUT_CODE; // code of cuts that cut nothing
 	float _base_density = 0.0f;
 	std::vector<float> _pages;
 	std::vector<MapLayer> _layers;
