@@ -34,6 +34,20 @@ Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	return knot;
 }
 
+// [Eq M5] All segments of a blade are equally long.
+Eigen::Vector3f bend_of(const TileState &p_state) {
+	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+	for (int b = 0; b < BLADES; b++) {
+		Eigen::Vector3f first, away;
+		for (int c = 0; c < 3; c++) {
+			first[c] = p_state.rest[c][1][b] - p_state.rest[c][0][b];
+			away[c] = p_state.knots[c][GRASS_FREE_KNOTS - 1][b] - p_state.rest[c][GRASS_KNOTS - 1][b];
+		}
+		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
+	}
+	return sum / float(BLADES);
+}
+
 } // namespace
 
 void serial_for(int p_count, const std::function<void(int)> &p_body) {
@@ -43,7 +57,7 @@ void serial_for(int p_count, const std::function<void(int)> &p_body) {
 }
 
 CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
-		_patch(std::move(p_patch)), _slots(size_t(std::max(p_slots, 0))), _energy(_slots.size(), 0.0f) {}
+		_patch(std::move(p_patch)), _slots(size_t(std::max(p_slots, 0))), _energy(_slots.size(), 0.0f), _bends(_slots.size(), Eigen::Vector3f::Zero()) {}
 
 CpuPool::~CpuPool() = default;
 
@@ -134,6 +148,7 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
 	_energy[slot] = step_state(*_slots[slot], p_input.step, blend, colliders, p_precision);
+	_bends[slot] = bend_of(*_slots[slot]);
 }
 
 std::vector<Eigen::Vector3f> CpuPool::get_knots(int p_slot, int p_blade) const {
@@ -177,7 +192,7 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 
 int64_t CpuPool::get_memory_usage() const {
 	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
-	return int64_t(used) * int64_t(sizeof(TileState)) + int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(float)));
+	return int64_t(used) * int64_t(sizeof(TileState)) + int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0])));
 }
 
 } // namespace grass

@@ -32,6 +32,7 @@ struct StepInput {
 struct EnergyReport {
 	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
 	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
+	std::span<const Eigen::Vector3f> bends = {}; // [Eq M5] of each slot: how far its tips are from rest, shares of their blades
 };
 
 } // namespace grass

@@ -104,6 +104,7 @@ void TileManager::begin_step() {
 void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 	_ranges.clear();
 	_swept.clear();
+	_has_met.assign(p_colliders.size(), 0);
 	int64_t total = 0;
 	for (ColliderShape &collider : p_colliders) {
 		const char *reason = nullptr;
@@ -125,6 +126,7 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
 				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
 					touch(_grid.get_index(x, z), uint32_t(i));
+					_has_met[i] = 1;
 				}
 			}
 		}
@@ -178,6 +180,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	awake = {};
 	awake.tile = { x, z, p_tile, p_slot };
 	awake.start = grass_tile_start(uint32_t(x), uint32_t(z), _params.seed);
+	awake.woken_step = _step_number;
 	awake.is_fresh = awake.is_touched = true; // touched: deactivate_tiles() sets the timestamps
 	_slot_of_tile.insert(p_tile, p_slot);
 	_used.insert(p_slot);
@@ -233,10 +236,15 @@ bool TileManager::is_settling(int p_tile) const {
 	return slot != GRASS_NO_SLOT && _awake[size_t(slot)].is_settling;
 }
 
+Eigen::Vector3f TileManager::get_bend(int p_tile) const {
+	const int slot = get_slot_of(p_tile);
+	return slot == GRASS_NO_SLOT ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : _awake[size_t(slot)].bend;
+}
+
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	return bytes(_awake) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() + bytes(_ranges) +
-			bytes(_swept) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
+			bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
 			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
 }
 

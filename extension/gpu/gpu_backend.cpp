@@ -95,7 +95,8 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
 	_energy = _report->energy;
-	return { _report->energy_step, _energy };
+	_bends = _report->bends;
+	return { _report->energy_step, _energy, _bends };
 }
 
 BackendStatistics GpuBackend::get_statistics() {

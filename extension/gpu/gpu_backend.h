@@ -42,6 +42,7 @@ private:
 	FieldInstance _instance;
 	std::shared_ptr<GpuReport> _report;
 	std::vector<float> _energy;
+	std::vector<Eigen::Vector3f> _bends;
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
 };
 

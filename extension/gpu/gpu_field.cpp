@@ -68,7 +68,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_energy.allocate(_slots * 4);
+	_energy.allocate(_slots * int64_t(sizeof(vec4)));
 	_table.allocate(_tiles * 4, uint32_t(GRASS_NO_SLOT));
 	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
 	_growth.allocate(p_setup.is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
@@ -146,10 +146,17 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;
-		report->energy.resize(size_t(p_data.size()) / 4);
-		std::memcpy(report->energy.data(), p_data.ptr(), report->energy.size() * 4);
+		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
+		report->energy.resize(slots);
+		report->bends.resize(slots);
+		for (size_t slot = 0; slot < slots; slot++) {
+			vec4 record;
+			std::memcpy(&record, p_data.ptr() + slot * sizeof(vec4), sizeof(vec4));
+			report->energy[slot] = record.x;
+			report->bends[slot] = { record.y, record.z, record.w };
+		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
 }
 
 void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
@@ -271,7 +278,7 @@ void GpuField::free(const RID &p_multimesh) {
 int64_t GpuField::memory_usage(const FieldSetup &p_setup) {
 	const int64_t tiles = p_setup.grid.get_tile_count();
 	const int64_t instances = std::min<int64_t>(tiles, GRASS_MAX_DRAWN_TILES) * GRASS_INSTANCE_FLOATS * 4;
-	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot)) + 4;
+	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot) + sizeof(vec4));
 	const int64_t patch = int64_t(p_setup.patch->texels.size()) * 2;
 	const int64_t map =
 			p_setup.is_mapped ? p_setup.pool_tiles * int64_t(sizeof(SlotGrowth::blades)) + tiles * int64_t(sizeof(TileCover::Tile)) : 0;

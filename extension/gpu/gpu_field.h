@@ -31,6 +31,7 @@ struct GpuReport {
 	BackendStatistics statistics;
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
+	std::vector<Eigen::Vector3f> bends; // per slot
 };
 
 class GpuField {

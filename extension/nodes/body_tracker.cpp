@@ -31,7 +31,20 @@ bool is_disabled(const CollisionObject3D *p_node, int32_t p_shape) {
 	return false;
 }
 
-// Takes the scale of p_basis into the shape: poses hold rotation only.
+// A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
+// between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
+constexpr double TELEPORT_DISTANCE = 2.0;
+// Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
+// the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
+constexpr double APPROACH = 3.0;
+
+// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
+bool is_driven_by_velocity(int64_t p_mode) {
+	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
+}
+
+} // namespace
+
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
 	const Eigen::Vector3d scale = p_basis.colwise().norm();
 	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
@@ -47,20 +60,6 @@ void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
 		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
 	}
 }
-
-// A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
-// between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
-constexpr double TELEPORT_DISTANCE = 2.0;
-// Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
-// the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
-constexpr double APPROACH = 3.0;
-
-// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
-bool is_driven_by_velocity(int64_t p_mode) {
-	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
-}
-
-} // namespace
 
 void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t p_mask) {
 	stop();
@@ -191,6 +190,7 @@ void BodyTracker::collect_shapes(
 		const Eigen::Affine3d local = to_eigen(server->body_get_shape_transform(p_body.rid, index)) * tracked.offset;
 		ColliderShape collider = tracked.shape;
 		scale_shape(collider, (p_now * local).linear());
+		collider.owner = p_body.instance_id;
 		collider.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
 		collider.set_poses(p_body.before * local, p_now * local);
 		r_colliders.push_back(collider);

@@ -68,6 +68,7 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
+	_in_grass.clear();
 	_field_map.reset();
 	_map_textures.free();
 	_tiles.reset();
@@ -125,6 +126,7 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+	recover(p_delta);
 	update_map();
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const Transform3D transform = field_transform();
@@ -134,12 +136,17 @@ void GrassField::physics_tick(double p_delta) {
 	_tracker.set_box(transform, half);
 	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
+	_node_colliders.collect(transform, _colliders);
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
 	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
-	if (_tiles.get_slots().empty()) {
-		return; // nothing is awake: no dispatch, no upload
+	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
+		step(p_delta);
 	}
+	tell_of_bodies();
+}
+
+void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();

@@ -12,6 +12,7 @@
 #include "nodes/field_params.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
+#include "nodes/node_colliders.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -20,6 +21,7 @@
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace grass {
@@ -94,6 +96,20 @@ public:
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
 
+	// grass_field_game.cpp: what a game asks of the grass and does to it. Places are global.
+	bool is_grass_at(const godot::Vector3 &p_global_position);
+	double density_at(const godot::Vector3 &p_global_position); // share of the blades that stand, 0..1
+	double height_at(const godot::Vector3 &p_global_position); // of the grass at rest, metres
+	// How far the tips around are from rest, on average: global axes, shares of the blades' lengths.
+	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
+	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
+	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
+	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
+	void unregister_collider(godot::Node3D *p_node);
+
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
@@ -108,6 +124,7 @@ private:
 	void build();
 	void request_rebuild();
 	void physics_tick(double p_delta);
+	void step(double p_delta);
 	void frame(double p_delta);
 	void follow();
 	void _before_draw();
@@ -119,6 +136,16 @@ private:
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
+	// grass_field_game.cpp
+	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
+	Growth growth_at(const Eigen::Vector3d &p_place) const;
+	GrassKind grass_kind() const;
+	GrassMap *find_map(const char *p_method);
+	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
+			std::optional<Footprint> &r_footprint) const;
+	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
+	void recover(double p_delta);
+	void tell_of_bodies();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
@@ -160,6 +187,9 @@ private:
 	TileManager _tiles;
 	StepClock _clock;
 	BodyTracker _tracker;
+	NodeColliders _node_colliders;
+	std::vector<uint64_t> _in_grass; // instance ids of the bodies that met grass in the last tick, rising
+	Recovery _recovery;
 	std::vector<ColliderShape> _colliders;
 };
 

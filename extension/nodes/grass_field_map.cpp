@@ -16,6 +16,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 		_map->disconnect("chunks_changed", changed);
 	}
 	_map = p_map;
+	_recovery.reset();
 	if (_map.is_valid()) {
 		_map->connect("chunks_changed", changed);
 	}

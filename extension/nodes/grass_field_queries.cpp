@@ -134,7 +134,7 @@ AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	setup.patch = find_patch();
-	return field_bounds(setup);
+	return field_bounds(setup, _field_map ? _field_map->get_cover().get() : nullptr);
 }
 
 PackedStringArray GrassField::_get_configuration_warnings() const {

@@ -43,6 +43,15 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region)
 	emit_changed();
 }
 
+void GrassMap::tell(const BrushResult &p_result) {
+	if (p_result.out_of_room) {
+		WARN_PRINT(vformat("%s: some of what was painted is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
+				label(), int64_t(PaintMap::MAX_CHUNKS)));
+	}
+	const Eigen::Vector2d size = p_result.max - p_result.min;
+	tell(p_result.changed, Rect2(to_godot(p_result.min), to_godot(size)));
+}
+
 // Everywhere.
 void GrassMap::tell_all() {
 	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
@@ -86,34 +95,7 @@ PackedByteArray GrassMap::get_data() const {
 }
 
 BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
-	if (!is_usable()) {
-		return {};
-	}
-	const BrushResult result = apply_brush(_map, p_shape, p_brush);
-	if (result.out_of_room) {
-		warn_of_lost_texels();
-	}
-	const Eigen::Vector2d size = result.max - result.min;
-	tell(result.changed, Rect2(to_godot(result.min), to_godot(size)));
-	return result;
-}
-
-LaidGround GrassMap::lay(const MapRegion &p_region, const HeightAt &p_height) {
-	if (!is_usable()) {
-		return {};
-	}
-	const LaidGround result = lay_ground(_map, p_region, p_height);
-	if (result.out_of_room) {
-		warn_of_lost_texels();
-	}
-	const Eigen::Vector2d size = result.region.max - result.region.min;
-	tell(result.changed, Rect2(to_godot(result.region.min), to_godot(size)));
-	return result;
-}
-
-void GrassMap::warn_of_lost_texels() const {
-	WARN_PRINT(vformat("%s: some of what was painted is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
-			label(), int64_t(PaintMap::MAX_CHUNKS)));
+	return change([&](PaintMap &r_map) { return apply_brush(r_map, p_shape, p_brush); });
 }
 
 bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
@@ -134,7 +116,8 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 		const double far_row = texel(corner.x(), corner.y() + 1.0) * (1.0 - t.x()) + texel(corner.x() + 1.0, corner.y() + 1.0) * t.x();
 		return near_row * (1.0 - t.y()) + far_row * t.y();
 	};
-	const LaidGround laid = lay({ to_eigen(p_region.position), to_eigen(p_region.get_end()) }, height);
+	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	const LaidGround laid = change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
 	return laid.asked > laid.missing;
 }
 

@@ -63,17 +63,25 @@ public:
 	godot::String read(const godot::PackedByteArray &p_bytes);
 	// Does it on the map, and tells who listens.
 	BrushResult apply(const MapShape &p_shape, const Brush &p_brush);
-	LaidGround lay(const MapRegion &p_region, const HeightAt &p_height);
+	// Does whatever p_change does to the map, and tells who listens. p_change returns a BrushResult, or what derives from it.
+	template <typename F> auto change(F &&p_change) {
+		decltype(p_change(_map)) result;
+		if (is_usable()) {
+			result = p_change(_map);
+			tell(result);
+		}
+		return result;
+	}
 
 protected:
 	static void _bind_methods();
 
 private:
 	bool is_usable() const;
+	void tell(const BrushResult &p_result);
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
 	void tell(const std::vector<MapKey> &p_changed); // of whole chunks
 	void tell_all();
-	void warn_of_lost_texels() const;
 	godot::String label() const; // for messages
 
 	PaintMap _map;

@@ -38,7 +38,7 @@ TEST_CASE("lay_ground: where there is no ground the map stays as it was, and slo
 	CHECK(map.get_code(MAP_GROUND, 0, 0, 0) == 0);
 	CHECK(map.get_code(MAP_GROUND, 0, -1, 0) == info_of(MAP_GROUND).code(-0.25));
 	CHECK(map.get_code(MAP_NORMAL, 0, -1, 0) == info_of(MAP_NORMAL).code(-0.5 / std::sqrt(1.25)));
-	CHECK(laid.region.max.x() == 0.0);
+	CHECK(laid.max.x() == 0.0);
 }
 
 TEST_CASE("lay_ground: regions that are no regions, and those out of reach") {

@@ -42,6 +42,7 @@ struct Brush {
 	MapLimits limits;
 };
 
+// What a tool did.
 struct BrushResult {
 	std::vector<MapKey> changed; // chunks, rising
 	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero(); // the rectangle that holds all of it, metres

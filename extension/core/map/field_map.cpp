@@ -19,11 +19,6 @@ FieldMap::Changes FieldMap::update(const PaintMap &p_map, const MapRegion &p_reg
 	return changes;
 }
 
-MapRegion FieldMap::get_region() const {
-	const Eigen::Vector2d half(0.5 * _grid.get_size_x(), 0.5 * _grid.get_size_z());
-	return { -half, half };
-}
-
 FieldMap::BladePose FieldMap::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
 	const auto knot = [&](int p_knot) {
 		const uint16_t *halves = &_patch->texels[Patch::texel_index(p_blade, p_knot)];

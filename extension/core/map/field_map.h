@@ -21,7 +21,7 @@ public:
 	};
 	// Takes over what p_map says about a region.
 	Changes update(const PaintMap &p_map, const MapRegion &p_region);
-	MapRegion get_region() const; // the whole field
+	MapRegion get_region() const { return MapRegion::of_grid(_grid); } // the whole field
 
 	// How blade p_blade of the patch grows in a tile, and the ground below it.
 	struct BladePose {

@@ -88,7 +88,8 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 	}
 	result.changed.assign(changed.begin(), changed.end());
 	if (!changed.empty()) {
-		result.region = { low_edit.cast<double>().matrix() * SIZE, high_edit.cast<double>().matrix() * SIZE };
+		result.min = low_edit.cast<double>() * SIZE;
+		result.max = high_edit.cast<double>() * SIZE;
 	}
 	return result;
 }

@@ -118,6 +118,11 @@ MapRegion MapRegion::of_chunk(const MapKey &p_key) {
 	return { corner, corner.array() + MAP_CHUNK_SIZE };
 }
 
+MapRegion MapRegion::of_grid(const TileGrid &p_grid) {
+	const Eigen::Vector2d half(0.5 * p_grid.get_size_x(), 0.5 * p_grid.get_size_z());
+	return { -half, half };
+}
+
 MapRegion MapRegion::grown(double p_metres) const {
 	return { min.array() - p_metres, max.array() + p_metres };
 }

@@ -16,6 +16,7 @@ namespace grass {
 struct MapRegion {
 	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero();
 	static MapRegion of_chunk(const MapKey &p_key);
+	static MapRegion of_grid(const TileGrid &p_grid); // the whole field
 	MapRegion grown(double p_metres) const;
 	MapRegion joined(const MapRegion &p_other) const;
 };
