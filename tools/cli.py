@@ -45,7 +45,7 @@ def parser():
 	bench.add_argument("what", nargs="?", choices=("stress", "accuracy"), help="stress: only the stress tests, in full; takes an hour. accuracy: run time against error")
 	bench.add_argument("--quick", action="store_true", help="accuracy: a sample, in seconds")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument("--only", choices=("draw", "simulate", "sleep", "kernel"), help="only this one of those in the engine")
+	bench.add_argument("--only", choices=("draw", "simulate", "sleep", "cpu", "kernel"), help="only this one of those in the engine")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")

@@ -56,6 +56,7 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t culls = 0; // culling passes
 	std::array<int64_t, GRASS_LOD_LEVELS> drawn_tiles{}; // in the newest frame known (GPU: about two frames late)
+	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };
 

@@ -44,20 +44,21 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 				std::max(all.max_z, blade.max_z), std::max(all.height, blade.height) };
 		}
 		_boxes.push_back(all);
+		_inner = start == 0 ? all
+							: Box{ std::max(all.min_x, _inner.min_x), std::min(all.max_x, _inner.max_x), std::max(all.min_z, _inner.min_z),
+								  std::min(all.max_z, _inner.max_z), std::min(all.height, _inner.height) };
 		_reach = std::max({ _reach, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
 		_height = std::max(_height, double(all.height));
 	}
 }
 
 bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
-	if (_boxes.empty()) {
+	if (_boxes.empty() || p_bounds.max.y() < 0.0) {
 		return false;
 	}
-	const Box &box = _boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE];
 	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	return p_bounds.min.x() <= centre.x() + box.max_x && p_bounds.max.x() >= centre.x() + box.min_x &&
-			p_bounds.min.z() <= centre.z() + box.max_z && p_bounds.max.z() >= centre.z() + box.min_z && p_bounds.min.y() <= box.height &&
-			p_bounds.max.y() >= 0.0;
+	const Bounds from_centre{ p_bounds.min - centre, p_bounds.max - centre };
+	return _inner.meets(from_centre) || _boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE].meets(from_centre);
 }
 
 } // namespace grass

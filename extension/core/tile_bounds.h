@@ -27,11 +27,18 @@ public:
 private:
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
+
+		// p_bounds from the tile's centre. Without jumps: which of the sides decides cannot be foreseen.
+		bool meets(const Bounds &p_bounds) const {
+			return bool(int(p_bounds.min.x() <= max_x) & int(p_bounds.max.x() >= min_x) & int(p_bounds.min.z() <= max_z) &
+					int(p_bounds.max.z() >= min_z) & int(p_bounds.min.y() <= height));
+		}
 	};
 
 	TileGrid _grid;
 	uint32_t _seed = 0;
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
+	Box _inner{}; // what all of them share: most tiles under a body are told by it
 	double _reach = 0.0, _height = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "core/cpu_clock.h"
 #include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
@@ -52,13 +53,14 @@ private:
 
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input) :
-		number(p_input.number),
-		slots(p_input.slots.begin(), p_input.slots.end()),
-		colliders(p_input.colliders.begin(), p_input.colliders.end()),
-		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
-		planes(p_input.planes.begin(), p_input.planes.end()),
-		step(p_input.step) {}
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+	CpuClock clock;
+	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
+	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
+	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	copy_ms = clock.lap();
+}
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
 	RenderingDevice *device = main_device();
@@ -104,6 +106,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
 	}
+	CpuClock clock;
 	if (p_measure) {
 		read_times();
 	}
@@ -123,6 +126,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		_simulate.dispatch(list, record_bytes(p_records.step), uint32_t(p_records.slots.size()));
 		device->compute_list_end();
 	}
+	const double upload_ms = clock.lap();
 	int64_t live = 0;
 	for (const GrassSlot &slot : p_records.slots) {
 		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
@@ -134,6 +138,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
+		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
 	// The device copies it between this step's dispatch and the next one's, so it is this step's.
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {

@@ -20,6 +20,7 @@ struct StepRecords {
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
 	GrassStep step;
+	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);
 };

@@ -5,6 +5,7 @@
 
 #include "backend/cpu_backend.h"
 #include "convert.h"
+#include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/params.h"
 
@@ -13,7 +14,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
-#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -82,6 +82,7 @@ void GrassField::build() {
 		return;
 	}
 	_dirty = false;
+	CpuClock clock;
 	_backend.reset();
 	_ground.free();
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
@@ -114,6 +115,7 @@ void GrassField::build() {
 	_ground.create(_setup.grid);
 	follow();
 	set_all_uniforms();
+	_build_ms = clock.lap();
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -121,16 +123,16 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	CpuClock clock;
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
 	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
-	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
+	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
-	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
+	_tiles_ms = clock.lap();
 	if (_tiles.get_slots().empty()) {
 		return; // nothing is awake: no dispatch, no upload
 	}
@@ -169,7 +171,13 @@ void GrassField::_before_draw() {
 	if (!_backend) {
 		return;
 	}
+	CpuClock clock;
 	follow();
+	choose_view();
+	_frame_ms = clock.lap();
+}
+
+void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}

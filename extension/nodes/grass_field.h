@@ -106,6 +106,7 @@ private:
 	void frame(double p_delta);
 	void follow();
 	void _before_draw();
+	void choose_view();
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
@@ -134,7 +135,8 @@ private:
 
 	bool _dirty = false; // the backend must be made again
 	double _time = 0.0; // of the wind, seconds
-	double _management_us = 0.0; // CPU time of the last tick without the backend's simulation, microseconds
+	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field.
+	double _gather_ms = 0.0, _tiles_ms = 0.0, _frame_ms = 0.0, _build_ms = 0.0;
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;

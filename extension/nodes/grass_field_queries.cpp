@@ -107,6 +107,9 @@ Dictionary GrassField::get_statistics() const {
 	result["refused"] = int64_t(tiles.refused);
 	result["capped"] = int64_t(tiles.capped);
 	result["bodies"] = get_body_count();
+	result["body_reads"] = _tracker.get_statistics().body_reads;
+	result["shape_reads"] = _tracker.get_statistics().shape_reads;
+	result["tiles_looked_at"] = int64_t(tiles.looked_at);
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);
@@ -117,7 +120,12 @@ Dictionary GrassField::get_statistics() const {
 	result["drawn_tiles"] = drawn_tiles;
 	result["drawn_blades"] = drawn_blades;
 	result["drawn_triangles"] = drawn_triangles;
-	result["management_ms"] = _management_us * 1e-3;
+	result["gather_ms"] = _gather_ms;
+	result["tiles_ms"] = _tiles_ms;
+	result["management_ms"] = _gather_ms + _tiles_ms;
+	result["upload_ms"] = backend.upload_ms;
+	result["frame_ms"] = _frame_ms;
+	result["build_ms"] = _build_ms;
 	result["simulate_ms"] = backend.simulate_ms;
 	result["cull_ms"] = backend.cull_ms;
 	result["memory"] = get_memory_usage();

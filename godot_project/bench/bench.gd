@@ -2,13 +2,14 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    draw, simulate, sleep or kernel
+##   --only PART    draw, simulate, sleep, cpu or kernel
 ##   --kernel FILE  simulate.glsl as SPIR-V, for the part `kernel`, which is left out without it
 extends Node3D
 
 const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
+const Cpu := preload("res://bench/bench_cpu.gd")
 const Kernel := preload("res://bench/bench_kernel.gd")
 
 
@@ -17,20 +18,24 @@ func _ready() -> void:
 	DirAccess.make_dir_recursive_absolute(folder)
 	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
 	var kernel := _argument("--kernel", "")
-	for script: GDScript in [Draw, Simulate, Sleep, Kernel]:
+	for script: GDScript in [Draw, Simulate, Sleep, Cpu, Kernel]:
 		var part: Node = script.new()
 		if not part.FILE.begins_with(_argument("--only", "")) or script == Kernel and not kernel:
 			part.free()
 			continue
 		add_child(part)
-		var rows: Array[PackedStringArray] = await (part.run(kernel, is_software()) if script == Kernel else part.run(is_software()))
+		var rows: Array[PackedStringArray]
+		if script == Kernel:
+			rows = part.run(kernel, is_software())
+		else:
+			rows = await part.run(is_software())
 		part.queue_free()
 		_write(folder.path_join(part.FILE), rows)
 	get_tree().quit()
 
 
 static func is_software() -> bool:
-	return RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+	return RenderingServer.get_rendering_device() == null or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
 
 
 ## Middle value; 0 of nothing.
