@@ -28,10 +28,10 @@ private:
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
 
-		// p_bounds from the tile's centre. Without jumps: which of the sides decides cannot be foreseen.
-		bool meets(const Bounds &p_bounds) const {
-			return bool(int(p_bounds.min.x() <= max_x) & int(p_bounds.max.x() >= min_x) & int(p_bounds.min.z() <= max_z) &
-					int(p_bounds.max.z() >= min_z) & int(p_bounds.min.y() <= height));
+		// Without jumps: which of the sides decides cannot be foreseen.
+		bool meets(const Box &p_other, float p_other_bottom) const {
+			return bool(int(p_other.min_x <= max_x) & int(p_other.max_x >= min_x) & int(p_other.min_z <= max_z) &
+					int(p_other.max_z >= min_z) & int(p_other_bottom <= height));
 		}
 	};
 

@@ -176,8 +176,11 @@ void BodyTracker::look(Body &r_body) {
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC && !(node != nullptr && node->is_class("RigidBody3D"));
 	bool has_changed = false;
 	look_at_shapes(r_body, node, has_changed);
+	has_changed = has_changed && r_body.has_before; // else it was just found
 	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
-	r_body.next_look = r_body.lively_looks > 0 ? 0 : LOOK_EVERY - 1;
+	// Bodies that came together are not looked at together.
+	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
+	r_body.next_look = r_body.lively_looks > 0 ? 0 : LOOK_EVERY - 1 + phase;
 }
 
 void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, bool &r_changed) {
