@@ -63,8 +63,9 @@ void TileBounds::find_boxes() {
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			const Blade &blade = (*_blades)[size_t(start * GRASS_START_STRIDE + b)];
 			const float x = (blade.x - 0.5f) * size, z = (blade.z - 0.5f) * size;
-			all = { std::min(all.min_x, blade.box.min_x + x), std::max(all.max_x, blade.box.max_x + x), std::min(all.min_z, blade.box.min_z + z),
-				std::max(all.max_z, blade.box.max_z + z), std::max(all.height, blade.box.height) };
+			all = { std::min(all.min_x, blade.box.min_x + x), std::max(all.max_x, blade.box.max_x + x),
+				std::min(all.min_z, blade.box.min_z + z), std::max(all.max_z, blade.box.max_z + z),
+				std::max(all.height, blade.box.height) };
 		}
 		_boxes.push_back(all);
 		_inner = start == 0 ? all
@@ -88,7 +89,8 @@ bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
 	const Box box{ float(p_bounds.min.x() - centre.x()), float(p_bounds.max.x() - centre.x()), float(p_bounds.min.z() - centre.z()),
 		float(p_bounds.max.z() - centre.z()), 0.0f };
 	const float bottom = float(p_bounds.min.y());
-	return _inner.meets(box, bottom) || _boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE].meets(box, bottom);
+	return _inner.meets(box, bottom) ||
+			_boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE].meets(box, bottom);
 }
 
 } // namespace grass

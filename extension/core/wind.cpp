@@ -31,8 +31,8 @@ float gust_at(const Eigen::Vector2f &p_place, const WindClock &p_clock, const Wi
 	return smoothstep(0.38f, 0.68f, noise[0]);
 }
 
-Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, const WindClock &p_clock,
-		const WindParams &p_wind) {
+Wind wind_at(
+		const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, const WindClock &p_clock, const WindParams &p_wind) {
 	Wind here;
 	const float time = float(p_clock.sway);
 	const float speed = p_wind.velocity.norm();
@@ -49,8 +49,7 @@ Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f
 	const float phase = 3.0f * p_random[1] + 0.9f * p_place.dot(ahead) - 0.7f * p_along;
 	float with = 0.5f * std::sin(5.1f * time + phase) + 0.3f * std::sin(8.9f * time + 1.7f * phase);
 	with += 0.2f * std::sin(14.3f * time + 2.3f * phase);
-	const float across =
-			0.6f * std::sin(4.3f * time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * time + 2.9f * phase);
+	const float across = 0.6f * std::sin(4.3f * time + 1.3f * phase + 6.0f * p_random[2]) + 0.4f * std::sin(10.7f * time + 2.9f * phase);
 	here.tilt = p_along * push * ((1.0f + 0.3f * with) * ahead + (0.25f * across + 0.4f * (p_random[3] - 0.5f)) * aside);
 	return here;
 }

@@ -43,8 +43,8 @@ float gust_at(const Eigen::Vector2f &p_place, const WindClock &p_clock, const Wi
 
 // [Eq W2] The tilt of the blade's tangent at p_along (0 = root .. 1 = tip). p_place: field-space x, z in metres;
 // p_random: the blade's own four numbers, 0..1. No wind gives exactly zero.
-Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, const WindClock &p_clock,
-		const WindParams &p_wind);
+Wind wind_at(
+		const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, const WindClock &p_clock, const WindParams &p_wind);
 
 // [Eq W3] A point of a blade, bent by the wind without stretching. p_point: blade space, metres; p_reach:
 // tangent there, its length the distance from the root along the blade; p_tilt: of the tangent there.

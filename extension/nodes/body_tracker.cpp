@@ -255,7 +255,7 @@ void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, doubl
 }
 
 // A static body is an object from its first motion on, until it has stood still for a while. p_is_carried: the field
-// and the world jumped.
+// jumped, and the body with it, in the same tick or in the next: the server hears of either when nodes tell it.
 bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
 	if (!r_body.is_static) {
 		r_body.still_ticks = 0;
@@ -293,7 +293,8 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		_statistics.body_reads++;
 		look(body);
 		const Eigen::Affine3d now = pose_of(body, field);
-		const bool is_carried = field.has_jumped && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
+		const bool is_carried =
+				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
 		const bool ground = is_ground(body, body.state->get_transform(), is_carried);
 		judge_motion(body, now, p_delta);
 		if (!ground) {

@@ -43,8 +43,8 @@ int main() {
 			manager.reset();
 		});
 		const double pool_ms = median_ms([&] { CpuPool(patch, TileParams().pool_size); });
-		std::printf("%lld,%.2f,%.2f,%.2f,%.2f,%.2f\n", static_cast<long long>(grid.get_tile_count()) * GRASS_BLADES_PER_TILE, patch_ms, bounds_ms,
-				density_ms, tiles_ms, pool_ms);
+		std::printf("%lld,%.2f,%.2f,%.2f,%.2f,%.2f\n", static_cast<long long>(grid.get_tile_count()) * GRASS_BLADES_PER_TILE, patch_ms,
+				bounds_ms, density_ms, tiles_ms, pool_ms);
 	}
 	return 0;
 }
