@@ -91,7 +91,7 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 		p_iterations, 1.0, 0.02, p_method, # contact
 		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
 		RATE * RATE, w * w, w * w, 0.0, # energy
-		TILE_SIZE, 128.0, 128.0, 0.0, # field
+		TILE_SIZE, 128.0, 128.0, KNOTS, # field
 		1.6, 0.0, 0.0, 0.0, # clump
 	]).to_byte_array()
 
