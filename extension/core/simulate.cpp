@@ -57,7 +57,10 @@ void serial_for(int p_count, const std::function<void(int)> &p_body) {
 }
 
 CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
-		_patch(std::move(p_patch)), _slots(size_t(std::max(p_slots, 0))), _energy(_slots.size(), 0.0f), _bends(_slots.size(), Eigen::Vector3f::Zero()) {}
+		_patch(std::move(p_patch)),
+		_slots(size_t(std::max(p_slots, 0))),
+		_energy(_slots.size(), 0.0f),
+		_bends(_slots.size(), Eigen::Vector3f::Zero()) {}
 
 CpuPool::~CpuPool() = default;
 
@@ -192,7 +195,8 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 
 int64_t CpuPool::get_memory_usage() const {
 	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
-	return int64_t(used) * int64_t(sizeof(TileState)) + int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0])));
+	return int64_t(used) * int64_t(sizeof(TileState)) +
+			int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0])));
 }
 
 } // namespace grass

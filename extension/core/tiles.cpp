@@ -85,16 +85,12 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	find_touched_tiles(p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	deactivate_tiles(delta); // lines 18 to 25
-	write_lists(p_colliders);
+	count_touches(p_colliders);
 	write_records();
+	write_list();
 }
 
 void TileManager::begin_step() {
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		Awake &awake = _awake[size_t(slot)];
-		awake.is_touched = awake.is_fresh = false;
-		awake.list_count = 0;
-	}
 	_touches.clear();
 	_to_activate.clear();
 	_yielding_known = false;
@@ -122,6 +118,7 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		const TilePlace centre = _ranges[i].count() > 0 ? _grid.get_place(p_colliders[i].now.position) : TilePlace{};
 		const TileRange range = shrink(_ranges[i], std::min(most, capacity - int64_t(_touches.size())), centre.x, centre.z);
 		_statistics.capped += uint64_t(_ranges[i].count() - range.count());
+		_statistics.looked_at += uint64_t(range.count());
 		for (int z = range.z_begin; z < range.z_end; z++) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
 				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
@@ -244,8 +241,9 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	return bytes(_awake) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() + bytes(_ranges) +
-			bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
-			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
+			bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) +
+			_place_of_tile.get_memory_usage() + bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) +
+			bytes(_planes);
 }
 
 } // namespace grass

@@ -5,6 +5,7 @@
 
 #include "backend/cpu_backend.h"
 #include "convert.h"
+#include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/params.h"
 
@@ -13,7 +14,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
-#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -52,6 +52,7 @@ void GrassField::_notification(int p_what) {
 }
 
 void GrassField::enter() {
+	FieldMonitors::add(this);
 	set_process_internal(true);
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
@@ -62,6 +63,7 @@ void GrassField::enter() {
 }
 
 void GrassField::leave() {
+	FieldMonitors::remove(this);
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	set_process_internal(false);
 	set_physics_process_internal(false);
@@ -85,15 +87,20 @@ void GrassField::build() {
 		return;
 	}
 	_dirty = false;
-	_backend.reset();
-	_ground.free();
+	CpuClock clock;
+	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	_bounds = std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_setup.is_mapped = _map.is_valid();
+	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
+			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	build_map();
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
@@ -105,6 +112,21 @@ void GrassField::build() {
 			WARN_PRINT(vformat("%s: %s", label(), warning));
 		}
 	}
+	_ground.free();
+	if (!same_blades || before.pool_tiles != _setup.pool_tiles || !_backend || !_backend->set_grid(_setup.grid)) {
+		make_backend();
+	}
+	if (_backend) {
+		_ground.create(_setup.grid, _setup.is_mapped);
+		follow();
+		set_all_uniforms();
+		update_map();
+	}
+	_build_ms = clock.lap();
+}
+
+void GrassField::make_backend() {
+	_backend.reset();
 	if (_setup.patch->is_empty()) {
 		return;
 	}
@@ -114,11 +136,8 @@ void GrassField::build() {
 	} else {
 		_backend = std::make_unique<CpuBackend>(_setup);
 	}
-	_backend->set_measure_time(_measure_time);
-	_ground.create(_setup.grid, _setup.is_mapped);
-	follow();
-	set_all_uniforms();
-	update_map();
+	_backend->set_measure_time(_measure_time || _is_watched);
+	_builds++;
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -126,20 +145,20 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+	CpuClock clock;
 	recover(p_delta);
 	update_map();
-	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
 	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
 			real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
-	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
 	_node_colliders.collect(transform, _colliders);
+	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
-	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
+	_tiles_ms = clock.lap();
 	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
 		step(p_delta);
 	}
@@ -166,9 +185,9 @@ void GrassField::frame(double p_delta) {
 	if (!_backend) {
 		return;
 	}
-	_time += p_delta;
 	if (param(PARAM_WIND_SPEED) > 0.0) {
-		_backend->set_uniform("grass_time", _time); // the ground has no wind
+		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
+		set_wind_clock();
 	}
 }
 
@@ -184,8 +203,14 @@ void GrassField::_before_draw() {
 	if (!_backend) {
 		return;
 	}
+	CpuClock clock;
 	update_map();
 	follow();
+	choose_view();
+	_frame_ms = clock.lap();
+}
+
+void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}

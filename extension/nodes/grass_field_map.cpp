@@ -36,8 +36,7 @@ void GrassField::build_map() {
 	_field_map.reset();
 	_map_textures.free();
 	_regrown = {};
-	_setup.is_mapped = _map.is_valid();
-	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	_bounds->set_cover(nullptr, 0.0);
 	if (_setup.is_mapped && !_setup.patch->is_empty()) {
 		_field_map = std::make_unique<FieldMap>(_setup.grid, _setup.patch, _setup.clump, _setup.follow_slope);
 		_changed_region = _field_map->get_region();

@@ -13,7 +13,8 @@ namespace {
 
 constexpr GrassKind KIND{ 0.4, 0.9, 256.0 };
 
-ColliderShape solid(int p_type, const Eigen::Vector3d &p_size, const Eigen::Vector3d &p_place, const Eigen::Vector3d &p_turn = Eigen::Vector3d::Zero()) {
+ColliderShape solid(int p_type, const Eigen::Vector3d &p_size, const Eigen::Vector3d &p_place,
+		const Eigen::Vector3d &p_turn = Eigen::Vector3d::Zero()) {
 	ColliderShape shape;
 	shape.type = p_type;
 	shape.size = p_size;

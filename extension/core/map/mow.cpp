@@ -136,8 +136,7 @@ CutResult cut_grass(PaintMap &r_map, const Footprint &p_footprint, const GrassKi
 			result.blades += share * p_kind.per_area;
 		}
 	};
-	visit(texels_within(p_footprint.get_min(), p_footprint.get_max()),
-			[&](int p_i, int p_j) { cut(p_i, p_j, centre_of(p_i, p_j)); });
+	visit(texels_within(p_footprint.get_min(), p_footprint.get_max()), [&](int p_i, int p_j) { cut(p_i, p_j, centre_of(p_i, p_j)); });
 	if (!covers_any) {
 		const Eigen::Array2d texel = (p_footprint.get_centre().array() / SIZE).floor();
 		if ((texel.abs() < PaintMap::REACH * double(SIDE)).all()) {
