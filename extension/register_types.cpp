@@ -8,6 +8,7 @@
 #include "gpu/render_queue.h"
 #include "nodes/grass_field.h"
 #include "nodes/grass_patch.h"
+#include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/godot.hpp>
@@ -18,6 +19,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
+		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
 		GDREGISTER_CLASS(grass::GrassPatch);
 		GDREGISTER_CLASS(grass::GrassField);
 	}
@@ -32,6 +34,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();
+		grass::SceneWatch::free_singleton();
 	}
 }
 

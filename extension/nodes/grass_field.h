@@ -10,7 +10,6 @@
 #include "nodes/field_params.h"
 #include "nodes/grass_patch.h"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -112,7 +111,6 @@ private:
 	void set_all_uniforms();
 	void set_wind_uniforms();
 	godot::Transform3D field_transform() const; // global, without scale
-	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
