@@ -15,7 +15,6 @@
 #include "nodes/grass_patch.h"
 #include "nodes/node_colliders.h"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -140,6 +139,7 @@ private:
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
+	double ground_range() const;
 	// grass_field_game.cpp
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
 	Growth growth_at(const Eigen::Vector3d &p_place) const;
@@ -155,7 +155,6 @@ private:
 	void set_wind_uniforms();
 	void set_wind_clock();
 	godot::Transform3D field_transform() const; // global, without scale
-	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
