@@ -111,7 +111,7 @@ func test_cut_says_how_much_and_shows() -> void:
 	assert_eq(fallen.blades, 512)
 	assert_greater(fallen.volume, 0.1)
 	assert_less(fallen.volume, 2.0)
-	await ticks(1)
+	await ticks(2)
 	for length in lengths(field, field.get_tile_at(Vector3(0.1, 0, 0.1))):
 		assert_less(length, 0.11)
 	assert_near(field.height_at(Vector3(0, 0, 0)), 0.1, 0.02)
