@@ -69,10 +69,8 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	const int tiles = _setup.grid.get_tile_count();
-	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), std::min(tiles, GRASS_MAX_DRAWN_TILES), true, field_bounds(_setup));
-	_shadows.create(
-			make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), std::min(tiles, GRASS_MAX_SHADOW_TILES), true, field_bounds(_setup));
+	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), _setup.instance_capacity(), true, field_bounds(_setup));
+	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), _setup.shadow_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -84,6 +82,17 @@ GpuBackend::~GpuBackend() {
 
 FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
+}
+
+bool GpuBackend::set_grid(const TileGrid &p_grid) {
+	_setup.grid = p_grid;
+	if (_setup.instance_capacity() > _picture.capacity() || _setup.shadow_capacity() > _shadows.capacity()) {
+		return false;
+	}
+	_picture.set_bounds(field_bounds(_setup));
+	_shadows.set_bounds(field_bounds(_setup));
+	RenderQueue::get_singleton()->post([field = _field, tiles = p_grid.get_tile_count()] { field->set_tiles(tiles); });
+	return true;
 }
 
 void GpuBackend::step(const StepInput &p_input) {
@@ -120,7 +129,10 @@ BackendStatistics GpuBackend::get_statistics() {
 }
 
 int64_t GpuBackend::get_memory_usage() const {
-	return GpuField::memory_usage(_setup);
+	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
+	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	std::lock_guard lock(_report->mutex);
+	return patch + instances + mesh_bytes() + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
 }
 
 } // namespace grass

@@ -23,7 +23,7 @@ layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
 layout(set = 0, binding = GRASS_CULL_CAMERAS, std430) readonly buffer CameraBuffer {
 	GrassCamera cameras[];
 };
-// Slot of each tile in the pool, or GRASS_NO_SLOT. Written by simulate; lives as long as the field.
+// Slot + 1 of each tile in the pool, 0 without one. Written by simulate; lives as long as the field.
 layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
 	int table[];
 };
@@ -196,7 +196,7 @@ void main() {
 		}
 	}
 	barrier();
-	int slot = exists ? table[tile_index] : GRASS_NO_SLOT;
+	int slot = exists ? table[tile_index] - 1 : GRASS_NO_SLOT;
 	if (drawn.level >= 0 && group_first[drawn.level] + drawn.place < phase.z) {
 		float values[GRASS_INSTANCE_FLOATS] = make_instance(tile, centre, drawn, hash, slot);
 		uint at = (group_first[drawn.level] + drawn.place) * uint(GRASS_INSTANCE_FLOATS);
