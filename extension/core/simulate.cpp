@@ -14,8 +14,8 @@ namespace {
 
 constexpr int BLADES = GRASS_BLADES_PER_TILE;
 
-float step_state(
-		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders, Precision p_precision) {
+float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders,
+		Precision p_precision) {
 	switch (p_precision) {
 		case Precision::SCALAR_FLOAT:
 			return step_scalar_float(r_state, p_steps, p_blend, p_colliders);
@@ -151,7 +151,8 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	}
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
-	const std::span<const GrassStep> steps = p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
+	const std::span<const GrassStep> steps =
+			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
 	_energy[slot] = step_state(*_slots[slot], steps, blend, colliders, p_precision);
 	_bends[slot] = bend_of(*_slots[slot]);
 }

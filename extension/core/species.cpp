@@ -95,8 +95,8 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vec
 	const int x = grass_root_units(p_tile_x, p_root.x()), z = grass_root_units(p_tile_z, p_root.y());
 	if (p_layers) {
 		const float size = float(_grid.get_tile_size());
-		const int texel_x =
-				grass_species_texel(x, grass_species_random(bits, blade, GRASS_MAX_SPECIES), _texel_units, float(_grid.get_tiles_x()), size);
+		const int texel_x = grass_species_texel(
+				x, grass_species_random(bits, blade, GRASS_MAX_SPECIES), _texel_units, float(_grid.get_tiles_x()), size);
 		const int texel_z = grass_species_texel(
 				z, grass_species_random(bits, blade, GRASS_MAX_SPECIES + 1), _texel_units, float(_grid.get_tiles_z()), size);
 		if (const int painted = find_painted(texel_x, texel_z, p_layers); painted >= 0) {

@@ -57,7 +57,8 @@ GRASS_INLINE float largest(const Lanes &p_value) {
 }
 
 // One number of each lane's own species. p_species: of the first lane's blade.
-template <class T> GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
+template <class T>
+GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
 	alignas(32) float own[LANE_COUNT<T>];
 	for (int lane = 0; lane < LANE_COUNT<T>; lane++) {
 		own[lane] = p_steps[p_species[lane]].*p_of.*p_part;

@@ -11,8 +11,8 @@ using namespace godot;
 namespace grass {
 
 Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
-	return ImageTexture::create_from_image(Image::create_from_data(
-			Patch::WIDTH, Patch::HEIGHT * p_patch.species, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
+	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT * p_patch.species, false,
+			Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
 namespace {

@@ -13,8 +13,8 @@ using namespace godot;
 namespace grass {
 
 Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks) {
-	static_assert(GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 &&
-			GRASS_LOOK_TEXELS == GRASS_LOOK_CANOPY + 1);
+	static_assert(
+			GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CANOPY + 1);
 	std::vector<uint16_t> halves;
 	const auto put = [&](float p_r, float p_g, float p_b, float p_a) {
 		for (const float value : { p_r, p_g, p_b, p_a }) {

@@ -100,8 +100,8 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	state.instantiate();
 	_sampler = device->sampler_create(state);
 
-	_simulate.create(_has_species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV,
-			"GrassField simulate");
+	_simulate.create(
+			_has_species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV, "GrassField simulate");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
 	std::lock_guard lock(_report->mutex);
@@ -344,8 +344,8 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth, &_blade_species, &_species_steps,
-				 &_cover, &_view, &_cameras, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
+				 &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }

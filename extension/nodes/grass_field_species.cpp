@@ -170,14 +170,16 @@ void GrassField::warn_of_species(PackedStringArray &r_warnings) const {
 		return;
 	}
 	if (_species.size() > GRASS_MAX_SPECIES) {
-		r_warnings.push_back(vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
+		r_warnings.push_back(
+				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
 	}
 	if (_patch.is_valid()) {
 		r_warnings.push_back("`patch` is not used while `species` has entries. Give it to one of the species, or empty one of the two.");
 	}
 	for (size_t i = 0; i < std::min<size_t>(_species.size(), GRASS_MAX_SPECIES); i++) {
 		if (_species[i].is_null()) {
-			r_warnings.push_back(vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
+			r_warnings.push_back(
+					vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
 		} else if (_species[i]->find_patch()->is_empty()) {
 			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _species[i]->find_patch()->empty_because));
 		}
