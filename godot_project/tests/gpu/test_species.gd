@@ -3,6 +3,7 @@
 extends "res://tests/view_case.gd"
 
 const SIDE := 512 # pixels
+const SKY := Color(0.3, 0.4, 0.9) # of view_case.gd
 const PICTURES := "user://pictures/" # looked at by people
 
 
@@ -59,6 +60,7 @@ func check_markers(field: GrassField) -> void:
 				places.append(camera.unproject_position(middle))
 				species.append(field.get_blade_species(Vector2i(x, z), blade))
 	var seen := [0, 0, 0]
+	var wrong := 0
 	for i in places.size():
 		var at := places[i]
 		if at.x < 2 or at.y < 2 or at.x > SIDE - 3 or at.y > SIDE - 3:
@@ -68,11 +70,16 @@ func check_markers(field: GrassField) -> void:
 			is_alone = is_alone and (i == j or places[j].distance_squared_to(at) > 144.0)
 		if is_alone:
 			var color := image.get_pixelv(Vector2i(at))
-			if assert_eq(channel_of(color), species[i], "blade %d at %s shows %s" % [i, at, color]):
+			if Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() < 0.1:
+				continue # seen edge on, beside its middle
+			if channel_of(color) == species[i]:
 				seen[species[i]] += 1
+			else:
+				wrong += 1
 	print("    drawn as simulated: %s blades of each species" % [seen])
+	assert_eq(wrong, 0)
 	for s in 3:
-		assert_greater(seen[s], 5)
+		assert_greater(seen[s], 20)
 
 
 func test_each_blade_is_drawn_as_what_it_is_simulated_as() -> void:
@@ -88,6 +95,7 @@ func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
 		brush.tool = GrassBrush.TOOL_SPECIES
 		brush.species = number
 		brush.radius = 3.0
+		brush.strength = 1.0
 		var place := Vector3(-5 + 3.7 * number, 0, -2 + number)
 		field.paint(brush, place, place)
 	await check_markers(field)
@@ -165,6 +173,7 @@ func test_a_meadow_of_three_species_looks_alike_on_both_backends() -> void:
 	brush.tool = GrassBrush.TOOL_SPECIES
 	brush.species = 3
 	brush.radius = 1.0
+	brush.strength = 1.0
 	field.paint(brush, Vector3(-8, 0, 2), Vector3(8, 0, -5))
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
 	await drawn()
