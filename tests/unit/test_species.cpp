@@ -6,6 +6,7 @@
 #include "core/map/brush.h"
 #include "core/map/field_blades.h"
 #include "core/simulate.h"
+#include "core/solver_params.h"
 #include "core/tile_bounds.h"
 
 #include <doctest/doctest.h>
