@@ -36,7 +36,8 @@ layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer
 };
 
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
-// [slot][component][knot][blade].
+// [slot][component][knot][blade]. Within a step they are what is called start and before below: METHOD_DIRECT keeps what its
+// stage starts from and aims at there, since what else a thread keeps for itself would push it out of the caches.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
@@ -67,6 +68,17 @@ uint pool_index; // of knot 2's x
 uint pool_place(int p_knot, uint p_component) {
 	return pool_index + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
 }
+ivec2 pool_texel(int p_knot) {
+	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + int(gl_LocalInvocationID.x), slot.tile.w);
+}
+vec3 start_of(int p_knot) {
+	return vec3(pool_knots[pool_place(p_knot, 0u)], pool_knots[pool_place(p_knot, 1u)], pool_knots[pool_place(p_knot, 2u)]);
+}
+void set_start(int p_knot, vec3 p_place) {
+	pool_knots[pool_place(p_knot, 0u)] = p_place.x;
+	pool_knots[pool_place(p_knot, 1u)] = p_place.y;
+	pool_knots[pool_place(p_knot, 2u)] = p_place.z;
+}
 vec3 before_of(int p_knot) {
 	return vec3(pool_before[pool_place(p_knot, 0u)], pool_before[pool_place(p_knot, 1u)], pool_before[pool_place(p_knot, 2u)]);
 }
@@ -75,17 +87,19 @@ void set_before(int p_knot, vec3 p_place) {
 	pool_before[pool_place(p_knot, 1u)] = p_place.y;
 	pool_before[pool_place(p_knot, 2u)] = p_place.z;
 }
-// The rest pose, fetched once: a texture answers too slowly to be asked in every loop.
-vec3 rest_knots[GRASS_KNOTS];
-float lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 
+// The rest pose: the patch's texels, fetched once, since a texture answers too slowly to be asked in every loop.
+uvec2 rest_texels[GRASS_KNOTS];
+
+// grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
 vec3 rest_of(int p_knot) {
-	return rest_knots[p_knot];
-}
-void load_rest() {
-	for (int k = 0; k < KNOT_COUNT; k++) {
-		rest_knots[k] = grass_rest_knot(texelFetch(patch_texture, texel + ivec2(k, 0), 0).xyz, k, clump);
-	}
+	uvec2 halves = rest_texels[p_knot];
+	precise vec3 knot = vec3(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y).x) * clump.height;
+	float x = clump.lean.x, z = clump.lean.y;
+	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
+	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
+	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
+	return rest;
 }
 
 #include "compute/vector.inc"
@@ -138,6 +152,25 @@ bool comes_near(uint p_entry) {
 	return is_valid && is_within_reach(collider);
 }
 
+// Whether a knot that goes from p_from to p_to (blade space) surely stays p_skin (metres) away from collider p_entry: far cheaper than
+// asking the shape itself.
+bool is_clear(uint p_entry, vec3 p_from, vec3 p_to, float p_skin) {
+	return p_entry < uint(GRASS_SHARED_COLLIDERS) && passes_by(shared_colliders[p_entry], p_from + root, p_to + root, p_skin);
+}
+
+// The first collider from entry p_from on that may touch the blade in this step; p_count or more: there is none.
+uint next_near(uint p_from, uint p_count) {
+	uint later = p_from < uint(GRASS_SHARED_COLLIDERS) ? near_colliders & (0xffffffffu << p_from) : 0u;
+	if (later != 0u) {
+		return uint(findLSB(later));
+	}
+	uint entry = max(p_from, uint(GRASS_SHARED_COLLIDERS));
+	while (entry < p_count && !comes_near(entry)) {
+		entry++;
+	}
+	return entry;
+}
+
 // Whether any of them may.
 bool find_near(uint p_count) {
 	near_colliders = 0u;
@@ -157,6 +190,7 @@ bool find_near(uint p_count) {
 #include "compute/touch.inc"
 #include "compute/matrix.inc"
 #include "compute/chain.inc"
+#include "compute/finish.inc"
 #include "compute/direct.inc"
 #include "compute/solve.inc"
 
@@ -172,32 +206,28 @@ void find_blade(uint p_blade) {
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
-void load_knots(uint p_blade) {
+// The rest pose and the blade's length. A fresh tile's blades stand at rest.
+void load_rest() {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
-	load_rest();
-	knots[0] = rest_of(0);
-	knots[1] = rest_of(1);
-	for (int k = GRASS_CLAMPED_KNOTS; k < KNOT_COUNT; k++) {
+	reach = 0.0;
+	vec3 parent = vec3(0.0);
+	rest_texels[0] = uvec2(0u);
+	for (int k = 1; k < KNOT_COUNT; k++) {
+		vec3 place = texelFetch(patch_texture, texel + ivec2(k, 0), 0).xyz;
+		rest_texels[k] = uvec2(packHalf2x16(place.xy), packHalf2x16(place.zz));
+		vec3 rest = rest_of(k);
+		reach = reach + length_of(rest - parent);
+		parent = rest;
 		if (is_fresh) {
-			knots[k] = rest_of(k);
-			set_before(k, knots[k]);
-			twist[k - 1] = 0.0;
-		} else {
-			twist[k - 1] = imageLoad(pool_texture, ivec2(GRASS_POOL_BLADES_PER_ROW * k + int(p_blade), slot.tile.w)).w;
-			knots[k] = vec3(pool_knots[pool_place(k, 0u)], pool_knots[pool_place(k, 1u)], pool_knots[pool_place(k, 2u)]);
+			imageStore(pool_texture, pool_texel(k), vec4(0.0));
+		}
+		if (is_fresh && k >= GRASS_CLAMPED_KNOTS) {
+			set_start(k, rest);
+			set_before(k, rest);
 		}
 	}
-}
-
-void store_knots(uint p_blade) {
-	for (int k = GRASS_CLAMPED_KNOTS; k < KNOT_COUNT; k++) {
-		pool_knots[pool_place(k, 0u)] = knots[k].x;
-		pool_knots[pool_place(k, 1u)] = knots[k].y;
-		pool_knots[pool_place(k, 2u)] = knots[k].z;
-	}
-	for (int k = 1; k < KNOT_COUNT; k++) {
-		imageStore(pool_texture, ivec2(GRASS_POOL_BLADES_PER_ROW * k + int(p_blade), slot.tile.w), vec4(knots[k] - rest_of(k), k > 1 ? twist[k - 1] : 0.0));
-	}
+	knots[0] = vec3(0.0);
+	knots[1] = rest_of(1);
 }
 
 void main() {
@@ -212,15 +242,14 @@ void main() {
 	}
 	share_colliders(blade);
 	find_blade(blade);
-	load_knots(blade);
-	step_blade(slot.list.z);
-	store_knots(blade);
+	load_rest();
+	float energy = step_blade(slot.list.z);
 
 	if (blade == 0u) {
 		liveliest = 0u;
 	}
 	barrier();
-	atomicMax(liveliest, floatBitsToUint(measure_energy()));
+	atomicMax(liveliest, floatBitsToUint(energy));
 	barrier();
 	if (blade == 0u) {
 		slot_energy[slot.tile.w] = uintBitsToFloat(liveliest);
