@@ -88,13 +88,10 @@ void set_before(int p_knot, vec3 p_place) {
 	pool_before[pool_place(p_knot, 2u)] = p_place.z;
 }
 
-// The rest pose: the patch's texels, fetched once, since a texture answers too slowly to be asked in every loop.
-uvec2 rest_texels[GRASS_KNOTS];
-
 // grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
 vec3 rest_of(int p_knot) {
-	uvec2 halves = rest_texels[p_knot];
-	precise vec3 knot = vec3(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y).x) * clump.height;
+	vec3 place = texelFetch(patch_texture, texel + ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot, 0), 0).xyz;
+	precise vec3 knot = place * clump.height;
 	float x = clump.lean.x, z = clump.lean.y;
 	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
 	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
@@ -136,59 +133,11 @@ TileCollider tile_collider(uint p_entry) {
 
 #include "compute/shape.inc"
 
-uint near_colliders; // one bit for each shared one
-
-bool is_within_reach(TileCollider p_collider) {
-	return comes_within(p_collider, root, reach * REACH_MARGIN);
-}
-
-// Whether collider p_entry may touch the blade in this step.
-bool comes_near(uint p_entry) {
-	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
-		return (near_colliders & (1u << p_entry)) != 0u;
-	}
-	TileCollider collider;
-	bool is_valid = make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
-	return is_valid && is_within_reach(collider);
-}
-
-// Whether a knot that goes from p_from to p_to (blade space) surely stays p_skin (metres) away from collider p_entry: far cheaper than
-// asking the shape itself.
-bool is_clear(uint p_entry, vec3 p_from, vec3 p_to, float p_skin) {
-	return p_entry < uint(GRASS_SHARED_COLLIDERS) && passes_by(shared_colliders[p_entry], p_from + root, p_to + root, p_skin);
-}
-
-// The first collider from entry p_from on that may touch the blade in this step; p_count or more: there is none.
-uint next_near(uint p_from, uint p_count) {
-	uint later = p_from < uint(GRASS_SHARED_COLLIDERS) ? near_colliders & (0xffffffffu << p_from) : 0u;
-	if (later != 0u) {
-		return uint(findLSB(later));
-	}
-	uint entry = max(p_from, uint(GRASS_SHARED_COLLIDERS));
-	while (entry < p_count && !comes_near(entry)) {
-		entry++;
-	}
-	return entry;
-}
-
-// Whether any of them may.
-bool find_near(uint p_count) {
-	near_colliders = 0u;
-	for (uint i = 0u; i < min(p_count, uint(GRASS_SHARED_COLLIDERS)); i++) {
-		if ((shared_valid & (1u << i)) != 0u && is_within_reach(shared_colliders[i])) {
-			near_colliders |= 1u << i;
-		}
-	}
-	bool is_near = near_colliders != 0u;
-	for (uint i = uint(GRASS_SHARED_COLLIDERS); i < p_count && !is_near; i++) {
-		is_near = comes_near(i);
-	}
-	return is_near;
-}
-
+#include "compute/near.inc"
 #include "compute/contact.inc"
 #include "compute/touch.inc"
 #include "compute/matrix.inc"
+#include "compute/joint.inc"
 #include "compute/chain.inc"
 #include "compute/finish.inc"
 #include "compute/direct.inc"
@@ -198,7 +147,7 @@ shared uint liveliest; // the bits of a float that is not negative order as the 
 
 void find_blade(uint p_blade) {
 	int blade = int(slot.list.x + p_blade);
-	texel = ivec2((blade % GRASS_PATCH_BLADES_PER_ROW) * GRASS_KNOTS, blade / GRASS_PATCH_BLADES_PER_ROW);
+	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
 	clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
@@ -211,10 +160,7 @@ void load_rest() {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	reach = 0.0;
 	vec3 parent = vec3(0.0);
-	rest_texels[0] = uvec2(0u);
 	for (int k = 1; k < KNOT_COUNT; k++) {
-		vec3 place = texelFetch(patch_texture, texel + ivec2(k, 0), 0).xyz;
-		rest_texels[k] = uvec2(packHalf2x16(place.xy), packHalf2x16(place.zz));
 		vec3 rest = rest_of(k);
 		reach = reach + length_of(rest - parent);
 		parent = rest;
