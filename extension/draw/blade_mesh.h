@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mesh of a tile at each level of detail: indices only. The blade shader finds blade, row and side in
-// VERTEX_ID (contract in shaders/render/blade.gdshader), so the mesh holds no vertex data.
+// The mesh of a tile at each level of detail: indices only. The shaders find blade, row and side in VERTEX_ID
+// (contract in shaders/render/pose.gdshaderinc), so the mesh holds no vertex data.
 #pragma once
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -14,5 +14,8 @@ int lod_triangles_per_blade(int p_level); // quads, and one triangle at the tip
 
 // Adds the level's mesh as one more surface of p_mesh.
 void add_lod_surface(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_level, const godot::Ref<godot::Material> &p_material);
+
+// Of the meshes of all levels: their 32-bit indices.
+int64_t mesh_bytes();
 
 } // namespace grass

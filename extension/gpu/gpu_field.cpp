@@ -2,6 +2,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "core/cpu_clock.h"
 #include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
@@ -10,6 +11,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 using namespace godot;
@@ -19,6 +21,7 @@ namespace grass {
 namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+constexpr int COUNTS = 2 * GRASS_ALL_LEVELS + 2; // words of CountBuffer in cull.glsl
 constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 
 template <typename T> PackedByteArray record_bytes(const T &p_record) {
@@ -52,24 +55,26 @@ private:
 
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input) :
-		number(p_input.number),
-		slots(p_input.slots.begin(), p_input.slots.end()),
-		colliders(p_input.colliders.begin(), p_input.colliders.end()),
-		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
-		planes(p_input.planes.begin(), p_input.planes.end()),
-		step(p_input.step) {}
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+	CpuClock clock;
+	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
+	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
+	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	copy_ms = clock.lap();
+}
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
 	RenderingDevice *device = main_device();
 	_tiles = p_setup.grid.get_tile_count();
-	_instances = std::min<int64_t>(_tiles, GRASS_MAX_DRAWN_TILES);
+	_instances = p_setup.instance_capacity();
+	_shadow_instances = p_setup.shadow_capacity();
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_energy.allocate(_slots * 4);
-	_table.allocate(_tiles * 4, uint32_t(GRASS_NO_SLOT));
-	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
+	set_tiles(_tiles);
+	_counts.allocate(COUNTS * 4);
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -89,6 +94,19 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_simulate.create(shader::SIMULATE_SPIRV, "GrassField simulate");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+}
+
+void GpuField::set_tiles(int64_t p_tiles) {
+	_tiles = p_tiles;
+	_table_changed = true;
+	if (_tiles * 4 <= _table.size()) {
+		_table.clear();
+		return;
+	}
+	_table.allocate(int64_t(std::bit_ceil(uint64_t(_tiles))) * 4);
+	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 }
 
 void GpuField::bind_simulate(const RID &p_patch) {
@@ -104,6 +122,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
 	}
+	CpuClock clock;
 	if (p_measure) {
 		read_times();
 	}
@@ -123,6 +142,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		_simulate.dispatch(list, record_bytes(p_records.step), uint32_t(p_records.slots.size()));
 		device->compute_list_end();
 	}
+	const double upload_ms = clock.lap();
 	int64_t live = 0;
 	for (const GrassSlot &slot : p_records.slots) {
 		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
@@ -134,6 +154,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
+		report_memory();
+		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
 	// The device copies it between this step's dispatch and the next one's, so it is this step's.
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
@@ -145,27 +167,42 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
 }
 
-void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {
+bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimesh);
-	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimesh);
-	if (!_cull.is_ready() || !instances.is_valid() || !commands.is_valid()) {
-		return;
+	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.picture);
+	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture);
+	const RID shadow_instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows);
+	const RID shadow_commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows);
+	if (!instances.is_valid() || !commands.is_valid() || !shadow_instances.is_valid() || !shadow_commands.is_valid()) {
+		return false;
 	}
-	const int64_t uploaded = _view.upload(std::span<const GrassView>(&p_view, 1));
-	if (p_measure) {
-		read_times();
-	}
-	if (uploaded == 0 && !_table_changed && instances == _culled_into) {
-		return; // the same view of the same tiles: what is in the MultiMesh still holds
-	}
-	_table_changed = false;
-	_culled_into = instances;
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
+	_cull.bind_buffer(GRASS_CULL_CAMERAS, _cameras.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, shadow_instances);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_COMMANDS, shadow_commands);
+	return true;
+}
+
+void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
+	if (!_cull.is_ready()) {
+		return;
+	}
+	int64_t uploaded = _view.upload(std::span<const GrassView>(&p_records.view, 1));
+	uploaded += _cameras.upload(std::span<const GrassCamera>(p_records.cameras));
+	if (!bind_cull(p_multimeshes)) {
+		return;
+	}
+	if (p_measure) {
+		read_times();
+	}
+	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
+		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+	}
+	_table_changed = false;
 	{
 		Stopwatch watch(p_measure, "GrassField cull");
 		RenderingDevice *device = main_device();
@@ -173,22 +210,38 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
 		const int64_t list = device->compute_list_begin();
 		for (uint32_t phase = 0; phase < 2; phase++) {
-			_cull.dispatch(list, record_bytes(uvec4{ phase, uint32_t(_tiles), uint32_t(_instances), 0 }), groups);
+			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
+			_cull.dispatch(list, record_bytes(constants), groups);
 			device->compute_list_add_barrier(list);
 		}
 		device->compute_list_end();
 	}
+	report_counts(uploaded);
+}
+
+void GpuField::report_counts(int64_t p_uploaded) {
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.culls++;
-		_report->statistics.uploaded_bytes += uploaded;
+		report_memory();
+		_report->statistics.uploaded_bytes += p_uploaded;
 	}
-	RenderQueue::get_singleton()->read_later(_counts.rid(), GRASS_LOD_LEVELS * 4, [report = _report](const PackedByteArray &p_data) {
-		std::lock_guard lock(report->mutex);
-		for (int level = 0; level < GRASS_LOD_LEVELS && level < p_data.size() / 4; level++) {
-			report->statistics.drawn_tiles[size_t(level)] = p_data.decode_u32(level * 4);
+	const auto receive = [report = _report, room = std::array{ _instances, _shadow_instances }](const PackedByteArray &p_data) {
+		if (p_data.size() < COUNTS * 4) {
+			return;
 		}
-	});
+		std::lock_guard lock(report->mutex);
+		BackendStatistics &statistics = report->statistics;
+		std::array<int64_t, 2> left = room; // what does not fit is not drawn
+		for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+			int64_t &free = left[level < GRASS_LOD_LEVELS ? 0 : 1];
+			statistics.drawn_tiles[size_t(level)] = std::min<int64_t>(p_data.decode_u32(level * 4), free);
+			free -= statistics.drawn_tiles[size_t(level)];
+		}
+		statistics.drawn_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS);
+		statistics.shadow_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS + 4);
+	};
+	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS * 4, receive);
 }
 
 // Timestamps of a frame that the GPU has finished: each of ours ends a stretch that began at the one before it.
@@ -232,14 +285,15 @@ std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
 	return knots;
 }
 
-void GpuField::free(const RID &p_multimesh) {
+void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
 	if (_pool.is_valid()) { // the texture resource first: it holds a view of what is freed next
 		_pool->set_texture_rd_rid(RID());
 		_pool.unref();
 	}
-	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimesh) }) {
+	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture),
+				 server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}
@@ -247,18 +301,20 @@ void GpuField::free(const RID &p_multimesh) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer :
-			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view,
+				 &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
 
-int64_t GpuField::memory_usage(const FieldSetup &p_setup) {
-	const int64_t tiles = p_setup.grid.get_tile_count();
-	const int64_t instances = std::min<int64_t>(tiles, GRASS_MAX_DRAWN_TILES) * GRASS_INSTANCE_FLOATS * 4;
-	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot)) + 4;
-	const int64_t patch = int64_t(p_setup.patch->texels.size()) * 2;
-	return patch + p_setup.pool_tiles * slot + tiles * 4 + instances;
+// The report's mutex is held.
+void GpuField::report_memory() {
+	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
+	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
+				 &_view, &_cameras, &_counts }) {
+		bytes += buffer->size();
+	}
+	_report->statistics.buffer_bytes = bytes;
 }
 
 } // namespace grass
