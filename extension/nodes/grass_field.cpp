@@ -18,6 +18,14 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+// Grass this far outside of the view counts as seen: a camera that turns finds it as it should be. Metres. Smaller: bodies
+// push into the grass before one's eyes when the camera turns fast. Larger: more is simulated that nobody sees.
+constexpr float VIEW_MARGIN = 3.0f;
+
+} // namespace
+
 GrassField::GrassField() {
 	for (size_t i = 0; i < _params.size(); i++) {
 		_params[i] = FIELD_PARAMS[i].tunable.initial;
@@ -134,7 +142,17 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
+	if (!_is_seen) {
+		_unseen_time += p_delta;
+		_unseen_ticks++;
+		return; // nobody sees it: nothing at all
+	}
 	CpuClock clock;
+	if (_unseen_time > 0.0) {
+		_tracker.forget_motion();
+		_tiles.pass_unseen(_unseen_time);
+		_unseen_time = 0.0;
+	}
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
 	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
@@ -167,7 +185,6 @@ void GrassField::frame(double p_delta) {
 	}
 	if (param(PARAM_WIND_SPEED) > 0.0) {
 		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
-		set_wind_clock();
 	}
 }
 
@@ -185,19 +202,48 @@ void GrassField::_before_draw() {
 	}
 	CpuClock clock;
 	follow();
-	choose_view();
+	const bool was_seen = _is_seen;
+	const FieldView view = find_view();
+	_is_seen = look(view);
+	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
+		_backend->draw(view);
+	}
+	if (_is_seen && param(PARAM_WIND_SPEED) > 0.0) {
+		set_wind_clock();
+		_wind_updates++;
+	}
 	_frame_ms = clock.lap();
 }
 
-void GrassField::choose_view() {
+// Tells the tiles what is seen; whether any of them is, or throws a shadow that is. A world without a camera is looked at
+// in ways that are not known here: by scripts, by tests.
+bool GrassField::look(const FieldView &p_view) {
+	if (p_view.cameras.empty() && is_visible_in_tree()) {
+		_tiles.see_all();
+		return true;
+	}
+	std::vector<Frustum> frustums;
+	for (const ViewCamera &camera : p_view.cameras) {
+		frustums.push_back(camera.planes);
+	}
+	float margin = std::max(VIEW_MARGIN, p_view.shadow_margin);
+	for (const Eigen::Vector3f &fall : p_view.falls) {
+		margin = std::max(margin, fall.norm());
+	}
+	_tiles.see(frustums, margin);
+	return _tiles.is_field_seen();
+}
+
+// From all cameras; from none if it is hidden.
+FieldView GrassField::find_view() {
+	FieldView view;
 	if (!is_visible_in_tree()) {
-		return;
+		return view;
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
-	FieldView view;
 	view.cameras = find_cameras(this, field);
 	if (view.cameras.empty()) {
-		return;
+		return view;
 	}
 	view.lod.far = float(param(PARAM_LOD_FAR));
 	view.lod.error = float(param(PARAM_LOD_ERROR));
@@ -209,7 +255,7 @@ void GrassField::choose_view() {
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
 		view.falls = find_falls(this, field, _setup.blade_height(), param(PARAM_SHADOW_DISTANCE));
 	}
-	_backend->draw(view);
+	return view;
 }
 
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
