@@ -33,7 +33,8 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 	field.size = Vector2(p_size, p_size)
 	add_child(field)
 	var camera := Camera3D.new()
-	camera.position = Vector3(0.0, 2.0, 0.5 * CROWD)
+	camera.position = Vector3(0.0, CROWD, 0.0) # sees all of the crowd: nothing of it is left out
+	camera.rotation_degrees.x = -90.0
 	add_child(camera)
 	var bodies: Array[RigidBody3D] = []
 	for i in p_bodies:
