@@ -45,8 +45,8 @@ func test_a_field_out_of_view_does_nothing() -> void:
 func test_a_field_seen_again_is_as_if_it_had_been_seen() -> void:
 	var field := add_seen_field({wind_speed = 3.0})
 	var body := add_seen_body(Vector3(-1.25, 0.2, 0.25))
-	var left := field.get_tile_at(body.position)
 	await ticks(10)
+	var left := field.get_tile_at(body.position)
 	look(Vector3(0, 1, 12), Vector3(0, 1, 30))
 	await ticks(200)
 	assert_true(field.is_tile_awake(left), "nothing was done")
@@ -60,7 +60,7 @@ func test_a_field_seen_again_is_as_if_it_had_been_seen() -> void:
 	assert_false(field.is_tile_awake(left), "at rest by now")
 	assert_eq(after.evicted, before.evicted)
 	assert_true(field.is_tile_awake(field.get_tile_at(body.position)))
-	assert_false(field.is_tile_awake(field.get_tile_at(Vector3(0, 0, 0.25))), "its way was not swept")
+	assert_false(field.is_tile_awake(field.get_tile_at(Vector3(-0.3, 0, 0.25))), "its way was not swept")
 	assert_greater(after.drawn_tiles, 0)
 	assert_greater(after.wind_updates, before.wind_updates)
 	assert_less(after.unseen_ticks - before.unseen_ticks, 3)
@@ -85,6 +85,13 @@ func test_a_hidden_field_does_nothing() -> void:
 func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> void:
 	var field := add_seen_field({size = Vector2(20, 80)})
 	var bodies: Array[AnimatableBody3D] = [add_seen_body(AHEAD), add_seen_body(BEHIND)]
+	look_back()
+	await ticks(150)
+	var usual := 0.0 # what blades under a body that lies still do while they are seen, metres in ten ticks
+	for i in 5:
+		var pressed := knots_of(field, [field.get_tile_at(BEHIND)])
+		await ticks(10)
+		usual = maxf(usual, farthest_of(field, pressed))
 	look_ahead()
 	await ticks(60)
 	var behind := field.get_tile_at(BEHIND)
@@ -100,8 +107,9 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	assert_eq(after.unseen_tile_steps - before.unseen_tile_steps, passed * unseen.size())
 	assert_eq(farthest_of(field, knots), 0.0, "m: stands still")
 	look_back()
+	await ticks(10)
+	assert_less(farthest_of(field, knots), usual + 1e-3, "m: seen again nothing jumps")
 	await drawn()
-	assert_less(farthest_of(field, knots), 1e-3, "m: seen again nothing jumps")
 	before = field.get_statistics()
 	await ticks(10)
 	after = field.get_statistics()
