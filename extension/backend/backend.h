@@ -5,6 +5,7 @@
 
 #include "core/clump.h"
 #include "core/lod.h"
+#include "core/map/tile_cover.h"
 #include "core/patch.h"
 #include "core/step.h"
 #include "core/tile_grid.h"
@@ -30,6 +31,8 @@ struct FieldSetup {
 	ClumpParams clump;
 	int pool_tiles = 0; // tiles that may be awake at once
 	uint32_t seed = 0;
+	bool is_mapped = false; // a map says what grows where
+	float follow_slope = 0.0f; // FOLLOW_SLOPE
 
 	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }
@@ -43,8 +46,11 @@ struct FieldSetup {
 
 private:
 	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
-	// How far a clump's lean moves a tip, at most: the chord of the angle whose half has that tangent, on both axes.
-	float blade_lean() const { return 2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) * blade_length(); }
+	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
+	// that tangent, on both axes.
+	float blade_lean() const {
+		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
+	}
 };
 
 // A camera that sees the field. Field space, metres.
@@ -84,7 +90,8 @@ class Backend {
 public:
 	virtual ~Backend() = default;
 
-	// Goes on with the same blades on another grid, all of them at rest. False if it cannot: then make another one.
+	// Goes on with the same blades on another grid, all of them at rest; with a map, set_cover() follows. False if it cannot: then make
+	// another one.
 	virtual bool set_grid(const TileGrid &p_grid) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
@@ -92,6 +99,8 @@ public:
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
+	// Of fields with a map: what it says about the tiles, of which those in p_changed may differ from the last call.
+	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets a uniform of the blade shader.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 

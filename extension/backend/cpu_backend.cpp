@@ -28,6 +28,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
@@ -42,6 +43,7 @@ CpuBackend::~CpuBackend() {
 bool CpuBackend::set_grid(const TileGrid &p_grid) {
 	_setup.grid = p_grid;
 	_slot_of_tile.clear();
+	_cover.reset(); // of the other grid; set_cover() follows
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup));
 	}
@@ -119,9 +121,14 @@ bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen
 } // namespace
 
 void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
-	const float side = 0.5f * float(_setup.grid.get_tile_size()) + _setup.blade_reach(), half_height = 0.5f * _setup.blade_height();
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+	if (ground.is_bare()) {
+		return;
+	}
+	const float side = 0.5f * float(_setup.grid.get_tile_size()) + _setup.blade_reach();
+	const float half_height = 0.5f * (_setup.blade_height() + ground.high - ground.low);
 	const Eigen::Vector3f half(side, half_height, side);
-	const Eigen::Vector3f middle = _setup.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, half_height, 0.0f);
+	const Eigen::Vector3f middle = _setup.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f);
 	const BladeSize size = _setup.blade_size();
 	LodNeed seen, casting;
 	for (const ViewCamera &camera : p_view.cameras) {
@@ -182,6 +189,14 @@ void CpuBackend::update_pool_texture() {
 	}
 }
 
+void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	(void)p_changed; // asked for tile by tile
+	_cover = p_cover;
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup, _cover.get()));
+	}
+}
+
 void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		FieldInstance &instance = _levels[size_t(level)];
@@ -189,7 +204,7 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level));
-			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup));
+			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()));
 		}
 		instance.follow(p_node, p_transform, level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
 	}

@@ -45,7 +45,8 @@ void TileManager::write_records() {
 		if (awake.is_unseen) {
 			_statistics.unseen_steps++;
 		} else {
-			const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0);
+			const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
+					(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
 			_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
 			_statistics.simulated++;
 		}

@@ -13,8 +13,8 @@ void TileManager::see(std::span<const Frustum> p_frustums, float p_margin) {
 }
 
 bool TileManager::is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, double p_half_z) const {
-	const float half_height = 0.5f * float(_params.height);
-	const Eigen::Vector3f middle = p_centre.cast<float>() + Eigen::Vector3f(0.0f, half_height, 0.0f);
+	const float half_height = 0.5f * float(_params.height - _params.low);
+	const Eigen::Vector3f middle = p_centre.cast<float>() + Eigen::Vector3f(0.0f, 0.5f * float(_params.height + _params.low), 0.0f);
 	const Eigen::Vector3f half(float(p_half_x + _params.reach), half_height, float(p_half_z + _params.reach));
 	return _sees_all || std::any_of(_frustums.begin(), _frustums.end(), [&](const Frustum &p_frustum) {
 		return grass_tile_visible(p_frustum, middle, half, _margin, Eigen::Vector3f::Zero());
@@ -28,6 +28,13 @@ bool TileManager::is_seen(const Awake &p_awake) const {
 
 bool TileManager::is_field_seen() const {
 	return is_box_seen(Eigen::Vector3d::Zero(), 0.5 * _grid.get_size_x(), 0.5 * _grid.get_size_z());
+}
+
+void TileManager::stir(const TileRange &p_tiles) {
+	for (int slot = p_tiles.count() > 0 ? _used.find(0) : SlotSet::NONE; slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+		Awake &awake = _awake[size_t(slot)];
+		awake.is_stirred = awake.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
+	}
 }
 
 void TileManager::pass_unseen(double p_delta) {

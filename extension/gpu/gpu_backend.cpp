@@ -41,7 +41,7 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 	for (size_t i = 0; i < falls; i++) {
 		view.falls[i] = { p_view.falls[i].x(), p_view.falls[i].y(), p_view.falls[i].z(), 0.0f };
 	}
-	view.counts = { uint32_t(p_view.cameras.size()), uint32_t(falls), p_setup.seed, 0 };
+	view.counts = { uint32_t(p_view.cameras.size()), uint32_t(falls), p_setup.seed, p_setup.is_mapped ? 1u : 0u };
 	for (const ViewCamera &camera : p_view.cameras) {
 		records.cameras.push_back(to_record(camera));
 	}
@@ -62,6 +62,7 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
@@ -110,6 +111,19 @@ void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 	_shadows.follow(p_node, p_transform, Role::SHADOWS);
 }
 
+void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	const AABB bounds = field_bounds(_setup, p_cover.get());
+	_picture.set_bounds(bounds);
+	_shadows.set_bounds(bounds);
+	if (p_changed.count() > 0) { // whole rows: one copy
+		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
+		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
+		RenderQueue::get_singleton()->post([field = _field, first, changed = std::vector<TileCover::Tile>(tiles.begin(), tiles.end())] {
+			field->set_cover(first, changed);
+		});
+	}
+}
+
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
 	RenderQueue::get_singleton()->post([field = _field, knots, p_slot, p_blade] { *knots = field->read_knots(p_slot, p_blade); });
@@ -120,7 +134,8 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
 	_energy = _report->energy;
-	return { _report->energy_step, _energy };
+	_bends = _report->bends;
+	return { _report->energy_step, _energy, _bends };
 }
 
 BackendStatistics GpuBackend::get_statistics() {

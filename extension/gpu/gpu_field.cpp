@@ -61,6 +61,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	growth.assign(p_input.growth.begin(), p_input.growth.end());
 	copy_ms = clock.lap();
 }
 
@@ -72,9 +73,11 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_energy.allocate(_slots * 4);
+	_energy.allocate(_slots * int64_t(sizeof(vec4)));
+	_is_mapped = p_setup.is_mapped;
 	set_tiles(_tiles);
 	_counts.allocate(COUNTS * 4);
+	_growth.allocate(_is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -101,11 +104,15 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 void GpuField::set_tiles(int64_t p_tiles) {
 	_tiles = p_tiles;
 	_table_changed = true;
+	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles)));
+	if (const int64_t cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0; cover > _cover.size() || !_cover.rid().is_valid()) {
+		_cover.allocate(cover);
+	}
 	if (_tiles * 4 <= _table.size()) {
 		_table.clear();
 		return;
 	}
-	_table.allocate(int64_t(std::bit_ceil(uint64_t(_tiles))) * 4);
+	_table.allocate(room * 4);
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 }
 
@@ -116,6 +123,7 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	_simulate.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
@@ -131,6 +139,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	for (const SlotGrowth &growth : p_records.growth) {
+		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+	}
 	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -161,10 +172,24 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;
-		report->energy.resize(size_t(p_data.size()) / 4);
-		std::memcpy(report->energy.data(), p_data.ptr(), report->energy.size() * 4);
+		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
+		report->energy.resize(slots);
+		report->bends.resize(slots);
+		for (size_t slot = 0; slot < slots; slot++) {
+			vec4 record;
+			std::memcpy(&record, p_data.ptr() + slot * sizeof(vec4), sizeof(vec4));
+			report->energy[slot] = record.x;
+			report->bends[slot] = { record.y, record.z, record.w };
+		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
+}
+
+void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
+	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), std::span<const TileCover::Tile>(p_tiles));
+	_table_changed = true; // other tiles may be drawn now
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.uploaded_bytes += uploaded;
 }
 
 bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
@@ -179,6 +204,7 @@ bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
 	_cull.bind_buffer(GRASS_CULL_CAMERAS, _cameras.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
+	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
@@ -301,8 +327,8 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view,
-				 &_cameras, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
+				 &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
@@ -311,7 +337,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
 	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
-				 &_view, &_cameras, &_counts }) {
+				 &_growth, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

@@ -19,6 +19,7 @@ struct StepRecords {
 	std::vector<GrassCollider> colliders;
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
+	std::vector<SlotGrowth> growth;
 	GrassStep step;
 	double copy_ms; // CPU time of this copy
 
@@ -42,6 +43,7 @@ struct GpuReport {
 	BackendStatistics statistics;
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
+	std::vector<Eigen::Vector3f> bends; // per slot
 };
 
 class GpuField {
@@ -56,6 +58,8 @@ public:
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
+	// The cover of consecutive tiles from p_first on.
+	void set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
 	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
@@ -78,6 +82,10 @@ private:
 	GpuBuffer _knots, _knots_before, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
+	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
+	// stand, read by cull. Fields without a map have none (16 bytes).
+	GpuBuffer _growth, _cover;
+	bool _is_mapped = false;
 	// Written every frame, read by cull.
 	GpuBuffer _view, _cameras;
 	// Written and read by cull, one frame.

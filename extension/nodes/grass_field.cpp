@@ -75,6 +75,9 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
+	_in_grass.clear();
+	_field_map.reset();
+	_map_textures.free();
 	_tiles.reset();
 }
 
@@ -97,9 +100,13 @@ void GrassField::build() {
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed;
-	_bounds = same_blades ? std::make_shared<const TileBounds>(*_bounds, _setup.grid)
-						  : std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_setup.is_mapped = _map.is_valid();
+	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
+			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	build_map();
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -115,9 +122,10 @@ void GrassField::build() {
 		make_backend();
 	}
 	if (_backend) {
-		_ground.create(_setup.grid);
+		_ground.create(_setup.grid, _setup.is_mapped);
 		follow();
 		set_all_uniforms();
+		update_map();
 	}
 	_build_ms = clock.lap();
 }
@@ -142,35 +150,46 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	if (!_is_seen) {
+	recover(p_delta);
+	if (!_is_seen && !is_listened_to()) {
 		_unseen_time += p_delta;
 		_unseen_ticks++;
-		return; // nobody sees it: nothing at all
+		return; // nobody would know
 	}
 	CpuClock clock;
 	if (_unseen_time > 0.0) {
 		_tracker.forget_motion();
+		_node_colliders.forget_motion();
 		_tiles.pass_unseen(_unseen_time);
 		_unseen_time = 0.0;
 	}
+	update_map();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
-	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
+	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
+			real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
 	_tracker.collect(transform, p_delta, _colliders);
+	_node_colliders.collect(transform, _colliders);
 	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
+	_tiles.stir(_regrown);
 	_tiles.update(p_delta, _colliders);
 	_tiles_ms = clock.lap();
-	if (_tiles.get_slots().empty()) {
-		return; // nothing is awake: no dispatch, no upload
+	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
+		step(p_delta);
 	}
+	tell_of_bodies();
+}
+
+void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
+	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
@@ -191,7 +210,7 @@ void GrassField::frame(double p_delta) {
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _has_ground);
+	_ground.follow(this, transform, _has_ground && ground_reach() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
@@ -201,6 +220,7 @@ void GrassField::_before_draw() {
 		return;
 	}
 	CpuClock clock;
+	update_map();
 	follow();
 	const bool was_seen = _is_seen;
 	const FieldView view = find_view();
@@ -213,6 +233,11 @@ void GrassField::_before_draw() {
 		_wind_updates++;
 	}
 	_frame_ms = clock.lap();
+}
+
+// Whether a script wants to know of bodies in the grass, seen or not.
+bool GrassField::is_listened_to() const {
+	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
 }
 
 // Tells the tiles what is seen; whether any of them is, or throws a shadow that is. A world without a camera is looked at
@@ -253,7 +278,7 @@ FieldView GrassField::find_view() {
 	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
 		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
-		view.falls = find_falls(this, field, _setup.blade_height(), param(PARAM_SHADOW_DISTANCE));
+		view.falls = find_falls(this, field, _setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
 	}
 	return view;
 }
@@ -298,7 +323,9 @@ TileParams GrassField::tile_params() const {
 	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.is_mapped = _field_map != nullptr;
 	params.seed = _setup.seed;
 	return params;
 }

@@ -47,6 +47,12 @@ layout(set = 0, binding = GRASS_CULL_SHADOW_COMMANDS, std430) buffer ShadowComma
 	uint shadow_commands[];
 };
 
+// Lowest and highest ground of each tile, low > high where nothing stands, metres. Written by the CPU when the map changes;
+// only fields with a map have it.
+layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer {
+	vec2 cover[];
+};
+
 // The workgroup's own tiles of each level, where its stretch of the level begins, and its blades. One atomic a level and
 // workgroup on the shared counters instead of one a tile.
 shared uint group_tiles[GRASS_ALL_LEVELS];
@@ -169,8 +175,10 @@ void main() {
 	vec2 place = (vec2(tile) + 0.5 - 0.5 * view.field.xy) * view.field.z;
 	vec3 centre = vec3(place.x, 0.0, place.y);
 	float side = 0.5 * view.field.z + view.blades.x;
-	vec3 half_extents = vec3(side, 0.5 * view.field.w, side);
-	vec4 needs = exists ? find_needs(centre + vec3(0.0, half_extents.y, 0.0), half_extents) : vec4(0.0);
+	vec2 ground = exists && view.counts.w == 1u ? cover[tile_index] : vec2(0.0);
+	vec3 half_extents = vec3(side, 0.5 * (view.field.w + ground.y - ground.x), side);
+	bool stands = exists && ground.x <= ground.y; // else it is bare
+	vec4 needs = stands ? find_needs(centre + vec3(0.0, ground.x + half_extents.y, 0.0), half_extents) : vec4(0.0);
 	float hash = grass_tile_hash(uint(tile.x), uint(tile.y), view.counts.z);
 	Choice drawn = choose(needs.xy, hash, 0, GRASS_LOD_LEVELS);
 	Choice casting = choose(needs.zw, hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);

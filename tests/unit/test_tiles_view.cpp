@@ -149,3 +149,46 @@ TEST_CASE("view: after steps that were left out, what is past is at rest at once
 	step(manager, {}, TICK);
 	CHECK(manager.get_statistics().awake == 1); // only that one step
 }
+
+TEST_CASE("view: a tile out of view whose ground changed is moved once") {
+	TileManager manager = make_manager();
+	const ColliderShape ball = make_ball(manager, 3, 5);
+	see_nothing(manager);
+	step(manager, { ball }, TICK);
+	steps(manager, { ball }, 1.0);
+	CHECK(steps(manager, { ball }, 1.0) == 0);
+	const auto stir = [&](int p_x) {
+		TileRange range;
+		range.x_begin = p_x;
+		range.x_end = p_x + 2;
+		range.z_begin = 0;
+		range.z_end = 40;
+		manager.stir(range);
+	};
+	stir(4);
+	CHECK(step(manager, { ball }, TICK) == 0);
+	stir(2);
+	REQUIRE(step(manager, { ball }, TICK) == 1);
+	CHECK(manager.get_slots()[0].list.z == 1);
+	manager.stir({});
+	CHECK(steps(manager, { ball }, 1.0) <= 32); // half a second, as after any motion
+	CHECK(steps(manager, { ball }, 1.0) == 0);
+}
+
+TEST_CASE("view: tiles on hills are seen where their ground may be") {
+	TileManager manager = make_manager();
+	TileParams params = manager.get_params();
+	params.low = -2.0;
+	params.height = 30.0;
+	manager.set_params(params);
+	Frustum above;
+	above.fill(Eigen::Vector4f(0.0f, -1.0f, 0.0f, -20.0f)); // y > 20 m
+	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	CHECK(manager.is_field_seen());
+	above.fill(Eigen::Vector4f(0.0f, 1.0f, 0.0f, -1.5f)); // y < -1.5 m
+	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	CHECK(manager.is_field_seen());
+	above.fill(Eigen::Vector4f(0.0f, 1.0f, 0.0f, -2.5f));
+	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	CHECK_FALSE(manager.is_field_seen());
+}

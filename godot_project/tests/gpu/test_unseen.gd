@@ -141,3 +141,19 @@ func test_no_wind_no_wind_code() -> void:
 	updates = field.get_statistics().wind_updates
 	await drawn()
 	assert_eq(field.get_statistics().wind_updates, updates)
+
+
+func test_who_listens_is_told_though_nobody_sees() -> void:
+	var field := add_seen_field()
+	var body := add_seen_body(Vector3(0.25, 20.0, 0.25))
+	look(Vector3(0, 1, 12), Vector3(0, 1, 30))
+	await drawn()
+	var told: Array[String] = []
+	field.body_entered_grass.connect(func(p_body: Node3D) -> void: told.append("in " + p_body.get_class()))
+	field.body_exited_grass.connect(func(p_body: Node3D) -> void: told.append("out " + p_body.get_class()))
+	body.position.y = 0.2
+	await ticks(10)
+	body.position.y = 20.0
+	await ticks(10)
+	assert_eq(told, ["in AnimatableBody3D", "out AnimatableBody3D"] as Array[String])
+	assert_eq(field.get_statistics().drawn_tiles, 0)
