@@ -4,7 +4,6 @@
 
 #include "core/map/map_shape.h"
 #include "core/map/paint_map.h"
-#include "core/tunable.h"
 
 namespace grass {
 
@@ -23,13 +22,6 @@ enum class MapTool {
 	RECOVER, // lowers wear by the target
 	COUNT,
 };
-
-// Below 0.1 m a brush falls between the texels; above 64 m one step touches a million of them.
-inline constexpr Tunable BRUSH_RADIUS{ "radius", "m", 0.1, 64.0, 0.1, 3.0 };
-// Share of the way to the target in one step.
-inline constexpr Tunable BRUSH_STRENGTH{ "strength", "", 0.0, 1.0, 0.01, 0.5 };
-// Share of the radius that feels the full effect.
-inline constexpr Tunable BRUSH_HARDNESS{ "hardness", "", 0.0, 1.0, 0.01, 0.5 };
 
 // The ground that a tool may change.
 struct MapLimits {

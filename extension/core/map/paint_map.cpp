@@ -68,7 +68,7 @@ bool MapChunk::operator==(const MapChunk &p_other) const {
 }
 
 void PaintMap::set_base_density(double p_density) {
-	_base_density = p_density >= 0.5 ? info_of(MAP_DENSITY).highest : 0;
+	_base_density = info_of(MAP_DENSITY).code(p_density);
 }
 
 double PaintMap::get_base_density() const {

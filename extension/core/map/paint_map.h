@@ -40,7 +40,7 @@ public:
 	static constexpr int REACH = 256; // chunks x, z from -REACH to REACH - 1: 16 km to each side
 	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted: 1.7 GB with every channel in use
 
-	// What density nobody painted has: 0 (default) or 1, a field that stands everywhere.
+	// The density where nobody painted, 0..1: 0 by default, nothing grows there.
 	void set_base_density(double p_density);
 	double get_base_density() const;
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
