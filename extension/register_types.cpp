@@ -5,6 +5,7 @@
 #include "backend/parallel.h"
 #include "class_docs.gen.h"
 #include "draw/shared_shader.h"
+#include "editor/grass_editor_plugin.h"
 #include "gpu/render_queue.h"
 #include "nodes/grass_brush.h"
 #include "nodes/grass_field.h"
@@ -13,6 +14,7 @@
 #include "nodes/grass_patch.h"
 
 #include <gdextension_interface.h>
+#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/godot.hpp>
 
 using namespace godot;
@@ -31,6 +33,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
+		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
+		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
 		for (const std::string_view &text : grass::CLASS_DOCS) {
 			gdextension_interface::editor_help_load_xml_from_utf8_chars_and_len(text.data(), int64_t(text.size()));
 		}

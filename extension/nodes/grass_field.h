@@ -8,6 +8,7 @@
 #include "draw/ground.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_params.h"
+#include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -49,6 +50,8 @@ public:
 	godot::Vector2 get_size() const { return _size; }
 	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	void set_map(const godot::Ref<GrassMap> &p_map) { _map = p_map; } // null: grass everywhere
+	godot::Ref<GrassMap> get_map() const { return _map; }
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
@@ -88,6 +91,7 @@ public:
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
+	godot::Transform3D field_transform() const; // global, without scale
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
@@ -111,7 +115,6 @@ private:
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
-	godot::Transform3D field_transform() const; // global, without scale
 	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
@@ -123,6 +126,7 @@ private:
 
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
+	godot::Ref<GrassMap> _map;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the editor's brush rests on: even steps, held keys, the ring.
 #include "core/map/brush_keys.h"
+#include "core/map/brush_params.h"
 #include "core/map/brush_ring.h"
 #include "core/map/stroke_path.h"
 
@@ -14,6 +15,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 namespace {
+
+constexpr Tunable RADIUS = BRUSH_PARAMS[BRUSH_RADIUS], STRENGTH = BRUSH_PARAMS[BRUSH_STRENGTH];
 
 std::vector<StrokeStep> drawn(const std::vector<Vector2d> &p_places, double p_radius) {
 	StrokePath path;
@@ -120,25 +123,25 @@ TEST_CASE("brush keys: smoothing works on what the tool paints") {
 }
 
 TEST_CASE("brush keys: a notch is felt everywhere and leads back") {
-	double radius = BRUSH_RADIUS.minimum;
+	double radius = RADIUS.minimum;
 	int notches = 0;
-	for (; radius < BRUSH_RADIUS.maximum && notches < 100; notches++) {
-		const double next = nudged(BRUSH_RADIUS, radius, 1);
+	for (; radius < RADIUS.maximum && notches < 100; notches++) {
+		const double next = nudged(RADIUS, radius, 1);
 		CHECK(next > radius);
-		CHECK(next <= std::max(1.2 * radius, radius + 1.001 * BRUSH_RADIUS.step));
+		CHECK(next <= std::max(1.2 * radius, radius + 1.001 * RADIUS.step));
 		radius = next;
 	}
 	CHECK(notches < 60); // from end to end by hand
-	CHECK(nudged(BRUSH_RADIUS, radius, 1) == BRUSH_RADIUS.maximum);
-	for (; radius > BRUSH_RADIUS.minimum; notches--) {
-		const double next = nudged(BRUSH_RADIUS, radius, -1);
+	CHECK(nudged(RADIUS, radius, 1) == RADIUS.maximum);
+	for (; radius > RADIUS.minimum; notches--) {
+		const double next = nudged(RADIUS, radius, -1);
 		REQUIRE(next < radius);
 		radius = next;
 	}
-	CHECK(nudged(BRUSH_RADIUS, radius, -1) == BRUSH_RADIUS.minimum);
-	CHECK(nudged(BRUSH_STRENGTH, 0.5, 1) == doctest::Approx(0.55));
-	CHECK(nudged(BRUSH_STRENGTH, 0.98, 1) == 1.0);
-	CHECK(nudged(BRUSH_STRENGTH, std::nan(""), -1) == doctest::Approx(BRUSH_STRENGTH.initial - 0.05));
+	CHECK(nudged(RADIUS, radius, -1) == RADIUS.minimum);
+	CHECK(nudged(STRENGTH, 0.5, 1) == doctest::Approx(0.55));
+	CHECK(nudged(STRENGTH, 0.98, 1) == 1.0);
+	CHECK(nudged(STRENGTH, std::nan(""), -1) == doctest::Approx(STRENGTH.initial - 0.05));
 }
 
 TEST_CASE("ring: places lie on the circle, evenly") {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/map/brush.h"
+#include "core/tunable.h"
 
 namespace grass {
 
