@@ -162,7 +162,7 @@ def copy_project():
 
 def editor(only):
 	copy_project()
-	with engine.window(size="1600x900", software=True) as (command, environment):
+	with engine.window(size="1280x720", software=True) as (command, environment):
 		return in_engine("editor", command, environment, only, start=("--editor",), project=EDITED)
 
 

@@ -53,6 +53,9 @@ void GrassEditorPlugin::_edit(Object *p_object) {
 }
 
 void GrassEditorPlugin::_make_visible(bool p_visible) {
+	if (_toolbar == nullptr) {
+		return; // the editor closes, and tells so after taking the plugin down
+	}
 	_toolbar->set_visible(p_visible);
 	if (!p_visible) {
 		put_down();
@@ -66,7 +69,7 @@ GrassField *GrassEditorPlugin::find_field() const {
 }
 
 int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
-	if (find_field() == nullptr || !_toolbar->has_tool() || p_camera == nullptr) {
+	if (find_field() == nullptr || _toolbar == nullptr || !_toolbar->has_tool() || p_camera == nullptr) {
 		put_down();
 		return AFTER_GUI_INPUT_PASS;
 	}

@@ -67,6 +67,7 @@ void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const G
 	}
 	const Transform3D transform = p_field->field_transform();
 	const Sight sight = sight_of(p_camera, Eigen::Isometry3d(to_eigen(transform).matrix()), p_centre.position);
+	const Color color = p_color.srgb_to_linear();
 	PackedVector3Array vertices;
 	PackedColorArray colors;
 	const auto add_ring = [&](double p_ring_radius, double p_pixels, float p_alpha) {
@@ -74,7 +75,7 @@ void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const G
 		const std::vector<Eigen::Vector3d> loop = drape(p_field, p_centre, places, p_radius);
 		for (const Eigen::Vector3d &vertex : ring_band(loop, sight.eye, p_pixels * sight.pixel)) {
 			vertices.push_back(to_godot(Eigen::Vector3d(vertex - p_centre.position)));
-			colors.push_back(Color(p_color.r, p_color.g, p_color.b, p_alpha));
+			colors.push_back(Color(color.r, color.g, color.b, p_alpha));
 		}
 	};
 	add_ring(p_radius, OUTER_PIXELS, 1.0f);

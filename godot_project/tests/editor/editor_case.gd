@@ -4,7 +4,6 @@
 extends "res://tests/case.gd"
 
 const SCENE := "res://tests/editor/hills.tscn"
-const EYE := Vector3(0, 16, 17) # of the view, from which all of the field is seen
 
 var field: GrassField
 var toolbar: Control
