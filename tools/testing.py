@@ -157,6 +157,7 @@ def copy_project():
 	shutil.rmtree(EDITED, ignore_errors=True)
 	shutil.copytree(PROJECT, EDITED, symlinks=True)
 	with open(EDITED / "project.godot", "a") as file:
+		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # what the editor opens at first
 		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
 
 

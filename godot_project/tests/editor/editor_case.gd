@@ -4,6 +4,7 @@
 extends "res://tests/case.gd"
 
 const SCENE := "res://tests/editor/hills.tscn"
+const SAVED := "res://tests/editor/painted.tscn" # the copy that tests paint on
 
 var field: GrassField
 var toolbar: Control
@@ -11,8 +12,8 @@ var plugin: Node
 
 
 func before() -> void:
-	DirAccess.copy_absolute(SCENE, "res://tests/editor/painted.tscn")
-	await open("res://tests/editor/painted.tscn")
+	DirAccess.copy_absolute(SCENE, SAVED)
+	await open(SAVED)
 
 
 func after() -> void:
