@@ -49,7 +49,7 @@ struct ChannelName {
 constexpr std::array<ChannelName, 6> SMOOTHED = { { { MAP_DENSITY, "Density" }, { MAP_HEIGHT, "Height" }, { MAP_TINT, "Tint" },
 		{ MAP_LEAN, "Lean" }, { MAP_WEAR, "Wear" }, { MAP_CUT, "Cut" } } };
 
-constexpr Tunable SPECIES{ "species", "", 0.0, 255.0, 1.0, 0.0 };
+constexpr Tunable SPECIES_TARGET{ "species_target", "", 0.0, 255.0, 1.0, 0.0 };
 constexpr double WIDE = 118.0, NARROW = 92.0; // of the sliders, in the editor's unscaled pixels
 
 const ToolInfo &info_of(GrassBrush::Tool p_tool) {
@@ -126,7 +126,7 @@ void BrushToolbar::add_numbers() {
 	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
-	_species = add_slider(this, SPECIES, "Species", TARGET_TOOLTIP, WIDE);
+	_species = add_slider(this, SPECIES_TARGET, "Species", TARGET_TOOLTIP, WIDE);
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));

@@ -62,6 +62,11 @@ void GrassEditorPlugin::_make_visible(bool p_visible) {
 	}
 }
 
+Dictionary GrassEditorPlugin::_get_state() const {
+	const_cast<GrassEditorPlugin *>(this)->finish_stroke(); // the last that is heard while the scene is the edited one
+	return {};
+}
+
 // Null once it is deleted, or while it is outside of the tree.
 GrassField *GrassEditorPlugin::find_field() const {
 	GrassField *field = _field_id == 0 ? nullptr : Object::cast_to<GrassField>(ObjectDB::get_instance(_field_id));

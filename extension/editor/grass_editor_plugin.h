@@ -27,6 +27,9 @@ public:
 	bool _handles(godot::Object *p_object) const override;
 	void _edit(godot::Object *p_object) override;
 	void _make_visible(bool p_visible) override;
+	// The editor puts the scene aside, or saves it: the stroke ends, and is written into that scene's history.
+	godot::Dictionary _get_state() const override;
+	void _apply_changes() override { finish_stroke(); }
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
 	// Of the last stroke: `steps`, `chunks`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
