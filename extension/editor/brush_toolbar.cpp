@@ -73,6 +73,8 @@ BrushToolbar::BrushToolbar() {
 	add_child(memnew(VSeparator));
 	add_numbers();
 	add_limits();
+	add_child(memnew(VSeparator));
+	add_bake();
 	add_menu();
 	_brush->connect("changed", callable_mp(this, &BrushToolbar::show_brush));
 	show_brush();
@@ -162,6 +164,18 @@ void BrushToolbar::add_limits() {
 	add_slider(grid, BRUSH_HEIGHT_MAX, "to", "The highest ground that is painted, above the field's own height.", NARROW);
 }
 
+void BrushToolbar::add_bake() {
+	_bake = memnew(Button);
+	_bake->set_name("Bake");
+	_bake->set_text("Bake Ground");
+	_bake->set_theme_type_variation("FlatButton");
+	_bake->set_focus_mode(FOCUS_NONE);
+	_bake->set_tooltip_text("Reads the ground under the whole field from collision shapes, so that the grass stands on it.\n"
+							"Press it again when the ground or the field has moved. Painting does it under the brush.");
+	_bake->connect("pressed", callable_mp(this, &BrushToolbar::_bake_pressed));
+	add_child(_bake);
+}
+
 void BrushToolbar::add_menu() {
 	_menu = memnew(MenuButton);
 	_menu->set_name("Menu");
@@ -174,6 +188,9 @@ void BrushToolbar::add_menu() {
 	popup->set_item_tooltip(1, "Grass grows everywhere but where you erase from now on.");
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
+	popup->add_separator();
+	popup->add_check_item("Bake Ground While Painting", MENU_FOLLOW);
+	popup->set_item_checked(popup->get_item_index(MENU_FOLLOW), true);
 	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
 	add_child(_menu);
 }
@@ -190,13 +207,17 @@ EditorSpinSlider *BrushToolbar::slider_of(BrushParamId p_param) const {
 // Drawn for a dark theme; their light parts take the colour of the theme's text.
 void BrushToolbar::load_icons() {
 	const String text_color = "#" + get_theme_color("font_color", "Button").to_html(false);
-	for (size_t i = 0; i < _tools.size(); i++) {
+	const auto icon_of = [&](const char *p_svg) {
 		Ref<Image> image;
 		image.instantiate();
-		image->load_svg_from_string(String(TOOLS[i].icon).replace("#e0e0e0", text_color), real_t(editor_scale()));
-		_tools[i]->set_button_icon(ImageTexture::create_from_image(image));
+		image->load_svg_from_string(String(p_svg).replace("#e0e0e0", text_color), real_t(editor_scale()));
+		return ImageTexture::create_from_image(image);
+	};
+	for (size_t i = 0; i < _tools.size(); i++) {
+		_tools[i]->set_button_icon(icon_of(TOOLS[i].icon));
 	}
 	_limits->set_button_icon(get_theme_icon("AnimationFilter", "EditorIcons"));
+	_bake->set_button_icon(icon_of(icon::BAKE));
 	_menu->set_button_icon(get_theme_icon("GuiTabMenuHl", "EditorIcons"));
 }
 
@@ -207,7 +228,10 @@ void BrushToolbar::_notification(int p_what) {
 }
 
 void BrushToolbar::show_brush() {
-	_showing = true;
+	if (_showing) {
+		return;
+	}
+	_showing = true; // sliders tell of each change
 	const GrassBrush::Tool tool = _brush->get_tool();
 	const ToolInfo &info = info_of(tool);
 	for (const Slider &entry : _sliders) {
@@ -264,11 +288,12 @@ void BrushToolbar::_number_changed(double) {
 	if (_showing) {
 		return;
 	}
-	_showing = true; // the brush tells of each change; the controls are right already
+	_showing = true; // the brush tells of each change; other sliders wait to be read
 	for (const Slider &entry : _sliders) {
 		_brush->set_param(entry.param, entry.slider->get_value());
 	}
 	_brush->set_species(int64_t(_species->get_value()));
+	_showing = false;
 	show_brush();
 }
 
@@ -285,12 +310,27 @@ void BrushToolbar::_limits_pressed() {
 	_limits_panel->popup(Rect2i(Vector2i(below), Vector2i()));
 }
 
+bool BrushToolbar::follows_ground() const {
+	const PopupMenu *popup = _menu->get_popup();
+	return popup->is_item_checked(popup->get_item_index(MENU_FOLLOW));
+}
+
+void BrushToolbar::_bake_pressed() {
+	emit_signal("bake_pressed");
+}
+
 void BrushToolbar::_menu_pressed(int64_t p_item) {
+	if (p_item == MENU_FOLLOW) {
+		PopupMenu *popup = _menu->get_popup();
+		popup->toggle_item_checked(popup->get_item_index(MENU_FOLLOW));
+		return;
+	}
 	emit_signal("menu_pressed", p_item);
 }
 
 void BrushToolbar::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("tool_changed"));
+	ADD_SIGNAL(MethodInfo("bake_pressed"));
 	ADD_SIGNAL(MethodInfo("menu_pressed", PropertyInfo(Variant::INT, "item")));
 }
 

@@ -33,12 +33,14 @@ public:
 		MENU_BARE,
 		MENU_FULL,
 		MENU_CLEAR,
+		MENU_FOLLOW,
 	};
 
 	BrushToolbar();
 
 	godot::Ref<GrassBrush> get_brush() const { return _brush; }
 	bool has_tool() const { return _has_tool; }
+	bool follows_ground() const; // painting bakes the ground under the brush
 	void put_tool_down(); // nothing is painted until another is chosen
 	void nudge(Number p_number, int p_notches);
 	godot::Color get_tool_color() const; // for the ring
@@ -56,6 +58,7 @@ private:
 	void add_tools();
 	void add_numbers();
 	void add_limits();
+	void add_bake();
 	void add_menu();
 	godot::EditorSpinSlider *add_slider(
 			godot::Node *p_parent, const Tunable &p_tunable, const char *p_label, const char *p_tooltip, double p_width);
@@ -68,6 +71,7 @@ private:
 	void _color_changed(const godot::Color &p_color);
 	void _channel_selected(int64_t p_index);
 	void _limits_pressed();
+	void _bake_pressed();
 	void _menu_pressed(int64_t p_item);
 
 	godot::Ref<GrassBrush> _brush;
@@ -76,7 +80,7 @@ private:
 	godot::EditorSpinSlider *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
-	godot::Button *_limits = nullptr;
+	godot::Button *_limits = nullptr, *_bake = nullptr;
 	godot::PopupPanel *_limits_panel = nullptr;
 	godot::MenuButton *_menu = nullptr;
 	bool _has_tool = false, _showing = false;

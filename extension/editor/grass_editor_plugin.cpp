@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/grass_editor_plugin.h"
 
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -25,6 +27,7 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->set_name("GrassBrushToolbar");
 	_toolbar->hide();
 	_toolbar->connect("tool_changed", callable_mp(this, &GrassEditorPlugin::_tool_changed));
+	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 }
@@ -136,7 +139,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		}
 		finish_stroke();
 		if (const auto point = show_ring(p_camera, p_button->get_position())) {
-			_stroke.begin(find_field(), _toolbar->get_brush(), point->place(), keys_of(p_button.ptr()));
+			_stroke.begin(find_field(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
@@ -170,7 +173,7 @@ int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEvent
 	if (point) {
 		StrokeKeys keys = keys_of(p_motion.ptr());
 		keys.pressure = p_motion->get_pressure() > 0.0 ? double(p_motion->get_pressure()) : 1.0; // a mouse has none
-		_stroke.move(point->place(), keys);
+		_stroke.move(*point, keys);
 	}
 	return AFTER_GUI_INPUT_STOP;
 }
@@ -205,34 +208,65 @@ void GrassEditorPlugin::_tool_changed() {
 	}
 }
 
-void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
+// Something done to the whole field's map, as one step of the history.
+template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &&p_change) {
 	finish_stroke();
 	GrassField *field = find_field();
 	if (field == nullptr) {
 		return;
 	}
 	const bool is_new = field->get_map().is_null();
-	const Ref<GrassMap> map = is_new ? make_map() : field->get_map();
-	const Ref<GrassMapSnapshot> before = map->take_snapshot(), after = map->take_snapshot();
-	if (p_item == BrushToolbar::MENU_CLEAR) {
-		after->map.clear();
-	} else {
-		for (const MapKey &key : after->map.get_keys()) {
-			after->map.set_texels(key, MAP_DENSITY, nullptr);
+	const Ref<GrassMap> map = is_new ? add_map(field, _toolbar->follows_ground()) : field->get_map();
+	const Ref<GrassMapSnapshot> before = map->take_snapshot();
+	if (!p_change(*field, **map)) {
+		if (is_new) {
+			field->set_map(Ref<GrassMap>());
 		}
-		after->map.compact();
-		after->map.set_base_density(p_item == BrushToolbar::MENU_BARE ? 0.0 : 1.0);
+		return;
 	}
 	EditorUndoRedoManager *history = get_undo_redo();
-	const char *names[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
-	history->create_action(names[p_item], UndoRedo::MERGE_DISABLE, field);
+	history->create_action(p_name, UndoRedo::MERGE_DISABLE, field);
 	if (is_new) {
 		history->add_do_property(field, "map", map);
 		history->add_undo_property(field, "map", Variant());
 	}
-	history->add_do_method(map.ptr(), "restore_snapshot", after);
+	history->add_do_method(map.ptr(), "restore_snapshot", map->take_snapshot());
 	history->add_undo_method(map.ptr(), "restore_snapshot", before);
-	history->commit_action();
+	history->commit_action(false); // all is done already
+	EditorInterface::get_singleton()->set_object_edited(map.ptr(), true);
+}
+
+void GrassEditorPlugin::_bake_pressed() {
+	change_map("Bake Grass Ground", [](GrassField &r_field, GrassMap &) {
+		const bool found = r_field.bake_ground() > 0;
+		if (!found) {
+			EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+					"GrassField: no ground found. Give what the grass shall stand on a collision shape.", EditorToaster::SEVERITY_WARNING);
+		}
+		return found;
+	});
+}
+
+void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
+	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
+	change_map(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
+		const bool is_clear = p_item == BrushToolbar::MENU_CLEAR;
+		const Ref<GrassMapSnapshot> after = r_map.take_snapshot();
+		for (const MapKey &key : after->map.get_keys()) {
+			for (int channel = 0; channel < MAP_CHANNELS; channel++) {
+				const bool is_ground = channel == MAP_GROUND || channel == MAP_NORMAL; // lies there, whoever paints
+				if (is_clear ? !is_ground : channel == MAP_DENSITY) {
+					after->map.set_texels(key, MapChannel(channel), nullptr);
+				}
+			}
+		}
+		after->map.compact();
+		if (!is_clear) {
+			after->map.set_base_density(p_item == BrushToolbar::MENU_BARE ? 0.0 : 1.0);
+		}
+		r_map.restore_snapshot(after);
+		return true;
+	});
 }
 
 Dictionary GrassEditorPlugin::get_statistics() const {
@@ -240,6 +274,7 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	Dictionary statistics;
 	statistics["steps"] = costs.steps;
 	statistics["chunks"] = costs.chunks;
+	statistics["rays"] = costs.rays;
 	statistics["total_us"] = costs.total_us;
 	statistics["worst_us"] = costs.worst_us;
 	statistics["event_us"] = _event_us;

@@ -32,7 +32,7 @@ public:
 	void _apply_changes() override { finish_stroke(); }
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
-	// Of the last stroke: `steps`, `chunks`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
+	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
 	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown.
 	godot::Dictionary get_statistics() const;
 
@@ -48,7 +48,9 @@ private:
 	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
 	void finish_stroke();
 	void put_down(); // ends the stroke, hides the ring
+	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
+	void _bake_pressed();
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;

@@ -25,6 +25,11 @@ struct GroundPoint {
 std::optional<GroundPoint> pick_ground(
 		const GrassField *p_field, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 
+// How far up and down the ground is looked for around a cursor: it may be as steep as 60 degrees. Metres.
+inline double ground_reach(double p_radius) {
+	return 2.0 * p_radius + 1.0;
+}
+
 // Points of the ground at places around p_centre, no further than p_radius from it; field space. Where there is no body
 // near, level with the centre.
 std::vector<Eigen::Vector3d> drape(

@@ -2,6 +2,7 @@
 #include "editor/paint_stroke.h"
 
 #include "core/map/brush_keys.h"
+#include "nodes/ground_rays.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -12,10 +13,21 @@ using namespace godot;
 
 namespace grass {
 
-Ref<GrassMap> make_map() {
+namespace {
+
+constexpr double BAKE_CELL = 4.0; // metres: the ground is read in squares of this size
+constexpr double LARGEST_BAKE = 65536.0; // m^2 that a new map reads at once, a ray for each: some tenths of a second
+
+} // namespace
+
+Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes) {
 	Ref<GrassMap> map;
 	map.instantiate();
 	map->set_base_density(1.0);
+	p_field->set_map(map);
+	if (p_bakes && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
+		p_field->bake_ground();
+	}
 	return map;
 }
 
@@ -29,33 +41,66 @@ GrassField *PaintStroke::find_field() const {
 	return Object::cast_to<GrassField>(ObjectDB::get_instance(_field_id));
 }
 
-void PaintStroke::begin(GrassField *p_field, const Ref<GrassBrush> &p_brush, const Eigen::Vector2d &p_place, const StrokeKeys &p_keys) {
+void PaintStroke::begin(
+		GrassField *p_field, const Ref<GrassBrush> &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys, bool p_bakes) {
 	_field_id = p_field->get_instance_id();
 	_brush = p_brush;
 	_map = p_field->get_map();
 	_new_map = _map.is_null();
 	if (_new_map) {
-		_map = make_map();
-		p_field->set_map(_map);
+		_map = add_map(p_field, p_bakes);
 	}
 	_before = _map->take_snapshot();
 	_changed = false;
+	_bakes = p_bakes && p_point.on_body;
+	_level = p_point.position.y();
+	_baked.clear();
 	_costs = {};
-	step(_path.begin(p_place), p_keys);
+	step(_path.begin(p_point.place()), p_keys);
 }
 
-void PaintStroke::move(const Eigen::Vector2d &p_place, const StrokeKeys &p_keys) {
+void PaintStroke::move(const GroundPoint &p_point, const StrokeKeys &p_keys) {
 	const GrassField *field = find_field();
 	if (field == nullptr || field->get_map() != _map) { // gone, or painted on another map
 		return;
 	}
-	for (const StrokeStep &one : _path.move(p_place, _brush->get_param(BRUSH_RADIUS))) {
+	_level = p_point.position.y();
+	for (const StrokeStep &one : _path.move(p_point.place(), _brush->get_param(BRUSH_RADIUS))) {
 		step(one, p_keys);
 	}
 }
 
+// The squares that the brush comes to for the first time in this stroke, and what lies between them.
+void PaintStroke::bake(const StrokeStep &p_step) {
+	const GrassField *field = find_field();
+	const double radius = _brush->get_param(BRUSH_RADIUS), border = radius + info_of(MAP_GROUND).texel_size();
+	const Eigen::Array2i low = ((p_step.from.cwiseMin(p_step.to).array() - border) / BAKE_CELL).floor().cast<int>();
+	const Eigen::Array2i high = ((p_step.from.cwiseMax(p_step.to).array() + border) / BAKE_CELL).floor().cast<int>();
+	Eigen::Array2i first = high + 1, last = low - 1;
+	for (int z = low.y(); z <= high.y(); z++) {
+		for (int x = low.x(); x <= high.x(); x++) {
+			if (_baked.insert({ x, z }).second) {
+				first = first.min(Eigen::Array2i(x, z));
+				last = last.max(Eigen::Array2i(x, z));
+			}
+		}
+	}
+	if (field == nullptr || (first > last).any()) {
+		return;
+	}
+	GroundRays rays(field->get_world_3d(), field->field_transform());
+	const double reach = ground_reach(border + BAKE_CELL);
+	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
+	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - reach, _level + reach); };
+	const LaidGround laid = _map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
+	_costs.rays += laid.asked;
+}
+
 void PaintStroke::step(const StrokeStep &p_step, const StrokeKeys &p_keys) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	if (_bakes) {
+		bake(p_step);
+	}
 	Brush brush = _brush->get_brush(p_step.from, p_step.to);
 	if (p_keys.smooth) {
 		brush = smoothing_of(brush);

@@ -87,7 +87,6 @@ func _functions(path: String) -> Array:
 
 func _run(test: Dictionary) -> void:
 	_report("run", test.name)
-	var began := Time.get_ticks_msec(); var fr := Engine.get_process_frames()
 	_listener.take()
 	var script := load(test.path) as GDScript
 	var case: Node = script.new() if script and script.can_instantiate() else null
@@ -111,7 +110,6 @@ func _run(test: Dictionary) -> void:
 	case.judge(_listener.take())
 	_finish(test.name, case.failures, case.skipped)
 	case.free()
-	print("TIME ", Time.get_ticks_msec() - began, " ", Engine.get_process_frames() - fr)
 
 
 func _call(case: Node, function: String) -> void:

@@ -12,6 +12,8 @@ func before() -> void:
 	set_number("Strength", 0.5)
 	set_number("Hardness", 0.5)
 	set_number("Target", 1.0)
+	set_limit("SlopeMax", 90.0)
+	set_limit("HeightMin", -16384.0)
 
 
 func test_toolbar_comes_and_goes_with_the_field() -> void:
@@ -38,7 +40,6 @@ func test_a_stroke_is_painted_undone_redone_saved_and_loaded() -> void:
 	assert_near(density(0, -3), 1.0, 0.01, "beside it")
 	assert_greater(plugin.get_statistics().steps, 4)
 	assert_less(plugin.get_statistics().chunks, 4 * plugin.get_statistics().steps + 1, "a brush of 1 m touches at most 4 chunks")
-	await shoot("stroke")
 	await stroke([Vector3(-2, 0, -2), Vector3(-1, 0, -2)])
 	var twice := map.data
 	assert_ne(twice, painted)
@@ -82,6 +83,80 @@ func test_strokes_land_on_the_ground_under_the_cursor() -> void:
 			var behind := eye + (point - eye) * eye.y / (eye.y - point.y) # on the plane
 			assert_greater(Vector2(behind.x - point.x, behind.z - point.z).length(), 2.0)
 			assert_near(density(behind.x, behind.z), 1.0, 0.0, "not on the plane behind the " + ground)
+
+
+func test_painting_bakes_the_ground_under_the_brush() -> void:
+	var place := Vector3(-5.05, 1.287, -1) # on the tilted floor
+	field.size = Vector2(300, 300) # too large to be baked at once
+	await frames(2)
+	await take("Erase")
+	await stroke([place, place])
+	if not assert_true(field.map != null):
+		return
+	assert_near(ground(place.x, place.z), 1.287, 0.08, "where the brush was")
+	assert_near(ground(-4, -7), 0.0, 0.0, "on the hill beside it")
+	var rays: int = plugin.get_statistics().rays
+	assert_true(rays > 0 and rays < 400, "%d rays" % rays)
+	await undo()
+	await redo()
+	assert_near(ground(place.x, place.z), 1.287, 0.08)
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(3)
+	await stroke([Vector3(-4, 1.2, -7), Vector3(-4, 1.2, -7)])
+	assert_less(density(-4, -7), 0.9)
+	assert_near(ground(-4, -7), 0.0, 0.0, "told not to")
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(3)
+
+
+func test_the_button_bakes_the_whole_field() -> void:
+	await click(toolbar.get_node("Bake"))
+	if not assert_true(field.map != null):
+		return
+	assert_near(ground(-4, -7), 1.2, 0.1, "hill")
+	assert_near(ground(1.5, -4), 1.0, 0.1, "csg")
+	assert_near(field.map.base_density, 1.0, 0.0, "grass stands everywhere")
+	var root := field.get_knots(field.get_tile_at(Vector3(-4, 0, -7)), 20)[0]
+	assert_near(root.y, ground(root.x, root.z), 0.1, "blades stand on it")
+	await undo()
+	assert_true(field.map == null)
+	await redo()
+	assert_near(ground(-4, -7), 1.2, 0.1)
+	for child: String in ["Hill", "TiltedFloor", "Csg"]:
+		field.get_node("../" + child).free()
+	await frames(2)
+	var before := field.map.data
+	await click(toolbar.get_node("Bake"))
+	assert_eq(field.map.data, before, "no ground: nothing changes")
+
+
+func test_strokes_keep_to_slopes_and_heights() -> void:
+	var level := Vector3(0, 0, 0)
+	var tilted := Vector3(-5.05, 1.287, -1)
+	await take("Erase")
+	set_limit("SlopeMax", 15.0)
+	await stroke([level, level])
+	await stroke([tilted, tilted])
+	assert_less(density(level.x, level.z), 0.9, "level ground")
+	assert_near(density(tilted.x, tilted.z), 1.0, 0.0, "30 degrees are too steep")
+	set_limit("SlopeMax", 90.0)
+	set_limit("HeightMin", 0.5)
+	await stroke([Vector3(1, 0, -1), Vector3(1, 0, -1)])
+	await stroke([tilted, tilted])
+	assert_near(density(1, -1), 1.0, 0.0, "too low")
+	assert_less(density(tilted.x, tilted.z), 0.9, "high enough")
+
+
+func test_grass_comes_and_goes_under_the_brush() -> void:
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
+	await frames(2)
+	var all: int = field.get_tiles().x * field.get_tiles().y
+	assert_eq(field.get_statistics().bare_tiles, all)
+	await take("Paint")
+	await press_and_move()
+	var bare: int = field.get_statistics().bare_tiles
+	assert_less(bare, all, "while the button is still down")
+	await key(KEY_ESCAPE)
+	await frames(1)
+	assert_eq(field.get_statistics().bare_tiles, all)
 
 
 func test_keys_and_wheel_change_the_brush() -> void:
@@ -137,13 +212,12 @@ func test_every_tool_changes_its_channel() -> void:
 			set_number("Target", 1.0)
 		var before := channel(channels[tool_name])
 		await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
-		print(tool_name, " ", (toolbar.get_node(tool_name) as Button).button_pressed, " ", plugin.get_statistics(), number("Target"), field.map)
-		if tool_name == "Density": await shoot("debug")
 		assert_ne(channel(channels[tool_name]), before, tool_name)
 		await undo()
 		assert_eq(channel(channels[tool_name]), before, tool_name + " undone")
 		if tool_name == "Density":
 			await redo() # the map stays
+
 
 func test_escape_takes_the_stroke_back_then_puts_the_brush_down() -> void:
 	await take("Erase")
@@ -282,6 +356,15 @@ func press_and_move() -> void:
 ## Sets a number of the brush by its slider.
 func set_number(slider: String, value: float) -> void:
 	(toolbar.get_node(slider) as Range).value = value
+	assert_near(number(slider), value, 1e-6, slider)
+
+
+func set_limit(slider: String, value: float) -> void:
+	(toolbar.get_node("Limits").find_child(slider, true, false) as Range).value = value
+
+
+func ground(x: float, z: float) -> float:
+	return field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z))
 
 
 func number(slider: String) -> float:
