@@ -6,7 +6,7 @@ const HILL := 33 # heights along a side, a metre apart
 
 
 static func hill_height(x: float, z: float) -> float:
-	return 0.4 * x + 0.8 * sin(0.35 * z)
+	return 0.4 * x + 0.8 * sin(0.35 * z + 0.2 * x)
 
 
 ## Ground of 32 m by 32 m that falls towards -x, in waves along z.
@@ -33,11 +33,13 @@ func let_go() -> Array[RigidBody3D]:
 	var capsule := CapsuleShape3D.new()
 	capsule.radius = 0.2
 	capsule.height = 0.8
+	var smooth := PhysicsMaterial.new()
+	smooth.friction = 0.05
 	var bodies: Array[RigidBody3D] = []
 	for shape: Shape3D in [ball(0.3), box, capsule]:
 		var z := 3.0 * bodies.size() - 3.0
 		var body := add_body(RigidBody3D.new(), shape, Vector3(5, hill_height(5, z) + 0.5, z)) as RigidBody3D
 		body.rotation.x = PI / 2 # the capsule lies across the slope
-		body.continuous_cd = true
+		body.physics_material_override = smooth # the box slides
 		bodies.append(body)
 	return bodies

@@ -22,6 +22,7 @@ func test_roots_stand_on_what_rays_meet() -> void:
 	await seen()
 	assert_greater(off_the_hill(field), 1.0, "level, before")
 	assert_eq(field.bake_ground(), 20 * 16, "two metres around the field: one that its blades blend with, one for the slopes there")
+	await seen()
 	assert_less(off_the_hill(field), 0.05)
 	assert_near(field.map.base_density, 1.0, 0.0, "grass stands on, on the map that was made")
 
@@ -59,8 +60,8 @@ func test_heights_of_shapes_are_those_of_rays() -> void:
 				off = maxf(off, absf(by_shape.map.sample(channel, Vector2(x, z)) - exact))
 				off_by_faces = maxf(off_by_faces, absf(by_faces.map.sample(channel, Vector2(x, z)) - exact))
 	print("    heights of the shape are %.1f mm off those of rays, those of faces %.1f mm" % [1000 * off, 1000 * off_by_faces])
-	assert_less(off, 0.02)
-	assert_less(off_by_faces, 0.02)
+	assert_less(off, 0.006)
+	assert_less(off_by_faces, 0.006)
 
 
 func faces_of_hill() -> PackedVector3Array:
