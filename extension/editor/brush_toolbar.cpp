@@ -12,7 +12,10 @@
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/popup_menu.hpp>
 #include <godot_cpp/classes/v_separator.hpp>
+#include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/core/class_db.hpp>
+
+#include <algorithm>
 
 using namespace godot;
 
@@ -50,7 +53,8 @@ constexpr std::array<ChannelName, 6> SMOOTHED = { { { MAP_DENSITY, "Density" }, 
 		{ MAP_LEAN, "Lean" }, { MAP_WEAR, "Wear" }, { MAP_CUT, "Cut" } } };
 
 constexpr Tunable SPECIES_TARGET{ "species_target", "", 0.0, 255.0, 1.0, 0.0 };
-constexpr double WIDE = 118.0, NARROW = 92.0; // of the sliders, in the editor's unscaled pixels
+// In the editor's unscaled pixels: widths of the sliders, what docks take of the window, the least that is left to us.
+constexpr double WIDE = 118.0, NARROW = 92.0, DOCKS = 540.0, NARROWEST = 480.0;
 
 const ToolInfo &info_of(GrassBrush::Tool p_tool) {
 	for (const ToolInfo &info : TOOLS) {
@@ -224,7 +228,26 @@ void BrushToolbar::load_icons() {
 void BrushToolbar::_notification(int p_what) {
 	if (p_what == NOTIFICATION_THEME_CHANGED) {
 		load_icons();
+		fit();
+	} else if (p_what == NOTIFICATION_ENTER_TREE) {
+		get_window()->connect("size_changed", callable_mp(this, &BrushToolbar::fit));
+	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		get_window()->disconnect("size_changed", callable_mp(this, &BrushToolbar::fit));
 	}
+}
+
+void BrushToolbar::fit() {
+	if (!is_inside_tree()) {
+		return;
+	}
+	const double gap = get_theme_constant("h_separation", "FlowContainer");
+	double row = 0.0;
+	for (int32_t i = 0; i < get_child_count(); i++) {
+		const Control *control = Object::cast_to<Control>(get_child(i));
+		row += control != nullptr && control->is_visible() ? double(control->get_combined_minimum_size().x) + gap : 0.0;
+	}
+	const double room = double(get_window()->get_size().x) - DOCKS * editor_scale();
+	set_custom_minimum_size(Vector2(real_t(std::min(row, std::max(room, NARROWEST * editor_scale()))), 0));
 }
 
 void BrushToolbar::show_brush() {
@@ -248,6 +271,7 @@ void BrushToolbar::show_brush() {
 	_color->set_visible(tool == GrassBrush::TOOL_TINT);
 	_channel->set_visible(tool == GrassBrush::TOOL_SMOOTH);
 	_showing = false;
+	fit();
 }
 
 Color BrushToolbar::get_tool_color() const {

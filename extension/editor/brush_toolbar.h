@@ -8,7 +8,7 @@
 #include <godot_cpp/classes/button.hpp>
 #include <godot_cpp/classes/color_picker_button.hpp>
 #include <godot_cpp/classes/editor_spin_slider.hpp>
-#include <godot_cpp/classes/h_box_container.hpp>
+#include <godot_cpp/classes/h_flow_container.hpp>
 #include <godot_cpp/classes/menu_button.hpp>
 #include <godot_cpp/classes/option_button.hpp>
 #include <godot_cpp/classes/popup_panel.hpp>
@@ -18,8 +18,8 @@
 
 namespace grass {
 
-class BrushToolbar : public godot::HBoxContainer {
-	GDCLASS(BrushToolbar, godot::HBoxContainer)
+class BrushToolbar : public godot::HFlowContainer {
+	GDCLASS(BrushToolbar, godot::HFlowContainer)
 
 public:
 	// The numbers that keys and the wheel change.
@@ -65,6 +65,7 @@ private:
 	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width);
 	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
 	void load_icons();
+	void fit(); // one row where the window has room beside its docks, else as many as it takes
 	void show_brush(); // the brush's properties, in the controls
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);

@@ -85,6 +85,17 @@ func test_strokes_land_on_the_ground_under_the_cursor() -> void:
 			assert_near(density(behind.x, behind.z), 1.0, 0.0, "not on the plane behind the " + ground)
 
 
+func test_the_toolbar_leaves_the_docks_their_place() -> void:
+	for tool_name: String in ["Erase", "Tint", "Smooth", "Cut"]:
+		await take(tool_name)
+		await frames(2)
+		assert_less(toolbar.get_global_rect().end.x, view().get_global_rect().end.x + 1.0, tool_name)
+		var window := get_tree().root.size
+		assert_less(toolbar.size.x, window.x - 500.0, tool_name)
+		for control: Control in toolbar.get_children():
+			assert_true(not control.visible or toolbar.get_rect().size.x >= control.get_rect().end.x, control.name)
+
+
 func test_painting_bakes_the_ground_under_the_brush() -> void:
 	var place := Vector3(-5.05, 1.287, -1) # on the tilted floor
 	field.size = Vector2(300, 300) # too large to be baked at once

@@ -79,6 +79,8 @@ func test_toolbar_ring_and_strokes() -> void:
 	await stroke([on(1.4, 0.4), on(0.9, -0.8), on(1.2, -2), on(2, -3.5), on(2.2, -5), on(1.4, -6.5)])
 	await take("Tint")
 	(toolbar.get_node("Radius") as Range).value = 0.9
+	(toolbar.get_node("Color") as ColorPickerButton).color = Color(0.95, 0.7, 0.25)
+	(toolbar.get_node("Color") as ColorPickerButton).color_changed.emit(Color(0.95, 0.7, 0.25))
 	await stroke([on(-3, -4), on(-1.6, -3.6), on(-0.9, -2.6)])
 	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.2, 2)), 0.0, 0.1, "the path")
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, -3.5)), height(0.5, -7.5), 0.05, "the hill")

@@ -6,7 +6,7 @@ extends "res://tests/hill_case.gd"
 func test_both_backends_on_a_hillside() -> void:
 	add_hill()
 	await ticks(2)
-	var properties := {size = Vector2(12, 10), pool_tiles = 512}
+	var properties := {size = Vector2(12, 10), pool_tiles = 512, sleep_mode = GrassField.SLEEP_TIMER}
 	var gpu := add_field(properties)
 	gpu.bake_ground()
 	properties.map = gpu.map
