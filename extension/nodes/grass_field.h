@@ -16,7 +16,6 @@
 #include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -147,6 +146,7 @@ private:
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
+	double ground_range() const;
 	// grass_field_ground.cpp
 	MapRegion bake_region(const godot::Rect2 &p_region) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
@@ -164,7 +164,6 @@ private:
 	void set_all_uniforms();
 	void set_wind_uniforms();
 	void set_wind_clock();
-	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
