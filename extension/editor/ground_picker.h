@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <godot_cpp/classes/camera3d.hpp>
+
 #include <optional>
 #include <span>
 #include <vector>

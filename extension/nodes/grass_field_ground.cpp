@@ -11,6 +11,8 @@
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
