@@ -82,9 +82,10 @@ func test_only_painted_tiles_are_drawn() -> void:
 	var left := painted.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
 	assert_greater(share_of(right, is_green), 0.05)
 	assert_eq(share_of(left, is_green), 0.0)
-	var culls: int = field.get_statistics().culls
-	await drawn()
-	assert_eq(field.get_statistics().culls, culls, "nothing changed, nothing culled")
+	if field.get_statistics().backend == "GPU": # the CPU chooses anew in every frame
+		var culls: int = field.get_statistics().culls
+		await drawn()
+		assert_eq(field.get_statistics().culls, culls, "nothing changed, nothing culled")
 
 
 func test_a_hill_is_culled_where_it_stands() -> void:

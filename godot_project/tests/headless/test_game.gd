@@ -105,18 +105,18 @@ func test_bend_tells_how_far_and_which_way() -> void:
 
 func test_cut_says_how_much_and_shows() -> void:
 	var field := add_field({map = full_map()})
-	var fallen := field.cut(box(Vector3(2, 0.2, 1)), at(Vector3(0, 0.2, 0)))
-	print("    a deck of 2 x 1 m at 10 cm: %s" % fallen)
-	assert_near(fallen.area, 2.0, 0.001)
-	assert_eq(fallen.blades, 512)
-	assert_greater(fallen.volume, 0.1)
+	var fallen := field.cut(box(Vector3(2, 0.2, 2)), at(Vector3(0, 0.2, 0)))
+	print("    a deck of 2 x 2 m at 10 cm: %s" % fallen)
+	assert_near(fallen.area, 4.0, 0.001)
+	assert_eq(fallen.blades, 1024)
+	assert_greater(fallen.volume, 0.4)
 	assert_less(fallen.volume, 2.0)
 	await ticks(2)
 	for length in lengths(field, field.get_tile_at(Vector3(0.1, 0, 0.1))):
 		assert_less(length, 0.11)
 	assert_near(field.height_at(Vector3(0, 0, 0)), 0.1, 0.02)
 	assert_greater(field.height_at(Vector3(0, 0, 1.5)), 0.2)
-	assert_eq(field.cut(box(Vector3(2, 0.2, 1)), at(Vector3(0, 0.2, 0))).blades, 0, "nothing left to cut")
+	assert_eq(field.cut(box(Vector3(2, 0.2, 2)), at(Vector3(0, 0.2, 0))).blades, 0, "nothing left to cut")
 	assert_eq(field.cut(ball(0.5), at(Vector3(0, 3, 1.5))).area, 0.0, "above the grass")
 
 
