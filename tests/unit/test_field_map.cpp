@@ -100,7 +100,7 @@ TEST_CASE("map_layers: a tint blends into no tint without a trace of white") {
 	Brush tint;
 	tint.tool = MapTool::TINT;
 	tint.color = { 1.0, 0.4, 0.0 };
-	apply_brush(map, disc(0.0, 0.0, 6.0), tint);
+	apply_brush(map, MapShape::stroke({ 0, 0 }, { 0, 0 }, 6.0, 0.2, Falloff::LINEAR), tint);
 	MapLayers layers;
 	layers.reset(GRID);
 	layers.update(map, { { -20, -20 }, { 20, 20 } });
