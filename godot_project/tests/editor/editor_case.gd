@@ -14,6 +14,12 @@ var plugin: Node
 func before() -> void:
 	DirAccess.copy_absolute(SCENE, SAVED)
 	await open(SAVED)
+	set_number("Radius", 1.0)
+	set_number("Strength", 0.5)
+	set_number("Hardness", 0.5)
+	set_number("Target", 1.0)
+	set_limit("SlopeMax", 90.0)
+	set_limit("HeightMin", -16384.0)
 
 
 func after() -> void:
@@ -108,6 +114,36 @@ func stroke(points: Array, modifiers := 0) -> void:
 	for i in range(1, points.size()):
 		await move(at(points[i]), MOUSE_BUTTON_MASK_LEFT, modifiers)
 	await button(MOUSE_BUTTON_LEFT, false, at(points[-1]), modifiers)
+
+
+func press_and_move() -> void:
+	var from := at(Vector3(-1, 0, 0))
+	await move(from)
+	await button(MOUSE_BUTTON_LEFT, true, from)
+	await move(at(Vector3(0, 0, 0)), MOUSE_BUTTON_MASK_LEFT)
+	assert_true(plugin.get_statistics().active)
+
+
+## Sets a number of the brush by its slider.
+func set_number(slider: String, value: float) -> void:
+	(toolbar.get_node(slider) as Range).value = value
+	assert_near(number(slider), value, 1e-6, slider)
+
+
+func set_limit(slider: String, value: float) -> void:
+	(toolbar.get_node("Limits").find_child(slider, true, false) as Range).value = value
+
+
+func number(slider: String) -> float:
+	return (toolbar.get_node(slider) as Range).value
+
+
+func channel(of: GrassMap.Channel) -> float:
+	return field.map.sample(of, Vector2(0, 0), 3 if of == GrassMap.CHANNEL_TINT else 0) if field.map else -1.0
+
+
+func camera_transform() -> Transform3D:
+	return EditorInterface.get_editor_viewport_3d(0).get_camera_3d().global_transform
 
 
 func density(x: float, z: float) -> float:

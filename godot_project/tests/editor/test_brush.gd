@@ -6,16 +6,6 @@ extends "res://tests/editor/editor_case.gd"
 const OTHER := "res://tests/editor/other.tscn"
 
 
-func before() -> void:
-	await super()
-	set_number("Radius", 1.0)
-	set_number("Strength", 0.5)
-	set_number("Hardness", 0.5)
-	set_number("Target", 1.0)
-	set_limit("SlopeMax", 90.0)
-	set_limit("HeightMin", -16384.0)
-
-
 func test_toolbar_comes_and_goes_with_the_field() -> void:
 	assert_true(toolbar.is_visible_in_tree(), "a field is selected")
 	await take("Erase")
@@ -64,27 +54,6 @@ func test_a_stroke_is_painted_undone_redone_saved_and_loaded() -> void:
 	on_disk.free()
 
 
-func test_strokes_land_on_the_ground_under_the_cursor() -> void:
-	var grounds := {
-		"hill, seen through a ball": Vector3(-4, 1.2, -7),
-		"csg": Vector3(1.5, 1.0, -4),
-		"tilted floor": Vector3(-5.05, 1.287, -1),
-		"plane": Vector3(0, 0, 0),
-	}
-	await take("Erase")
-	var eye := camera_transform().origin
-	for ground: String in grounds:
-		var point: Vector3 = grounds[ground]
-		await stroke([point, point])
-		if not assert_true(field.map != null, "a stroke on the " + ground):
-			continue
-		assert_less(density(point.x, point.z), 0.9, ground)
-		if point.y > 0.0:
-			var behind := eye + (point - eye) * eye.y / (eye.y - point.y) # on the plane
-			assert_greater(Vector2(behind.x - point.x, behind.z - point.z).length(), 2.0)
-			assert_near(density(behind.x, behind.z), 1.0, 0.0, "not on the plane behind the " + ground)
-
-
 func test_the_toolbar_leaves_the_docks_their_place() -> void:
 	for tool_name: String in ["Erase", "Tint", "Smooth", "Cut"]:
 		await take(tool_name)
@@ -94,66 +63,6 @@ func test_the_toolbar_leaves_the_docks_their_place() -> void:
 		assert_less(toolbar.size.x, window.x - 500.0, tool_name)
 		for control: Control in toolbar.get_children():
 			assert_true(not control.visible or toolbar.get_rect().size.x >= control.get_rect().end.x, control.name)
-
-
-func test_painting_bakes_the_ground_under_the_brush() -> void:
-	var place := Vector3(-5.05, 1.287, -1) # on the tilted floor
-	field.size = Vector2(300, 300) # too large to be baked at once
-	await frames(2)
-	await take("Erase")
-	await stroke([place, place])
-	if not assert_true(field.map != null):
-		return
-	assert_near(ground(place.x, place.z), 1.287, 0.08, "where the brush was")
-	assert_near(ground(-4, -7), 0.0, 0.0, "on the hill beside it")
-	var rays: int = plugin.get_statistics().rays
-	assert_true(rays > 0 and rays < 400, "%d rays" % rays)
-	await undo()
-	await redo()
-	assert_near(ground(place.x, place.z), 1.287, 0.08)
-	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(3)
-	await stroke([Vector3(-4, 1.2, -7), Vector3(-4, 1.2, -7)])
-	assert_less(density(-4, -7), 0.9)
-	assert_near(ground(-4, -7), 0.0, 0.0, "told not to")
-	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(3)
-
-
-func test_the_button_bakes_the_whole_field() -> void:
-	await click(toolbar.get_node("Bake"))
-	if not assert_true(field.map != null):
-		return
-	assert_near(ground(-4, -7), 1.2, 0.15, "hill")
-	assert_near(ground(1.5, -4), 1.0, 0.1, "csg")
-	assert_near(field.map.base_density, 1.0, 0.0, "grass stands everywhere")
-	var root := field.get_knots(field.get_tile_at(Vector3(-4, 0, -7)), 20)[0]
-	assert_near(root.y, ground(root.x, root.z), 0.1, "blades stand on it")
-	await undo()
-	assert_true(field.map == null)
-	await redo()
-	assert_near(ground(-4, -7), 1.2, 0.15)
-	for child: String in ["Hill", "TiltedFloor", "Csg"]:
-		field.get_node("../" + child).free()
-	await frames(2)
-	var before := field.map.data
-	await click(toolbar.get_node("Bake"))
-	assert_eq(field.map.data, before, "no ground: nothing changes")
-
-
-func test_strokes_keep_to_slopes_and_heights() -> void:
-	var level := Vector3(0, 0, 0)
-	var tilted := Vector3(-5.05, 1.287, -1)
-	await take("Erase")
-	set_limit("SlopeMax", 15.0)
-	await stroke([level, level])
-	await stroke([tilted, tilted])
-	assert_less(density(level.x, level.z), 0.9, "level ground")
-	assert_near(density(tilted.x, tilted.z), 1.0, 0.0, "30 degrees are too steep")
-	set_limit("SlopeMax", 90.0)
-	set_limit("HeightMin", 0.5)
-	await stroke([Vector3(1, 0, -1), Vector3(1, 0, -1)])
-	await stroke([tilted, tilted])
-	assert_near(density(1, -1), 1.0, 0.0, "too low")
-	assert_less(density(tilted.x, tilted.z), 0.9, "high enough")
 
 
 func test_grass_comes_and_goes_under_the_brush() -> void:
@@ -354,37 +263,3 @@ func test_a_step_touches_few_chunks_of_a_large_map() -> void:
 		slowest = maxf(slowest, costs.event_us)
 		assert_less(costs.chunks, 4 * costs.steps + 1)
 	print("a 5 m brush on a map of 1 km^2: longest step %.0f us, longest event with ring and steps %.0f us" % [worst, slowest])
-
-
-func press_and_move() -> void:
-	var from := at(Vector3(-1, 0, 0))
-	await move(from)
-	await button(MOUSE_BUTTON_LEFT, true, from)
-	await move(at(Vector3(0, 0, 0)), MOUSE_BUTTON_MASK_LEFT)
-	assert_true(plugin.get_statistics().active)
-
-
-## Sets a number of the brush by its slider.
-func set_number(slider: String, value: float) -> void:
-	(toolbar.get_node(slider) as Range).value = value
-	assert_near(number(slider), value, 1e-6, slider)
-
-
-func set_limit(slider: String, value: float) -> void:
-	(toolbar.get_node("Limits").find_child(slider, true, false) as Range).value = value
-
-
-func ground(x: float, z: float) -> float:
-	return field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z))
-
-
-func number(slider: String) -> float:
-	return (toolbar.get_node(slider) as Range).value
-
-
-func channel(of: GrassMap.Channel) -> float:
-	return field.map.sample(of, Vector2(0, 0), 3 if of == GrassMap.CHANNEL_TINT else 0) if field.map else -1.0
-
-
-func camera_transform() -> Transform3D:
-	return EditorInterface.get_editor_viewport_3d(0).get_camera_3d().global_transform
