@@ -14,6 +14,11 @@ var plugin: Node
 func before() -> void:
 	DirAccess.copy_absolute(SCENE, SAVED)
 	await open(SAVED)
+	reset_brush()
+
+
+## As every test finds it, whatever others did.
+func reset_brush() -> void:
 	set_number("Radius", 1.0)
 	set_number("Strength", 0.5)
 	set_number("Hardness", 0.5)

@@ -10,6 +10,7 @@ const SIDE := 24 # metres
 func before() -> void:
 	ResourceSaver.save(meadow(), SAVED)
 	await open(SAVED)
+	reset_brush()
 
 
 static func height(x: float, z: float) -> float:
