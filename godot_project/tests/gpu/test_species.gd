@@ -87,17 +87,10 @@ func test_each_blade_is_drawn_as_what_it_is_simulated_as() -> void:
 
 
 func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	var field := add_markers({map = map})
+	var field := add_markers({map = full_map()})
 	for number in [1, 2, 3]:
-		var brush := GrassBrush.new()
-		brush.tool = GrassBrush.TOOL_SPECIES
-		brush.species = number
-		brush.radius = 3.0
-		brush.strength = 1.0
 		var place := Vector3(-5 + 3.7 * number, 0, -2 + number)
-		field.paint(brush, place, place)
+		field.paint(brush(GrassBrush.TOOL_SPECIES, 3.0, {species = number}), place, place)
 	await check_markers(field)
 
 
@@ -166,15 +159,8 @@ func test_a_meadow_of_three_species_looks_alike_on_both_backends() -> void:
 	var sedge := make(0.1, Color.WHITE, {
 		root_color = Color(0.08, 0.2, 0.14), tip_color = Color(0.3, 0.5, 0.42), length_min = 0.35, length_max = 0.55, width_min = 0.015,
 		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	var field := add_seen_field({size = Vector2(20, 20), map = map, species = [fescue, sorrel, sedge]})
-	var brush := GrassBrush.new()
-	brush.tool = GrassBrush.TOOL_SPECIES
-	brush.species = 3
-	brush.radius = 1.0
-	brush.strength = 1.0
-	field.paint(brush, Vector3(-8, 0, 2), Vector3(8, 0, -5))
+	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge]})
+	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
 	await drawn()
 	var gpu := await picture()

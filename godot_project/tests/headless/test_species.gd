@@ -26,11 +26,6 @@ func count(field: GrassField) -> PackedInt32Array:
 	return found
 
 
-func length_of(field: GrassField, tile: Vector2i, blade: int) -> float:
-	var knots := field.get_knots(tile, blade)
-	return 15.0 * knots[0].distance_to(knots[1])
-
-
 func test_properties_are_kept_and_brought_within_limits() -> void:
 	var species := GrassSpecies.new()
 	var patch := GrassPatch.new()
@@ -94,9 +89,10 @@ func test_each_species_has_its_share_and_its_blades() -> void:
 	var found := count(field)
 	for s in 3:
 		assert_near(float(found[s]) / field.get_blade_count(), [0.7, 0.2, 0.1][s], 0.03, "species %d" % s)
+	var knots := tile_knots(field, Vector2i(3, 4))
 	for blade in BLADES:
 		var species := field.get_blade_species(Vector2i(3, 4), blade)
-		assert_near(length_of(field, Vector2i(3, 4), blade), [0.3, 0.6, 0.9][species], 0.01)
+		assert_near(length_of(knots, blade), [0.3, 0.6, 0.9][species], 0.01)
 	var before := found
 	field.seed = 5
 	await ticks(2)
@@ -107,18 +103,10 @@ func test_each_species_has_its_share_and_its_blades() -> void:
 
 
 func test_what_is_painted_grows_alone() -> void:
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	var field := add_field({size = Vector2(8, 8), map = map, species = [make(0.9, 0.3), make(0.1, 0.6), make(0.0, 0.9)]})
+	var field := add_field({size = Vector2(8, 8), map = full_map(), species = [make(0.9, 0.3), make(0.1, 0.6), make(0.0, 0.9)]})
 	await ticks(2)
 	assert_eq(count(field)[2], 0)
-	var brush := GrassBrush.new()
-	brush.tool = GrassBrush.TOOL_SPECIES
-	brush.species = 3
-	brush.radius = 2.0
-	brush.hardness = 1.0
-	brush.strength = 1.0
-	field.paint(brush, Vector3.ZERO, Vector3.ZERO)
+	field.paint(brush(GrassBrush.TOOL_SPECIES, 2.0, {species = 3}), Vector3.ZERO, Vector3.ZERO)
 	await ticks(2)
 	var found := count(field)
 	assert_near(float(found[2]) / field.get_blade_count(), PI * 4.0 / 64.0, 0.04)
