@@ -236,7 +236,7 @@ def table1(rows):
 
 def passes(rows):
 	theirs = {"simulate": "5.6", "draw grass": "5.4", "all else drawn": "0.6 (sky 0.3, terrain 0.3)"}
-	text = f"{number(float(rows[0]['blades']))} blades, 128 thrown bodies, {number(float(rows[0]['awake_blades']))} blades awake (paper: 4 M, 128, 23 K). 4x MSAA, from eye level."
+	text = f"{number(float(rows[0]['blades']))} blades, 128 bodies thrown 5 to 8 s ago, {number(float(rows[0]['awake_blades']))} blades awake (paper: 4 M, 128, 23 K). 4x MSAA, from eye level."
 	body = [[row["pass"], number(float(row["gpu_ms"])), theirs.get(row["pass"], "on the CPU" if row["pass"] == "cull" else "")] for row in rows]
 	return ["## Table 2: GPU time of a frame by pass", "", text, *grid(["pass", "ms", "paper, ms"], body)]
 

@@ -27,6 +27,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_changed_slots.reset(p_setup.pool_tiles, false);
@@ -35,6 +36,16 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 
 CpuBackend::~CpuBackend() {
 	memdelete(_parallel);
+}
+
+bool CpuBackend::set_grid(const TileGrid &p_grid) {
+	_setup.grid = p_grid;
+	_slot_of_tile.clear();
+	_cover.reset(); // of the other grid; set_cover() follows
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup));
+	}
+	return true;
 }
 
 void CpuBackend::step(const StepInput &p_input) {
@@ -98,8 +109,13 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 void CpuBackend::add_tile(const FieldView &p_view, int p_x, int p_z) {
 	const TileGrid &grid = _setup.grid;
 	const Eigen::Vector3f centre = grid.get_centre(p_x, p_z).cast<float>();
-	const float side = 0.5f * float(grid.get_tile_size()) + _setup.blade_reach(), half_height = 0.5f * _setup.blade_height();
-	const Eigen::Vector3f middle = centre + Eigen::Vector3f(0.0f, half_height, 0.0f);
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+	if (ground.is_bare()) {
+		return;
+	}
+	const float side = 0.5f * float(grid.get_tile_size()) + _setup.blade_reach();
+	const float half_height = 0.5f * (_setup.blade_height() + ground.high - ground.low);
+	const Eigen::Vector3f middle = centre + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f);
 	if (!grass_tile_visible(p_view.planes, middle, { side, half_height, side }, p_view.shadow_margin)) {
 		return;
 	}
@@ -147,6 +163,14 @@ void CpuBackend::update_pool_texture() {
 	}
 }
 
+void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	(void)p_changed; // asked for tile by tile
+	_cover = p_cover;
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup, _cover.get()));
+	}
+}
+
 void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
 		FieldInstance &instance = _levels[size_t(level)];
@@ -154,18 +178,22 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level));
-			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup));
+			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()));
 		}
 		instance.follow(p_node, p_transform);
 	}
 }
 
 int64_t CpuBackend::get_memory_usage() const {
-	int64_t instances = 0;
+	int64_t bytes = int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + mesh_bytes(); // patch: here and as a texture
+	bytes += int64_t(_pool_texels.capacity()) * 4; // likewise
 	for (const FieldInstance &level : _levels) {
-		instances += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
-	return int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + int64_t(_pool_texels.size()) * 4 + instances;
+	for (const std::vector<float> &instances : _instances) {
+		bytes += int64_t(instances.capacity() * sizeof(float));
+	}
+	return bytes + int64_t(_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _changed_slots.get_memory_usage());
 }
 
 } // namespace grass

@@ -21,14 +21,16 @@ public:
 	explicit CpuBackend(const FieldSetup &p_setup);
 	~CpuBackend() override;
 
+	bool set_grid(const TileGrid &p_grid) override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override { return _pool.get_knots(p_slot, p_blade); }
-	EnergyReport read_energy() override { return { _step_number, _pool.get_energy() }; }
+	EnergyReport read_energy() override { return { _step_number, _pool.get_energy(), _pool.get_bends() }; }
 	BackendStatistics get_statistics() override { return _statistics; }
 	int64_t get_memory_usage() const override;
 	const char *get_name() const override { return "CPU"; }
@@ -46,6 +48,7 @@ private:
 	BackendStatistics _statistics;
 	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
 
+	std::shared_ptr<const TileCover> _cover; // null: no map
 	BladeMaterials _materials;
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture;
 	int _pool_rows = 0; // of the pool texture; grows with the highest slot in use

@@ -9,8 +9,8 @@ using namespace godot;
 
 namespace grass {
 
-BladeMaterials::BladeMaterials() {
-	const Ref<Shader> shader = shared_shader(shader::BLADE_GDSHADER);
+BladeMaterials::BladeMaterials(bool p_mapped) {
+	const Ref<Shader> shader = shared_shader(shader::BLADE_GDSHADER, p_mapped);
 	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
 		Ref<ShaderMaterial> &material = _levels[size_t(level)];
 		material.instantiate();

@@ -13,7 +13,8 @@ namespace grass {
 
 class BladeMaterials {
 public:
-	BladeMaterials();
+	// p_mapped: for fields with a map.
+	explicit BladeMaterials(bool p_mapped);
 
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
 	// Sets a uniform of the blade shader in all levels.

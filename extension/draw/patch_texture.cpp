@@ -14,8 +14,11 @@ Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
 			Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
-Ref<ImageTexture> lattice_texture() {
+namespace {
+
+Ref<ImageTexture> make_lattice_texture() {
 	std::vector<uint8_t> texels;
+	texels.reserve(4 * GRASS_LATTICE_CELLS * GRASS_LATTICE_CELLS);
 	for (int y = 0; y < GRASS_LATTICE_CELLS; y++) {
 		for (int x = 0; x < GRASS_LATTICE_CELLS; x++) {
 			const Eigen::Array4f numbers = lattice(x, y);
@@ -28,10 +31,26 @@ Ref<ImageTexture> lattice_texture() {
 			GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
 }
 
-AABB field_bounds(const FieldSetup &p_setup) {
+Ref<ImageTexture> shared_lattice;
+
+} // namespace
+
+Ref<ImageTexture> lattice_texture() {
+	if (shared_lattice.is_null()) {
+		shared_lattice = make_lattice_texture();
+	}
+	return shared_lattice;
+}
+
+void free_shared_textures() {
+	shared_lattice.unref();
+}
+
+AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover) {
+	const double low = p_cover ? p_cover->get_low() : 0.0, high = p_cover ? p_cover->get_high() : 0.0;
 	const double reach = p_setup.blade_length(); // a blade blown or pressed flat
 	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + reach), 0, real_t(0.5 * p_setup.grid.get_size_z() + reach));
-	return AABB(-half, 2.0 * half + Vector3(0, real_t(reach), 0));
+	return AABB(Vector3(0, real_t(low), 0) - half, 2.0 * half + Vector3(0, real_t(high - low + reach), 0));
 }
 
 } // namespace grass

@@ -23,11 +23,16 @@ class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
 
-	// Allocates p_bytes, all zero (or p_fill in every 32-bit word, 0 or 0xffffffff). Frees what was there.
-	void allocate(int64_t p_bytes, uint32_t p_fill = 0);
+	// Allocates p_bytes, all zero: the device writes them, nothing travels. Frees what was there.
+	void allocate(int64_t p_bytes);
+	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
 	template <typename T> int64_t upload(std::span<const T> p_records) {
 		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
+	}
+	// Writes records at p_offset bytes into what was allocated. Returns the bytes that travelled.
+	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) {
+		return write_bytes(p_offset, reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
 	}
 	void free();
 
@@ -36,6 +41,7 @@ public:
 
 private:
 	int64_t upload_bytes(const uint8_t *p_data, int64_t p_bytes);
+	int64_t write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes);
 
 	godot::RID _rid;
 	int64_t _size = 0; // bytes

@@ -28,7 +28,7 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 	record.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
 		p_setup.blade_height() };
 	record.blades = { p_setup.blade_reach(), float(p_view.debug_view), 0.0f, 0.0f };
-	record.patch_seed = { p_setup.seed, 0, 0, 0 };
+	record.patch_seed = { p_setup.seed, p_setup.is_mapped ? 1u : 0u, 0, 0 };
 	return record;
 }
 
@@ -36,6 +36,7 @@ GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
@@ -48,8 +49,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
 		add_lod_surface(mesh, level, _materials.level(level));
 	}
-	const int instances = std::min(_setup.grid.get_tile_count(), GRASS_MAX_DRAWN_TILES);
-	_instance.create(mesh, instances, true, field_bounds(_setup));
+	_instance.create(mesh, _setup.instance_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -57,6 +57,16 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 
 GpuBackend::~GpuBackend() {
 	RenderQueue::get_singleton()->post([field = _field, multimesh = _instance.multimesh()] { field->free(multimesh); });
+}
+
+bool GpuBackend::set_grid(const TileGrid &p_grid) {
+	_setup.grid = p_grid;
+	if (_setup.instance_capacity() > _instance.capacity()) {
+		return false;
+	}
+	_instance.set_bounds(field_bounds(_setup));
+	RenderQueue::get_singleton()->post([field = _field, tiles = p_grid.get_tile_count()] { field->set_tiles(tiles); });
+	return true;
 }
 
 void GpuBackend::step(const StepInput &p_input) {
@@ -73,6 +83,17 @@ void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 	_instance.follow(p_node, p_transform);
 }
 
+void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	_instance.set_bounds(field_bounds(_setup, p_cover.get()));
+	if (p_changed.count() > 0) { // whole rows: one copy
+		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
+		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
+		RenderQueue::get_singleton()->post([field = _field, first, changed = std::vector<TileCover::Tile>(tiles.begin(), tiles.end())] {
+			field->set_cover(first, changed);
+		});
+	}
+}
+
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
 	RenderQueue::get_singleton()->post([field = _field, knots, p_slot, p_blade] { *knots = field->read_knots(p_slot, p_blade); });
@@ -83,7 +104,8 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
 	_energy = _report->energy;
-	return { _report->energy_step, _energy };
+	_bends = _report->bends;
+	return { _report->energy_step, _energy, _bends };
 }
 
 BackendStatistics GpuBackend::get_statistics() {
@@ -92,7 +114,10 @@ BackendStatistics GpuBackend::get_statistics() {
 }
 
 int64_t GpuBackend::get_memory_usage() const {
-	return GpuField::memory_usage(_setup);
+	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
+	const int64_t instances = int64_t(_instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	std::lock_guard lock(_report->mutex);
+	return patch + instances + mesh_bytes() + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
 }
 
 } // namespace grass

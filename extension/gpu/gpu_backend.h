@@ -20,10 +20,12 @@ public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
+	bool set_grid(const TileGrid &p_grid) override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override;
@@ -41,6 +43,7 @@ private:
 	FieldInstance _instance;
 	std::shared_ptr<GpuReport> _report;
 	std::vector<float> _energy;
+	std::vector<Eigen::Vector3f> _bends;
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
 };
 

@@ -2,6 +2,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "core/cpu_clock.h"
 #include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
@@ -10,6 +11,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 using namespace godot;
@@ -52,24 +54,28 @@ private:
 
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input) :
-		number(p_input.number),
-		slots(p_input.slots.begin(), p_input.slots.end()),
-		colliders(p_input.colliders.begin(), p_input.colliders.end()),
-		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
-		planes(p_input.planes.begin(), p_input.planes.end()),
-		step(p_input.step) {}
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+	CpuClock clock;
+	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
+	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
+	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	growth.assign(p_input.growth.begin(), p_input.growth.end());
+	copy_ms = clock.lap();
+}
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
 	RenderingDevice *device = main_device();
 	_tiles = p_setup.grid.get_tile_count();
-	_instances = std::min<int64_t>(_tiles, GRASS_MAX_DRAWN_TILES);
+	_instances = p_setup.instance_capacity();
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_energy.allocate(_slots * 4);
-	_table.allocate(_tiles * 4, uint32_t(GRASS_NO_SLOT));
+	_energy.allocate(_slots * int64_t(sizeof(vec4)));
+	_is_mapped = p_setup.is_mapped;
+	set_tiles(_tiles);
 	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
+	_growth.allocate(_is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -89,6 +95,23 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_simulate.create(shader::SIMULATE_SPIRV, "GrassField simulate");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+}
+
+void GpuField::set_tiles(int64_t p_tiles) {
+	_tiles = p_tiles;
+	_table_changed = true;
+	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles)));
+	if (const int64_t cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0; cover > _cover.size() || !_cover.rid().is_valid()) {
+		_cover.allocate(cover);
+	}
+	if (_tiles * 4 <= _table.size()) {
+		_table.clear();
+		return;
+	}
+	_table.allocate(room * 4);
+	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 }
 
 void GpuField::bind_simulate(const RID &p_patch) {
@@ -98,12 +121,14 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	_simulate.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
 	}
+	CpuClock clock;
 	if (p_measure) {
 		read_times();
 	}
@@ -112,6 +137,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	for (const SlotGrowth &growth : p_records.growth) {
+		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+	}
 	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -123,6 +151,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		_simulate.dispatch(list, record_bytes(p_records.step), uint32_t(p_records.slots.size()));
 		device->compute_list_end();
 	}
+	const double upload_ms = clock.lap();
 	int64_t live = 0;
 	for (const GrassSlot &slot : p_records.slots) {
 		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
@@ -134,15 +163,31 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
+		report_memory();
+		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
 	// The device copies it between this step's dispatch and the next one's, so it is this step's.
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;
-		report->energy.resize(size_t(p_data.size()) / 4);
-		std::memcpy(report->energy.data(), p_data.ptr(), report->energy.size() * 4);
+		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
+		report->energy.resize(slots);
+		report->bends.resize(slots);
+		for (size_t slot = 0; slot < slots; slot++) {
+			vec4 record;
+			std::memcpy(&record, p_data.ptr() + slot * sizeof(vec4), sizeof(vec4));
+			report->energy[slot] = record.x;
+			report->bends[slot] = { record.y, record.z, record.w };
+		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
+}
+
+void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
+	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), std::span<const TileCover::Tile>(p_tiles));
+	_table_changed = true; // other tiles may be drawn now
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.uploaded_bytes += uploaded;
 }
 
 void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {
@@ -163,6 +208,7 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 	_culled_into = instances;
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
+	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
@@ -181,6 +227,7 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.culls++;
+		report_memory();
 		_report->statistics.uploaded_bytes += uploaded;
 	}
 	RenderQueue::get_singleton()->read_later(_counts.rid(), GRASS_LOD_LEVELS * 4, [report = _report](const PackedByteArray &p_data) {
@@ -247,18 +294,20 @@ void GpuField::free(const RID &p_multimesh) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer :
-			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
+				 &_cover, &_view, &_counts }) {
 		buffer->free();
 	}
 }
 
-int64_t GpuField::memory_usage(const FieldSetup &p_setup) {
-	const int64_t tiles = p_setup.grid.get_tile_count();
-	const int64_t instances = std::min<int64_t>(tiles, GRASS_MAX_DRAWN_TILES) * GRASS_INSTANCE_FLOATS * 4;
-	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot)) + 4;
-	const int64_t patch = int64_t(p_setup.patch->texels.size()) * 2;
-	return patch + p_setup.pool_tiles * slot + tiles * 4 + instances;
+// The report's mutex is held.
+void GpuField::report_memory() {
+	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
+	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
+				 &_growth, &_cover, &_view, &_counts }) {
+		bytes += buffer->size();
+	}
+	_report->statistics.buffer_bytes = bytes;
 }
 
 } // namespace grass

@@ -19,7 +19,9 @@ struct StepRecords {
 	std::vector<GrassCollider> colliders;
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
+	std::vector<SlotGrowth> growth;
 	GrassStep step;
+	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);
 };
@@ -30,6 +32,7 @@ struct GpuReport {
 	BackendStatistics statistics;
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
+	std::vector<Eigen::Vector3f> bends; // per slot
 };
 
 class GpuField {
@@ -38,19 +41,22 @@ public:
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
+	// Another number of tiles, all at rest.
+	void set_tiles(int64_t p_tiles);
 	// One tick: uploads the records, simulates their tiles, asks for their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimesh.
 	void draw(const GrassView &p_view, const godot::RID &p_multimesh, bool p_measure);
+	// The cover of consecutive tiles from p_first on.
+	void set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
 	// p_multimesh: its command buffer goes too; the engine never frees that (seen in 4.6).
 	void free(const godot::RID &p_multimesh);
 
-	static int64_t memory_usage(const FieldSetup &p_setup); // bytes
-
 private:
 	void bind_simulate(const godot::RID &p_patch);
 	void read_times();
+	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
 	int64_t _tiles = 0, _instances = 0, _slots = 0;
@@ -62,6 +68,10 @@ private:
 	GpuBuffer _knots, _knots_before, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
+	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
+	// stand, read by cull. Fields without a map have none (16 bytes).
+	GpuBuffer _growth, _cover;
+	bool _is_mapped = false;
 	// Written every frame, read by cull.
 	GpuBuffer _view;
 	// Written and read by cull, one frame.

@@ -5,6 +5,8 @@
 
 #include "core/clump.h"
 #include "core/lod.h"
+#include "core/map/growth.h"
+#include "core/map/recovery.h"
 #include "core/patch.h"
 #include "core/solver_params.h"
 #include "core/tile_grid.h"
@@ -34,6 +36,9 @@ enum class Effect {
 
 enum FieldParamId {
 	PARAM_DENSITY,
+	PARAM_FOLLOW_SLOPE,
+	PARAM_REGROWTH,
+	PARAM_WEAR_RECOVERY,
 	PARAM_CLUMP_SIZE,
 	PARAM_CLUMP_HEIGHT,
 	PARAM_CLUMP_LEAN,
@@ -75,6 +80,9 @@ struct FieldParam {
 
 inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
+	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
+	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },
+	FieldParam{ PARAM_WEAR_RECOVERY, WEAR_RECOVERY, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_HEIGHT, CLUMP_HEIGHT, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_LEAN, CLUMP_LEAN, Effect::REBUILD, "Clumps" },

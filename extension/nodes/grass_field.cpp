@@ -5,6 +5,7 @@
 
 #include "backend/cpu_backend.h"
 #include "convert.h"
+#include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/params.h"
 
@@ -13,7 +14,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
-#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -52,6 +52,7 @@ void GrassField::_notification(int p_what) {
 }
 
 void GrassField::enter() {
+	FieldMonitors::add(this);
 	set_process_internal(true);
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
@@ -62,12 +63,16 @@ void GrassField::enter() {
 }
 
 void GrassField::leave() {
+	FieldMonitors::remove(this);
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	set_process_internal(false);
 	set_physics_process_internal(false);
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
+	_in_grass.clear();
+	_field_map.reset();
+	_map_textures.free();
 	_tiles.reset();
 }
 
@@ -82,15 +87,21 @@ void GrassField::build() {
 		return;
 	}
 	_dirty = false;
-	_backend.reset();
-	_ground.free();
+	CpuClock clock;
+	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	_bounds = std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_setup.is_mapped = _map.is_valid();
+	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
+			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	build_map();
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -101,6 +112,21 @@ void GrassField::build() {
 			WARN_PRINT(vformat("%s: %s", label(), warning));
 		}
 	}
+	_ground.free();
+	if (!same_blades || before.pool_tiles != _setup.pool_tiles || !_backend || !_backend->set_grid(_setup.grid)) {
+		make_backend();
+	}
+	if (_backend) {
+		_ground.create(_setup.grid, _setup.is_mapped);
+		follow();
+		set_all_uniforms();
+		update_map();
+	}
+	_build_ms = clock.lap();
+}
+
+void GrassField::make_backend() {
+	_backend.reset();
 	if (_setup.patch->is_empty()) {
 		return;
 	}
@@ -110,10 +136,8 @@ void GrassField::build() {
 	} else {
 		_backend = std::make_unique<CpuBackend>(_setup);
 	}
-	_backend->set_measure_time(_measure_time);
-	_ground.create(_setup.grid);
-	follow();
-	set_all_uniforms();
+	_backend->set_measure_time(_measure_time || _is_watched);
+	_builds++;
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -121,25 +145,34 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	CpuClock clock;
+	recover(p_delta);
+	update_map();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
-	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
+	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
+			real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
-	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
+	_node_colliders.collect(transform, _colliders);
+	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
-	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
-	if (_tiles.get_slots().empty()) {
-		return; // nothing is awake: no dispatch, no upload
+	_tiles_ms = clock.lap();
+	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
+		step(p_delta);
 	}
+	tell_of_bodies();
+}
+
+void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
+	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
@@ -152,16 +185,16 @@ void GrassField::frame(double p_delta) {
 	if (!_backend) {
 		return;
 	}
-	_time += p_delta;
 	if (param(PARAM_WIND_SPEED) > 0.0) {
-		_backend->set_uniform("grass_time", _time); // the ground has no wind
+		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
+		set_wind_clock();
 	}
 }
 
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _has_ground);
+	_ground.follow(this, transform, _has_ground && ground_reach() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
@@ -170,7 +203,14 @@ void GrassField::_before_draw() {
 	if (!_backend) {
 		return;
 	}
+	CpuClock clock;
+	update_map();
 	follow();
+	choose_view();
+	_frame_ms = clock.lap();
+}
+
+void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}
@@ -244,7 +284,9 @@ TileParams GrassField::tile_params() const {
 	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.is_mapped = _field_map != nullptr;
 	params.seed = _setup.seed;
 	return params;
 }

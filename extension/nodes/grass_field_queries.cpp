@@ -63,7 +63,10 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 	const Eigen::Vector2f in_tile = texel(0).head<2>();
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile,
 			Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
-	const Clump clump = clump_at(place, _setup.clump);
+	FieldMap::BladePose pose{ clump_at(place, _setup.clump) };
+	if (_field_map) {
+		pose = _field_map->get_pose(p_tile.x, p_tile.y, blade);
+	}
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
@@ -71,17 +74,51 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
 	const Eigen::Vector2d offset = (in_tile.cast<double>().array() - 0.5) * grid.get_tile_size();
-	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), 0.0, offset.y());
+	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, clump) : simulated[size_t(knot)];
+		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, pose.clump) : simulated[size_t(knot)];
 		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
 	}
 	return result;
 }
 
 int64_t GrassField::get_memory_usage() const {
-	return int64_t(_tiles.get_memory_usage()) + (_backend ? _backend->get_memory_usage() : 0);
+	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
+	const int64_t map = _field_map ? int64_t(_field_map->get_memory_usage()) + _map_textures.get_memory_usage() : 0;
+	return map + int64_t(tiles) + (_backend ? _backend->get_memory_usage() : 0);
+}
+
+double GrassField::get_monitor(FieldMonitor p_monitor) {
+	if (!_backend) {
+		return 0.0;
+	}
+	const bool is_time = p_monitor == MONITOR_SIMULATE || p_monitor == MONITOR_CULL;
+	if (is_time && !_is_watched) {
+		_is_watched = true;
+		_backend->set_measure_time(true);
+	}
+	const Dictionary now = get_statistics();
+	switch (p_monitor) {
+		case MONITOR_AWAKE_TILES:
+			return double(now["awake_tiles"]);
+		case MONITOR_SIMULATED_BLADES:
+			return double(now["awake_tiles"]) * GRASS_BLADES_PER_TILE;
+		case MONITOR_DRAWN_BLADES:
+			return double(now["drawn_blades"]);
+		case MONITOR_DRAWN_TRIANGLES:
+			return double(now["drawn_triangles"]);
+		case MONITOR_MANAGEMENT:
+			return 1e-3 * double(now["management_ms"]);
+		case MONITOR_SIMULATE:
+			return 1e-3 * double(now["simulate_ms"]);
+		case MONITOR_CULL:
+			return 1e-3 * double(now["cull_ms"]);
+		case MONITOR_MEMORY:
+			return double(now["memory"]);
+		default:
+			return 0.0;
+	}
 }
 
 Dictionary GrassField::get_statistics() const {
@@ -98,6 +135,8 @@ Dictionary GrassField::get_statistics() const {
 	result["backend"] = _backend ? _backend->get_name() : "none";
 	result["tiles"] = _backend ? int64_t(_setup.grid.get_tile_count()) : int64_t(0);
 	result["blades"] = get_blade_count();
+	result["bare_tiles"] = _field_map ? int64_t(_field_map->get_cover()->get_bare_count()) : int64_t(0);
+	result["map_bytes"] = _map_textures.get_uploaded_bytes();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -107,6 +146,9 @@ Dictionary GrassField::get_statistics() const {
 	result["refused"] = int64_t(tiles.refused);
 	result["capped"] = int64_t(tiles.capped);
 	result["bodies"] = get_body_count();
+	result["body_reads"] = _tracker.get_statistics().body_reads;
+	result["shape_reads"] = _tracker.get_statistics().shape_reads;
+	result["tiles_looked_at"] = int64_t(tiles.looked_at);
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);
@@ -117,7 +159,13 @@ Dictionary GrassField::get_statistics() const {
 	result["drawn_tiles"] = drawn_tiles;
 	result["drawn_blades"] = drawn_blades;
 	result["drawn_triangles"] = drawn_triangles;
-	result["management_ms"] = _management_us * 1e-3;
+	result["gather_ms"] = _gather_ms;
+	result["tiles_ms"] = _tiles_ms;
+	result["management_ms"] = _gather_ms + _tiles_ms;
+	result["upload_ms"] = backend.upload_ms;
+	result["frame_ms"] = _frame_ms;
+	result["build_ms"] = _build_ms;
+	result["builds"] = _builds;
 	result["simulate_ms"] = backend.simulate_ms;
 	result["cull_ms"] = backend.cull_ms;
 	result["memory"] = get_memory_usage();
@@ -128,7 +176,7 @@ AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	setup.patch = find_patch();
-	return field_bounds(setup);
+	return field_bounds(setup, _field_map ? _field_map->get_cover().get() : nullptr);
 }
 
 PackedStringArray GrassField::_get_configuration_warnings() const {

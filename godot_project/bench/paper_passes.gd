@@ -10,8 +10,8 @@ const Table := preload("res://bench/table.gd")
 const FILE := "paper_passes.csv"
 const SIDE := 128.0 # metres: 4,194,304 blades
 const BODIES := 128
-const FROM := 1.0 # seconds after the throw
-const TO := 4.0
+const FROM := 5.0 # seconds after the throw
+const TO := 8.0
 
 
 func run(r_table: Table, p_software: bool) -> void:

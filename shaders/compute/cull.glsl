@@ -19,7 +19,7 @@ layout(push_constant) uniform Phase {
 layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
 	GrassView view;
 };
-// Slot of each tile in the pool, or GRASS_NO_SLOT. Written by simulate; lives as long as the field.
+// Slot + 1 of each tile in the pool, 0 without one. Written by simulate; lives as long as the field.
 layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
 	int table[];
 };
@@ -33,6 +33,12 @@ layout(set = 0, binding = GRASS_CULL_INSTANCES, std430) writeonly buffer Instanc
 };
 layout(set = 0, binding = GRASS_CULL_COMMANDS, std430) buffer CommandBuffer {
 	uint commands[];
+};
+
+// Lowest and highest ground of each tile, low > high where nothing stands, metres. Written by the CPU when the map changes;
+// only fields with a map have it.
+layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer {
+	vec2 cover[];
 };
 
 uint first_instance(int p_level) {
@@ -82,8 +88,13 @@ void main() {
 	vec2 place = (vec2(tile) + 0.5 - 0.5 * view.field.xy) * view.field.z;
 	vec3 centre = vec3(place.x, 0.0, place.y);
 	float side = 0.5 * view.field.z + view.blades.x;
-	vec3 middle = centre + vec3(0.0, 0.5 * view.field.w, 0.0);
-	if (!grass_tile_visible(view.planes, middle, vec3(side, 0.5 * view.field.w, side), view.eye.w)) {
+	vec2 ground = view.patch_seed.y == 1u ? cover[tile_index] : vec2(0.0);
+	if (ground.x > ground.y) {
+		return; // bare
+	}
+	float half_height = 0.5 * (view.field.w + ground.y - ground.x);
+	vec3 middle = centre + vec3(0.0, ground.x + half_height, 0.0);
+	if (!grass_tile_visible(view.planes, middle, vec3(side, half_height, side), view.eye.w)) {
 		return;
 	}
 	float eye_distance = distance(view.eye.xyz, middle);
@@ -95,6 +106,6 @@ void main() {
 	}
 	uint instance = first_instance(level) + atomicAdd(counts[GRASS_LOD_LEVELS + level], 1u);
 	if (instance < phase.z) {
-		write_instance(instance, tile, centre, blades, level, table[tile_index]);
+		write_instance(instance, tile, centre, blades, level, table[tile_index] - 1);
 	}
 }
