@@ -18,7 +18,7 @@ constexpr double PI = std::numbers::pi;
 constexpr double NAN_VALUE = std::numeric_limits<double>::quiet_NaN();
 constexpr double CELLS_A_CHUNK = 128.0 * 128.0;
 
-const FillArea AREA{ { -64.0, -64.0 }, { 64.0, 64.0 } }; // four chunks
+const MapRegion AREA{ { -64.0, -64.0 }, { 64.0, 64.0 } }; // four chunks
 
 FillRule rule_of(std::initializer_list<std::pair<FillParamId, double>> p_params) {
 	FillRule rule;
@@ -28,7 +28,7 @@ FillRule rule_of(std::initializer_list<std::pair<FillParamId, double>> p_params)
 	return rule;
 }
 
-FillResult fill_all(PaintMap &r_map, const FillRule &p_rule, const FillSources &p_sources = {}, const FillArea &p_area = AREA) {
+FillResult fill_all(PaintMap &r_map, const FillRule &p_rule, const FillSources &p_sources = {}, const MapRegion &p_area = AREA) {
 	return fill(r_map, chunks_in(p_area), p_area, &p_rule, p_sources);
 }
 
@@ -82,7 +82,7 @@ double density_at(const PaintMap &p_map, double p_x, double p_z) {
 
 TEST_CASE("fill: a rule that asks nothing fills its area and no more, each cell once") {
 	PaintMap map;
-	const FillArea area{ { -10.0, 5.0 }, { 30.0, 70.0 } };
+	const MapRegion area{ { -10.0, 5.0 }, { 30.0, 70.0 } };
 	const FillResult result = fill_all(map, rule_of({ { FILL_DENSITY, 0.6 } }), {}, area);
 	CHECK(result.amount == doctest::Approx(0.6 * 40.0 * 65.0));
 	CHECK(result.cells == 80 * 130);
@@ -94,10 +94,10 @@ TEST_CASE("fill: a rule that asks nothing fills its area and no more, each cell 
 }
 
 TEST_CASE("fill: an area that is empty, broken or out of reach has the chunks that exist") {
-	CHECK(chunks_in(FillArea()).empty());
-	CHECK(chunks_in(FillArea{ { NAN_VALUE, 0.0 }, { 5.0, 5.0 } }).empty());
-	CHECK(chunks_in(FillArea{ { 0.0, 0.0 }, { 64.0, 64.0 } }).size() == 1);
-	CHECK(chunks_in(FillArea{ { 16000.0, 0.0 }, { 1e9, 1.0 } }).size() == 6);
+	CHECK(chunks_in(MapRegion()).empty());
+	CHECK(chunks_in(MapRegion{ { NAN_VALUE, 0.0 }, { 5.0, 5.0 } }).empty());
+	CHECK(chunks_in(MapRegion{ { 0.0, 0.0 }, { 64.0, 64.0 } }).size() == 1);
+	CHECK(chunks_in(MapRegion{ { 16000.0, 0.0 }, { 1e9, 1.0 } }).size() == 6);
 }
 
 TEST_CASE("fill: slope on a cone, whose sides are as steep everywhere") {
@@ -365,7 +365,7 @@ TEST_CASE("fill: chunks that become as bare as the map's base are given back") {
 TEST_CASE("fill: many threads write what one writes") {
 	FillRule rule = rule_of({ { FILL_NOISE_COVER, 0.5 } });
 	PaintMap one, other;
-	const FillArea area{ { -500, -500 }, { 500, 500 } };
+	const MapRegion area{ { -500, -500 }, { 500, 500 } };
 	const FillResult serial = fill_all(one, rule, {}, area);
 	CHECK(serial.cells == 2000 * 2000);
 	const ParallelFor backwards = [](int p_count, const std::function<void(int)> &p_body) {

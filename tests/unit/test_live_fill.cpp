@@ -10,7 +10,7 @@ using namespace grass;
 namespace {
 
 constexpr int64_t CHUNK = 128 * 128; // cells
-const FillArea AREA{ { -256.0, -256.0 }, { 256.0, 256.0 } }; // 64 chunks
+const MapRegion AREA{ { -256.0, -256.0 }, { 256.0, 256.0 } }; // 64 chunks
 
 std::shared_ptr<const FillObstacle> tree_at(double p_x, double p_z) {
 	FillObstacle tree = FillObstacle::line({ { p_x, p_z } });

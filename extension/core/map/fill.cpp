@@ -24,7 +24,7 @@ struct FilledChunk {
 // Works out one chunk. Only reads the map.
 class ChunkFill {
 public:
-	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const FillArea &p_area, const FillRule *p_rule, const FillSources &p_sources) :
+	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_area, const FillRule *p_rule, const FillSources &p_sources) :
 			_map(p_map),
 			_key(p_key),
 			_area(p_area),
@@ -101,7 +101,7 @@ private:
 
 	const PaintMap &_map;
 	MapKey _key;
-	const FillArea &_area;
+	const MapRegion &_area;
 	const FillRule *_rule;
 	MapReader _ground, _normal, _density, _paint;
 	std::vector<const FillObstacle *> _obstacles;
@@ -111,14 +111,7 @@ private:
 
 } // namespace
 
-void FillResult::add(const FillResult &p_other) {
-	changed.insert(changed.end(), p_other.changed.begin(), p_other.changed.end());
-	amount += p_other.amount;
-	cells += p_other.cells;
-	out_of_room = out_of_room || p_other.out_of_room;
-}
-
-std::vector<MapKey> chunks_in(const FillArea &p_area) {
+std::vector<MapKey> chunks_in(const MapRegion &p_area) {
 	std::vector<MapKey> keys;
 	if (p_area.min.hasNaN() || p_area.max.hasNaN()) {
 		return keys;
@@ -134,7 +127,7 @@ std::vector<MapKey> chunks_in(const FillArea &p_area) {
 	return keys;
 }
 
-FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const FillArea &p_area, const FillRule *p_rule,
+FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
 		const FillSources &p_sources, const ParallelFor &p_parallel_for) {
 	FillResult result;
 	for (size_t first = 0; first < p_keys.size(); first += BATCH) {
@@ -147,12 +140,16 @@ FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const FillArea 
 			if (!filled[n].has_changed) {
 				continue;
 			}
-			if (r_map.set_texels(keys[n], MAP_DENSITY, std::move(filled[n].texels))) {
-				result.changed.push_back(keys[n]);
-				result.amount += filled[n].amount;
-			} else {
+			if (!r_map.set_texels(keys[n], MAP_DENSITY, std::move(filled[n].texels))) {
 				result.out_of_room = true;
+				continue;
 			}
+			const MapRegion here = MapRegion::of_chunk(keys[n]).shared(p_area);
+			const MapRegion all = result.changed.empty() ? here : here.joined({ result.min, result.max });
+			result.min = all.min;
+			result.max = all.max;
+			result.changed.push_back(keys[n]);
+			result.amount += filled[n].amount;
 		}
 	}
 	return result;

@@ -3,9 +3,11 @@
 // sources and ground give the same texels, whatever was filled before.
 #pragma once
 
+#include "core/map/brush.h"
 #include "core/map/fill_mesh.h"
 #include "core/map/fill_obstacle.h"
 #include "core/map/fill_rule.h"
+#include "core/map/map_layers.h"
 #include "core/simulate.h"
 
 namespace grass {
@@ -19,26 +21,15 @@ struct FillSources {
 	bool operator==(const FillSources &) const = default; // the same objects
 };
 
-// A rectangle of places, metres.
-struct FillArea {
-	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero();
-	bool operator==(const FillArea &) const = default;
-};
-
-struct FillResult {
-	std::vector<MapKey> changed; // chunks, rising
-	double amount = 0.0; // square metres of full grass that came (or, negative, went)
+struct FillResult : BrushResult { // its amount: square metres of full grass that came or, negative, went
 	int64_t cells = 0; // texels that the rule was asked about
-	bool out_of_room = false; // the map is full
-
-	void add(const FillResult &p_other);
 };
 
 // The chunks that hold an area, rising; none beyond the map's reach.
-std::vector<MapKey> chunks_in(const FillArea &p_area);
+std::vector<MapKey> chunks_in(const MapRegion &p_area);
 
 // Fills the texels of some chunks (rising) whose centres lie in p_area. p_rule null: back to the map's base density.
-FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const FillArea &p_area, const FillRule *p_rule,
+FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
 		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for);
 
 } // namespace grass

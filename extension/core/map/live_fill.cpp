@@ -10,13 +10,13 @@ LiveFill::Ground LiveFill::ground_of(const PaintMap &p_map, const MapKey &p_key)
 	return chunk == nullptr ? Ground() : Ground{ chunk->channels[MAP_GROUND], chunk->channels[MAP_NORMAL] };
 }
 
-void LiveFill::wait(const FillArea &p_area) {
-	for (const MapKey &key : chunks_in({ p_area.min.cwiseMax(_area.min), p_area.max.cwiseMin(_area.max) })) {
+void LiveFill::wait(const MapRegion &p_area) {
+	for (const MapKey &key : chunks_in(_area.shared(p_area))) {
 		_waiting.insert(key);
 	}
 }
 
-void LiveFill::set(const FillRule &p_rule, const FillSources &p_sources, const FillArea &p_area) {
+void LiveFill::set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area) {
 	const bool is_all_new = !_is_set || !(p_rule == _rule) || p_sources.has_mesh != _sources.has_mesh || p_sources.mesh != _sources.mesh ||
 			!(p_area == _area);
 	const FillSources before = std::move(_sources);
@@ -45,12 +45,10 @@ void LiveFill::touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool
 		return;
 	}
 	for (const MapKey &key : p_keys) {
-		const Eigen::Vector2d corner(key.x * MAP_CHUNK_SIZE, key.z * MAP_CHUNK_SIZE);
-		const FillArea chunk{ corner, corner.array() + MAP_CHUNK_SIZE };
+		const MapRegion chunk = MapRegion::of_chunk(key);
 		const auto filled = _filled_on.find(key);
 		if (asks_ground() && filled != _filled_on.end() && filled->second != ground_of(p_map, key)) {
-			const double border = info_of(MAP_GROUND).texel_size(); // texels blend into the chunks beside
-			wait({ chunk.min.array() - border, chunk.max.array() + border });
+			wait(chunk.grown(info_of(MAP_GROUND).texel_size())); // its border blends into the chunks beside
 		} else if (p_replaced) {
 			wait(chunk);
 		}

@@ -12,7 +12,7 @@ namespace grass {
 class LiveFill {
 public:
 	// What shall be. Chunks that this does not concern stay as they are: call it as often as you like.
-	void set(const FillRule &p_rule, const FillSources &p_sources, const FillArea &p_area);
+	void set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area);
 	// Somebody else changed these chunks. p_replaced: anything in them may be another (a snapshot, a file); else only new
 	// ground counts, since what hands painted is respected already.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
@@ -29,12 +29,12 @@ private:
 
 	static Ground ground_of(const PaintMap &p_map, const MapKey &p_key);
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height() || !_sources.obstacles.empty(); }
-	void wait(const FillArea &p_area);
+	void wait(const MapRegion &p_area);
 
 	bool _is_set = false;
 	FillRule _rule;
 	FillSources _sources;
-	FillArea _area;
+	MapRegion _area;
 	std::set<MapKey> _waiting;
 	// The ground that each chunk was filled on. Holding the texels makes the map write new ones: the pointer tells.
 	std::map<MapKey, Ground> _filled_on;
