@@ -35,13 +35,17 @@ struct FieldSetup {
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
 
 	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
-	int instance_capacity() const { return int(std::min<uint64_t>(std::bit_ceil(uint64_t(grid.get_tile_count())), GRASS_MAX_DRAWN_TILES)); }
+	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }
+	int shadow_capacity() const { return capacity(GRASS_MAX_SHADOW_TILES); }
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()); }
 	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()); }
+	// Of the mean blade.
+	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 
 private:
+	int capacity(int p_most) const { return int(std::min<uint64_t>(std::bit_ceil(uint64_t(grid.get_tile_count())), uint64_t(p_most))); }
 	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
 	// that tangent, on both axes.
 	float blade_lean() const {
@@ -49,13 +53,23 @@ private:
 	}
 };
 
+// A camera that sees the field. Field space, metres.
+struct ViewCamera {
+	Frustum planes = {}; // n.x <= d inside
+	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	float near = 0.05f; // distance of its near plane
+	float pixel = 0.0f, pixel_slope = 0.0f; // metres in a pixel at a distance: pixel + pixel_slope * distance
+
+	float pixel_at(float p_distance) const { return pixel + pixel_slope * p_distance; }
+};
+
 // From where, and how finely, the field is drawn in a frame. Field space, metres.
 struct FieldView {
-	std::array<Eigen::Vector4f, 6> planes = {}; // of the camera's frustum, n.x <= d inside
-	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	std::vector<ViewCamera> cameras; // all whose picture this frame shows
 	LodParams lod;
-	float shadow_margin = 0.0f; // how far outside of the frustum a tile is still drawn, for its shadow
-	int debug_view = 0; // GrassField::DebugView
+	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
+	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
+	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
 };
 
 // What a backend did; counts since it was made, unless said otherwise.
@@ -65,7 +79,9 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
-	std::array<int64_t, GRASS_LOD_LEVELS> drawn_tiles{}; // in the newest frame known (GPU: about two frames late)
+	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
+	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
+	int64_t drawn_blades = 0, shadow_blades = 0;
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };

@@ -37,7 +37,9 @@ public:
 
 private:
 	void choose_tiles(const FieldView &p_view);
-	void add_tile(const FieldView &p_view, int p_x, int p_z);
+	void choose_tile(const FieldView &p_view, int p_x, int p_z);
+	// Adds the tile to one of the levels in [p_first, p_end), and its blades to r_blades.
+	void add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, int64_t &r_blades);
 	void update_pool_texture();
 
 	FieldSetup _setup;
@@ -55,8 +57,8 @@ private:
 	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
 	int _highest_slot = -1;
 	std::vector<uint16_t> _pool_texels;
-	std::array<FieldInstance, GRASS_LOD_LEVELS> _levels;
-	std::array<std::vector<float>, GRASS_LOD_LEVELS> _instances;
+	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
+	std::array<std::vector<float>, GRASS_ALL_LEVELS> _instances;
 };
 
 } // namespace grass

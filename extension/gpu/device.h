@@ -68,6 +68,8 @@ public:
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_ready() const { return _pipeline.is_valid(); }
+	// Whether it binds something else than in its last dispatch.
+	bool has_changed() const { return _changed; }
 
 private:
 	struct Binding {

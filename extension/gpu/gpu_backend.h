@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh whose instances and
-// counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
+// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh for the picture and one for shadows,
+// whose instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
 #pragma once
 
 #include "backend/backend.h"
@@ -13,6 +13,7 @@
 namespace grass {
 
 class GpuField;
+struct FieldMultiMeshes;
 struct GpuReport;
 
 class GpuBackend : public Backend {
@@ -35,12 +36,14 @@ public:
 	const char *get_name() const override { return "GPU"; }
 
 private:
+	FieldMultiMeshes multimeshes() const;
+
 	FieldSetup _setup;
 	bool _measure = false;
 	BladeMaterials _materials;
 	godot::Ref<godot::ImageTexture> _patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture;
-	FieldInstance _instance;
+	FieldInstance _picture, _shadows;
 	std::shared_ptr<GpuReport> _report;
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;

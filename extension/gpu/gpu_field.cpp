@@ -21,6 +21,7 @@ namespace grass {
 namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+constexpr int COUNTS = 2 * GRASS_ALL_LEVELS + 2; // words of CountBuffer in cull.glsl
 constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 
 template <typename T> PackedByteArray record_bytes(const T &p_record) {
@@ -68,13 +69,14 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	RenderingDevice *device = main_device();
 	_tiles = p_setup.grid.get_tile_count();
 	_instances = p_setup.instance_capacity();
+	_shadow_instances = p_setup.shadow_capacity();
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_energy.allocate(_slots * int64_t(sizeof(vec4)));
 	_is_mapped = p_setup.is_mapped;
 	set_tiles(_tiles);
-	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
+	_counts.allocate(COUNTS * 4);
 	_growth.allocate(_is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 
 	Ref<RDTextureFormat> format;
@@ -190,28 +192,43 @@ void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_
 	_report->statistics.uploaded_bytes += uploaded;
 }
 
-void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {
+bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimesh);
-	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimesh);
-	if (!_cull.is_ready() || !instances.is_valid() || !commands.is_valid()) {
-		return;
+	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.picture);
+	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture);
+	const RID shadow_instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows);
+	const RID shadow_commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows);
+	if (!instances.is_valid() || !commands.is_valid() || !shadow_instances.is_valid() || !shadow_commands.is_valid()) {
+		return false;
 	}
-	const int64_t uploaded = _view.upload(std::span<const GrassView>(&p_view, 1));
-	if (p_measure) {
-		read_times();
-	}
-	if (uploaded == 0 && !_table_changed && instances == _culled_into) {
-		return; // the same view of the same tiles: what is in the MultiMesh still holds
-	}
-	_table_changed = false;
-	_culled_into = instances;
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
+	_cull.bind_buffer(GRASS_CULL_CAMERAS, _cameras.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
 	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, shadow_instances);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_COMMANDS, shadow_commands);
+	return true;
+}
+
+void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
+	if (!_cull.is_ready()) {
+		return;
+	}
+	int64_t uploaded = _view.upload(std::span<const GrassView>(&p_records.view, 1));
+	uploaded += _cameras.upload(std::span<const GrassCamera>(p_records.cameras));
+	if (!bind_cull(p_multimeshes)) {
+		return;
+	}
+	if (p_measure) {
+		read_times();
+	}
+	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
+		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+	}
+	_table_changed = false;
 	{
 		Stopwatch watch(p_measure, "GrassField cull");
 		RenderingDevice *device = main_device();
@@ -219,23 +236,38 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
 		const int64_t list = device->compute_list_begin();
 		for (uint32_t phase = 0; phase < 2; phase++) {
-			_cull.dispatch(list, record_bytes(uvec4{ phase, uint32_t(_tiles), uint32_t(_instances), 0 }), groups);
+			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
+			_cull.dispatch(list, record_bytes(constants), groups);
 			device->compute_list_add_barrier(list);
 		}
 		device->compute_list_end();
 	}
+	report_counts(uploaded);
+}
+
+void GpuField::report_counts(int64_t p_uploaded) {
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.culls++;
 		report_memory();
-		_report->statistics.uploaded_bytes += uploaded;
+		_report->statistics.uploaded_bytes += p_uploaded;
 	}
-	RenderQueue::get_singleton()->read_later(_counts.rid(), GRASS_LOD_LEVELS * 4, [report = _report](const PackedByteArray &p_data) {
-		std::lock_guard lock(report->mutex);
-		for (int level = 0; level < GRASS_LOD_LEVELS && level < p_data.size() / 4; level++) {
-			report->statistics.drawn_tiles[size_t(level)] = p_data.decode_u32(level * 4);
+	const auto receive = [report = _report, room = std::array{ _instances, _shadow_instances }](const PackedByteArray &p_data) {
+		if (p_data.size() < COUNTS * 4) {
+			return;
 		}
-	});
+		std::lock_guard lock(report->mutex);
+		BackendStatistics &statistics = report->statistics;
+		std::array<int64_t, 2> left = room; // what does not fit is not drawn
+		for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+			int64_t &free = left[level < GRASS_LOD_LEVELS ? 0 : 1];
+			statistics.drawn_tiles[size_t(level)] = std::min<int64_t>(p_data.decode_u32(level * 4), free);
+			free -= statistics.drawn_tiles[size_t(level)];
+		}
+		statistics.drawn_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS);
+		statistics.shadow_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS + 4);
+	};
+	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS * 4, receive);
 }
 
 // Timestamps of a frame that the GPU has finished: each of ours ends a stretch that began at the one before it.
@@ -279,14 +311,15 @@ std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
 	return knots;
 }
 
-void GpuField::free(const RID &p_multimesh) {
+void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
 	if (_pool.is_valid()) { // the texture resource first: it holds a view of what is freed next
 		_pool->set_texture_rd_rid(RID());
 		_pool.unref();
 	}
-	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimesh) }) {
+	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture),
+				 server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}
@@ -295,7 +328,7 @@ void GpuField::free(const RID &p_multimesh) {
 	_simulate.free();
 	_cull.free();
 	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
-				 &_cover, &_view, &_counts }) {
+				 &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
@@ -304,7 +337,7 @@ void GpuField::free(const RID &p_multimesh) {
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
 	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
-				 &_growth, &_cover, &_view, &_counts }) {
+				 &_growth, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

@@ -7,15 +7,12 @@
 #include "convert.h"
 #include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
+#include "nodes/field_view.h"
 #include "nodes/params.h"
 
-#include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 using namespace godot;
 
@@ -216,25 +213,22 @@ void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}
-	Camera3D *camera = find_camera();
-	if (camera == nullptr || camera->get_viewport()->is_3d_disabled()) {
-		return;
-	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
 	FieldView view;
-	const TypedArray<Plane> planes = camera->get_frustum();
-	for (int i = 0; i < 6 && i < planes.size(); i++) {
-		const Eigen::Vector4d plane = to_eigen(Plane(planes[i]));
-		const Eigen::Vector3d normal = plane.head<3>();
-		view.planes[size_t(i)].head<3>() = (field.linear().transpose() * normal).cast<float>();
-		view.planes[size_t(i)].w() = float(plane.w() - normal.dot(field.translation()));
+	view.cameras = find_cameras(this, field);
+	if (view.cameras.empty()) {
+		return;
 	}
-	view.eye = (field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin)).cast<float>();
-	view.lod = LodParams{ float(camera->get_near()), float(param(PARAM_LOD_FAR)), float(param(PARAM_LOD_FINE)),
-		float(param(PARAM_LOD_MEDIUM)) }
-					   .sanitised();
-	view.shadow_margin = get_cast_shadows_setting() == SHADOW_CASTING_SETTING_OFF ? 0.0f : float(param(PARAM_SHADOW_MARGIN));
-	view.debug_view = _debug_view;
+	view.lod.far = float(param(PARAM_LOD_FAR));
+	view.lod.error = float(param(PARAM_LOD_ERROR));
+	view.lod.pixels_min = float(param(PARAM_PIXELS_MIN));
+	view.lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
+	view.lod = view.lod.sanitised();
+	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
+		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
+		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
+		view.falls = find_falls(this, field, _setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
+	}
 	_backend->draw(view);
 }
 
@@ -254,14 +248,6 @@ Transform3D GrassField::field_transform() const {
 		turned.basis.scale_local(Vector3(-1, 1, 1));
 	}
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
-}
-
-Camera3D *GrassField::find_camera() const {
-	if (Engine::get_singleton()->is_editor_hint() && get_tree()->get_edited_scene_root() != nullptr) {
-		SubViewport *viewport = EditorInterface::get_singleton()->get_editor_viewport_3d(0);
-		return viewport == nullptr ? nullptr : viewport->get_camera_3d();
-	}
-	return get_viewport()->get_camera_3d();
 }
 
 // A field without a patch of its own shares one with all others.

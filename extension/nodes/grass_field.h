@@ -17,7 +17,6 @@
 #include "nodes/grass_patch.h"
 #include "nodes/node_colliders.h"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -165,6 +164,7 @@ private:
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
+	double ground_range() const;
 	// grass_field_fill.cpp
 	void _fill_rule_changed();
 	void look_at_rule();
@@ -189,7 +189,6 @@ private:
 	void set_wind_uniforms();
 	void set_wind_clock();
 	godot::Transform3D field_transform() const; // global, without scale
-	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;

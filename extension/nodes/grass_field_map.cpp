@@ -87,4 +87,9 @@ double GrassField::ground_reach() const {
 	return _field_map ? std::max(-_field_map->get_cover()->get_low(), _field_map->get_cover()->get_high()) : 0.0;
 }
 
+// Metres from the lowest ground to the highest.
+double GrassField::ground_range() const {
+	return _field_map ? double(_field_map->get_cover()->get_high()) - double(_field_map->get_cover()->get_low()) : 0.0;
+}
+
 } // namespace grass

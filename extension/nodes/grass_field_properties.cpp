@@ -89,6 +89,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 void GrassField::set_debug_view(DebugView p_view) {
 	ERR_FAIL_INDEX_MSG(int(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
 	_debug_view = p_view;
+	set_uniform("debug_view", int64_t(p_view));
 }
 
 void GrassField::set_measure_time(bool p_measure) {
@@ -168,6 +169,7 @@ void GrassField::set_all_uniforms() {
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
 	set_wind_clock();
+	set_uniform("debug_view", int64_t(_debug_view));
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);

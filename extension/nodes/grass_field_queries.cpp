@@ -124,12 +124,12 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 Dictionary GrassField::get_statistics() const {
 	const TileStatistics &tiles = _tiles.get_statistics();
 	const BackendStatistics backend = _backend ? _backend->get_statistics() : BackendStatistics();
-	int64_t drawn_tiles = 0, drawn_blades = 0, drawn_triangles = 0;
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+	std::array<int64_t, 2> drawn_tiles{}, drawn_triangles{}; // in the picture, in shadows
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
 		const int64_t count = backend.drawn_tiles[size_t(level)];
-		drawn_tiles += count;
-		drawn_blades += count * lod_blades(level);
-		drawn_triangles += count * lod_blades(level) * lod_triangles_per_blade(level);
+		drawn_tiles[list] += count;
+		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level);
 	}
 	Dictionary result;
 	result["backend"] = _backend ? _backend->get_name() : "none";
@@ -158,9 +158,12 @@ Dictionary GrassField::get_statistics() const {
 	result["simulated_blades"] = backend.simulated_blades;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["culls"] = backend.culls;
-	result["drawn_tiles"] = drawn_tiles;
-	result["drawn_blades"] = drawn_blades;
-	result["drawn_triangles"] = drawn_triangles;
+	result["drawn_tiles"] = drawn_tiles[0];
+	result["drawn_blades"] = backend.drawn_blades;
+	result["drawn_triangles"] = drawn_triangles[0];
+	result["shadow_tiles"] = drawn_tiles[1];
+	result["shadow_blades"] = backend.shadow_blades;
+	result["shadow_triangles"] = drawn_triangles[1];
 	result["gather_ms"] = _gather_ms;
 	result["tiles_ms"] = _tiles_ms;
 	result["management_ms"] = _gather_ms + _tiles_ms;
