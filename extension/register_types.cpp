@@ -26,8 +26,8 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
-		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
 		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
+		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);

@@ -45,7 +45,7 @@ struct FieldSetup {
 	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 
 private:
-	int capacity(int p_most) const { return int(std::min<uint64_t>(std::bit_ceil(uint64_t(grid.get_tile_count())), uint64_t(p_most))); }
+	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
 	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
 	// that tangent, on both axes.
 	float blade_lean() const {

@@ -21,7 +21,7 @@ int lod_triangles_per_blade(int p_level) {
 
 int64_t mesh_bytes() {
 	int64_t indices = 0;
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		indices += 3 * int64_t(lod_blades(level)) * lod_triangles_per_blade(level);
 	}
 	return 4 * indices;

@@ -70,9 +70,8 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	const AABB bounds = field_bounds(_setup);
-	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), _setup.instance_capacity(), true, bounds);
-	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), _setup.shadow_capacity(), true, bounds);
+	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), _setup.instance_capacity(), true, field_bounds(_setup));
+	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), _setup.shadow_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});

@@ -168,8 +168,8 @@ void GrassField::set_all_uniforms() {
 	set_uniform("tile_size", grid.get_tile_size());
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
-	set_wind_clock();
 	set_uniform("debug_view", int64_t(_debug_view));
+	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);

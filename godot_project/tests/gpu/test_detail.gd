@@ -3,31 +3,23 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
-const FINER := 4 # pixels drawn for one that is compared: thin blades flicker, which would hide a jump
 const BLOCK := 12 # pixels a side: a jump of one tile is lost in the mean of a whole picture, not in that of a block
 const STEPS := 24
-const STEP := 0.01 # metres a frame
+const STEP := 0.002 # metres a frame
 const FULL := {pixels_min = 0.0, lod_error = 0.0, lod_far = 10000.0}
 const LIMIT := 1.5 # of the difference at full detail
 
 
 func before() -> void:
-	open_view(SIZE * FINER)
+	open_view(SIZE, 4) # single pixels of thin blades flicker, which would hide a jump
 	add_light()
-
-
-func take() -> Image:
-	await RenderingServer.frame_post_draw
-	var image := viewport.get_texture().get_image()
-	image.convert(Image.FORMAT_RGB8)
-	while image.get_width() > SIZE.x:
-		image.shrink_x2()
-	return image
 
 
 ## Mean difference of two pictures, and the greatest mean of a block, 0..1.
 func change(a: Image, b: Image) -> Vector2:
 	var blocks := SIZE / BLOCK
+	a.convert(Image.FORMAT_RGB8)
+	b.convert(Image.FORMAT_RGB8)
 	var sums := PackedFloat32Array()
 	sums.resize(blocks.x * blocks.y)
 	var one := a.get_data()
@@ -54,7 +46,7 @@ func fly(at_half := Callable()) -> PackedVector2Array:
 			at_half.call()
 		if i == 0:
 			await frames(3)
-		var now := await take()
+		var now := await next_picture()
 		if last:
 			changes.append(change(last, now))
 		last = now
@@ -80,11 +72,11 @@ func test_a_slow_flight_shows_no_jump() -> void:
 	var most := greatest(full)
 	print("    greatest change: full detail %.4f (block %.4f), with level of detail %.4f (%.4f), %d of %d triangles; with a jump %.4f (%.4f)" % [
 			most.x, most.y, greatest(coarse).x, greatest(coarse).y, drawn_coarse, field.get_statistics().drawn_triangles, greatest(jumping).x, greatest(jumping).y])
-	assert_less(drawn_coarse, field.get_statistics().drawn_triangles / 8.0, "there is a level of detail to be seen")
+	assert_less(drawn_coarse, field.get_statistics().drawn_triangles / 4.0, "there is a level of detail to be seen")
 	for i in full.size():
 		assert_less(coarse[i].x, LIMIT * full[i].x, "frame %d" % i)
 		assert_less(coarse[i].y, LIMIT * most.y, "a block of frame %d" % i)
-	assert_greater(greatest(jumping).y, LIMIT * most.y, "a jump would be seen")
+	assert_greater(greatest(jumping).x, LIMIT * most.x, "a jump would be seen")
 
 
 ## Blades that are fewer and wider cover as much: the ground shows through as much as at full detail.
@@ -101,4 +93,4 @@ func test_thinned_grass_covers_as_much() -> void:
 		await drawn()
 		var thinned := share_of(await picture(), is_green)
 		print("    from %s: %.3f green at full detail, %.3f with %d of %d blades" % [view[0], full, thinned, field.get_statistics().drawn_blades, field.get_blade_count()])
-		assert_near(thinned, full, 0.15 * full, "from %s" % view[0])
+		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])

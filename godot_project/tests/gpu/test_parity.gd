@@ -237,6 +237,7 @@ func test_a_map_is_simulated_alike() -> void:
 	body.free()
 	brush.tool = GrassBrush.TOOL_CUT
 	brush.cut_height = 0.1
+	brush.radius = 2.0
 	map.stroke(brush, Vector2(0, 0), Vector2(0, 0))
 	await ticks(200)
 	var cut := difference([tile])

@@ -134,7 +134,7 @@ func test_a_ball_rolls_down_the_hill_through_grass() -> void:
 	var roller := RigidBody3D.new()
 	add_body(roller, ball(0.3), Vector3(6, SLOPE * 6 + 0.4, 0))
 	var woken := {}
-	for i in 90:
+	for i in 120:
 		await ticks(1)
 		for tile in awake_tiles(field):
 			woken[tile.x] = true
@@ -152,7 +152,7 @@ func test_two_fields_share_a_map_and_it_can_be_changed_for_another() -> void:
 	var one := add_field({map = map})
 	var two := add_field({map = map, position = Vector3(10, 0, 0)})
 	await seen()
-	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.0), Vector2.ZERO, Vector2.ZERO)
+	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.5), Vector2.ZERO, Vector2.ZERO)
 	await seen()
 	var bare: int = one.get_statistics().bare_tiles
 	assert_greater(bare, 3)
@@ -160,7 +160,7 @@ func test_two_fields_share_a_map_and_it_can_be_changed_for_another() -> void:
 	two.map = null
 	await seen()
 	assert_eq(two.get_statistics().bare_tiles, 0)
-	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.8), Vector2.ZERO, Vector2.ZERO)
+	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.9), Vector2.ZERO, Vector2.ZERO)
 	await seen()
 	assert_greater(one.get_statistics().bare_tiles, bare)
 	assert_eq(two.get_statistics().bare_tiles, 0, "no longer its map")
