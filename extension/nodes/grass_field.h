@@ -139,7 +139,9 @@ private:
 		bool has_changed = false; // the rule, since it was looked at
 		bool is_filling = false; // the map changes by the field's own doing
 		uint64_t revision = 0; // of the exclusion nodes, when looked at
+		bool has_finished = false; // to be told
 		uint64_t replacements = 0; // of the map's contents, as far as known
+		double base_density = 0.0; // of the map, as far as known
 		int frames_to_look = 0;
 		int64_t cells = 0; // texels that rules were asked about, in all
 	};

@@ -43,14 +43,12 @@ void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
 		change_map([&](PaintMap &r_map) { return _fill.state.remove(r_map, on_all_threads); });
 	}
 	_fill_rule_changed();
-	request_rebuild();
 	notify_property_list_changed();
 }
 
 void GrassField::set_fill_live(bool p_live) {
 	_fill.is_live = p_live;
 	_fill.state = LiveFill(); // without it the map keeps what is filled
-	request_rebuild();
 	notify_property_list_changed();
 }
 
@@ -76,7 +74,7 @@ void GrassField::look_at_rule() {
 	_fill.state.set(_fill.rule->get_rule(region), _fill.gatherer.gather(**_fill.rule, this, field_transform()), region);
 }
 
-// Before the field is built: a field that comes into the tree is full from its first frame on.
+// The first time all at once: a field that comes into the tree is full from its first frame on.
 void GrassField::start_fill() {
 	if (_fill.rule.is_null() || !_fill.is_live || _fill.state.is_set()) {
 		return;
@@ -86,12 +84,14 @@ void GrassField::start_fill() {
 	}
 	look_at_rule();
 	change_map([&](PaintMap &r_map) { return _fill.state.work(r_map, -1, on_all_threads); });
+	_fill.has_finished = true;
 	_fill.replacements = _map->get_replacements();
-	emit_signal("fill_finished");
+	_fill.base_density = _map->get_base_density();
 }
 
 void GrassField::update_fill() {
-	if (_fill.rule.is_null() || !_fill.state.is_set() || _map.is_null()) {
+	start_fill();
+	if (_fill.rule.is_null() || !_fill.state.is_set()) {
 		return;
 	}
 	if (_fill.has_changed || _fill.revision != GrassExclusion3D::get_revision() || --_fill.frames_to_look <= 0) {
@@ -99,9 +99,11 @@ void GrassField::update_fill() {
 	}
 	if (_fill.state.get_waiting() > 0) {
 		change_map([&](PaintMap &r_map) { return _fill.state.work(r_map, CHUNKS_A_FRAME, on_all_threads); });
-		if (_fill.state.get_waiting() == 0) {
-			emit_signal("fill_finished");
-		}
+		_fill.has_finished = _fill.state.get_waiting() == 0;
+	}
+	if (_fill.has_finished) {
+		_fill.has_finished = false;
+		emit_signal("fill_finished"); // last: who listens may change the field
 	}
 }
 
@@ -118,6 +120,10 @@ void GrassField::touch_fill(const TypedArray<Vector2i> &p_chunks) {
 	const bool is_replaced = _fill.replacements != _map->get_replacements();
 	_fill.replacements = _map->get_replacements();
 	_fill.state.touch(_map->get_map(), keys, is_replaced);
+	if (_fill.base_density != _map->get_base_density()) { // it shows where a chunk is filled with nothing else
+		_fill.base_density = _map->get_base_density();
+		_fill.state.touch_all();
+	}
 }
 
 double GrassField::fill(const Ref<GrassFillRule> &p_rule) {

@@ -16,6 +16,7 @@ public:
 	// Somebody else changed these chunks. p_replaced: anything in them may be another (a snapshot, a file); else only new
 	// ground counts, since what hands painted is respected already.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
+	void touch_all() { wait(_area); }
 	// Fills up to p_count of the chunks that wait; all, if negative.
 	FillResult work(PaintMap &r_map, int p_count, const ParallelFor &p_parallel_for = serial_for);
 	// Takes back what the rule filled: all of it to the map's base density. Then there is no rule.

@@ -162,6 +162,28 @@ func test_strokes_and_cuts_fill_nothing_again_but_snapshots_do() -> void:
 	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
 
 
+func test_the_maps_base_density_shows_only_where_no_rule_fills() -> void:
+	var rule := _rule()
+	var field := await _add_filled(rule)
+	assert_true(field.map.is_empty(), "full as the map is by itself")
+	field.map.base_density = 0.0
+	await _follow()
+	assert_eq(_density(field, 100, 100), 1.0)
+	assert_eq(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(200, 0)), 0.0)
+
+
+func test_another_rule_does_not_make_the_field_anew() -> void:
+	var field := await _add_filled(_rule())
+	var builds: int = field.get_statistics().builds
+	field.fill_rule = _rule({density = 0.5})
+	await _follow()
+	field.fill_rule = null
+	field.fill_rule = _rule({density = 0.25})
+	await _follow()
+	assert_near(_density(field, 100, 100), 0.25, 0.01)
+	assert_eq(field.get_statistics().builds, builds)
+
+
 func test_new_ground_is_filled_anew() -> void:
 	var rule := _rule({height_max = 2.0, height_fade = 0.0})
 	expect_error("the map knows no ground")
