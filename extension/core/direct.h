@@ -69,8 +69,10 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	const Mask none = p_is_single & !p_is_single;
 	Vec3<T> guess[GRASS_KNOTS];
+	T twist[GRASS_SEGMENTS];
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		guess[k] = r_blade.knots[k];
+		twist[k - 1] = r_blade.twist[k - 1];
 	}
 	Mask is_hit = none;
 	const int count = p_single > p_double ? p_single : p_double;
@@ -90,6 +92,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		is_hit = is_blow;
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_hit, guess[k], r_blade.knots[k]);
+			r_blade.twist[k - 1] = select(is_hit, twist[k - 1], r_blade.twist[k - 1]);
 		}
 		take_blows(r_blade, p_terms, p_start, r_stage, is_hit);
 	}

@@ -96,13 +96,13 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	]).to_byte_array()
 
 
-## Slots (all fresh), knots, knots before, patch, pool texture, energy, tile table.
+## Slots (all fresh), knots, knots before, patch, its sampler, pool texture, energy and bend, tile table, growth (no tile has a map).
 func _shared_resources(p_tiles: int) -> Array[RID]:
 	var pool := p_tiles * 3 * FREE_KNOTS * BLADES * 4
 	var patch := RDTextureFormat.new()
 	patch.format = RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT
-	patch.width = 2048
-	patch.height = 128
+	patch.width = KNOTS * BLADES
+	patch.height = PATCH_BLADES / BLADES
 	patch.usage_bits = RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT
 	var pool_texture := RDTextureFormat.new()
 	pool_texture.format = patch.format
@@ -116,8 +116,9 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 		_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
 		_device.sampler_create(RDSamplerState.new()),
 		_device.texture_create(pool_texture, RDTextureView.new()),
+		_device.storage_buffer_create(p_tiles * 16),
 		_device.storage_buffer_create(p_tiles * 4),
-		_device.storage_buffer_create(p_tiles * 4),
+		_device.storage_buffer_create(16),
 	])
 
 
@@ -129,13 +130,13 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 
 
 func _patch_texels() -> PackedByteArray:
-	var image := Image.create_empty(2048, 128, false, Image.FORMAT_RGBAH)
+	var image := Image.create_empty(KNOTS * BLADES, PATCH_BLADES / BLADES, false, Image.FORMAT_RGBAH)
 	for blade in PATCH_BLADES:
-		var at := Vector2i(blade % 128 * KNOTS, blade / 128)
+		var at := Vector2i(blade % BLADES, blade / BLADES)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
 		for knot in range(1, KNOTS):
 			var lean := 0.3 * knot * knot / 225.0 * LENGTH
-			image.set_pixelv(at + Vector2i(knot, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
+			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
 	return image.get_data()
 
 
@@ -164,8 +165,8 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_colliders: int, p_phase:
 		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
 	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
 	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
-	uniforms.append(_uniform(8, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6]]))
-	uniforms.append(_uniform(9, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[7]]))
+	for i in 3:
+		uniforms.append(_uniform(8 + i, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 
