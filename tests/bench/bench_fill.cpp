@@ -27,7 +27,8 @@ void run(const PaintMap &p_map, const char *p_name, const FillRule &p_rule, cons
 	const FillResult result = fill(map, chunks_in(AREA), AREA, &p_rule, p_sources);
 	const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
 	const double chunks = double(chunks_in(AREA).size());
-	std::printf("%s,%lld,%.0f,%.2f,%.0f\n", p_name, static_cast<long long>(result.cells), time.count(), time.count() / chunks, result.amount);
+	std::printf(
+			"%s,%lld,%.0f,%.2f,%.0f\n", p_name, static_cast<long long>(result.cells), time.count(), time.count() / chunks, result.amount);
 }
 
 } // namespace
