@@ -162,21 +162,16 @@ func test_grass_of_species_sleeps_again() -> void:
 func test_wear_goes_at_the_rate_of_the_species_that_grows_there() -> void:
 	var moss := make(1.0, 0.2, {wear_recovery = 12.0}) # 0.2/s
 	var reed := make(0.0, 0.9)
-	var map := GrassMap.new()
-	map.base_density = 1.0
+	var map := full_map()
 	var field := add_field({map = map, wear_recovery = 60.0, species = [moss, reed]}) # the field's own does not count
-	var brush := GrassBrush.new()
-	brush.tool = GrassBrush.TOOL_SPECIES
-	brush.species = 2
-	brush.radius = 2.0
-	field.paint(brush, Vector3(4, 0, 0), Vector3(4, 0, 0))
-	for x: float in [-4.0, 4.0]:
-		field.trample(Vector3(x, 0, 0), 1.0, 1.0)
+	field.paint(brush(GrassBrush.TOOL_SPECIES, 2.0, {species = 2}), Vector3(2, 0, 0), Vector3(2, 0, 0))
+	for x: float in [-1.25, 1.25]:
+		field.trample(Vector3(x, 0, 0), 0.5, 1.0)
 	await ticks(120)
-	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-4, 0)), 0.6, 0.03)
-	assert_eq(map.sample(GrassMap.CHANNEL_WEAR, Vector2(4, 0)), 1.0)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-1.25, 0)), 0.6, 0.03)
+	assert_eq(map.sample(GrassMap.CHANNEL_WEAR, Vector2(1.25, 0)), 1.0)
 	reed.wear_recovery = 6.0
 	moss.wear_recovery = 0.0
 	await ticks(120)
-	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-4, 0)), 0.6, 0.03)
-	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(4, 0)), 0.8, 0.03)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-1.25, 0)), 0.6, 0.03)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(1.25, 0)), 0.8, 0.03)
