@@ -5,6 +5,7 @@
 #include "core/half.h"
 
 #include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <vector>
 
@@ -12,21 +13,82 @@ using namespace godot;
 
 namespace grass {
 
-Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks) {
-	static_assert(
-			GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CANOPY + 1);
+namespace {
+
+// How much a far blade's tip shows of its card's colour.
+constexpr float FAR_COLOR = 0.7f;
+
+// The texture's pixels as a layer has them; null if it has none that can be read.
+Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
+	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
+	if (found.is_null() || found->is_empty()) {
+		return {};
+	}
+	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
+	if (image->is_compressed() && image->decompress() != OK) {
+		return {};
+	}
+	image->clear_mipmaps();
+	image->convert(Image::FORMAT_RGBA8);
+	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
+	return image;
+}
+
+Color mean_color(const Ref<Image> &p_image) {
+	Color sum(0, 0, 0, 0);
+	for (int y = 0; y < Cards::SIDE; y += 4) {
+		for (int x = 0; x < Cards::SIDE; x += 4) {
+			const Color color = p_image->get_pixel(x, y).srgb_to_linear();
+			sum += color.a < 0.5f ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
+		}
+	}
+	return sum.a > 0.0f ? sum / sum.a : Color(0, 0, 0);
+}
+
+} // namespace
+
+Cards make_cards(std::span<const SpeciesLook> p_looks) {
+	Cards cards;
+	cards.layers.fill(GRASS_NO_CARD);
+	TypedArray<Ref<Image>> images;
+	for (size_t s = 0; s < p_looks.size(); s++) {
+		const Ref<Image> image = read_card(p_looks[s].card);
+		if (image.is_null()) {
+			continue;
+		}
+		cards.colors[s] = mean_color(image);
+		cards.layers[s] = int(images.size());
+		image->generate_mipmaps();
+		images.push_back(image);
+	}
+	if (!images.is_empty()) {
+		cards.textures.instantiate();
+		cards.textures->create_from_images(images);
+	}
+	return cards;
+}
+
+Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const Cards &p_cards) {
+	static_assert(GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 &&
+			GRASS_LOOK_CARD == GRASS_LOOK_CANOPY + 1 && GRASS_LOOK_CARD_COLOR == GRASS_LOOK_CARD + 1 &&
+			GRASS_LOOK_CARD_FAR == GRASS_LOOK_CARD_COLOR + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CARD_FAR + 1);
 	std::vector<uint16_t> halves;
 	const auto put = [&](float p_r, float p_g, float p_b, float p_a) {
 		for (const float value : { p_r, p_g, p_b, p_a }) {
 			halves.push_back(float_to_half(value));
 		}
 	};
-	for (const SpeciesLook &look : p_looks) {
+	for (size_t s = 0; s < p_looks.size(); s++) {
+		const SpeciesLook &look = p_looks[s];
 		for (const Color &color : look.colors) {
 			put(color.r, color.g, color.b, 1.0f);
 		}
 		put(look.dry_color.r, look.dry_color.g, look.dry_color.b, look.dry);
 		put(look.canopy_among_others, look.canopy_alone, 0.0f, 0.0f);
+		const Color &tint = look.card_color, far = tint * p_cards.colors[s];
+		put(look.card_width, look.card_height, float(p_cards.layers[s]), look.card_share);
+		put(tint.r, tint.g, tint.b, 1.0f);
+		put(far.r, far.g, far.b, FAR_COLOR);
 	}
 	return ImageTexture::create_from_image(Image::create_from_data(
 			GRASS_LOOK_TEXELS, int32_t(p_looks.size()), false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(halves))));

@@ -146,8 +146,80 @@ func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
 	assert_less(difference(asleep, await picture()).y, 5e-4)
 
 
-## For people: a meadow of three species on which a path of one was painted, on both backends.
-func test_a_meadow_of_three_species_looks_alike_on_both_backends() -> void:
+## A flower of one colour: a disc on nothing.
+func flower(color: Color) -> ImageTexture:
+	var image := Image.create_empty(64, 64, false, Image.FORMAT_RGBA8)
+	for y in 64:
+		for x in 64:
+			image.set_pixel(x, y, color if Vector2(x - 31.5, y - 31.5).length() < 30.0 else Color(color, 0.0))
+	return ImageTexture.create_from_image(image)
+
+
+## Twelve white petals about a yellow middle.
+func daisy_card() -> ImageTexture:
+	var image := Image.create_empty(128, 128, false, Image.FORMAT_RGBA8)
+	for y in 128:
+		for x in 128:
+			var place := Vector2(x - 63.5, y - 63.5) / 64.0
+			var petal := absf(cos(6.0 * place.angle()))
+			var color := Color(0.95, 0.95, 0.92, 1.0 if place.length() < 0.55 + 0.4 * petal and petal > 0.3 else 0.0)
+			image.set_pixel(x, y, Color(0.95, 0.75, 0.1) if place.length() < 0.3 else color)
+	return ImageTexture.create_from_image(image)
+
+
+func is_violet(color: Color) -> bool:
+	return color.r > 1.5 * color.g and color.b > 1.5 * color.g
+
+
+func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
+	var green := make(0.8, Color(0.3, 0.6, 0.2))
+	var violet := make(0.2, Color(0.3, 0.6, 0.2), {length_min = 0.6, length_max = 0.7, card_width = 0.06, card_height = 0.06})
+	var field := add_seen_field({map = full_map(), species = [green, violet], lod_far = 1000.0})
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.4, 0))
+	await drawn()
+	var triangles: int = field.get_statistics().drawn_triangles
+	_check_no_flowers(await picture())
+	violet.card = flower(Color(0.7, 0.1, 0.7))
+	await drawn()
+	var gpu := await picture()
+	gpu.save_png(PICTURES + "flowers.png")
+	print("    %s" % ProjectSettings.globalize_path(PICTURES + "flowers.png"))
+	var share := share_of(gpu, is_violet)
+	print("    flowers on %.3f of the picture" % share)
+	assert_greater(share, 0.01)
+	assert_less(share, 0.4)
+	assert_greater(field.get_statistics().drawn_triangles, triangles)
+	field.backend = GrassField.BACKEND_CPU
+	await drawn()
+	assert_less(difference(gpu, await picture()).y, 0.003)
+	field.backend = GrassField.BACKEND_AUTO
+	var box := BoxShape3D.new()
+	box.size = Vector3(8, 0.5, 8)
+	field.cut(box, Transform3D(Basis(), Vector3(0, 0.45, 0))) # to 20 cm
+	await drawn()
+	_check_no_flowers(await picture())
+	field.map.clear()
+	field.map.base_density = 1.0
+	violet.card = null
+	await drawn()
+	assert_eq(field.get_statistics().drawn_triangles, triangles)
+
+
+func _check_no_flowers(image: Image) -> void:
+	assert_eq(share_of(image, is_violet), 0.0, "no flower")
+
+
+func test_far_blades_show_the_colour_of_their_flowers() -> void:
+	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.06, card_height = 0.06})
+	violet.card = flower(Color(0.7, 0.1, 0.7))
+	add_seen_field({species = [violet], size = Vector2(30, 30)})
+	look(Vector3(0, 6, 60), Vector3(0, 0, 0))
+	await drawn()
+	assert_greater(share_of(await picture(), is_violet), 0.01)
+
+
+## For people: a meadow of four species, one with flowers, on which a path of one was painted, on both backends.
+func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	viewport.size = Vector2i(960, 540)
 	var fescue := make(0.75, Color.WHITE, {root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.48, 0.6, 0.22), dry = 0.25})
 	var sorrel := make(0.15, Color.WHITE, {
@@ -159,7 +231,11 @@ func test_a_meadow_of_three_species_looks_alike_on_both_backends() -> void:
 	var sedge := make(0.1, Color.WHITE, {
 		root_color = Color(0.08, 0.2, 0.14), tip_color = Color(0.3, 0.5, 0.42), length_min = 0.35, length_max = 0.55, width_min = 0.015,
 		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
-	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge]})
+	var daisy := make(0.06, Color.WHITE, {
+		root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.4, 0.5, 0.2), length_min = 0.5, length_max = 0.65, width_max = 0.006,
+		width_min = 0.004, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 1.5, stand_strength = 0.5, card_width = 0.045, card_height = 0.045})
+	daisy.card = daisy_card()
+	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge, daisy]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
 	await drawn()
