@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <vector>
 
 using namespace godot;
@@ -14,9 +15,6 @@ using namespace godot;
 namespace grass {
 
 namespace {
-
-// How much a far blade's tip shows of its card's colour.
-constexpr float FAR_COLOR = 0.7f;
 
 // The texture's pixels as a layer has them; null if it has none that can be read.
 Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
@@ -35,14 +33,16 @@ Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
 }
 
 Color mean_color(const Ref<Image> &p_image) {
+	constexpr int STEP = 4, COUNT = (Cards::SIDE / STEP) * (Cards::SIDE / STEP);
 	Color sum(0, 0, 0, 0);
-	for (int y = 0; y < Cards::SIDE; y += 4) {
-		for (int x = 0; x < Cards::SIDE; x += 4) {
+	for (int y = 0; y < Cards::SIDE; y += STEP) {
+		for (int x = 0; x < Cards::SIDE; x += STEP) {
 			const Color color = p_image->get_pixel(x, y).srgb_to_linear();
 			sum += color.a < 0.5f ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
 		}
 	}
-	return sum.a > 0.0f ? sum / sum.a : Color(0, 0, 0);
+	const float opaque = std::max(float(sum.a), 1.0f);
+	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(COUNT));
 }
 
 } // namespace
@@ -88,7 +88,7 @@ Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const 
 		const Color &tint = look.card_color, far = tint * p_cards.colors[s];
 		put(look.card_width, look.card_height, float(p_cards.layers[s]), look.card_share);
 		put(tint.r, tint.g, tint.b, 1.0f);
-		put(far.r, far.g, far.b, FAR_COLOR);
+		put(far.r, far.g, far.b, far.a * look.card_width * look.card_height / std::max(look.blade_area, 1e-6f));
 	}
 	return ImageTexture::create_from_image(Image::create_from_data(
 			GRASS_LOOK_TEXELS, int32_t(p_looks.size()), false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(halves))));

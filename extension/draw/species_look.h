@@ -21,6 +21,7 @@ struct SpeciesLook {
 	godot::Color card_color; // times the card's, linear
 	float card_share = 0.0f; // of the blades
 	float card_width = 0.0f, card_height = 0.0f; // metres
+	float blade_area = 0.0f; // that a mean blade covers, m^2
 	float canopy_among_others = 0.0f, canopy_alone = 0.0f; // metres; up there a blade is as light as its tips
 };
 
@@ -29,7 +30,7 @@ struct Cards {
 	static constexpr int SIDE = 256; // texels
 	godot::Ref<godot::Texture2DArray> textures; // null: there is none
 	std::array<int, GRASS_MAX_SPECIES> layers; // or GRASS_NO_CARD
-	std::array<godot::Color, GRASS_MAX_SPECIES> colors; // linear, the mean of what is opaque
+	std::array<godot::Color, GRASS_MAX_SPECIES> colors; // linear, the mean of what is opaque; alpha: how much that is, 0..1
 };
 Cards make_cards(std::span<const SpeciesLook> p_looks);
 

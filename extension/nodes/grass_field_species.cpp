@@ -177,12 +177,14 @@ void GrassField::set_species_uniforms() {
 	_backend->set_uniform("species_mix", records);
 	_backend->set_uniform("species_texel", _setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
+	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
 	std::vector<SpeciesLook> looks;
 	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
 	for (const Ref<GrassSpecies> &species : used_species()) {
 		SpeciesLook look = species->get_look();
 		const float own = patches[looks.size()]->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
 		const float alone = float(species->get_mix().stand_strength);
+		look.blade_area = COVERS * patches[looks.size()]->mean_width * patches[looks.size()]->mean_length;
 		look.canopy_alone = std::max(own, 0.01f);
 		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
 		looks.push_back(look);

@@ -209,13 +209,96 @@ func _check_no_flowers(image: Image) -> void:
 	assert_eq(share_of(image, is_violet), 0.0, "no flower")
 
 
+## How much more violet than green the field is, in linear light.
+func violet_of(image: Image) -> float:
+	var sum := 0.0
+	for y in image.get_height():
+		for x in image.get_width():
+			var color := image.get_pixel(x, y)
+			if Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() > 0.1:
+				color = color.srgb_to_linear()
+				sum += 0.5 * (color.r + color.b) - color.g
+	return sum
+
+
+## Blades of one triangle against blades of many that have cards, from the same place.
 func test_far_blades_show_the_colour_of_their_flowers() -> void:
-	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.06, card_height = 0.06})
+	# Height of the camera, share of the blades that have cards, size of the cards.
+	for setting: Vector3 in [Vector3(10, 1.0, 0.06), Vector3(40, 0.1, 0.06), Vector3(5, 1.0, 0.02)]:
+		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
+		var field := add_seen_field({species = [violet], size = Vector2(30, 30), ground = false})
+		look(Vector3(0, setting.x, 40), Vector3.ZERO)
+		var gain := {0.25: 0.0, 8.0: 0.0} # by lod_error
+		for card: Texture2D in [null, flower(Color(0.7, 0.1, 0.7))]:
+			violet.card = card
+			for error: float in gain:
+				field.lod_error = error
+				await drawn()
+				gain[error] = violet_of(await picture()) - gain[error]
+		print("    far, as violet as near: %.2f" % [gain[8.0] / gain[0.25]])
+		assert_near(gain[8.0] / gain[0.25], 1.0, 0.5)
+		field.free()
+
+
+## Sparse blades, each tip of which can be looked up.
+func test_flowers_bend_with_their_blades() -> void:
+	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.12, card_height = 0.12, length_min = 0.6, length_max = 0.8})
 	violet.card = flower(Color(0.7, 0.1, 0.7))
-	add_seen_field({species = [violet], size = Vector2(30, 30)})
-	look(Vector3(0, 6, 60), Vector3(0, 0, 0))
+	var field := add_seen_field({
+		species = [violet], density = 16.0, ground = false, lod_far = 1000.0, pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0})
+	var calls := await draw_calls()
+	look(Vector3(0, 5, 3), Vector3.ZERO)
 	await drawn()
-	assert_greater(share_of(await picture(), is_violet), 0.01)
+	var rest := _tips(field)
+	var image := await picture()
+	assert_greater(_share_of_flowers(image, rest), 0.97)
+	var body := add_held_body(ball(0.5), Vector3(0.2, 0.2, 0.2))
+	body.reparent(viewport) # into its world
+	await ticks(30)
+	await drawn()
+	var bent := _tips(field)
+	image = await picture()
+	image.save_png(PICTURES + "flowers_bent.png")
+	var moved := PackedVector3Array()
+	for i in rest.size():
+		if rest[i].distance_to(bent[i]) > 0.2:
+			moved.append(bent[i])
+	print("    %d of %d flowers moved by 0.2 m and more" % [moved.size(), rest.size()])
+	assert_greater(moved.size(), 10)
+	assert_greater(_share_of_flowers(image, moved), 0.97)
+	body.free()
+	violet.card_share = 0.25
+	await drawn()
+	var some := _share_of_flowers(await picture(), _tips(field))
+	print("    flowers on %.3f of the blades, where 0.25 were asked for" % some)
+	assert_near(some, 0.25, 0.12)
+	assert_eq(await draw_calls(), calls)
+	violet.card = null
+	await drawn()
+	assert_eq(await draw_calls(), calls, "cards are no draw call of their own")
+
+
+func draw_calls() -> int:
+	await drawn()
+	return RenderingServer.viewport_get_render_info(
+		viewport.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+
+
+func _tips(field: GrassField) -> PackedVector3Array:
+	var tips := PackedVector3Array()
+	var tiles := field.get_tiles()
+	for z in tiles.y:
+		for x in tiles.x:
+			for blade in BLADES:
+				tips.append(field.get_knots(Vector2i(x, z), blade)[KNOTS - 1])
+	return tips
+
+
+func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
+	var flowers := 0
+	for tip in tips:
+		flowers += int(is_violet(image.get_pixelv(Vector2i(camera.unproject_position(tip)))))
+	return float(flowers) / tips.size()
 
 
 ## For people: a meadow of four species, one with flowers, on which a path of one was painted, on both backends.
