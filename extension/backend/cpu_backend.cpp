@@ -28,7 +28,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
-		_materials(p_setup.is_mapped),
+		_materials(shader_features(p_setup)),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());

@@ -61,7 +61,7 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	}
 	const Growth here = growth_at(place);
 	const double clump = clump_at(Eigen::Vector2f(float(place.x()), float(place.z())), _setup.clump).height;
-	return here.density > 0.0f ? std::min(_setup.patch->mean_height * clump * here.height, double(here.cut)) : 0.0;
+	return here.density > 0.0f ? std::min(mean_height_at(place) * clump * here.height, double(here.cut)) : 0.0;
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
