@@ -190,7 +190,9 @@ private:
 	void build_species();
 	std::span<const GrassStep> species_steps();
 	double calm_energy() const;
+	std::array<float, GRASS_MAX_SPECIES> shares_at(const Eigen::Vector2f &p_place) const;
 	double mean_height_at(const Eigen::Vector3d &p_place) const;
+	RecoveryRates recovery_rates() const;
 	void set_species_uniforms();
 	void warn_of_species(godot::PackedStringArray &r_warnings) const;
 	// grass_field_ground.cpp

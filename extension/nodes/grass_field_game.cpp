@@ -185,9 +185,12 @@ void GrassField::unregister_collider(Node3D *p_node) {
 
 // What time heals in a tick.
 void GrassField::recover(double p_delta) {
-	const RecoveryRates rates{ param(PARAM_WEAR_RECOVERY) / 60.0, 1e-3 * param(PARAM_REGROWTH) / 60.0 };
+	const RecoveryRates rates = recovery_rates();
 	if (_map.is_valid() && !rates.is_none()) {
-		_map->change([&](PaintMap &r_map) { return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta); });
+		const SharesAt shares = [this](const Eigen::Vector2d &p_place) { return shares_at(p_place.cast<float>()); };
+		_map->change([&](PaintMap &r_map) {
+			return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta, _setup.species ? shares : nullptr);
+		});
 	}
 }
 

@@ -122,19 +122,34 @@ double GrassField::calm_energy() const {
 	return energy;
 }
 
+// Only where there are species.
+std::array<float, GRASS_MAX_SPECIES> GrassField::shares_at(const Eigen::Vector2f &p_place) const {
+	return _setup.species->get_shares_at(p_place, _field_map ? &_field_map->get_layers() : nullptr);
+}
+
 // Of the grass around a place, metres, without clump and map.
 double GrassField::mean_height_at(const Eigen::Vector3d &p_place) const {
 	if (!_setup.species) {
 		return _setup.patch->mean_height;
 	}
-	const auto shares =
-			_setup.species->get_shares_at({ float(p_place.x()), float(p_place.z()) }, _field_map ? &_field_map->get_layers() : nullptr);
+	const auto shares = shares_at({ float(p_place.x()), float(p_place.z()) });
 	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
 	double height = 0.0;
 	for (size_t s = 0; s < patches.size(); s++) {
 		height += double(shares[s] * patches[s]->mean_height);
 	}
 	return height;
+}
+
+RecoveryRates GrassField::recovery_rates() const {
+	RecoveryRates rates;
+	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
+	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
+	const std::vector<Ref<GrassSpecies>> species = used_species();
+	for (size_t s = 0; s < species.size(); s++) {
+		rates.wear[s] = species[s]->get_wear_recovery() / 60.0;
+	}
+	return rates;
 }
 
 void GrassField::set_species_uniforms() {

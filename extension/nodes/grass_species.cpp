@@ -111,6 +111,8 @@ void GrassSpecies::_bind_methods() {
 	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_STAND_STRENGTH);
 	ADD_GROUP("Simulation", "");
 	add_numbers(SPECIES_PARAM_NATURAL_FREQUENCY, SPECIES_PARAM_DAMPING_RATIO);
+	ADD_GROUP("Map", "");
+	add_numbers(SPECIES_PARAM_WEAR_RECOVERY, SPECIES_PARAM_WEAR_RECOVERY);
 	ADD_GROUP("Look", "");
 	for (int i = 0; i < SPECIES_COLOR_COUNT; i++) {
 		ClassDB::add_property("GrassSpecies", PropertyInfo(Variant::COLOR, SPECIES_COLORS[size_t(i)].name, PROPERTY_HINT_COLOR_NO_ALPHA),

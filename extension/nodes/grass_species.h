@@ -32,6 +32,7 @@ public:
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look() const; // without canopies
+	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 
 protected:
 	static void _bind_methods();

@@ -2,6 +2,7 @@
 // Every number and colour of a GrassSpecies that a user may set, in the inspector's order.
 #pragma once
 
+#include "core/map/recovery.h"
 #include "core/solver_params.h"
 #include "core/species.h"
 #include "draw/look_params.h"
@@ -16,12 +17,13 @@ enum SpeciesParamId {
 	SPECIES_PARAM_STAND_STRENGTH,
 	SPECIES_PARAM_NATURAL_FREQUENCY,
 	SPECIES_PARAM_DAMPING_RATIO,
+	SPECIES_PARAM_WEAR_RECOVERY,
 	SPECIES_PARAM_DRY,
 	SPECIES_PARAM_COUNT,
 };
 
 inline constexpr std::array<Tunable, SPECIES_PARAM_COUNT> SPECIES_PARAMS = { SPECIES_SHARE, STAND_SIZE, STAND_STRENGTH, NATURAL_FREQUENCY,
-	DAMPING_RATIO, DRY };
+	DAMPING_RATIO, WEAR_RECOVERY, DRY };
 
 enum SpeciesColorId { SPECIES_ROOT_COLOR, SPECIES_TIP_COLOR, SPECIES_DRY_COLOR, SPECIES_COLOR_COUNT };
 

@@ -32,7 +32,7 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 	var gradient := Gradient.new()
 	var values := {
 		patch = patch, gradient = gradient, share = 0.3, stand_size = 2.5, stand_strength = 0.1, natural_frequency = 2.0, damping_ratio = 0.2,
-		dry = 0.5, root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE,
+		wear_recovery = 0.4, dry = 0.5, root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE,
 	}
 	var changes: Array[int] = [0]
 	species.changed.connect(func() -> void: changes[0] += 1)
@@ -157,3 +157,21 @@ func test_grass_of_species_sleeps_again() -> void:
 	await ticks(400)
 	assert_eq(field.get_awake_tile_count(), 0)
 	assert_eq(farthest(tile_knots(field, Vector2i(4, 4)), rest), 0.0)
+
+
+func test_wear_goes_at_the_rate_of_the_species_that_grows_there() -> void:
+	var moss := make(1.0, 0.2, {wear_recovery = 12.0}) # 0.2/s
+	var reed := make(0.0, 0.9)
+	var map := full_map()
+	var field := add_field({map = map, wear_recovery = 60.0, species = [moss, reed]}) # the field's own does not count
+	field.paint(brush(GrassBrush.TOOL_SPECIES, 2.0, {species = 2}), Vector3(2, 0, 0), Vector3(2, 0, 0))
+	for x: float in [-1.25, 1.25]:
+		field.trample(Vector3(x, 0, 0), 0.5, 1.0)
+	await ticks(120)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-1.25, 0)), 0.6, 0.03)
+	assert_eq(map.sample(GrassMap.CHANNEL_WEAR, Vector2(1.25, 0)), 1.0)
+	reed.wear_recovery = 6.0
+	moss.wear_recovery = 0.0
+	await ticks(120)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-1.25, 0)), 0.6, 0.03)
+	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(1.25, 0)), 0.8, 0.03)
