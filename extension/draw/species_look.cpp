@@ -23,9 +23,8 @@ Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
 		return {};
 	}
 	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
-	if (image->is_compressed() && image->decompress() != OK) {
-		return {};
-	}
+	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
+			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
 	image->clear_mipmaps();
 	image->convert(Image::FORMAT_RGBA8);
 	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
