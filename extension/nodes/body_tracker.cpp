@@ -188,13 +188,14 @@ void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, 
 	const double friction =
 			std::clamp(BLADE_FRICTION * double(server->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION)), 0.0, 1.0);
 	const std::vector<bool> disabled = p_node == nullptr ? std::vector<bool>(size_t(count), false) : find_disabled(p_node, count);
+	const bool is_ground = r_body.is_static && (!r_body.has_before || r_body.still_ticks >= STILL_TICKS);
 	r_changed = r_changed || size_t(count) != r_body.shapes.size();
 	r_body.shapes.resize(size_t(count));
 	for (int32_t index = 0; index < count; index++) {
 		TrackedShape &shape = r_body.shapes[size_t(index)];
 		_statistics.shape_reads++;
 		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
-		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape) && transform == shape.transform &&
+		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape, is_ground) && transform == shape.transform &&
 				shape.enabled == !disabled[size_t(index)] && shape.collider.friction == friction;
 		if (is_same) {
 			continue;
@@ -294,7 +295,11 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		const Eigen::Affine3d now = pose_of(body, field);
 		const bool is_carried =
 				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
+		const bool was_ground = body.still_ticks >= STILL_TICKS;
 		const bool ground = is_ground(body, body.state->get_transform(), is_carried);
+		if (was_ground && !ground) {
+			body.next_look = 0; // a mesh that was not read as ground
+		}
 		judge_motion(body, now, p_delta);
 		if (!ground) {
 			write_shapes(body, now, r_colliders);
@@ -302,6 +307,10 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		body.before = now;
 	}
 	r_colliders.resize(_written);
+}
+
+void BodyTracker::forget_left() {
+	std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
 }
 
 void BodyTracker::forget_motion() {

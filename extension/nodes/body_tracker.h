@@ -58,6 +58,9 @@ public:
 	// Time has passed without collect(): where bodies were before is no motion.
 	void forget_motion();
 
+	// Instead of collect(), where nobody wants to know: bodies that left are not kept.
+	void forget_left();
+
 	const TrackerStatistics &get_statistics() const { return _statistics; }
 	int64_t body_count() const;
 
@@ -109,8 +112,8 @@ private:
 };
 
 // Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
-// (planes, rays, ground meshes).
-bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
+// (planes, rays, height maps; meshes of ground, which are not read: they may be large).
+bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, bool p_is_ground = false);
 // Takes the scale of p_basis into the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 
