@@ -46,7 +46,7 @@ struct TileParams {
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
-	bool is_mapped = false; // A map says how the blades grow: StepInput::growth.
+	bool is_mapped = false; // StepInput::growth says how the blades grow.
 
 	// The same within limits; NaN becomes the default.
 	TileParams sanitised() const;
