@@ -86,7 +86,7 @@ TEST_CASE("cut_grass: a deck of 2 m x 1 m at 10 cm leaves 10 cm, and says what f
 	CHECK(cut(map, deck).area == 0.0);
 	CHECK(cut(map, deck).changed.empty());
 	CHECK(mown_share(map, square(2.0), KIND) == doctest::Approx(2.0 / 16.0));
-	CHECK(mown_share(map, { &deck, {} }, KIND) == 1.0);
+	CHECK(mown_share(map, { &deck }, KIND) == 1.0);
 }
 
 TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") {
