@@ -176,7 +176,7 @@ void CpuBackend::update_pool_texture() {
 	}
 	_pool_rows = std::max(rows, _pool_rows);
 	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
-	for (int slot = _changed_slots.find(0); slot != SlotSet::NONE; slot = _changed_slots.find(slot + 1)) {
+	for (const int slot : _changed_slots) {
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
 	_changed_slots.reset(_setup.pool_tiles, false);

@@ -93,25 +93,19 @@ void convert(TrackedShape &r_tracked) {
 
 } // namespace
 
-bool read_shape(const RID &p_shape, TrackedShape &r_shape, bool p_is_ground) {
+bool read_shape(const RID &p_shape, TrackedShape &r_shape) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int64_t type = server->shape_get_type(p_shape);
-	const bool is_solid = type >= PhysicsServer3D::SHAPE_SPHERE && type <= PhysicsServer3D::SHAPE_CONVEX_POLYGON;
-	const bool is_object = is_solid || (type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON && !p_is_ground);
-	if (!is_object && type == r_shape.type && (p_is_ground || !r_shape.usable)) {
-		return false;
-	}
+	// Planes, rays and height maps are ground, not objects; their data may be large.
+	const bool is_object = type >= PhysicsServer3D::SHAPE_SPHERE && type <= PhysicsServer3D::SHAPE_CONCAVE_POLYGON &&
+			type != PhysicsServer3D::SHAPE_HEIGHTMAP;
 	const Variant data = is_object ? server->shape_get_data(p_shape) : Variant();
 	if (type == r_shape.type && data == r_shape.data) {
 		return false;
 	}
 	r_shape.type = type;
 	r_shape.data = data;
-	if (is_object) {
-		convert(r_shape);
-	} else {
-		r_shape.usable = false;
-	}
+	convert(r_shape);
 	return true;
 }
 
