@@ -193,6 +193,12 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	await drawn()
 	assert_less(difference(gpu, await picture()).y, 0.003)
 	field.backend = GrassField.BACKEND_AUTO
+	violet.card.set_image(flower(Color(0.9, 0.1, 0.1)).get_image())
+	await drawn()
+	var repainted := await picture()
+	assert_near(share_of(repainted, is_red), share, 0.01)
+	_check_no_flowers(repainted)
+	violet.card.set_image(flower(Color(0.7, 0.1, 0.7)).get_image())
 	field.map.stroke(brush(GrassBrush.TOOL_CUT, 4.0, {cut_height = 0.2}), Vector2.ZERO, Vector2.ZERO)
 	await drawn()
 	_check_no_flowers(await picture())
