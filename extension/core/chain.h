@@ -120,6 +120,45 @@ template <class T> struct Beyond {
 	T deepest; // touch that the solve had to leave out, metres
 };
 
+// e x (each row), that is P E with E r = r x e.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
+	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
+		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
+}
+// E^T Q.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
+	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
+}
+
+// [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
+// the lever moves along. p_weight: the knot's inertia.
+template <class T>
+GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
+		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending) {
+	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
+	const T depth = select(is_blow, T(0.0f), p_touch.depth);
+	r_beyond.deepest = maximum(r_beyond.deepest, select(is_blow, p_touch.depth, T(0.0f)));
+	const T hard = p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED));
+	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
+	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
+	const T stiffness = hard * in_skin;
+	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
+	const T slipped = length(p_touch.slip);
+	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), p_touch.friction * push / maximum(slipped, T(1e-12f)));
+	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
+	const Vec3<T> force = p_touch.normal * push - p_touch.slip * grip;
+	Symmetric<T> P;
+	add_outer(P, p_touch.normal, stiffness - grip);
+	add_identity(P, grip);
+	r_beyond.p = r_beyond.p + force;
+	add(r_beyond.P, P);
+	const Rows<T> Q = crossed(p_lever, P);
+	r_beyond.Q = { r_beyond.Q.x + Q.x, r_beyond.Q.y + Q.y, r_beyond.Q.z + Q.z };
+	const Rows<T> S = crossed(p_lever, Q);
+	add(r_beyond.S, Symmetric<T>{ S.x.x, S.y.y, S.z.z, S.y.x, S.x.z, S.y.z });
+	r_beyond.q = r_beyond.q + cross(p_lever, force);
+}
+
 // [Eq 26] A knot's inertia, and what touches it.
 template <class T>
 GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
@@ -133,31 +172,25 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}
-	const T l = p_blade.lengths[p_knot - 1];
-	const auto is_blow = touch.depth > p_chain.mean_length * T(MOST_DEPTH);
-	const T depth = select(is_blow, T(0.0f), touch.depth);
-	r_beyond.deepest = maximum(r_beyond.deepest, select(is_blow, touch.depth, T(0.0f)));
-	const T hard = weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(l * l, T(TINY_SQUARED));
-	const T skin = maximum(l * T(SKIN), T(1e-12f));
-	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
-	const T stiffness = hard * in_skin;
-	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
-	const T slipped = length(touch.slip);
-	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), touch.friction * push / maximum(slipped, T(1e-12f)));
-	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
-	r_beyond.p = r_beyond.p + touch.normal * push - touch.slip * grip;
-	add_outer(r_beyond.P, touch.normal, stiffness - grip);
-	add_identity(r_beyond.P, grip);
+	add_touch(r_beyond, touch, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
 }
 
-// e x (each row), that is P E with E r = r x e.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
-	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
-		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
-}
-// E^T Q.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
-	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
+// What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former.
+template <class T>
+GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
+		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+	if (p_terms.colliders.empty()) {
+		return;
+	}
+	const bool is_first = p_knot == GRASS_CLAMPED_KNOTS;
+	T share(0.0f);
+	const Touch<T> touch = find_edge_touch(p_blade, p_terms, is_first ? p_blade.rest[p_knot - 1] : p_stage.base[p_knot - 1],
+			p_stage.base[p_knot], p_knot, share);
+	if (!any(touch.depth > T(0.0f))) {
+		return;
+	}
+	add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, p_blade.lengths[p_knot - 1],
+			knot_mass(p_blade, p_knot, p_chain) * p_stage.weight, p_bending);
 }
 
 // [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
@@ -219,6 +252,7 @@ GRASS_INLINE T solve_chain(
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
+		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
 		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};
