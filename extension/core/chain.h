@@ -130,6 +130,12 @@ template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T
 	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
 }
 
+// [Eq 31] The force of a surface that gives by 1 / p_hard, at a depth below its skin.
+template <class T> GRASS_INLINE T push_at(const T &p_hard, const T &p_depth, const T &p_skin) {
+	const T in_skin = minimum(maximum(p_depth, T(0.0f)) / p_skin, T(1.0f));
+	return select(p_depth > T(0.0f), p_hard * (p_depth - p_skin * in_skin + p_skin * in_skin * in_skin * T(0.5f)), T(0.0f));
+}
+
 // [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
 // the lever moves along. p_weight: the knot's inertia.
 template <class T>
@@ -142,9 +148,10 @@ GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const 
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
 	const T stiffness = hard * in_skin;
-	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
-	const T slipped = length(p_touch.slip);
-	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), p_touch.friction * push / maximum(slipped, T(1e-12f)));
+	const T push = push_at(hard, depth, skin);
+	const T held = select(is_blow, T(0.0f), minimum(p_touch.held, depth));
+	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT),
+			p_touch.friction * push_at(hard, held, skin) / maximum(length(p_touch.slip), T(1e-12f)));
 	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
 	const Vec3<T> force = p_touch.normal * push - p_touch.slip * grip;
 	Symmetric<T> P;
@@ -168,6 +175,10 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	r_beyond.pull = r_beyond.pull + force;
 	r_beyond.p = r_beyond.p + force;
 	add_identity(r_beyond.P, weight);
+	const Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	if (any(ground.depth > T(0.0f))) {
+		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+	}
 	const Touch<T> touch = find_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
 	if (!any(touch.depth > T(0.0f))) {
 		return;

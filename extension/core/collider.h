@@ -189,6 +189,7 @@ template <class T> GRASS_INLINE Ground<T> ground_under(const TileCollider &p_col
 template <class T> struct Contact {
 	Vec3<T> direction;
 	T depth;
+	Vec3<T> normal{}; // of the surface, the field's axes
 };
 
 // [Eq 12] The contact of a point behind a face that went p_way (the collider's axes) in this step. Friction takes back what it slid along
@@ -205,7 +206,8 @@ GRASS_INLINE Contact<T> make_contact(const TileCollider &p_collider, const Face<
 	const Vec3<T> correction = p_face.normal * depth - slip * grip;
 	const T size = length(correction);
 	const Vec3<T> direction = normalized(correction, p_face.normal);
-	return { turned(widened<T>(p_collider.turn), direction), select(depth > T(0.0f), size, T(0.0f)) };
+	const Turn<T> turn = widened<T>(p_collider.turn);
+	return { turned(turn, direction), select(depth > T(0.0f), size, T(0.0f)), turned(turn, p_face.normal) };
 }
 
 // The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before to its pose now.

@@ -54,12 +54,12 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 		}
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
 			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
-			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth);
+			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
+			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !(is_cut & is_of_edge(p_blade, k, contact.normal));
 			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
 			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);
 			deepest.knot = select(is_deeper, T(float(k)), deepest.knot);
-			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
 			if (!any(is_cut)) {
 				continue;
 			}

@@ -14,7 +14,7 @@ inline constexpr float STAGE_SHARE = 0.29289322f;
 // Rounds of blows in one step, at most.
 inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
-inline constexpr float CAUTION = 4.0f;
+inline constexpr float CAUTION = 8.0f;
 
 // A blade's places and speeds at the start of the step.
 template <class T> struct Start {
@@ -43,7 +43,8 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
-	const T deep = r_blade.reach * T(MOST_DEPTH / float(GRASS_SEGMENTS));
+	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
+	const T deep = r_blade.reach * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
