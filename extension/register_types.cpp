@@ -6,7 +6,10 @@
 #include "class_docs.gen.h"
 #include "draw/shared_shader.h"
 #include "gpu/render_queue.h"
+#include "nodes/grass_brush.h"
 #include "nodes/grass_field.h"
+#include "nodes/grass_map.h"
+#include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
 
 #include <gdextension_interface.h>
@@ -18,8 +21,14 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
+		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
+		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
+		GDREGISTER_CLASS(grass::GrassBrush);
+		GDREGISTER_CLASS(grass::GrassMapSnapshot);
+		GDREGISTER_CLASS(grass::GrassMap);
 		GDREGISTER_CLASS(grass::GrassField);
+		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
 		for (const std::string_view &text : grass::CLASS_DOCS) {
@@ -30,6 +39,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 
 void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		grass::unregister_map_files();
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();
 	}

@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""`./grass bench accuracy`: run time against error of both solver methods, as one CSV and one SVG plot for each error."""
+"""`./grass bench accuracy`: run time against error of both solver methods, as one CSV and one SVG plot for each error.
+
+The CPU's rows come from the programs build/bench/accuracy_KNOTS. For the GPU's they record the steps of the same problems
+(packs), the bench scene runs them, here or on another machine, and the programs compute the errors of what came back.
+"""
 
 import csv
 import datetime
-import math
+import gzip
 import pathlib
 import platform
 import subprocess
+import tempfile
 
-from tools import build
+from tools import build, scenes
 from tools.places import BUILD, OUT, ROOT
+from tools.plot import Plot, WIDTH
 from tools.say import Failure, progress, say
 
 KNOTS = (8, 16, 32)
@@ -24,24 +30,82 @@ ERRORS = {
 }
 COLORS = {"DIRECT": "#1b7f4b", "PBD": "#c2571a"}
 LEAST = 1e-5  # errors below this are drawn here: a logarithm knows no zero
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 900, 560, 80, 60, 30, 60
+COMMITTED = ROOT / "docs/benchmarks/accuracy/accuracy.csv"
 
 
-def run(out, is_quick):
+def run(out, is_quick, gpu_results=None):
+	"""Rows of this machine's CPU and GPU; or `gpu_results`, a folder that another machine's GPU wrote, into the table there is."""
 	build.scons("accuracy")
-	folder = pathlib.Path(out or OUT / "bench") / "accuracy"
+	folder = pathlib.Path(out or OUT / "bench").resolve() / "accuracy"
 	folder.mkdir(parents=True, exist_ok=True)
-	rows = []
-	for knots in KNOTS:
-		with progress(f"Solving with {knots} knots", every=10):
-			result = subprocess.run([BUILD / f"bench/accuracy_{knots}", *(["--quick"] if is_quick else [])], capture_output=True, text=True)
-		if result.returncode:
-			raise Failure(f"accuracy_{knots} ended with code {result.returncode}:\n{result.stderr}")
-		rows += [dict(zip(COLUMNS, line.split(","))) for line in result.stdout.splitlines()]
-	write_table(folder / "accuracy.csv", rows)
+	table = folder / "accuracy.csv"
+	if gpu_results:
+		notes, rows = read_table(table if table.exists() else COMMITTED)
+		gpu = read_gpu(pathlib.Path(gpu_results), is_quick)
+	else:
+		notes, rows = [f"{processor()}, one core; {when()}"], solve("Solving", is_quick)
+		gpu = play_here(folder, is_quick)
+	rows = [row for row in rows if row["precision"].startswith("CPU")]
+	compare(rows, gpu)
+	if gpu and all(row["precision"] == "GPU" for row in gpu):  # times from software rendering say nothing about a GPU
+		notes = [note for note in notes if not note.startswith("GPU")] + [f"GPU: {device(pathlib.Path(gpu_results or folder))}; {when()}"]
+		rows += gpu
+	write_table(table, notes, rows)
 	for error, title in ERRORS.items():
 		(folder / f"{error}.svg").write_text(plot(title, [row for row in rows if row["error"] == error]))
 	say(f"Tables and plots: {folder}")
+
+
+def solve(text, is_quick, *arguments):
+	"""Rows of all numbers of knots; `arguments` go to the programs."""
+	rows = []
+	for knots in KNOTS:
+		command = [str(BUILD / f"bench/accuracy_{knots}"), *map(str, arguments), *(["--quick"] if is_quick else [])]
+		with progress(f"{text} with {knots} knots", every=10):
+			result = subprocess.run(command, capture_output=True, text=True)
+		if result.returncode:
+			raise Failure(f"accuracy_{knots} ended with code {result.returncode}:\n{result.stderr}")
+		rows += [dict(zip(COLUMNS, line.split(","))) for line in result.stdout.splitlines()]
+	return rows
+
+
+def record(folder, is_quick):
+	"""Writes what a GPU is to compute to `folder`."""
+	folder.mkdir(parents=True, exist_ok=True)
+	solve("Recording", is_quick, "--record", folder)
+
+
+def play_here(folder, is_quick):
+	packs = folder / "packs"
+	record(packs, is_quick)
+	arguments = ["--only", "accuracy", "--packs", str(packs), "--spirv", str(BUILD / "bench")]
+	scenes.ready("res://bench/bench.tscn")
+	scenes.play("res://bench/bench.tscn", folder, arguments, "320x180", "forward_plus")
+	return read_gpu(folder, is_quick)
+
+
+def read_gpu(folder, is_quick):
+	"""Rows from the knots that a GPU wrote to `folder`, by the same problems that made the CPU's."""
+	with tempfile.TemporaryDirectory() as place:
+		for file in folder.glob("*.result.gz"):
+			(pathlib.Path(place) / file.stem).write_bytes(gzip.decompress(file.read_bytes()))
+		return solve("Reading the GPU's results", is_quick, "--play", place)
+
+
+def compare(rows, gpu):
+	"""Says how far the GPU's errors are from the CPU's in float: they compute the same."""
+	key = ("method", "knots", "substeps", "iterations", "error")
+	floats = {tuple(row[name] for name in key): float(row["value"]) for row in rows if row["precision"] == "CPU float"}
+	for error in ERRORS:
+		apart = [abs(float(row["value"]) - floats.get(tuple(row[name] for name in key), 1e9)) for row in gpu if row["error"] == error]
+		if apart:
+			say(f"{error}: {gpu[0]['precision']} and CPU differ by {max(apart):.2g} at most")
+
+
+def device(folder):
+	"""The GPU, as the scene names it in its table."""
+	with open(folder / "accuracy_gpu.csv", encoding="utf-8") as file:
+		return file.readline().removeprefix("#").strip()
 
 
 def processor():
@@ -57,9 +121,21 @@ def commit():
 	return result.stdout.strip() or "unknown"
 
 
-def write_table(path, rows):
+def when():
+	return f"commit {commit()}; {datetime.date.today()}"
+
+
+def read_table(path):
+	"""(notes, rows)."""
+	with open(path, encoding="utf-8", newline="") as file:
+		lines = file.read().splitlines()
+	notes = [line.removeprefix("#").strip() for line in lines if line.startswith("#")]
+	return [note for note in notes if not note.startswith("ms:")], list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def write_table(path, notes, rows):
 	with open(path, "w", encoding="utf-8", newline="") as file:
-		file.write(f"# {processor()}, one core; commit {commit()}; {datetime.date.today()}; ./grass bench accuracy\n")
+		file.write("".join(f"# {note}\n" for note in notes))
 		file.write("# ms: a frame (1/60 s) of 65,536 swinging blades\n")
 		writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
 		writer.writeheader()
@@ -76,64 +152,29 @@ def pareto(points):
 
 
 def plot(title, rows):
-	"""Run time to the right, error upwards, both by powers of ten; the Pareto front as a line."""
+	"""Run time to the right, error upwards, both by powers of ten; the Pareto fronts of CPU and GPU as lines."""
 	points = [(float(row["ms"]), max(float(row["value"]), LEAST), row) for row in rows]
-	span_x = (math.floor(math.log10(min(p[0] for p in points)) * 4) / 4, math.ceil(math.log10(max(p[0] for p in points)) * 4) / 4)
-	span_y = (math.floor(math.log10(min(p[1] for p in points))), math.ceil(math.log10(max(p[1] for p in points)) + 1e-9))
-
-	def at(ms, error):
-		x = LEFT + (math.log10(ms) - span_x[0]) / (span_x[1] - span_x[0]) * (WIDTH - LEFT - RIGHT)
-		y = HEIGHT - BOTTOM - (math.log10(error) - span_y[0]) / max(span_y[1] - span_y[0], 1) * (HEIGHT - TOP - BOTTOM)
-		return x, y
-
-	parts = [
-		f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13" fill="#222">',
-		f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/><text x="{LEFT}" y="28" font-size="16">{title}</text>',
-	]
-	parts += axes(at, span_x, span_y)
-	front = pareto([(ms, error, index) for index, (ms, error, _) in enumerate(points)])
-	line = " ".join(f"{x:.1f},{y:.1f}" for x, y in (at(ms, error) for ms, error, _ in front))
-	parts.append(f'<polyline points="{line}" fill="none" stroke="#555" stroke-width="1.5" stroke-dasharray="5 4"/>')
-	parts += [mark(*at(ms, error), row) for ms, error, row in points]
-	parts += labels([(*at(ms, error), points[index][2]) for ms, error, index in front])
-	return "\n".join([*parts, legend(), "</svg>\n"])
+	across = "ms for a frame of 65,536 blades (CPU: one core)"
+	picture = Plot(title, across, "", [p[0] for p in points], [p[1] for p in points], log_x=True, log_y=True)
+	fronts = []
+	for kind in ("CPU", "GPU"):
+		front = pareto([(ms, error, index) for index, (ms, error, row) in enumerate(points) if row["precision"].startswith(kind)])
+		picture.line([(ms, error) for ms, error, _ in front], dashes="5 4")
+		fronts.append([(*picture.at(ms, error), points[index][2]) for ms, error, index in front])
+	for ms, error, row in points:
+		radius = {8: 3, 16: 4.5, 32: 6}[int(row["knots"])]
+		picture.mark(ms, error, COLORS[row["method"]], radius, row["precision"] != "CPU double", row["precision"] == "GPU")
+	for front in fronts:
+		label(picture, front)
+	rest = "circle: CPU float, 8 lanes · hollow: CPU double · square: GPU · size: knots · dashed: Pareto fronts (steps a frame × iterations)"
+	picture.legend(COLORS.items(), rest)
+	return picture.svg()
 
 
-def axes(at, span_x, span_y):
-	left, right = 10 ** span_x[0], 10 ** span_x[1]
-	for power in range(span_y[0], span_y[1] + 1):
-		(x1, y), (x2, _) = at(left, 10.0**power), at(right, 10.0**power)
-		yield f'<line x1="{x1:.1f}" y1="{y:.1f}" x2="{x2:.1f}" y2="{y:.1f}" stroke="#ddd"/>'
-		yield f'<text x="{x1 - 8:.1f}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g}</text>'
-	for ms in (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000):
-		if left <= ms <= right:
-			(x, bottom), (_, top) = at(ms, 10.0 ** span_y[0]), at(ms, 10.0 ** span_y[1])
-			yield f'<line x1="{x:.1f}" y1="{bottom:.1f}" x2="{x:.1f}" y2="{top:.1f}" stroke="#eee"/>'
-			yield f'<text x="{x:.1f}" y="{bottom + 18:.1f}" text-anchor="middle">{ms}</text>'
-	yield f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 14}" text-anchor="middle">ms for a frame of 65,536 blades, one core</text>'
-
-
-def mark(x, y, row):
-	"""Size by knots, full for float."""
-	color, radius = COLORS[row["method"]], {8: 3, 16: 4.5, 32: 6}[int(row["knots"])]
-	fill = color if row["precision"] == "CPU float" else "#fff"
-	return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{fill}" stroke="{color}" stroke-width="1.3" fill-opacity="0.75"/>'
-
-
-def labels(front):
+def label(picture, front):
 	lowest = -1e9
 	for x, y, row in front:
 		lowest = max(lowest + 15, y - 8)
-		text = f'{row["method"]} {row["knots"]} knots, {row["substeps"]} × {row["iterations"]}'
 		anchor = "end" if x > WIDTH * 0.72 else "start"
-		yield f'<text x="{x + (-9 if anchor == "end" else 9):.1f}" y="{lowest:.1f}" text-anchor="{anchor}" font-size="11">{text}</text>'
-
-
-def legend():
-	x, items = LEFT, []
-	for method, color in COLORS.items():
-		items.append(f'<circle cx="{x + 6}" cy="45" r="4.5" fill="{color}"/><text x="{x + 15}" y="49">{method}</text>')
-		x += 85
-	rest = "filled: float, 8 lanes · hollow: double · size: 8, 16, 32 knots · dashed: Pareto front (steps a frame × iterations)"
-	items.append(f'<text x="{x}" y="49" fill="#555" font-size="11">{rest}</text>')
-	return "".join(items)
+		text = f'{row["method"]} {row["knots"]} knots, {row["substeps"]} × {row["iterations"]}'
+		picture.text(x + (-9 if anchor == "end" else 9), lowest, text, anchor, 11)

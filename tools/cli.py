@@ -5,6 +5,7 @@ import argparse
 import signal
 import sys
 
+from tools.places import OUT
 from tools.say import Failure, complain
 
 EXPLANATION = """\
@@ -42,8 +43,9 @@ def parser():
 
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress", "accuracy"), help="stress: only the stress tests, in full; takes an hour. accuracy: run time against error")
+	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "pack"), help="stress: only the stress tests, in full; takes an hour. accuracy: run time against error. pack: what another machine's GPU needs, to --out")
 	bench.add_argument("--quick", action="store_true", help="accuracy: a sample, in seconds")
+	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy: only add what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
 	bench.add_argument("--only", choices=("draw", "simulate", "sleep", "kernel"), help="only this one of those in the engine")
 
@@ -66,7 +68,10 @@ def dispatch(options):
 		if options.what == "stress":
 			return testing.stress_in_full()
 		if options.what == "accuracy":
-			accuracy.run(options.out, options.quick)
+			accuracy.run(options.out, options.quick, options.gpu_results)
+			return 0
+		if options.what == "pack":
+			export.benchmark(options.out or OUT / "bench_pack")
 			return 0
 		scenes.bench(options.out, options.only)
 	elif options.command == "editor":

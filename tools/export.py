@@ -3,13 +3,15 @@
 
 import pathlib
 import re
+import shutil
 import subprocess
 
 from tools import build, engine, machine
-from tools.places import PROJECT
+from tools.places import ADDON_BIN, BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PRESET = "Linux"  # in godot_project/export_presets.cfg
+BENCH_PRESET = "Benchmark"  # the same, but that res://bench/bench.tscn is the main scene
 NAME = "grass_field"
 KINDS = ("debug", "release")
 
@@ -37,13 +39,32 @@ def export(out, debug):
 	engine.import_project()
 	install_templates()
 	folder.mkdir(parents=True, exist_ok=True)
-	output = []
-	command, environment = engine.headless()
-	with progress("Packing the project"):
-		arguments = ["--path", str(PROJECT), f"--export-{kind}", PRESET, str(folder / NAME)]
-		code = engine.run([*command, *arguments], environment, output.append, limit=600)
-	if code or not (folder / f"{NAME}.pck").exists():
-		raise Failure("The engine could not pack the project:\n" + "\n".join(output[-30:]))
+	pack(f"--export-{kind}", PRESET, folder / NAME, folder / f"{NAME}.pck")
 	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}")
 	say("Debian's template needs Debian's libraries: elsewhere, put a template of your own in the place of " + NAME)
 
+
+def pack(how, preset, file, pck):
+	output = []
+	command, environment = engine.headless()
+	with progress("Packing the project"):
+		code = engine.run([*command, "--path", str(PROJECT), how, preset, str(file)], environment, output.append, limit=600)
+	if code or not pck.exists():
+		raise Failure("The engine could not pack the project:\n" + "\n".join(output[-30:]))
+
+
+def benchmark(out):
+	"""What another machine's GPU needs to run the benchmarks: OUT/bench.pck, the library, shaders, recorded problems."""
+	from tools import accuracy
+
+	folder = pathlib.Path(out).resolve()
+	build.scons("extension", "accuracy")
+	engine.import_project()
+	folder.mkdir(parents=True, exist_ok=True)
+	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
+	for file in [*ADDON_BIN.glob("*.template_debug.*.so"), *(BUILD / "bench").glob("simulate_*.spv")]:
+		shutil.copy(file, folder)
+	if strip := shutil.which("strip"):  # less to carry
+		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
+	accuracy.record(folder / "packs", False)
+	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}. docs/benchmarks/HOWTO.md tells how to run it.")

@@ -60,18 +60,18 @@ def demo(out, size, method):
 
 def bench(out, only):
 	"""The core's benchmarks, one after the other, then the engine's; or `only` one of the engine's."""
-	ready("res://bench/bench.tscn", *([] if only else ["bench"]))
+	ready("res://bench/bench.tscn", *([] if only else ["bench"]), "accuracy")
 	folder = pathlib.Path(out or OUT / "bench").resolve()
 	folder.mkdir(parents=True, exist_ok=True)
-	for program in [] if only else sorted(file for file in (BUILD / "bench").iterdir() if file.is_file() and not file.name.startswith("accuracy")):
+	for program in [] if only else sorted((BUILD / "bench").glob("bench_*")):
 		with progress(f"Running {program.name}", every=10):
 			result = subprocess.run([str(program)], capture_output=True, text=True, timeout=LIMIT)
 		if result.returncode:
 			raise Failure(f"{program.name} ended with code {result.returncode}:\n{result.stderr}")
 		print(result.stdout, end="")
 		(folder / f"{program.name}.txt").write_text(result.stdout)
-	kernel = ["--kernel", str(BUILD / "gen/spirv/shaders_compute_simulate.glsl.spv")]
-	play("res://bench/bench.tscn", folder, [*kernel, *(["--only", only] if only else [])], SIZES["large"], "forward_plus")
+	spirv = ["--spirv", str(BUILD / "bench")]
+	play("res://bench/bench.tscn", folder, [*spirv, *(["--only", only] if only else [])], SIZES["large"], "forward_plus")
 	results(folder)
 
 

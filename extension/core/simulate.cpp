@@ -145,7 +145,7 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 	const TileState &state = *_slots[size_t(p_slot)];
 	for (int b = 0; b < BLADES; b++) {
 		for (int k = 1; k < GRASS_KNOTS; k++) {
-			uint16_t *texel = &r_texels[size_t((k + GRASS_KNOTS * b) * 4)];
+			uint16_t *texel = &r_texels[size_t((GRASS_POOL_BLADES_PER_ROW * k + b) * 4)];
 			const Eigen::Vector3f knot = knot_of(state, k, b);
 			for (int c = 0; c < 3; c++) {
 				texel[c] = float_to_half(knot[c] - state.rest[c][k][b]);

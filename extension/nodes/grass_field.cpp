@@ -141,7 +141,8 @@ void GrassField::physics_tick(double p_delta) {
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
 	input.step = _clock.advance(solver_params(), p_delta);
-	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()), 0.0f };
+	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
+		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
 	_backend->step(input);
 }

@@ -2,28 +2,33 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    draw, simulate, sleep or kernel
-##   --kernel FILE  simulate.glsl as SPIR-V, for the part `kernel`, which is left out without it
+##   --only PART    draw, simulate, sleep, kernel or accuracy
+##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel` and `accuracy`, which are left out without it
+##   --packs DIR    the problems of the part `accuracy`, which is left out without it
 extends Node3D
 
 const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
 const Kernel := preload("res://bench/bench_kernel.gd")
+const Accuracy := preload("res://bench/bench_accuracy.gd")
 
 
 func _ready() -> void:
 	var folder := _argument("--out", OS.get_user_data_dir())
 	DirAccess.make_dir_recursive_absolute(folder)
 	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
-	var kernel := _argument("--kernel", "")
-	for script: GDScript in [Draw, Simulate, Sleep, Kernel]:
+	var only := _argument("--only", "")
+	var spirv := _argument("--spirv", "")
+	var wants := { Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder] } # what a part takes, in order
+	for script: GDScript in [Draw, Simulate, Sleep, Kernel, Accuracy]:
 		var part: Node = script.new()
-		if not part.FILE.begins_with(_argument("--only", "")) or script == Kernel and not kernel:
+		var arguments: Array = wants.get(script, [])
+		if not part.FILE.begins_with(only) or arguments.has(""):
 			part.free()
 			continue
 		add_child(part)
-		var rows: Array[PackedStringArray] = await (part.run(kernel, is_software()) if script == Kernel else part.run(is_software()))
+		var rows: Array[PackedStringArray] = await part.run.callv(arguments + [is_software()])
 		part.queue_free()
 		_write(folder.path_join(part.FILE), rows)
 	get_tree().quit()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## The simulation pass alone, without field, physics and frames: tiles of swinging blades, each with its own colliders
 ## that move through it. Wall time of many dispatches, checked against the GPU's own timestamps.
-##   bench.tscn -- --kernel simulate.spv [--out DIR]
+##   bench.tscn -- --only kernel --spirv DIR [--out DIR]
 extends Node
 
 const FILE := "kernel.csv"
@@ -28,7 +28,7 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
 	_device = RenderingServer.create_local_rendering_device()
 	var code := RDShaderSPIRV.new()
-	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv))
+	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d.spv" % KNOTS)))
 	_shader = _device.shader_create_from_spirv(code)
 	_pipeline = _device.compute_pipeline_create(_shader)
 	for method: int in [DIRECT, PBD]:
@@ -91,7 +91,7 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 		p_iterations, 1.0, 0.02, p_method, # contact
 		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
 		RATE * RATE, w * w, w * w, 0.0, # energy
-		TILE_SIZE, 128.0, 128.0, 0.0, # field
+		TILE_SIZE, 128.0, 128.0, KNOTS, # field
 		1.6, 0.0, 0.0, 0.0, # clump
 	]).to_byte_array()
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The class reference says what the code does: every number is described, with the default that stands beside its code.
 #include "class_docs.gen.h"
+#include "core/map/brush_params.h"
 #include "nodes/field_params.h"
 
 #include <doctest/doctest.h>
@@ -66,5 +67,11 @@ TEST_CASE("class docs: every number of a GrassPatch is described, with its defau
 	}
 	for (const Tunable &tunable : TYPE_WEIGHTS) {
 		check(docs_of("GrassPatch"), tunable);
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassBrush is described, with its default") {
+	for (const Tunable &tunable : BRUSH_PARAMS) {
+		check(docs_of("GrassBrush"), tunable);
 	}
 }

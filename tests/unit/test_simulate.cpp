@@ -190,7 +190,7 @@ TEST_CASE("A row of the pool texture holds how far the knots are from rest, as h
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 		const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(1, b);
 		for (int k = 1; k < GRASS_KNOTS; k++) {
-			const uint16_t *texel = &row[size_t((k + GRASS_KNOTS * b) * 4)];
+			const uint16_t *texel = &row[size_t((GRASS_POOL_BLADES_PER_ROW * k + b) * 4)];
 			for (int c = 0; c < 3; c++) {
 				CHECK(texel[c] == float_to_half(knots[size_t(k)][c] - untouched.pool.get_knots(1, b)[size_t(k)][c]));
 			}

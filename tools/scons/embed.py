@@ -44,9 +44,9 @@ def flatten(path, folders, seen=None):
 	return INCLUDE.sub(inline, path.read_text())
 
 
-def compile_shader(source, folders, command, spirv):
+def compile_shader(source, folders, command, spirv, *defines):
 	"""Compute pass -> list of SPIR-V words. Raises RuntimeError with the compiler's own words."""
-	arguments = ["-V", "--target-env", "vulkan1.1", "-S", "comp", *(f"-I{folder}" for folder in folders)]
+	arguments = ["-V", "--target-env", "vulkan1.1", "-S", "comp", *(f"-I{folder}" for folder in folders), *(f"-D{name}" for name in defines)]
 	spirv.parent.mkdir(parents=True, exist_ok=True)
 	result = subprocess.run([command, *arguments, "-o", str(spirv), str(source)], capture_output=True, text=True)
 	if result.returncode:
@@ -68,6 +68,16 @@ def compute_header(target, source, env):
 		rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
 		lines.append(f"inline constexpr uint32_t {constant_name(node, '_SPIRV')}[] = {{\n" + ",\n".join(rows) + "\n};\n")
 	return write_header(target, source, lines)
+
+
+def bench_shader(target, source, env):
+	"""SCons action: a compute pass -> SPIR-V for another number of knots."""
+	try:
+		compile_shader(source[0], env["SHADER_PATH"], env["GLSLANG"], pathlib.Path(str(target[0])), f"GRASS_KNOTS={env['KNOTS']}")
+	except RuntimeError as error:
+		print(f"{source[0]}: the shader does not compile:\n{error}")
+		return 1
+	return 0
 
 
 def render_header(target, source, env):

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Run time against error of both solver methods on reference problems, for GRASS_KNOTS knots: CSV to the standard
 // output. `./grass bench accuracy` builds and runs it for 8, 16 and 32 knots and draws the plots.
+//   accuracy_16 [--quick]                 rows of the CPU
+//   accuracy_16 --record FOLDER [--quick] writes what a GPU is to compute to FOLDER/METHOD_16.pack
+//   accuracy_16 --play FOLDER [--quick]   rows of the GPU that made FOLDER/METHOD_16.result of it
 #include "blade_scene.h"
 #include "references.h"
+#include "tape.h"
 
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 
 using namespace grass;
 using namespace grass::test;
@@ -22,8 +25,12 @@ struct Config {
 	int iterations; // a substep
 };
 
-BladeScene make_scene(const Config &p_config, double p_damping_ratio, double p_frequency = 1.2) {
+// On tape, p_keep is what of the problem is wanted back after every p_stride steps.
+BladeScene make_scene(const Config &p_config, Keep p_keep, int p_stride, double p_damping_ratio, double p_frequency = 1.2) {
 	BladeScene scene;
+	if (p_config.step == step_on_tape) {
+		tape->begin(p_keep, p_stride);
+	}
 	scene.params.method = p_config.method;
 	scene.params.iterations = p_config.iterations;
 	scene.params.damping_ratio = p_damping_ratio;
@@ -38,9 +45,10 @@ void step_frame(BladeScene &r_scene, const Config &p_config) {
 
 // Error of the straight blade's sag under an even load across it, share.
 double static_error(const Config &p_config, double p_gamma) {
-	BladeScene scene = make_scene(p_config, 1.0);
+	constexpr int FRAMES = 300;
+	BladeScene scene = make_scene(p_config, Keep::TIP, FRAMES * p_config.substeps, 1.0);
 	scene.params.load[0] = load_of_gamma(p_gamma, scene.params.natural_frequency, double(scene.length));
-	for (int frame = 0; frame < 300; frame++) {
+	for (int frame = 0; frame < FRAMES; frame++) {
 		step_frame(scene, p_config);
 	}
 	return std::abs(double(scene.knot(0, GRASS_KNOTS - 1).x() / scene.length) / elastica_drop(p_gamma) - 1.0);
@@ -49,7 +57,7 @@ double static_error(const Config &p_config, double p_gamma) {
 // Error of the straight blade's first frequency, share; r_kept: amplitude kept a period.
 double frequency_error(const Config &p_config, double &r_kept) {
 	const double frequency = 2.5;
-	BladeScene scene = make_scene(p_config, 1.0, frequency);
+	BladeScene scene = make_scene(p_config, Keep::TIP, 1, 1.0, frequency);
 	scene.params.load[0] = load_of_gamma(0.1, frequency, double(scene.length));
 	for (int frame = 0; frame < 120; frame++) {
 		step_frame(scene, p_config);
@@ -90,7 +98,7 @@ void append_knots(const BladeScene &p_scene, Track &r_path) {
 
 // Released from an arc, for a second.
 Track transient(const Config &p_config) {
-	BladeScene scene = make_scene(p_config, 0.1);
+	BladeScene scene = make_scene(p_config, Keep::KNOTS, p_config.substeps, 0.1);
 	scene.bend(1.0f);
 	Track path;
 	for (int frame = 0; frame < 60; frame++) {
@@ -102,7 +110,7 @@ Track transient(const Config &p_config) {
 
 // A ball rolls through at 5 m/s, for 0.3 seconds.
 Track sphere_sweep(const Config &p_config) {
-	BladeScene scene = make_scene(p_config, 0.5);
+	BladeScene scene = make_scene(p_config, Keep::KNOTS, p_config.substeps, 0.5);
 	scene.add(GRASS_SPHERE, Eigen::Vector3f::Zero(), { 0.15f, 0.0f, 0.0f });
 	const float stride = 5.0f * float(FRAME) / float(p_config.substeps);
 	Track path;
@@ -126,10 +134,14 @@ double difference(const Track &p_a, const Track &p_b) {
 	return std::sqrt(sum / double(p_a.size())) / 0.5;
 }
 
-// Milliseconds that a frame of 65,536 swinging blades takes on one core.
+// Milliseconds that a frame of 65,536 swinging blades takes: on one core, or on the GPU.
 double time_frame(const Config &p_config) {
-	BladeScene scene = make_scene(p_config, 0.05);
+	BladeScene scene = make_scene(p_config, Keep::TIME, 1, 0.05);
 	scene.bend(1.0f);
+	if (p_config.step == step_on_tape) {
+		step_frame(scene, p_config);
+		return tape->milliseconds();
+	}
 	double best = 1e9;
 	for (int frame = 0; frame < 40; frame++) {
 		const auto start = std::chrono::steady_clock::now();
@@ -139,35 +151,115 @@ double time_frame(const Config &p_config) {
 	return best * 65536.0 / GRASS_BLADES_PER_TILE;
 }
 
+struct References {
+	Track transient, sweep;
+};
+
+struct Row {
+	double ms;
+	std::pair<const char *, double> errors[6];
+};
+
+// Solves every problem with one configuration.
+Row measure(const Config &p_config, const References &p_references) {
+	const double ms = time_frame(p_config);
+	double kept = 0.0;
+	const double frequency = frequency_error(p_config, kept);
+	const double static_1 = static_error(p_config, 1.0), static_5 = static_error(p_config, 5.0);
+	return { ms,
+		{ { "static_1", static_1 }, { "static_5", static_5 }, { "frequency", frequency }, { "amplitude_lost", std::max(1.0 - kept, 0.0) },
+				{ "transient", difference(transient(p_config), p_references.transient) },
+				{ "sphere_sweep", difference(sphere_sweep(p_config), p_references.sweep) } } };
+}
+
+const char *name_of(Method p_method) {
+	return p_method == Method::DIRECT ? "DIRECT" : "PBD";
+}
+
+// Solves everything with every configuration of a method and step function.
+void measure_all(Method p_method, Step p_step, bool p_is_quick, const References &p_references,
+		const std::function<void(const Config &, const Row &)> &p_report) {
+	for (const int substeps : { 1, 2, 4 }) {
+		for (const int iterations : { 1, 2, 4 }) {
+			if (p_is_quick && (substeps == 4 || iterations == 4)) {
+				continue;
+			}
+			const Config config{ p_method, p_step, substeps, iterations };
+			p_report(config, measure(config, p_references));
+		}
+	}
+}
+
+void print_rows(const char *p_precision, const Config &p_config, const Row &p_row) {
+	for (const auto &[name, value] : p_row.errors) {
+		std::printf("%s,%s,%d,%d,%d,%.4g,%s,%.6g\n", name_of(p_config.method), p_precision, GRASS_KNOTS, p_config.substeps,
+				p_config.iterations, p_row.ms, name, value);
+	}
+	std::fflush(stdout);
+}
+
+References solve_references() {
+	const Config converged{ Method::DIRECT, step_scalar_double, 8, 8 };
+	return { transient(converged), sphere_sweep(converged) };
+}
+
+void measure_cpu(bool p_is_quick) {
+	const References references = solve_references();
+	for (const Method method : { Method::DIRECT, Method::PBD }) {
+		measure_all(method, step_lanes, p_is_quick, references,
+				[](const Config &p_config, const Row &p_row) { print_rows("CPU float", p_config, p_row); });
+		if (!p_is_quick) {
+			measure_all(method, step_scalar_double, p_is_quick, references,
+					[](const Config &p_config, const Row &p_row) { print_rows("CPU double", p_config, p_row); });
+		}
+	}
+}
+
+std::string file_of(const std::string &p_folder, Method p_method, const char *p_kind) {
+	return p_folder + "/" + name_of(p_method) + "_" + std::to_string(GRASS_KNOTS) + "." + p_kind;
+}
+
+void record(const std::string &p_folder, bool p_is_quick) {
+	const Config any{ Method::DIRECT, step_lanes, 1, 1 }; // tracks of the right length: nothing is compared yet
+	const References references{ transient(any), sphere_sweep(any) };
+	for (const Method method : { Method::DIRECT, Method::PBD }) {
+		Recorder recorder;
+		tape = &recorder;
+		measure_all(method, step_on_tape, p_is_quick, references, [](const Config &, const Row &) {});
+		recorder.write(file_of(p_folder, method, "pack"));
+	}
+}
+
+void play(const std::string &p_folder, bool p_is_quick) {
+	const References references = solve_references();
+	for (const Method method : { Method::DIRECT, Method::PBD }) {
+		Player player(file_of(p_folder, method, "result"));
+		tape = &player;
+		measure_all(method, step_on_tape, p_is_quick, references, [&](const Config &p_config, const Row &p_row) {
+			print_rows(player.is_software() ? "GPU in software" : "GPU", p_config, p_row);
+		});
+		player.finish();
+	}
+}
+
 } // namespace
 
 int main(int p_count, char **p_arguments) {
-	const bool is_quick = p_count > 1 && std::strcmp(p_arguments[1], "--quick") == 0;
-	const Config converged{ Method::DIRECT, step_scalar_double, 8, 8 };
-	const Track transient_reference = transient(converged), sweep_reference = sphere_sweep(converged);
-	for (const Method method : { Method::DIRECT, Method::PBD }) {
-		for (const Step step : { step_lanes, step_scalar_double }) {
-			for (const int substeps : { 1, 2, 4 }) {
-				for (const int iterations : { 1, 2, 4 }) {
-					if (is_quick && (substeps == 4 || iterations == 4 || step != step_lanes)) {
-						continue;
-					}
-					const Config config{ method, step, substeps, iterations };
-					const double ms = time_frame(config);
-					double kept = 0.0;
-					const double frequency = frequency_error(config, kept);
-					const std::pair<const char *, double> errors[] = { { "static_1", static_error(config, 1.0) },
-						{ "static_5", static_error(config, 5.0) }, { "frequency", frequency },
-						{ "amplitude_lost", std::max(1.0 - kept, 0.0) },
-						{ "transient", difference(transient(config), transient_reference) },
-						{ "sphere_sweep", difference(sphere_sweep(config), sweep_reference) } };
-					for (const auto &[name, value] : errors) {
-						std::printf("%s,%s,%d,%d,%d,%.3f,%s,%.6g\n", method == Method::DIRECT ? "DIRECT" : "PBD",
-								step == step_lanes ? "CPU float" : "CPU double", GRASS_KNOTS, substeps, iterations, ms, name, value);
-					}
-					std::fflush(stdout);
-				}
-			}
+	std::vector<std::string> arguments(p_arguments + 1, p_arguments + p_count);
+	const bool is_quick = std::erase(arguments, "--quick") > 0;
+	try {
+		if (arguments.empty()) {
+			measure_cpu(is_quick);
+		} else if (arguments.size() == 2 && arguments[0] == "--record") {
+			record(arguments[1], is_quick);
+		} else if (arguments.size() == 2 && arguments[0] == "--play") {
+			play(arguments[1], is_quick);
+		} else {
+			std::fprintf(stderr, "usage: %s [--record FOLDER | --play FOLDER] [--quick]\n", p_arguments[0]);
+			return 2;
 		}
+	} catch (const std::runtime_error &error) {
+		std::fprintf(stderr, "%s\n", error.what());
+		return 1;
 	}
 }

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/brush.h"
+
+#include "core/hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace grass {
+
+namespace {
+
+using Codes = std::array<int32_t, 4>; // of a texel's components
+
+// p_weight of the way from a code to another; at least one step of the way, so that a weak brush arrives, too.
+int32_t toward(int32_t p_from, int32_t p_to, double p_weight) {
+	const double way = double(p_to) - p_from;
+	const double step = std::round(way * p_weight);
+	if (step == 0.0 && way != 0.0 && p_weight * 255.0 >= 1.0) {
+		return p_from + (way > 0.0 ? 1 : -1);
+	}
+	return p_from + int32_t(step);
+}
+
+// A number of the texel's own, 0 <= h < 1.
+double texel_hash(int p_i, int p_j) {
+	return double(grass_hash(uint32_t(p_i) ^ grass_hash(uint32_t(p_j)))) / 4294967296.0;
+}
+
+// One step of a brush over one channel.
+class Dab {
+public:
+	Dab(const PaintMap &p_map, const Brush &p_brush) :
+			_brush(p_brush), _channel(channel_of(p_brush)), _info(info_of(_channel)), _texels(p_map, _channel) {
+		const Eigen::Vector2d direction = p_brush.direction.stableNormalized();
+		_target.fill(_info.code(p_brush.target));
+		if (p_brush.tool == MapTool::COMB) {
+			_target = { _info.code(direction.x() * p_brush.target), _info.code(direction.y() * p_brush.target), 0, 0 };
+		} else if (p_brush.tool == MapTool::TINT) {
+			for (int c = 0; c < 3; c++) {
+				_target[size_t(c)] = _info.code(p_brush.color[c]);
+			}
+		}
+	}
+
+	Codes read(int p_i, int p_j) {
+		Codes codes{};
+		for (int c = 0; c < _info.components; c++) {
+			codes[size_t(c)] = _texels.code(c, p_i, p_j);
+		}
+		return codes;
+	}
+
+	// What the texel holds after the step.
+	Codes changed(const Codes &p_now, int p_i, int p_j, double p_weight) {
+		Codes codes = p_now;
+		switch (_brush.tool) {
+			case MapTool::PAINT:
+			case MapTool::FLATTEN:
+				codes[0] = std::max(p_now[0], toward(p_now[0], _target[0], p_weight));
+				break;
+			case MapTool::ERASE:
+				codes[0] = toward(p_now[0], 0, p_weight);
+				break;
+			case MapTool::SMOOTH:
+				for (int c = 0; c < _info.components; c++) {
+					codes[size_t(c)] = smoothed(c, p_i, p_j, p_weight);
+				}
+				break;
+			case MapTool::SPECIES:
+				codes[0] = texel_hash(p_i, p_j) < p_weight ? _target[0] : p_now[0];
+				break;
+			case MapTool::TINT:
+				for (size_t c = 0; c < 3; c++) { // a colour that did not show yet leaves no trace
+					codes[c] = p_now[3] == 0 ? _target[c] : toward(p_now[c], _target[c], p_weight);
+				}
+				codes[3] = toward(p_now[3], _target[3], p_weight);
+				break;
+			case MapTool::CUT:
+				codes[0] = p_weight >= 0.5 * std::min(_brush.strength, 1.0) ? std::min(p_now[0], _target[0]) : p_now[0];
+				break;
+			case MapTool::REGROW:
+				codes[0] = p_now[0] + grown(p_weight);
+				break;
+			case MapTool::RECOVER:
+				codes[0] = p_now[0] - grown(p_weight);
+				break;
+			default: // DENSITY, HEIGHT, COMB
+				for (int c = 0; c < _info.components; c++) {
+					codes[size_t(c)] = toward(p_now[size_t(c)], _target[size_t(c)], p_weight);
+				}
+		}
+		for (int c = 0; c < _info.components; c++) {
+			codes[size_t(c)] = std::clamp(codes[size_t(c)], _info.lowest, _info.highest);
+		}
+		return codes;
+	}
+
+	MapChannel channel() const { return _channel; }
+
+private:
+	// Towards the mean of the 3 x 3 texels around, weighed 1 2 1 both ways.
+	int32_t smoothed(int p_component, int p_i, int p_j, double p_weight) {
+		double sum = 0.0;
+		for (int dj = -1; dj <= 1; dj++) {
+			for (int di = -1; di <= 1; di++) {
+				sum += double((2 - std::abs(di)) * (2 - std::abs(dj))) * _texels.code(p_component, p_i + di, p_j + dj);
+			}
+		}
+		return toward(_texels.code(p_component, p_i, p_j), int32_t(std::round(sum / 16.0)), p_weight);
+	}
+
+	int32_t grown(double p_weight) const { return int32_t(std::round(p_weight * (_target[0] - _info.zero))); }
+
+	const Brush &_brush;
+	MapChannel _channel;
+	const MapChannelInfo &_info;
+	MapReader _texels;
+	Codes _target{};
+};
+
+struct Edit {
+	int i, j;
+	Codes before, after;
+};
+
+} // namespace
+
+bool MapLimits::allows(MapReader &r_ground, MapReader &r_normal, const Eigen::Vector2d &p_place) const {
+	if (is_everywhere()) {
+		return true;
+	}
+	const double height = r_ground.sample(0, p_place);
+	const double tilt = std::min(1.0, std::hypot(r_normal.sample(0, p_place), r_normal.sample(1, p_place))); // sine of the slope
+	const double slope = std::asin(tilt) * 180.0 / std::numbers::pi;
+	return height >= height_min && height <= height_max && slope >= slope_min && slope <= slope_max;
+}
+
+MapChannel channel_of(const Brush &p_brush) {
+	switch (p_brush.tool) {
+		case MapTool::SMOOTH:
+			return p_brush.channel;
+		case MapTool::HEIGHT:
+			return MAP_HEIGHT;
+		case MapTool::SPECIES:
+			return MAP_SPECIES;
+		case MapTool::TINT:
+			return MAP_TINT;
+		case MapTool::COMB:
+			return MAP_LEAN;
+		case MapTool::CUT:
+		case MapTool::REGROW:
+			return MAP_CUT;
+		case MapTool::FLATTEN:
+		case MapTool::RECOVER:
+			return MAP_WEAR;
+		default:
+			return MAP_DENSITY;
+	}
+}
+
+BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p_brush) {
+	BrushResult result;
+	const double strength = std::clamp(p_brush.strength, 0.0, 1.0);
+	if (p_shape.is_empty() || !(strength > 0.0)) {
+		return result;
+	}
+	Dab dab(r_map, p_brush);
+	MapReader ground(r_map, MAP_GROUND), normal(r_map, MAP_NORMAL);
+	const MapChannelInfo &info = info_of(dab.channel());
+	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
+	// Texels whose centres the shape may hold; first all are read, then all written, so that their order does not matter.
+	const Eigen::Array2d low = (p_shape.get_min().array() / size - 0.5).ceil(), high = (p_shape.get_max().array() / size - 0.5).floor();
+	result.out_of_room = (low < -reach).any() || (high >= reach).any();
+	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();
+	std::vector<Edit> edits;
+	for (int j = first.y(); j <= last.y(); j++) {
+		for (int i = first.x(); i <= last.x(); i++) {
+			const Eigen::Vector2d centre((i + 0.5) * size, (j + 0.5) * size);
+			const double weight = strength * p_shape.get_weight(centre);
+			if (weight > 0.0 && p_brush.limits.allows(ground, normal, centre)) {
+				const Codes now = dab.read(i, j), after = dab.changed(now, i, j, weight);
+				if (after != now) {
+					edits.push_back({ i, j, now, after });
+				}
+			}
+		}
+	}
+	std::set<MapKey> changed;
+	for (const Edit &edit : edits) {
+		bool written = true;
+		for (int c = 0; c < info.components && written; c++) {
+			written = r_map.set_code(dab.channel(), c, edit.i, edit.j, edit.after[size_t(c)]);
+		}
+		result.out_of_room = result.out_of_room || !written;
+		if (written) {
+			result.amount += (double(edit.after[0]) - edit.before[0]) * info.unit * size * size;
+			changed.insert(key_of(dab.channel(), edit.i, edit.j));
+		}
+	}
+	result.changed.assign(changed.begin(), changed.end());
+	return result;
+}
+
+} // namespace grass

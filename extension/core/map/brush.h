@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What a brush does to the map. Each tool works on one channel; a game's mower and boots use the same tools.
+#pragma once
+
+#include "core/map/map_shape.h"
+#include "core/map/paint_map.h"
+
+namespace grass {
+
+enum class MapTool {
+	PAINT, // raises density to the target, never lowers it
+	ERASE, // lowers density to 0
+	SMOOTH, // evens out `channel`
+	DENSITY, // brings density to the target, up or down
+	HEIGHT, // brings height to the target
+	SPECIES, // plants species `target`; at the soft border, mixed in texel by texel
+	TINT, // brings the tint to `color`, as strong as the target
+	COMB, // leans the grass along `direction`, as far as the target
+	CUT, // cuts what is longer than the target, metres, wherever the shape has at least half of its effect
+	FLATTEN, // tramples: raises wear to the target
+	REGROW, // lets what was cut grow by the target, metres
+	RECOVER, // lowers wear by the target
+	COUNT,
+};
+
+// The ground that a tool may change.
+struct MapLimits {
+	double slope_min = 0.0, slope_max = 90.0; // degrees from level
+	double height_min = -16384.0, height_max = 16384.0; // metres above the field
+
+	bool is_everywhere() const { return slope_min <= 0.0 && slope_max >= 90.0 && height_min <= -16384.0 && height_max >= 16384.0; }
+	bool allows(MapReader &r_ground, MapReader &r_normal, const Eigen::Vector2d &p_place) const;
+};
+
+struct Brush {
+	MapTool tool = MapTool::PAINT;
+	double strength = 1.0; // 0..1; values beyond are clamped, NaN does nothing
+	double target = 1.0; // in units of the tool's channel
+	Eigen::Array3d color = Eigen::Array3d::Ones(); // TINT
+	Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // COMB: along x, z; its length does not count
+	MapChannel channel = MAP_DENSITY; // SMOOTH
+	MapLimits limits;
+};
+
+struct BrushResult {
+	std::vector<MapKey> changed; // chunks, rising
+	// Sum over the texels of what their first component changed by, times their area: for density square metres of full
+	// grass, for height, cut and wear their own unit times m^2.
+	double amount = 0.0;
+	bool out_of_room = false; // some of it lay out of reach, or the map is full
+};
+
+// The channel that a tool changes.
+MapChannel channel_of(const Brush &p_brush);
+
+// One step of a brush. A shape that is nowhere and a brush of strength 0 change nothing.
+BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p_brush);
+
+} // namespace grass

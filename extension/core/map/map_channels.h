@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What a painted map knows about each place: its channels, how finely and in which codes each is kept. May include
+// Eigen, never Godot.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace grass {
+
+// Files hold these numbers: new channels go to the end.
+enum MapChannel {
+	MAP_DENSITY, // share of the field's blades that stand here, 0..1
+	MAP_HEIGHT, // share of the blades' own length, 0..1
+	MAP_SPECIES, // number of the species
+	MAP_TINT, // colour (red, green, blue, 0..1) and how much of it shows (0..1)
+	MAP_LEAN, // the way the grass is combed, along x and z, -1..1
+	MAP_GROUND, // height of the ground, metres above the field
+	MAP_NORMAL, // x and z of the ground's unit normal
+	MAP_WEAR, // 0 untouched .. 1 trampled bare; lasts
+	MAP_CUT, // blades end here, metres above the ground; MAP_UNCUT: nobody cut them
+	MAP_CHANNELS,
+};
+
+// A chunk is a square of this many metres; chunk (0, 0) begins at the map's origin and lies on its +x, +z side.
+inline constexpr double MAP_CHUNK_SIZE = 64.0;
+
+// A value is kept as a whole number, its code: value = (code - zero) * unit.
+struct MapChannelInfo {
+	const char *name;
+	int side; // texels along a chunk
+	int components;
+	int bytes; // of a code: 1 (unsigned) or 4 (signed, little-endian)
+	int32_t lowest, highest; // codes
+	int32_t zero;
+	double unit;
+	std::array<int32_t, 4> initial; // codes where nobody painted
+	bool blends; // between texels; else the nearest one counts
+
+	constexpr double texel_size() const { return MAP_CHUNK_SIZE / side; } // metres
+	constexpr size_t chunk_bytes() const { return size_t(side) * size_t(side) * size_t(components) * size_t(bytes); }
+	constexpr double value(int32_t p_code) const { return (double(p_code) - zero) * unit; }
+	// The nearest code; NaN gives `zero`.
+	int32_t code(double p_value) const {
+		const double code = std::isnan(p_value) ? double(zero) : std::round(p_value / unit) + zero;
+		return int32_t(code < lowest ? double(lowest) : (code > highest ? double(highest) : code));
+	}
+};
+
+inline constexpr int32_t MAP_UNCUT_CODE = 255;
+inline constexpr int32_t MAP_GROUND_LIMIT = 1 << 24; // 16,384 m up and down
+
+inline constexpr std::array<MapChannelInfo, MAP_CHANNELS> MAP_CHANNEL_INFO = { {
+		{ "density", 128, 1, 1, 0, 255, 0, 1.0 / 255.0, { 0 }, true },
+		{ "height", 64, 1, 1, 0, 255, 0, 1.0 / 255.0, { 255 }, true },
+		{ "species", 64, 1, 1, 0, 255, 0, 1.0, { 0 }, false },
+		{ "tint", 64, 4, 1, 0, 255, 0, 1.0 / 255.0, { 255, 255, 255, 0 }, true },
+		{ "lean", 64, 2, 1, 1, 255, 128, 1.0 / 127.0, { 128, 128 }, true },
+		{ "ground", 64, 1, 4, -MAP_GROUND_LIMIT, MAP_GROUND_LIMIT, 0, 1.0 / 1024.0, { 0 }, true },
+		{ "normal", 64, 2, 1, 1, 255, 128, 1.0 / 127.0, { 128, 128 }, true },
+		{ "wear", 128, 1, 1, 0, 255, 0, 1.0 / 255.0, { 0 }, true },
+		{ "cut", 128, 1, 1, 0, MAP_UNCUT_CODE, 0, 0.01, { MAP_UNCUT_CODE }, true },
+} };
+
+inline constexpr double MAP_UNCUT = MAP_CHANNEL_INFO[MAP_CUT].value(MAP_UNCUT_CODE); // metres
+
+constexpr const MapChannelInfo &info_of(MapChannel p_channel) {
+	return MAP_CHANNEL_INFO[size_t(p_channel)];
+}
+
+} // namespace grass

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// A painted map as bytes, and back: all or nothing. All numbers are little-endian.
+//
+//   0  8 bytes  "GRASSMAP"
+//   8  u32      version, MAP_FILE_VERSION
+//  12  u32      code of the base density
+//  16  u32      chunks, n
+//  20  n times  i32 x, i32 z, u32 channels (one bit each), u32 bytes, u32 checksum of them: 20 bytes, rising by key
+//      u32      checksum of all above
+//      n times  the chunk's bytes: its channels one after the other, filtered, then packed together by the codec
+//
+// The filter stores what a texel differs by from the plane through its neighbours before it (left + above - above left),
+// component after component, byte after byte of the codes: painted and smooth ground is nearly all zeros.
+#pragma once
+
+#include "core/map/paint_map.h"
+
+#include <functional>
+#include <string>
+
+namespace grass {
+
+inline constexpr uint32_t MAP_FILE_VERSION = 1;
+
+using MapBytes = std::vector<uint8_t>;
+
+// How a chunk's bytes are made small; the engine's compression in the extension.
+struct MapCodec {
+	std::function<MapBytes(std::span<const uint8_t> p_bytes)> pack;
+	// Fills r_bytes, whose size is that of what was packed. False if that cannot be.
+	std::function<bool(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes)> unpack;
+};
+
+// The same bytes for the same map.
+MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
+
+// Replaces r_map by what the bytes hold and returns "". If anything is wrong: what, as the end of a sentence that begins
+// with the file's name, and r_map stays as it was.
+std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
+
+// CRC-32 (ISO 3309) of some bytes.
+uint32_t checksum(std::span<const uint8_t> p_bytes);
+
+} // namespace grass

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/map_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace grass {
+
+namespace {
+
+double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
+}
+
+bool is_before(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	return p_a.x() != p_b.x() ? p_a.x() < p_b.x() : p_a.y() < p_b.y();
+}
+
+// Corners of the convex hull, counter-clockwise (x to the right, z up): Andrew's monotone chain.
+std::vector<Eigen::Vector2d> hull_of(std::span<const Eigen::Vector2d> p_points) {
+	std::vector<Eigen::Vector2d> points(p_points.begin(), p_points.end());
+	std::sort(points.begin(), points.end(), is_before);
+	points.erase(std::unique(points.begin(), points.end()), points.end());
+	if (points.size() < 3) {
+		return points;
+	}
+	std::vector<Eigen::Vector2d> hull;
+	for (int side = 0; side < 2; side++) {
+		const size_t first = hull.size();
+		for (const Eigen::Vector2d &point : points) {
+			while (hull.size() >= first + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
+				hull.pop_back();
+			}
+			hull.push_back(point);
+		}
+		hull.pop_back(); // the other side begins there
+		std::reverse(points.begin(), points.end());
+	}
+	return hull;
+}
+
+double distance_to_segment(const Eigen::Vector2d &p_place, const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	const Eigen::Vector2d along = p_b - p_a;
+	const double length = along.squaredNorm();
+	const double t = length > 0.0 ? std::clamp((p_place - p_a).dot(along) / length, 0.0, 1.0) : 0.0;
+	return (p_place - p_a - t * along).norm();
+}
+
+double fade(double p_t, Falloff p_falloff) {
+	switch (p_falloff) {
+		case Falloff::LINEAR:
+			return p_t;
+		case Falloff::SPHERE:
+			return std::sqrt(p_t * (2.0 - p_t));
+		case Falloff::SHARP:
+			return p_t * p_t;
+		default:
+			return p_t * p_t * (3.0 - 2.0 * p_t);
+	}
+}
+
+} // namespace
+
+MapShape::MapShape(std::span<const Eigen::Vector2d> p_points, double p_radius, double p_softness, Falloff p_falloff) {
+	bool usable = !p_points.empty() && p_radius >= 0.0 && p_radius <= MAX_EXTENT && p_softness >= 0.0;
+	Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+	for (const Eigen::Vector2d &point : p_points) {
+		usable = usable && point.allFinite();
+		low = low.min(point.array());
+		high = high.max(point.array());
+	}
+	if (!usable || ((high - low) > MAX_EXTENT).any()) {
+		return;
+	}
+	_corners = hull_of(p_points);
+	_radius = p_radius;
+	_softness = p_softness;
+	_falloff = p_falloff;
+	_min = low - p_radius;
+	_max = high + p_radius;
+}
+
+MapShape MapShape::stroke(
+		const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_radius, double p_hardness, Falloff p_falloff) {
+	const Eigen::Vector2d ends[] = { p_from, p_to };
+	return MapShape(ends, p_radius, p_radius * (1.0 - std::clamp(p_hardness, 0.0, 1.0)), p_falloff);
+}
+
+double MapShape::get_distance(const Eigen::Vector2d &p_place) const {
+	if (_corners.empty()) {
+		return std::numeric_limits<double>::infinity();
+	}
+	double nearest = std::numeric_limits<double>::infinity();
+	bool inside = _corners.size() > 2;
+	for (size_t i = 0; i < _corners.size(); i++) {
+		const Eigen::Vector2d &a = _corners[i], &b = _corners[(i + 1) % _corners.size()];
+		nearest = std::min(nearest, distance_to_segment(p_place, a, b));
+		inside = inside && cross(b - a, p_place - a) >= 0.0;
+	}
+	return (inside ? -nearest : nearest) - _radius;
+}
+
+double MapShape::get_weight(const Eigen::Vector2d &p_place) const {
+	const double depth = -get_distance(p_place);
+	if (!(depth >= 0.0)) {
+		return 0.0;
+	}
+	return depth >= _softness ? 1.0 : fade(depth / _softness, _falloff);
+}
+
+} // namespace grass

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Where a brush or a game's tool acts on the map: a convex shape on the ground, with a soft border.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+// How the effect fades from full to none across the soft border.
+enum class Falloff {
+	SMOOTH,
+	LINEAR,
+	SPHERE, // stays strong, drops at the border
+	SHARP, // drops at once, fades out long
+};
+
+// All places within `radius` of the convex hull of `points`: one point makes a disc, two a stroke from one to the other,
+// more a polygon. Metres.
+class MapShape {
+public:
+	static constexpr double MAX_EXTENT = 4096.0; // metres from one end to the other
+
+	MapShape() = default; // nowhere
+	// p_softness: metres inside of the border in which the effect fades; 0: a hard border. What is not finite, negative or
+	// too large makes a shape that is nowhere.
+	MapShape(std::span<const Eigen::Vector2d> p_points, double p_radius, double p_softness = 0.0, Falloff p_falloff = Falloff::SMOOTH);
+	// p_hardness: share of the radius that feels the full effect, 0..1.
+	static MapShape stroke(
+			const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_radius, double p_hardness, Falloff p_falloff);
+
+	bool is_empty() const { return _corners.empty(); }
+	// Metres to the border, negative inside.
+	double get_distance(const Eigen::Vector2d &p_place) const;
+	// 0 outside .. 1 where the full effect is.
+	double get_weight(const Eigen::Vector2d &p_place) const;
+	Eigen::Vector2d get_min() const { return _min; }
+	Eigen::Vector2d get_max() const { return _max; }
+
+private:
+	std::vector<Eigen::Vector2d> _corners; // of the hull, one after the other
+	double _radius = 0.0, _softness = 0.0;
+	Falloff _falloff = Falloff::SMOOTH;
+	Eigen::Vector2d _min = Eigen::Vector2d::Zero(), _max = Eigen::Vector2d::Zero();
+};
+
+} // namespace grass

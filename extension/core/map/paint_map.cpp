@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/paint_map.h"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+namespace grass {
+
+namespace {
+
+constexpr int floor_div(int p_a, int p_b) {
+	return p_a >= 0 ? p_a / p_b : -((p_b - 1 - p_a) / p_b);
+}
+
+bool is_in_reach(const MapKey &p_key) {
+	return p_key.x >= -PaintMap::REACH && p_key.z >= -PaintMap::REACH && p_key.x < PaintMap::REACH && p_key.z < PaintMap::REACH;
+}
+
+int32_t read_code(const uint8_t *p_texels, const MapChannelInfo &p_info, size_t p_index) {
+	if (p_info.bytes == 1) {
+		return p_texels[p_index];
+	}
+	int32_t code;
+	std::memcpy(&code, p_texels + p_index * 4, 4);
+	return code;
+}
+
+void write_code(uint8_t *r_texels, const MapChannelInfo &p_info, size_t p_index, int32_t p_code) {
+	if (p_info.bytes == 1) {
+		r_texels[p_index] = uint8_t(p_code);
+	} else {
+		std::memcpy(r_texels + p_index * 4, &p_code, 4);
+	}
+}
+
+size_t index_of(const MapChannelInfo &p_info, const MapKey &p_key, int p_component, int p_i, int p_j) {
+	const size_t column = size_t(p_i - p_key.x * p_info.side), row = size_t(p_j - p_key.z * p_info.side);
+	return (row * size_t(p_info.side) + column) * size_t(p_info.components) + size_t(p_component);
+}
+
+// Whether two channels hold the same codes; null ones hold the initial codes, which sameness of all others decides by pointer.
+bool same(const std::shared_ptr<const MapTexels> &p_a, const std::shared_ptr<const MapTexels> &p_b) {
+	return p_a == p_b || (p_a && p_b && *p_a == *p_b);
+}
+
+} // namespace
+
+MapKey key_of(MapChannel p_channel, int p_i, int p_j) {
+	const int side = info_of(p_channel).side;
+	return { floor_div(p_i, side), floor_div(p_j, side) };
+}
+
+MapKey key_at(const Eigen::Vector2d &p_place) {
+	const Eigen::Array2d chunk = (p_place.array() / MAP_CHUNK_SIZE).floor();
+	if (!chunk.allFinite() || (chunk.abs() > double(PaintMap::REACH)).any()) {
+		return { PaintMap::REACH, PaintMap::REACH };
+	}
+	return { int(chunk.x()), int(chunk.y()) };
+}
+
+bool MapChunk::is_empty() const {
+	return std::none_of(channels.begin(), channels.end(), [](const auto &p_texels) { return p_texels != nullptr; });
+}
+
+bool MapChunk::operator==(const MapChunk &p_other) const {
+	return std::equal(channels.begin(), channels.end(), p_other.channels.begin(), same);
+}
+
+void PaintMap::set_base_density(double p_density) {
+	_base_density = info_of(MAP_DENSITY).code(p_density);
+}
+
+double PaintMap::get_base_density() const {
+	return info_of(MAP_DENSITY).value(_base_density);
+}
+
+int32_t PaintMap::initial_code(MapChannel p_channel, int p_component) const {
+	return p_channel == MAP_DENSITY ? _base_density : info_of(p_channel).initial[size_t(p_component)];
+}
+
+std::vector<MapKey> PaintMap::get_keys() const {
+	std::vector<MapKey> keys;
+	for (const auto &[key, chunk] : _chunks) {
+		keys.push_back(key);
+	}
+	return keys;
+}
+
+const MapChunk *PaintMap::find(const MapKey &p_key) const {
+	const auto found = _chunks.find(p_key);
+	return found == _chunks.end() ? nullptr : &found->second;
+}
+
+bool PaintMap::uses(MapChannel p_channel) const {
+	return std::any_of(
+			_chunks.begin(), _chunks.end(), [p_channel](const auto &p_entry) { return p_entry.second.channels[size_t(p_channel)]; });
+}
+
+int32_t PaintMap::get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const {
+	return MapReader(*this, p_channel).code(p_component, p_i, p_j);
+}
+
+bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code) {
+	const MapChannelInfo &info = info_of(p_channel);
+	const MapKey key = key_of(p_channel, p_i, p_j);
+	if (!is_in_reach(key)) {
+		return false;
+	}
+	const int32_t code = std::clamp(p_code, info.lowest, info.highest);
+	if (code == get_code(p_channel, p_component, p_i, p_j)) {
+		return true; // an untouched chunk stays untouched
+	}
+	MapTexels *texels = write(key, p_channel);
+	if (texels == nullptr) {
+		return false;
+	}
+	write_code(texels->data(), info, index_of(info, key, p_component, p_i, p_j), code);
+	return true;
+}
+
+// The chunk's texels, its own: made if they are not there, copied if a snapshot shares them. Null if the map is full.
+MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
+	if (_chunks.size() >= MAX_CHUNKS && find(p_key) == nullptr) {
+		return nullptr;
+	}
+	const MapChannelInfo &info = info_of(p_channel);
+	std::shared_ptr<const MapTexels> &texels = _chunks[p_key].channels[size_t(p_channel)];
+	if (!texels) {
+		auto made = std::make_shared<MapTexels>(info.chunk_bytes());
+		for (size_t i = 0; i < size_t(info.side * info.side * info.components); i++) {
+			write_code(made->data(), info, i, initial_code(p_channel, int(i) % info.components));
+		}
+		texels = made;
+	} else if (texels.use_count() > 1) {
+		texels = std::make_shared<MapTexels>(*texels);
+	}
+	return const_cast<MapTexels *>(texels.get()); // nobody else holds it
+}
+
+bool PaintMap::set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels) {
+	const bool is_new = find(p_key) == nullptr;
+	if (!is_in_reach(p_key) || (p_texels && p_texels->size() != info_of(p_channel).chunk_bytes()) ||
+			(is_new && _chunks.size() >= MAX_CHUNKS)) {
+		return false;
+	}
+	if (p_texels || !is_new) {
+		_chunks[p_key].channels[size_t(p_channel)] = std::move(p_texels);
+	}
+	return true;
+}
+
+double PaintMap::sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const {
+	return MapReader(*this, p_channel).sample(p_component, p_place);
+}
+
+MapSnapshot PaintMap::take(std::span<const MapKey> p_keys) const {
+	MapSnapshot snapshot;
+	for (const MapKey &key : p_keys) {
+		const MapChunk *chunk = find(key);
+		snapshot.emplace_back(key, chunk == nullptr ? MapChunk() : *chunk);
+	}
+	return snapshot;
+}
+
+void PaintMap::restore(const MapSnapshot &p_snapshot) {
+	for (const auto &[key, chunk] : p_snapshot) {
+		if (chunk.is_empty()) {
+			_chunks.erase(key);
+		} else if (is_in_reach(key)) {
+			_chunks[key] = chunk;
+		}
+	}
+}
+
+std::vector<MapKey> PaintMap::compare(const PaintMap &p_other) const {
+	std::set<MapKey> keys;
+	for (const PaintMap *map : { this, &p_other }) {
+		for (const auto &[key, chunk] : map->_chunks) {
+			keys.insert(key);
+		}
+	}
+	std::vector<MapKey> different;
+	for (const MapKey &key : keys) {
+		const MapChunk *one = find(key), *other = p_other.find(key);
+		if (!((one ? *one : MapChunk()) == (other ? *other : MapChunk()))) {
+			different.push_back(key);
+		}
+	}
+	return different;
+}
+
+void PaintMap::compact() {
+	for (auto entry = _chunks.begin(); entry != _chunks.end();) {
+		for (int channel = 0; channel < MAP_CHANNELS; channel++) {
+			const MapChannelInfo &info = info_of(MapChannel(channel));
+			std::shared_ptr<const MapTexels> &texels = entry->second.channels[size_t(channel)];
+			const auto is_initial = [&](size_t p_index) {
+				return read_code(texels->data(), info, p_index) == initial_code(MapChannel(channel), int(p_index) % info.components);
+			};
+			bool unusual = false;
+			for (size_t i = 0; texels && !unusual && i < size_t(info.side * info.side * info.components); i++) {
+				unusual = !is_initial(i);
+			}
+			if (!unusual) {
+				texels.reset();
+			}
+		}
+		entry = entry->second.is_empty() ? _chunks.erase(entry) : std::next(entry);
+	}
+}
+
+size_t PaintMap::get_memory_usage() const {
+	size_t bytes = 0;
+	for (const auto &[key, chunk] : _chunks) {
+		bytes += sizeof(key) + sizeof(chunk);
+		for (const auto &texels : chunk.channels) {
+			bytes += texels ? texels->size() : 0;
+		}
+	}
+	return bytes;
+}
+
+int32_t MapReader::code(int p_component, int p_i, int p_j) {
+	const MapKey key = key_of(_channel, p_i, p_j);
+	if (key != _key) {
+		const MapChunk *chunk = _map.find(key);
+		const MapTexels *texels = chunk ? chunk->channels[size_t(_channel)].get() : nullptr;
+		_texels = texels ? texels->data() : nullptr;
+		_key = key;
+	}
+	const MapChannelInfo &info = info_of(_channel);
+	return _texels ? read_code(_texels, info, index_of(info, key, p_component, p_i, p_j)) : _map.initial_code(_channel, p_component);
+}
+
+double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
+	const MapChannelInfo &info = info_of(_channel);
+	const MapKey key = key_at(p_place);
+	if (!is_in_reach(key)) {
+		return info.value(_map.initial_code(_channel, p_component));
+	}
+	if (!info.blends) {
+		const Eigen::Array2d texel = (p_place.array() / info.texel_size()).floor();
+		return value(p_component, int(texel.x()), int(texel.y()));
+	}
+	const Eigen::Array2d between = p_place.array() / info.texel_size() - 0.5; // texel centres are whole numbers
+	const Eigen::Array2d corner = between.floor(), t = between - corner;
+	const int i = int(corner.x()), j = int(corner.y());
+	const double near_row = value(p_component, i, j) * (1.0 - t.x()) + value(p_component, i + 1, j) * t.x();
+	const double far_row = value(p_component, i, j + 1) * (1.0 - t.x()) + value(p_component, i + 1, j + 1) * t.x();
+	return near_row * (1.0 - t.y()) + far_row * t.y();
+}
+
+} // namespace grass

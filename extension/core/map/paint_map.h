@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The painted map: what grows where, and what happened to it. Places are x, z in metres from the map's origin, the field's
+// centre. Sparse: only chunks that hold something unusual take memory. Copies share their texels until one of them
+// changes, so a snapshot for undo costs a pointer a channel.
+#pragma once
+
+#include "core/map/map_channels.h"
+
+#include <Eigen/Core>
+
+#include <compare>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace grass {
+
+// A chunk: covers x * MAP_CHUNK_SIZE to (x + 1) * MAP_CHUNK_SIZE metres, z likewise.
+struct MapKey {
+	int x = 0, z = 0;
+	auto operator<=>(const MapKey &) const = default;
+};
+
+using MapTexels = std::vector<uint8_t>; // row by row along x, components together
+
+struct MapChunk {
+	std::array<std::shared_ptr<const MapTexels>, MAP_CHANNELS> channels; // null: all texels have the initial codes
+
+	bool is_empty() const;
+	bool operator==(const MapChunk &p_other) const; // the same codes
+};
+
+// Chunks as they were: what undo puts back. A chunk that was not there is empty.
+using MapSnapshot = std::vector<std::pair<MapKey, MapChunk>>;
+
+class PaintMap {
+public:
+	static constexpr int REACH = 256; // chunks x, z from -REACH to REACH - 1: 16 km to each side
+	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted: 1.7 GB with every channel in use
+
+	// The density where nobody painted, 0..1: 0 by default, nothing grows there.
+	void set_base_density(double p_density);
+	double get_base_density() const;
+	int32_t initial_code(MapChannel p_channel, int p_component) const;
+
+	const std::map<MapKey, MapChunk> &get_chunks() const { return _chunks; }
+	std::vector<MapKey> get_keys() const;
+	const MapChunk *find(const MapKey &p_key) const; // null: nothing unusual there
+	bool uses(MapChannel p_channel) const; // whether any chunk holds it
+
+	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z.
+	int32_t get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const;
+	// Codes beyond the channel's limits are clamped. False, and nothing is changed, outside of the map's reach or if it is full.
+	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
+
+	// The channel's value at a place (metres), blended between the centres of the four nearest texels where the channel
+	// blends. Places that are not finite or out of reach: the initial value.
+	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
+
+	MapSnapshot take(std::span<const MapKey> p_keys) const;
+	void restore(const MapSnapshot &p_snapshot);
+	// Chunks in which the two differ.
+	std::vector<MapKey> compare(const PaintMap &p_other) const;
+	// Frees texels that all have the initial codes again, and chunks without texels.
+	void compact();
+	void clear() { _chunks.clear(); }
+	bool is_empty() const { return _chunks.empty(); }
+	size_t get_memory_usage() const; // bytes; texels that snapshots share count in full
+
+	// Replaces a channel of a chunk; null empties it. False where the key is out of reach, the map full or the size wrong.
+	bool set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels);
+
+private:
+	MapTexels *write(const MapKey &p_key, MapChannel p_channel);
+
+	std::map<MapKey, MapChunk> _chunks;
+	int32_t _base_density = info_of(MAP_DENSITY).initial[0];
+};
+
+// Reads texels of one channel; quick where consecutive ones lie in the same chunk. Holds until the map changes.
+class MapReader {
+public:
+	MapReader(const PaintMap &p_map, MapChannel p_channel) : _map(p_map), _channel(p_channel) {}
+
+	int32_t code(int p_component, int p_i, int p_j);
+	double value(int p_component, int p_i, int p_j) { return info_of(_channel).value(code(p_component, p_i, p_j)); }
+	double sample(int p_component, const Eigen::Vector2d &p_place);
+
+private:
+	const PaintMap &_map;
+	MapChannel _channel;
+	MapKey _key{ PaintMap::REACH, PaintMap::REACH }; // of _texels; none yet
+	const uint8_t *_texels = nullptr;
+};
+
+// The chunk that holds texel p_i, p_j of a channel.
+MapKey key_of(MapChannel p_channel, int p_i, int p_j);
+// The chunk that holds a place (metres); out of reach if the place is.
+MapKey key_at(const Eigen::Vector2d &p_place);
+
+} // namespace grass

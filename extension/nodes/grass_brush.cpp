@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_brush.h"
+
+#include "nodes/params.h"
+
+using namespace godot;
+
+namespace grass {
+
+GrassBrush::GrassBrush() {
+	for (size_t i = 0; i < _params.size(); i++) {
+		_params[i] = BRUSH_PARAMS[i].initial;
+	}
+}
+
+void GrassBrush::set_tool(Tool p_tool) {
+	ERR_FAIL_INDEX_MSG(int(p_tool), int(MapTool::COUNT), "GrassBrush: no such tool. Use one of the TOOL_* constants.");
+	_tool = p_tool;
+	emit_changed();
+}
+
+void GrassBrush::set_falloff(FalloffCurve p_falloff) {
+	ERR_FAIL_INDEX_MSG(int(p_falloff), 4, "GrassBrush: no such falloff. Use one of the FALLOFF_* constants.");
+	_falloff = p_falloff;
+	emit_changed();
+}
+
+void GrassBrush::set_color(const Color &p_color) {
+	_color = p_color;
+	emit_changed();
+}
+
+void GrassBrush::set_species(int64_t p_species) {
+	_species = checked_int("species", p_species, 0, info_of(MAP_SPECIES).highest, "GrassBrush");
+	emit_changed();
+}
+
+void GrassBrush::set_channel(int64_t p_channel) {
+	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), "GrassBrush: no such channel. Use one of GrassMap's CHANNEL_* constants.");
+	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends, "GrassBrush: species cannot be smoothed, they are numbers without a middle.");
+	_channel = p_channel;
+	emit_changed();
+}
+
+void GrassBrush::set_param(int p_param, double p_value) {
+	ERR_FAIL_INDEX(p_param, int(BRUSH_PARAM_COUNT));
+	_params[size_t(p_param)] = checked(BRUSH_PARAMS[size_t(p_param)], p_value, "GrassBrush");
+	emit_changed();
+}
+
+double GrassBrush::get_param(int p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(BRUSH_PARAM_COUNT), 0.0);
+	return _params[size_t(p_param)];
+}
+
+Brush GrassBrush::get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
+	Brush brush;
+	brush.tool = MapTool(_tool);
+	brush.strength = param(BRUSH_STRENGTH);
+	brush.target = param(BRUSH_TARGET);
+	if (_tool == TOOL_CUT || _tool == TOOL_REGROW) {
+		brush.target = param(BRUSH_CUT_HEIGHT);
+	} else if (_tool == TOOL_SPECIES) {
+		brush.target = double(_species);
+	}
+	brush.color = { _color.r, _color.g, _color.b };
+	brush.direction = p_to - p_from;
+	brush.channel = MapChannel(_channel);
+	brush.limits = { param(BRUSH_SLOPE_MIN), param(BRUSH_SLOPE_MAX), param(BRUSH_HEIGHT_MIN), param(BRUSH_HEIGHT_MAX) };
+	return brush;
+}
+
+MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
+	return MapShape::stroke(p_from, p_to, param(BRUSH_RADIUS), param(BRUSH_HARDNESS), Falloff(_falloff));
+}
+
+void GrassBrush::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassBrush::set_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassBrush::get_param);
+#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
+	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassBrush::m_setter);                                                             \
+	ClassDB::bind_method(D_METHOD(#m_getter), &GrassBrush::m_getter);                                                                      \
+	ADD_PROPERTY(m_info, #m_setter, #m_getter)
+	const auto add_numbers = [](int p_first, int p_last) {
+		for (int param = p_first; param <= p_last; param++) {
+			ClassDB::add_property("GrassBrush", property_of(BRUSH_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
+		}
+	};
+
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "tool", PROPERTY_HINT_ENUM,
+						  "Paint,Erase,Smooth,Density,Height,Species,Tint,Comb,Cut,Flatten,Regrow,Recover"),
+			set_tool, get_tool);
+	add_numbers(BRUSH_RADIUS, BRUSH_HARDNESS);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "falloff", PROPERTY_HINT_ENUM, "Smooth,Linear,Sphere,Sharp"), set_falloff, get_falloff);
+	add_numbers(BRUSH_TARGET, BRUSH_CUT_HEIGHT);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "species", PROPERTY_HINT_RANGE, "0,255,1"), set_species, get_species);
+	BIND_PROPERTY(PropertyInfo(Variant::COLOR, "color", PROPERTY_HINT_COLOR_NO_ALPHA), set_color, get_color);
+	BIND_PROPERTY(
+			PropertyInfo(Variant::INT, "channel", PROPERTY_HINT_ENUM, "Density:0,Height:1,Tint:3,Lean:4,Ground:5,Normal:6,Wear:7,Cut:8"),
+			set_channel, get_channel);
+	ADD_GROUP("Limits", "");
+	add_numbers(BRUSH_SLOPE_MIN, BRUSH_HEIGHT_MAX);
+#undef BIND_PROPERTY
+
+	BIND_ENUM_CONSTANT(TOOL_PAINT);
+	BIND_ENUM_CONSTANT(TOOL_ERASE);
+	BIND_ENUM_CONSTANT(TOOL_SMOOTH);
+	BIND_ENUM_CONSTANT(TOOL_DENSITY);
+	BIND_ENUM_CONSTANT(TOOL_HEIGHT);
+	BIND_ENUM_CONSTANT(TOOL_SPECIES);
+	BIND_ENUM_CONSTANT(TOOL_TINT);
+	BIND_ENUM_CONSTANT(TOOL_COMB);
+	BIND_ENUM_CONSTANT(TOOL_CUT);
+	BIND_ENUM_CONSTANT(TOOL_FLATTEN);
+	BIND_ENUM_CONSTANT(TOOL_REGROW);
+	BIND_ENUM_CONSTANT(TOOL_RECOVER);
+	BIND_ENUM_CONSTANT(FALLOFF_SMOOTH);
+	BIND_ENUM_CONSTANT(FALLOFF_LINEAR);
+	BIND_ENUM_CONSTANT(FALLOFF_SPHERE);
+	BIND_ENUM_CONSTANT(FALLOFF_SHARP);
+}
+
+} // namespace grass

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// GrassBrush: what a brush does, and where it may. Properties only; core/map/brush.h does it.
+#pragma once
+
+#include "core/map/brush.h"
+#include "core/map/brush_params.h"
+
+#include <godot_cpp/classes/resource.hpp>
+
+namespace grass {
+
+class GrassBrush : public godot::Resource {
+	GDCLASS(GrassBrush, godot::Resource)
+
+public:
+	enum Tool {
+		TOOL_PAINT = int(MapTool::PAINT),
+		TOOL_ERASE = int(MapTool::ERASE),
+		TOOL_SMOOTH = int(MapTool::SMOOTH),
+		TOOL_DENSITY = int(MapTool::DENSITY),
+		TOOL_HEIGHT = int(MapTool::HEIGHT),
+		TOOL_SPECIES = int(MapTool::SPECIES),
+		TOOL_TINT = int(MapTool::TINT),
+		TOOL_COMB = int(MapTool::COMB),
+		TOOL_CUT = int(MapTool::CUT),
+		TOOL_FLATTEN = int(MapTool::FLATTEN),
+		TOOL_REGROW = int(MapTool::REGROW),
+		TOOL_RECOVER = int(MapTool::RECOVER),
+	};
+	enum FalloffCurve {
+		FALLOFF_SMOOTH = int(Falloff::SMOOTH),
+		FALLOFF_LINEAR = int(Falloff::LINEAR),
+		FALLOFF_SPHERE = int(Falloff::SPHERE),
+		FALLOFF_SHARP = int(Falloff::SHARP),
+	};
+
+	GrassBrush();
+
+	void set_tool(Tool p_tool);
+	Tool get_tool() const { return _tool; }
+	void set_falloff(FalloffCurve p_falloff);
+	FalloffCurve get_falloff() const { return _falloff; }
+	void set_color(const godot::Color &p_color);
+	godot::Color get_color() const { return _color; }
+	void set_species(int64_t p_species);
+	int64_t get_species() const { return _species; }
+	void set_channel(int64_t p_channel); // GrassMap::Channel
+	int64_t get_channel() const { return _channel; }
+	void set_param(int p_param, double p_value);
+	double get_param(int p_param) const;
+
+	// For a stroke from one place to another (x, z in metres).
+	Brush get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
+	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
+
+protected:
+	static void _bind_methods();
+
+private:
+	double param(BrushParamId p_param) const { return _params[size_t(p_param)]; }
+
+	Tool _tool = TOOL_PAINT;
+	FalloffCurve _falloff = FALLOFF_SMOOTH;
+	godot::Color _color = godot::Color(1, 1, 1);
+	int64_t _species = 0, _channel = MAP_DENSITY;
+	std::array<double, BRUSH_PARAM_COUNT> _params;
+};
+
+} // namespace grass
+
+VARIANT_ENUM_CAST(grass::GrassBrush::Tool);
+VARIANT_ENUM_CAST(grass::GrassBrush::FalloffCurve);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_map.h"
+
+#include "convert.h"
+#include "nodes/grass_map_file.h"
+#include "nodes/params.h"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+String GrassMap::label() const {
+	return get_path().is_empty() ? String("GrassMap") : vformat("GrassMap '%s'", get_path());
+}
+
+bool GrassMap::is_usable() const {
+	ERR_FAIL_COND_V_MSG(!_unread.is_empty(), false,
+			vformat("%s: its data could not be read, so it cannot be changed; what is on disk stays as it is. Use clear() to begin anew.",
+					label()));
+	return true;
+}
+
+void GrassMap::tell(const std::vector<MapKey> &p_changed) {
+	if (p_changed.empty()) {
+		return;
+	}
+	TypedArray<Vector2i> chunks;
+	for (const MapKey &key : p_changed) {
+		chunks.push_back(Vector2i(key.x, key.z));
+	}
+	emit_signal("chunks_changed", chunks);
+	emit_changed();
+}
+
+void GrassMap::set_base_density(double p_density) {
+	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
+	if (is_usable()) {
+		_map.set_base_density(checked(BASE_DENSITY, p_density, label()));
+		emit_signal("chunks_changed", get_chunks());
+		emit_changed();
+	}
+}
+
+String GrassMap::read(const PackedByteArray &p_bytes) {
+	const PaintMap before = _map;
+	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), _map);
+	if (!reason.empty()) {
+		return String(reason.c_str());
+	}
+	_unread.clear();
+	tell(_map.compare(before));
+	return String();
+}
+
+void GrassMap::set_data(const PackedByteArray &p_data) {
+	const String reason = read(p_data);
+	if (!reason.is_empty()) {
+		_unread = p_data;
+		ERR_FAIL_MSG(vformat("%s: `data` %s.", label(), reason));
+	}
+}
+
+PackedByteArray GrassMap::get_data() const {
+	return _unread.is_empty() ? to_bytes(std::span<const uint8_t>(write_map(_map, engine_codec()))) : _unread;
+}
+
+BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
+	if (!is_usable()) {
+		return {};
+	}
+	const BrushResult result = apply_brush(_map, p_shape, p_brush);
+	if (result.out_of_room) {
+		WARN_PRINT(vformat("%s: some of a stroke is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
+				label(), int64_t(PaintMap::MAX_CHUNKS)));
+	}
+	tell(result.changed);
+	return result;
+}
+
+double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {
+	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: a stroke needs a GrassBrush.", label()));
+	ERR_FAIL_COND_V_MSG(
+			!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: the ends of a stroke must be finite numbers.", label()));
+	const Eigen::Vector2d from = to_eigen(p_from), to = to_eigen(p_to);
+	return apply(p_brush->get_stroke(from, to), p_brush->get_brush(from, to)).amount;
+}
+
+double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_component) const {
+	ERR_FAIL_INDEX_V_MSG(int(p_channel), int(MAP_CHANNELS), 0.0, "GrassMap: no such channel. Use one of the CHANNEL_* constants.");
+	ERR_FAIL_INDEX_V_MSG(
+			p_component, int64_t(info_of(MapChannel(p_channel)).components), 0.0, "GrassMap: the channel has fewer components.");
+	return _map.sample(MapChannel(p_channel), int(p_component), to_eigen(p_place));
+}
+
+Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
+	Ref<GrassMapSnapshot> snapshot;
+	snapshot.instantiate();
+	snapshot->map = _map;
+	return snapshot;
+}
+
+void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
+	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
+	if (is_usable()) {
+		const std::vector<MapKey> changed = _map.compare(p_snapshot->map);
+		_map = p_snapshot->map;
+		tell(changed);
+	}
+}
+
+void GrassMap::clear() {
+	const std::vector<MapKey> changed = _map.get_keys();
+	_unread.clear();
+	_map.clear();
+	tell(changed);
+}
+
+TypedArray<Vector2i> GrassMap::get_chunks() const {
+	TypedArray<Vector2i> chunks;
+	for (const auto &[key, chunk] : _map.get_chunks()) {
+		chunks.push_back(Vector2i(key.x, key.z));
+	}
+	return chunks;
+}
+
+void GrassMap::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_base_density", "value"), &GrassMap::set_base_density);
+	ClassDB::bind_method(D_METHOD("get_base_density"), &GrassMap::get_base_density);
+	ClassDB::bind_method(D_METHOD("set_data", "value"), &GrassMap::set_data);
+	ClassDB::bind_method(D_METHOD("get_data"), &GrassMap::get_data);
+	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
+	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
+	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
+	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
+	ClassDB::bind_method(D_METHOD("is_empty"), &GrassMap::is_empty);
+	ClassDB::bind_method(D_METHOD("get_chunks"), &GrassMap::get_chunks);
+	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassMap::get_memory_usage);
+
+	// `data` holds it, too.
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR), "set_base_density",
+			"get_base_density");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_data", "get_data");
+	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i")));
+
+	BIND_ENUM_CONSTANT(CHANNEL_DENSITY);
+	BIND_ENUM_CONSTANT(CHANNEL_HEIGHT);
+	BIND_ENUM_CONSTANT(CHANNEL_SPECIES);
+	BIND_ENUM_CONSTANT(CHANNEL_TINT);
+	BIND_ENUM_CONSTANT(CHANNEL_LEAN);
+	BIND_ENUM_CONSTANT(CHANNEL_GROUND);
+	BIND_ENUM_CONSTANT(CHANNEL_NORMAL);
+	BIND_ENUM_CONSTANT(CHANNEL_WEAR);
+	BIND_ENUM_CONSTANT(CHANNEL_CUT);
+}
+
+} // namespace grass

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// GrassMap: the painted map as a Resource. Says in Godot's words what core/map does, and tells who listens which chunks
+// changed. Saved by nodes/grass_map_file.h in a file of its own, or as a property within scenes and .res files.
+#pragma once
+
+#include "core/map/brush.h"
+#include "nodes/grass_brush.h"
+
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+namespace grass {
+
+// The whole map as it was at one moment. Costs a pointer a channel and chunk until one of the two changes.
+class GrassMapSnapshot : public godot::RefCounted {
+	GDCLASS(GrassMapSnapshot, godot::RefCounted)
+
+public:
+	PaintMap map;
+
+protected:
+	static void _bind_methods() {}
+};
+
+class GrassMap : public godot::Resource {
+	GDCLASS(GrassMap, godot::Resource)
+
+public:
+	enum Channel {
+		CHANNEL_DENSITY = MAP_DENSITY,
+		CHANNEL_HEIGHT = MAP_HEIGHT,
+		CHANNEL_SPECIES = MAP_SPECIES,
+		CHANNEL_TINT = MAP_TINT,
+		CHANNEL_LEAN = MAP_LEAN,
+		CHANNEL_GROUND = MAP_GROUND,
+		CHANNEL_NORMAL = MAP_NORMAL,
+		CHANNEL_WEAR = MAP_WEAR,
+		CHANNEL_CUT = MAP_CUT,
+	};
+
+	void set_base_density(double p_density);
+	double get_base_density() const { return _map.get_base_density(); }
+	void set_data(const godot::PackedByteArray &p_data); // what a .grassmap file holds
+	godot::PackedByteArray get_data() const;
+
+	// Places are x, z in metres from the field's centre. What changed, in the units of BrushResult::amount.
+	double stroke(const godot::Ref<GrassBrush> &p_brush, const godot::Vector2 &p_from, const godot::Vector2 &p_to);
+	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const;
+	godot::Ref<GrassMapSnapshot> take_snapshot() const;
+	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
+	void clear();
+	bool is_empty() const { return _map.is_empty(); }
+	godot::TypedArray<godot::Vector2i> get_chunks() const;
+	int64_t get_memory_usage() const { return int64_t(_map.get_memory_usage()); } // bytes
+
+	const PaintMap &get_map() const { return _map; }
+	// Replaces the map by what the bytes hold, "" or the reason why not, and then nothing has changed.
+	godot::String read(const godot::PackedByteArray &p_bytes);
+	// Does it on the map, and tells who listens.
+	BrushResult apply(const MapShape &p_shape, const Brush &p_brush);
+
+protected:
+	static void _bind_methods();
+
+private:
+	bool is_usable() const;
+	void tell(const std::vector<MapKey> &p_changed);
+	godot::String label() const; // for messages
+
+	PaintMap _map;
+	godot::PackedByteArray _unread; // data that could not be read: kept, so that saving does not destroy it
+};
+
+} // namespace grass
+
+VARIANT_ENUM_CAST(grass::GrassMap::Channel);

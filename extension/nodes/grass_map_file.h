@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Loads and saves GrassMaps as files of their own, NAME.grassmap, so that `load`, `ResourceSaver.save` and the inspector
+// treat them as any resource. core/map/map_file.h knows the format; the engine's Zstandard makes it small.
+#pragma once
+
+#include "core/map/map_file.h"
+
+#include <godot_cpp/classes/resource_format_loader.hpp>
+#include <godot_cpp/classes/resource_format_saver.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+namespace grass {
+
+const MapCodec &engine_codec();
+
+class GrassMapLoader : public godot::ResourceFormatLoader {
+	GDCLASS(GrassMapLoader, godot::ResourceFormatLoader)
+
+public:
+	godot::PackedStringArray _get_recognized_extensions() const override;
+	bool _handles_type(const godot::StringName &p_type) const override;
+	godot::String _get_resource_type(const godot::String &p_path) const override;
+	// The map, or an error's number after a message that names the file: never half a map.
+	godot::Variant _load(
+			const godot::String &p_path, const godot::String &p_original_path, bool p_use_sub_threads, int32_t p_cache_mode) const override;
+
+protected:
+	static void _bind_methods() {}
+};
+
+class GrassMapSaver : public godot::ResourceFormatSaver {
+	GDCLASS(GrassMapSaver, godot::ResourceFormatSaver)
+
+public:
+	bool _recognize(const godot::Ref<godot::Resource> &p_resource) const override;
+	godot::PackedStringArray _get_recognized_extensions(const godot::Ref<godot::Resource> &p_resource) const override;
+	// Writes a file beside it and puts that in its place once it is whole: at no time is there less than one whole file.
+	godot::Error _save(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path, uint32_t p_flags) override;
+
+protected:
+	static void _bind_methods() {}
+};
+
+// Tells the engine about the two, and forgets them.
+void register_map_files();
+void unregister_map_files();
+
+} // namespace grass

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+## simulate.glsl on a RenderingDevice of its own, for benchmarks: no field, no physics, no frames. One object is one
+## number of tiles with their state; the bindings are those of shaders/shared/constants.inc.
+extends RefCounted
+
+const BLADES := 64 # a tile
+const FRESH := 1 # bit of a slot
+const PATCH_BLADES_PER_ROW := 128
+const SLOT_BYTES := 48
+const COLLIDER_BYTES := 96
+
+var device: RenderingDevice
+var knots: RID ## places of the free knots, [slot][component][knot][blade], metres
+var knots_before: RID
+var slots: RID
+var colliders: RID
+
+var _pipeline: RID
+var _shader: RID
+var _made: Array[RID] = [] # in the order in which they may be freed
+var _set: RID
+var _list := -1 # the open compute list
+var _pushed := PackedByteArray()
+
+
+## Null where the machine has no RenderingDevice or the shader cannot be read.
+static func make_device() -> RenderingDevice:
+	return RenderingServer.create_local_rendering_device()
+
+
+## Why the shader cannot be used; empty if it can.
+func load_shader(p_device: RenderingDevice, p_spirv: String) -> String:
+	device = p_device
+	var bytes := FileAccess.get_file_as_bytes(p_spirv)
+	if bytes.is_empty():
+		return "cannot read %s" % p_spirv
+	var code := RDShaderSPIRV.new()
+	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, bytes)
+	_shader = device.shader_create_from_spirv(code)
+	if not _shader.is_valid():
+		return "%s is no shader for this device" % p_spirv
+	_pipeline = device.compute_pipeline_create(_shader)
+	return "" if _pipeline.is_valid() else "%s makes no pipeline on this device" % p_spirv
+
+
+## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
+## is made of zeros. False if the device has no room.
+func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: RenderingDevice.DataFormat, p_patch_width: int,
+		p_slots: PackedByteArray, p_colliders := PackedByteArray(), p_list := PackedInt32Array(), p_state := PackedByteArray(),
+		p_before := PackedByteArray()) -> bool:
+	clear()
+	var pool := p_tiles * 3 * (p_knots - 2) * BLADES * 4
+	var texel := 16 if p_format == RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT else 8
+	slots = _buffer(p_slots.size(), p_slots)
+	colliders = _buffer(p_colliders.size(), p_colliders)
+	var list := _buffer(p_list.size() * 4, p_list.to_byte_array())
+	var planes := _buffer(16)
+	knots = _buffer(pool, p_state)
+	knots_before = _buffer(pool, p_before)
+	var patch := _texture(p_format, p_patch_width, p_patch.size() / (texel * p_patch_width), RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT, [p_patch])
+	var offsets := PackedByteArray()
+	offsets.resize(p_tiles * p_knots * BLADES * 8)
+	var pool_texture := _texture(RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT, p_knots * BLADES, p_tiles, RenderingDevice.TEXTURE_USAGE_STORAGE_BIT, [offsets])
+	var sampler := device.sampler_create(RDSamplerState.new())
+	_made.append(sampler)
+	var energy := _buffer(p_tiles * 4)
+	var table := _buffer(p_tiles * 4)
+	if _made.has(RID()):
+		return false
+	var uniforms: Array[RDUniform] = []
+	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table]]
+	for binding in bound.size():
+		var type := RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER
+		if bound[binding].has(patch):
+			type = RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE
+		elif bound[binding].has(pool_texture):
+			type = RenderingDevice.UNIFORM_TYPE_IMAGE
+		uniforms.append(_uniform(binding, type, bound[binding]))
+	_set = device.uniform_set_create(uniforms, _shader, 0)
+	return _set.is_valid()
+
+
+## One step of the first p_tiles slots. Steps wait for each other.
+func step(p_push: PackedByteArray, p_tiles: int) -> void:
+	if _list < 0:
+		_list = device.compute_list_begin()
+		device.compute_list_bind_compute_pipeline(_list, _pipeline)
+		device.compute_list_bind_uniform_set(_list, _set, 0)
+		_pushed = PackedByteArray()
+	device.compute_list_set_push_constant(_list, p_push, p_push.size())
+	device.compute_list_dispatch(_list, p_tiles, 1, 1)
+	device.compute_list_add_barrier(_list)
+
+
+## Ends the open list of steps, as a copy or an upload between steps asks for.
+func pause() -> void:
+	if _list >= 0:
+		device.compute_list_end()
+		_list = -1
+
+
+## Ends the open list of steps and waits for the device.
+func finish() -> void:
+	pause()
+	device.submit()
+	device.sync()
+
+
+## p_steps steps with each of p_pushes in turn; returns milliseconds of wall time a step.
+func time(p_push: PackedByteArray, p_tiles: int, p_steps: int) -> float:
+	var start := Time.get_ticks_usec()
+	for i in p_steps:
+		step(p_push, p_tiles)
+	finish()
+	return (Time.get_ticks_usec() - start) * 1e-3 / p_steps
+
+
+## Frees what set_up() made.
+func clear() -> void:
+	if _set.is_valid() and device.uniform_set_is_valid(_set):
+		device.free_rid(_set)
+	_set = RID()
+	for rid in _made:
+		if rid.is_valid():
+			device.free_rid(rid)
+	_made.clear()
+
+
+## Frees everything but the device.
+func free_all() -> void:
+	clear()
+	for rid: RID in [_pipeline, _shader]:
+		if rid.is_valid():
+			device.free_rid(rid)
+
+
+## A buffer of its own that clear() frees.
+func make_buffer(p_bytes: int) -> RID:
+	return _buffer(p_bytes)
+
+
+func _buffer(p_bytes: int, p_data := PackedByteArray()) -> RID:
+	var data := p_data
+	if data.is_empty() and p_bytes <= 1 << 20: # zeros; a large one is written before it is read
+		data = PackedByteArray()
+		data.resize(maxi(p_bytes, COLLIDER_BYTES))
+	var rid := device.storage_buffer_create(maxi(p_bytes, data.size()), data)
+	_made.append(rid)
+	return rid
+
+
+func _texture(p_format: RenderingDevice.DataFormat, p_width: int, p_height: int, p_usage: int, p_data: Array[PackedByteArray]) -> RID:
+	var format := RDTextureFormat.new()
+	format.format = p_format
+	format.width = p_width
+	format.height = p_height
+	format.usage_bits = p_usage | RenderingDevice.TEXTURE_USAGE_CAN_UPDATE_BIT
+	var rid := device.texture_create(format, RDTextureView.new(), p_data)
+	_made.append(rid)
+	return rid
+
+
+func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array) -> RDUniform:
+	var uniform := RDUniform.new()
+	uniform.binding = p_binding
+	uniform.uniform_type = p_type
+	for id: RID in p_ids:
+		uniform.add_id(id)
+	return uniform
+
+
+## A slot record: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
+static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: int, p_count: int, p_bits: int) -> PackedInt32Array:
+	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0]

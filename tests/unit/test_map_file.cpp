@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/map_file.h"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <random>
+
+using namespace grass;
+
+namespace {
+
+// Runs of equal bytes as (count, byte).
+MapBytes pack_runs(std::span<const uint8_t> p_bytes) {
+	MapBytes packed;
+	for (size_t i = 0; i < p_bytes.size();) {
+		size_t run = 1;
+		while (run < 255 && i + run < p_bytes.size() && p_bytes[i + run] == p_bytes[i]) {
+			run++;
+		}
+		packed.push_back(uint8_t(run));
+		packed.push_back(p_bytes[i]);
+		i += run;
+	}
+	return packed;
+}
+
+bool unpack_runs(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes) {
+	size_t at = 0;
+	for (size_t i = 0; i + 1 < p_packed.size(); i += 2) {
+		if (p_packed[i] > r_bytes.size() - at) {
+			return false;
+		}
+		std::memset(r_bytes.data() + at, p_packed[i + 1], p_packed[i]);
+		at += p_packed[i];
+	}
+	return at == r_bytes.size() && p_packed.size() % 2 == 0;
+}
+
+const MapCodec RUNS{ pack_runs, unpack_runs };
+
+PaintMap make_map(uint32_t p_seed) {
+	PaintMap map;
+	map.set_base_density(0.25);
+	std::mt19937 random(p_seed);
+	for (int n = 0; n < 3000; n++) {
+		const MapChannel channel = MapChannel(random() % MAP_CHANNELS);
+		const MapChannelInfo &info = info_of(channel);
+		const int side = 2 * info.side;
+		const int32_t code = info.bytes == 4 ? int32_t(random()) : int32_t(random() % 256);
+		map.set_code(channel, int(random() % uint32_t(info.components)), int(random() % uint32_t(2 * side)) - side,
+				int(random() % uint32_t(2 * side)) - side, code);
+	}
+	map.compact();
+	return map;
+}
+
+void put_checksum(MapBytes &r_bytes, size_t p_at, size_t p_begin, size_t p_count) {
+	const uint32_t sum = checksum(std::span<const uint8_t>(r_bytes).subspan(p_begin, p_count));
+	std::memcpy(&r_bytes[p_at], &sum, 4);
+}
+
+// Reads broken bytes into a map that holds something: it must still hold that, and a reason be given.
+void check_refused(std::span<const uint8_t> p_bytes, const PaintMap &p_before) {
+	PaintMap map = p_before;
+	const std::string reason = read_map(p_bytes, RUNS, map);
+	CHECK_FALSE(reason.empty());
+	CHECK(map.compare(p_before).empty());
+	CHECK(map.get_base_density() == p_before.get_base_density());
+}
+
+} // namespace
+
+TEST_CASE("map_file: the checksum is the common CRC-32") {
+	const char text[] = "123456789";
+	CHECK(checksum(std::span(reinterpret_cast<const uint8_t *>(text), 9)) == 0xcbf43926u);
+	CHECK(checksum({}) == 0u);
+}
+
+TEST_CASE("map_file: every code comes back, and the same map gives the same bytes") {
+	for (uint32_t seed = 1; seed < 6; seed++) {
+		const PaintMap map = make_map(seed);
+		const MapBytes bytes = write_map(map, RUNS);
+		PaintMap read;
+		CHECK(read_map(bytes, RUNS, read) == "");
+		CHECK(read.compare(map).empty());
+		CHECK(read.get_base_density() == map.get_base_density());
+		CHECK(write_map(read, RUNS) == bytes);
+	}
+	PaintMap nothing;
+	PaintMap read = make_map(1);
+	CHECK(read_map(write_map(nothing, RUNS), RUNS, read) == "");
+	CHECK(read.is_empty());
+}
+
+TEST_CASE("map_file: even ground and slopes cost next to nothing, whatever their height") {
+	PaintMap map;
+	for (int j = 0; j < 64; j++) {
+		for (int i = 0; i < 64; i++) {
+			map.set_code(MAP_GROUND, 0, i, j, 100000 + 300 * i - 77 * j);
+		}
+	}
+	CHECK(info_of(MAP_GROUND).chunk_bytes() == 16384);
+	CHECK(write_map(map, RUNS).size() < 1200); // the first row and column are what the plane does not foretell
+}
+
+TEST_CASE("map_file: a file cut off anywhere is refused, and says how much is there") {
+	const PaintMap before = make_map(9);
+	const MapBytes bytes = write_map(make_map(2), RUNS);
+	for (size_t size = 0; size < bytes.size(); size += size < 400 ? 1 : 997) {
+		check_refused(std::span(bytes).first(size), before);
+	}
+	PaintMap map;
+	CHECK(read_map(std::span(bytes).first(bytes.size() - 1), RUNS, map) ==
+			"is cut off: " + std::to_string(bytes.size() - 1) + " of " + std::to_string(bytes.size()) + " bytes are there");
+	MapBytes longer = bytes;
+	longer.push_back(0);
+	CHECK(read_map(longer, RUNS, map) == "is damaged: it goes on for 1 bytes after its end");
+}
+
+TEST_CASE("map_file: a newer version and another kind of file are told apart from damage") {
+	const PaintMap before = make_map(9);
+	MapBytes bytes = write_map(make_map(2), RUNS);
+	bytes[8] = 2;
+	PaintMap map;
+	CHECK(read_map(bytes, RUNS, map).find("newer version") != std::string::npos);
+	check_refused(bytes, before);
+	bytes[0] = 'g';
+	CHECK(read_map(bytes, RUNS, map).find("is no grass map") != std::string::npos);
+	check_refused(bytes, before);
+}
+
+TEST_CASE("map_file: any byte changed is noticed") {
+	const PaintMap before = make_map(9);
+	const MapBytes good = write_map(make_map(3), RUNS);
+	std::mt19937 random(11);
+	for (int n = 0; n < 1500; n++) {
+		MapBytes bytes = good;
+		for (uint32_t changes = 1 + random() % 4; changes > 0; changes--) {
+			bytes[random() % bytes.size()] ^= uint8_t(1 + random() % 255);
+		}
+		check_refused(bytes, before);
+	}
+}
+
+TEST_CASE("map_file: damage behind right checksums is refused or is a map, and never half of one") {
+	const PaintMap before = make_map(9);
+	const MapBytes good = write_map(make_map(4), RUNS);
+	uint32_t count;
+	std::memcpy(&count, &good[16], 4);
+	const size_t table_end = 20 + size_t(count) * 20;
+	std::mt19937 random(13);
+	int refused = 0;
+	for (int n = 0; n < 1500; n++) {
+		MapBytes bytes = good;
+		const bool in_table = n % 2 == 0;
+		const size_t at = in_table ? 12 + random() % (table_end - 12) : table_end + 4 + random() % (bytes.size() - table_end - 4);
+		bytes[at] = uint8_t(random());
+		for (size_t chunk = 0, begin = table_end + 4; chunk < count; chunk++) { // a forger mends the checksums
+			uint32_t size;
+			std::memcpy(&size, &bytes[20 + chunk * 20 + 12], 4);
+			if (size > bytes.size() - begin) {
+				break;
+			}
+			put_checksum(bytes, 20 + chunk * 20 + 16, begin, size);
+			begin += size;
+		}
+		put_checksum(bytes, table_end, 0, table_end);
+		PaintMap map = before;
+		if (read_map(bytes, RUNS, map).empty()) {
+			CHECK(write_map(map, RUNS).size() > 0);
+		} else {
+			refused++;
+			CHECK(map.compare(before).empty());
+		}
+	}
+	CHECK(refused > 300);
+}
+
+TEST_CASE("map_file: noise of any length is refused") {
+	const PaintMap before = make_map(9);
+	std::mt19937 random(17);
+	for (int n = 0; n < 500; n++) {
+		MapBytes bytes(random() % 2000);
+		for (uint8_t &byte : bytes) {
+			byte = uint8_t(random());
+		}
+		if (n % 2 == 0 && bytes.size() > 12) { // with a right beginning
+			std::memcpy(bytes.data(), "GRASSMAP\1\0\0\0", 12);
+		}
+		check_refused(bytes, before);
+	}
+}
