@@ -9,8 +9,8 @@
 namespace grass {
 
 // Added to what a joint's spring and a knot's inertia resist with, to make contact stiffer than both.
-inline constexpr float CONTACT_OVER_INERTIA = 100.0f;
-inline constexpr float CONTACT_OVER_BENDING = 8.0f;
+inline constexpr float CONTACT_OVER_INERTIA = 300.0f;
+inline constexpr float CONTACT_OVER_BENDING = 16.0f;
 // How much more a knot that sticks is held along the surface than across it: what it gives is creep.
 inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
 // Depth in skins from which on a touch is a hit, which bends the blade without caution.
@@ -20,6 +20,12 @@ inline constexpr float MOST_TWIST = 1.0f;
 // Depth of contact that a solve can take back, segment lengths: a linear model of more crumples the blade. What is deeper is
 // a blow, and what blows cannot take back is left to finish().
 inline constexpr float MOST_DEPTH = 0.5f;
+
+// What one solve found of the surfaces.
+template <class T> struct Contacts {
+	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
+	T blow; // of the deepest touch that the solve had to leave out, metres; 0: there was none
+};
 
 // An implicit step of `span` seconds from a base place and speed; the step's target is where the knots would go alone.
 template <class T> struct Stage {
@@ -117,7 +123,7 @@ template <class T> struct Beyond {
 	Vec3<T> p, q;
 	Vec3<T> pull; // sum of the inertial forces, for the tension
 	T caution; // see Stage
-	T deepest; // touch that the solve had to leave out, metres
+	Contacts<T> contacts;
 };
 
 // e x (each row), that is P E with E r = r x e.
@@ -143,7 +149,8 @@ GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const 
 		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending) {
 	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
-	r_beyond.deepest = maximum(r_beyond.deepest, select(is_blow, p_touch.depth, T(0.0f)));
+	r_beyond.contacts.depth = maximum(r_beyond.contacts.depth, p_touch.depth);
+	r_beyond.contacts.blow = maximum(r_beyond.contacts.blow, select(is_blow, p_touch.depth, T(0.0f)));
 	const T hard = p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
@@ -250,10 +257,9 @@ GRASS_INLINE void eliminate_joint(Beyond<T> &r_beyond, JointGain<T> &r_gain, con
 	r_gain = { turn, spring, G };
 }
 
-// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move. Returns the depth (metres) of a touch that
-// is a blow, which the solve leaves out; 0: there was none.
+// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
 template <class T, class Mask>
-GRASS_INLINE T solve_chain(
+GRASS_INLINE Contacts<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, gains);
@@ -284,7 +290,7 @@ GRASS_INLINE T solve_chain(
 		parent = knot;
 		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
 	}
-	return beyond.deepest;
+	return beyond.contacts;
 }
 
 } // namespace grass
