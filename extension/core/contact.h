@@ -55,7 +55,8 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
 			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
 			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
-			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !(is_cut & is_of_edge(p_blade, k, contact.normal));
+			const auto is_edges = is_cut & (contact.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, contact.normal);
+			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !is_edges;
 			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
 			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);

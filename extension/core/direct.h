@@ -119,8 +119,8 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 			return;
 		}
 		const Contacts<T> contacts = solve_chain(r_blade, p_terms, chain, r_stage, is_active);
-		touches = touches | (p_is_near & (contacts.depth > T(0.0f)));
-		const Mask is_blow = p_is_near & (contacts.blow > T(0.0f));
+		touches = touches | (is_active & p_is_near & (contacts.depth > T(0.0f)));
+		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
 		if (i > 0 || is_again) {
 			is_hit = none;
 			i++;
