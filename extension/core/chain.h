@@ -157,8 +157,8 @@ GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const 
 	const T stiffness = hard * in_skin;
 	const T push = push_at(hard, depth, skin);
 	const T held = select(is_blow, T(0.0f), minimum(p_touch.held, depth));
-	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT),
-			p_touch.friction * push_at(hard, held, skin) / maximum(length(p_touch.slip), T(1e-12f)));
+	const T grip = minimum(
+			hard * T(FRICTION_OVER_CONTACT), p_touch.friction * push_at(hard, held, skin) / maximum(length(p_touch.slip), T(1e-12f)));
 	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
 	const Vec3<T> force = p_touch.normal * push - p_touch.slip * grip;
 	Symmetric<T> P;
@@ -202,8 +202,8 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	}
 	const bool is_first = p_knot == GRASS_CLAMPED_KNOTS;
 	T share(0.0f);
-	const Touch<T> touch = find_edge_touch(p_blade, p_terms, is_first ? p_blade.rest[p_knot - 1] : p_stage.base[p_knot - 1],
-			p_stage.base[p_knot], p_knot, share);
+	const Touch<T> touch = find_edge_touch(
+			p_blade, p_terms, is_first ? p_blade.rest[p_knot - 1] : p_stage.base[p_knot - 1], p_stage.base[p_knot], p_knot, share);
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}

@@ -28,7 +28,8 @@ template <class T> struct DeepestContact {
 
 // The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
 template <class T>
-GRASS_INLINE Contact<T> find_edge_contact(const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
+GRASS_INLINE Contact<T> find_edge_contact(
+		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
 	if (!any(may_meet_edge(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {

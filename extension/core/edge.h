@@ -46,7 +46,8 @@ GRASS_INLINE auto may_meet_edge(const TileCollider &p_collider, const Vec3<T> &p
 // convex along the edge, and each face is a line below it: where the lines of both sides meet, the next face is asked, and the
 // mixture of both that is level along the edge is the answer. p_reach (metres): that far out it is enough to know that the edge
 // is no nearer.
-template <class T> GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_reach) {
+template <class T>
+GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_reach) {
 	const T zero(0.0f), one(1.0f);
 	const Vec3<T> along = p_b - p_a;
 	Face<T> low = find_face(p_collider, p_a), high = find_face(p_collider, p_b); // of the sides where it falls and rises

@@ -28,8 +28,8 @@ GRASS_INLINE Touch<T> find_ground_touch(const Blade<T> &p_blade, const StepTerms
 	const Vec3<T> way = p_blade.knots[p_knot] - p_from;
 	const T l = p_blade.lengths[p_knot - 1];
 	const T height = minimum(p_terms.ground_gap * l + l * T(SKIN), p_blade.rest[p_knot].y);
-	return { { T(0.0f), T(1.0f), T(0.0f) }, { way.x, T(0.0f), way.z }, maximum(height - p_blade.knots[p_knot].y, T(0.0f)), height - p_from.y,
-		p_terms.friction * T(GROUND_FRICTION) };
+	return { { T(0.0f), T(1.0f), T(0.0f) }, { way.x, T(0.0f), way.z }, maximum(height - p_blade.knots[p_knot].y, T(0.0f)),
+		height - p_from.y, p_terms.friction * T(GROUND_FRICTION) };
 }
 
 // The deepest touch of a collider.
@@ -67,8 +67,8 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 // [Eq 33] The deepest touch of the edge from knot p_knot - 1 to p_knot, where that is between them; r_share: where. The edge's knots
 // were at p_from_a and p_from_b at the start of the step.
 template <class T>
-GRASS_INLINE Touch<T> find_edge_touch(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
-		int p_knot, T &r_share) {
+GRASS_INLINE Touch<T> find_edge_touch(
+		const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b, int p_knot, T &r_share) {
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
 	const T l = p_blade.lengths[p_knot - 1];
 	const T skin = l * T(SKIN);

@@ -181,7 +181,8 @@ struct BladeScene {
 			for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 				const Vec3<float> root{ tile->root[0][b], tile->root[1][b], tile->root[2][b] };
 				const auto depth_at = [&](int p_segment, int p_point) {
-					const Eigen::Vector3f place = knot(b, p_segment) + (knot(b, p_segment + 1) - knot(b, p_segment)) * (float(p_point) / POINTS);
+					const Eigen::Vector3f place =
+							knot(b, p_segment) + (knot(b, p_segment + 1) - knot(b, p_segment)) * (float(p_point) / POINTS);
 					const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - collider.centre);
 					return -find_face(collider, turned(inverse(collider.turn), offset)).distance;
 				};

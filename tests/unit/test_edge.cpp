@@ -94,8 +94,9 @@ TEST_CASE("The deepest point of an edge and the face there are those of a fine s
 	}
 }
 
-TEST_CASE_TEMPLATE("A stick of 5 mm radius, a rod, a lath and a crate's edge cut no edge by 1e-4 m and no knot by 1e-4 m, at any speed, and "
-				   "blades come back",
+TEST_CASE_TEMPLATE(
+		"A stick of 5 mm radius, a rod, a lath and a crate's edge cut no edge by 1e-4 m and no knot by 1e-4 m, at any speed, and "
+		"blades come back",
 		M, Direct, Pbd) {
 	for (const Sharp &sharp : sharp_shapes()) {
 		for (const float speed : { 0.25f, 1.0f, 5.0f, 20.0f, 100.0f, 1000.0f }) {
@@ -124,8 +125,8 @@ TEST_CASE_TEMPLATE("A stick of 5 mm radius, a rod, a lath and a crate's edge cut
 	}
 }
 
-TEST_CASE_TEMPLATE("What is thinner than a segment passes through no blade: slow, it takes all along; fast, it lays them down",
-		M, Direct, Pbd) {
+TEST_CASE_TEMPLATE(
+		"What is thinner than a segment passes through no blade: slow, it takes all along; fast, it lays them down", M, Direct, Pbd) {
 	for (const Sharp &sharp : sharp_shapes()) {
 		CAPTURE(sharp.name);
 		for (const float speed : { 0.25f, 1.0f, 5.0f }) {

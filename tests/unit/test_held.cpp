@@ -20,9 +20,9 @@ struct Rest {
 
 std::vector<Rest> make_rests() {
 	const Eigen::Vector3f plate(0.5f, 0.1f, 0.5f);
-	std::vector<Rest> rests = { { GRASS_BOX, plate, 0.18f, 0.0f }, { GRASS_BOX, plate, 0.35f, 0.0f }, { GRASS_CYLINDER, plate, 0.18f, 0.0f },
-		{ GRASS_HULL, plate, 0.18f, 0.0f }, { GRASS_SPHERE, { 0.15f, 0.0f, 0.0f }, 0.15f, 0.1f }, { GRASS_SPHERE, { 0.3f, 0.0f, 0.0f }, 0.4f, 0.1f },
-		{ GRASS_CAPSULE, { 0.1f, 0.2f, 0.0f }, 0.32f, 0.1f } };
+	std::vector<Rest> rests = { { GRASS_BOX, plate, 0.18f, 0.0f }, { GRASS_BOX, plate, 0.35f, 0.0f },
+		{ GRASS_CYLINDER, plate, 0.18f, 0.0f }, { GRASS_HULL, plate, 0.18f, 0.0f }, { GRASS_SPHERE, { 0.15f, 0.0f, 0.0f }, 0.15f, 0.1f },
+		{ GRASS_SPHERE, { 0.3f, 0.0f, 0.0f }, 0.4f, 0.1f }, { GRASS_CAPSULE, { 0.1f, 0.2f, 0.0f }, 0.32f, 0.1f } };
 	std::mt19937 random(7);
 	const auto uniform = [&](float p_low, float p_high) { return std::uniform_real_distribution<float>(p_low, p_high)(random); };
 	for (int i = 0; i < 15; i++) {
