@@ -93,7 +93,8 @@ TEST_CASE("METHOD_DIRECT: a tip load bends a blade as the elastica within 2 %, f
 	}
 }
 
-TEST_CASE("METHOD_DIRECT: an end moment bends a blade to an arc, nearly to half a circle (beyond, it would meet the ground), within 1 %") {
+TEST_CASE("METHOD_DIRECT: an end moment bends a blade to an arc, nearly to half a circle (beyond, it would meet the ground), within 1.5 % "
+		  "of its length") {
 	for (const double angle : { 0.1, 0.5, 1.0, 2.0, 2.9 }) { // M L / EI, radians from root to tip
 		CAPTURE(angle);
 		ElasticBlade blade = ElasticBlade::straight();
@@ -108,7 +109,7 @@ TEST_CASE("METHOD_DIRECT: an end moment bends a blade to an arc, nearly to half 
 			return forces;
 		});
 		const Eigen::Vector3d wanted(length / angle * (1.0 - std::cos(angle)), length / angle * std::sin(angle), 0.0);
-		CHECK((blade.place(TIP) - wanted).norm() < 0.01 * length);
+		CHECK((blade.place(TIP) - wanted).norm() < 0.015 * length);
 		double most = 0.0, least = 10.0; // of the turns of the joints that stand for one segment each
 		for (int s = 2; s < GRASS_SEGMENTS; s++) {
 			const Eigen::Vector3d before = blade.place(s) - blade.place(s - 1), here = blade.place(s + 1) - blade.place(s);
