@@ -30,6 +30,7 @@ inline constexpr float STICK_FORCE = 0.02f;
 template <class T> struct Start {
 	Vec3<T> place[GRASS_KNOTS]; // metres
 	Vec3<T> speed[GRASS_KNOTS]; // m/s
+	T twist[GRASS_SEGMENTS]; // radians
 };
 
 template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, const StepTerms<T> &p_terms, T &r_fastest) {
@@ -42,6 +43,7 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 		const T size = length(moved);
 		const T keep = select(size > limit, limit / maximum(size, T(1e-12f)), T(1.0f));
 		start.place[k] = p_blade.knots[k];
+		start.twist[k - 1] = p_blade.twist[k - 1];
 		start.speed[k] = moved * (keep * per_second);
 		r_fastest = maximum(r_fastest, size * keep * p_terms.step_ratio);
 	}
@@ -83,17 +85,20 @@ template <class T, class Mask>
 GRASS_INLINE Mask hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
 		const Mask &p_touches) {
 	const Mask is_free = p_is_slow & !p_touches;
-	const T lost = r_stage.span / r_stage.weight * (T(1.0f) - rubbed(r_stage.span));
+	const T lost = T(RUB) * r_stage.span; // of what is left
+	const Vec3<T> load = p_terms.load * (r_stage.span * r_stage.span / r_stage.weight);
 	T farthest(0.0f); // squared, square metres
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = r_blade.knots[k] - p_start.place[k];
 		farthest = maximum(farthest, dot(moved, moved));
-		r_stage.target[k] = select(is_free, r_stage.target[k] + p_start.speed[k] * lost, r_stage.target[k]);
+		const Vec3<T> back = (r_stage.target[k] - p_start.place[k] - load) * lost;
+		r_stage.target[k] = select(is_free, r_stage.target[k] + back, r_stage.target[k]);
 	}
 	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
 	const Mask sticks = p_is_slow & p_touches & (farthest < limit * limit);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.knots[k] = select(sticks, p_start.place[k], r_blade.knots[k]);
+		r_blade.twist[k - 1] = select(sticks, p_start.twist[k - 1], r_blade.twist[k - 1]);
 	}
 	return sticks;
 }
@@ -106,8 +111,10 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	const Mask none = p_is_single & !p_is_single;
 	Vec3<T> guess[GRASS_KNOTS];
+	T twist[GRASS_SEGMENTS];
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		guess[k] = r_blade.knots[k];
+		twist[k - 1] = r_blade.twist[k - 1];
 	}
 	Mask is_hit = none, touches = none, sticks = none;
 	const int count = p_single > p_double ? p_single : p_double;
@@ -137,6 +144,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		is_hit = is_blow;
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_hit, guess[k], r_blade.knots[k]);
+			r_blade.twist[k - 1] = select(is_hit, twist[k - 1], r_blade.twist[k - 1]);
 		}
 		take_blows(r_blade, p_terms, p_start, r_stage, is_hit);
 	}

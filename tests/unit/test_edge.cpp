@@ -172,18 +172,23 @@ TEST_CASE_TEMPLATE("A thin stick that comes down on blades and stays holds them 
 	}
 }
 
-TEST_CASE_TEMPLATE("A ball cuts into edges by no more than a chord does, l^2 / 8r", M, Direct, Pbd) {
-	for (const float radius : { 0.005f, 0.02f, 0.06f, 0.15f, 0.5f }) {
-		CAPTURE(radius);
-		BladeScene scene(M::METHOD);
-		scene.add(GRASS_SPHERE, Eigen::Vector3f::Zero(), { radius, 0.0f, 0.0f });
-		const float l = scene.length / GRASS_SEGMENTS, stride = 0.02f;
-		float deepest = 0.0f;
-		for (float x = -radius - 0.6f; x < radius + 0.6f; x += stride) {
-			BladeScene::place(scene.colliders[0], { x - stride, radius + 0.1f, 0.01f }, { x, radius + 0.1f, 0.01f });
-			scene.step();
-			deepest = std::max(deepest, scene.edge_depth());
+TEST_CASE_TEMPLATE("A ball and a capsule cut into edges by no more than a chord does, l^2 / 8r, a crate, a drum and a hull by 1e-4 m", M,
+		Direct, Pbd) {
+	for (const int shape : SHAPES) {
+		for (const float radius : { 0.005f, 0.02f, 0.06f, 0.15f, 0.5f }) {
+			CAPTURE(shape);
+			CAPTURE(radius);
+			BladeScene scene(M::METHOD);
+			scene.add(shape, Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(radius));
+			const bool is_round = shape == GRASS_SPHERE || shape == GRASS_CAPSULE;
+			const float l = scene.length / GRASS_SEGMENTS, stride = 0.02f, height = radius * (shape == GRASS_CAPSULE ? 2.0f : 1.0f) + 0.1f;
+			float deepest = 0.0f;
+			for (float x = -radius - 0.6f; x < radius + 0.6f; x += stride) {
+				BladeScene::place(scene.colliders[0], { x - stride, height, 0.01f }, { x, height, 0.01f });
+				scene.step();
+				deepest = std::max(deepest, scene.edge_depth());
+			}
+			CHECK(deepest <= (is_round ? 1.02f * l * l / (8.0f * radius) : 1e-4f));
 		}
-		CHECK(deepest <= 1.02f * l * l / (8.0f * radius));
 	}
 }
