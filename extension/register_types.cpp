@@ -4,8 +4,10 @@
 
 #include "backend/parallel.h"
 #include "class_docs.gen.h"
+#include "draw/patch_texture.h"
 #include "draw/shared_shader.h"
 #include "gpu/render_queue.h"
+#include "nodes/field_monitors.h"
 #include "nodes/grass_brush.h"
 #include "nodes/grass_field.h"
 #include "nodes/grass_map.h"
@@ -21,6 +23,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
+		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
@@ -40,6 +43,8 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		grass::unregister_map_files();
+		grass::FieldMonitors::free_singleton();
+		grass::free_shared_textures();
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();
 	}

@@ -25,6 +25,10 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 """
 
 
+BENCHMARKS = """stress: only the stress tests, in full; takes an hour. accuracy: run time against error. paper: the paper's tables and
+	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
+
+
 def parser():
 	top = argparse.ArgumentParser(prog="./grass", add_help=False)
 	commands = top.add_subparsers(dest="command", metavar="COMMAND")
@@ -43,11 +47,11 @@ def parser():
 
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "pack"), help="stress: only the stress tests, in full; takes an hour. accuracy: run time against error. pack: what another machine's GPU needs, to --out")
-	bench.add_argument("--quick", action="store_true", help="accuracy: a sample, in seconds")
-	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy: only add what the scene wrote to DIR on another machine's GPU")
+	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "pack"), help=BENCHMARKS)
+	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
+	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument("--only", choices=("draw", "simulate", "sleep", "kernel"), help="only this one of those in the engine")
+	bench.add_argument("--only", metavar="PART", help="only this one of those in the engine: draw, simulate, sleep, cpu, kernel; of paper: a table")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")
@@ -60,7 +64,7 @@ def parser():
 
 def dispatch(options):
 	"""Returns the exit code."""
-	from tools import accuracy, build, export, scenes, testing  # here, so that the explanation is at once
+	from tools import accuracy, build, export, paper, scenes, testing  # here, so that the explanation is at once
 
 	if options.command == "demo":
 		scenes.demo(options.out, options.size, options.method)
@@ -70,9 +74,14 @@ def dispatch(options):
 		if options.what == "accuracy":
 			accuracy.run(options.out, options.quick, options.gpu_results)
 			return 0
+		if options.what == "paper":
+			paper.run(options.out, options.quick, options.only, options.gpu_results)
+			return 0
 		if options.what == "pack":
 			export.benchmark(options.out or OUT / "bench_pack")
 			return 0
+		if options.only not in (None, *scenes.BENCHES):
+			raise Failure(f"--only takes one of {', '.join(scenes.BENCHES)}.", 2)
 		scenes.bench(options.out, options.only)
 	elif options.command == "editor":
 		scenes.editor()

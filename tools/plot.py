@@ -42,7 +42,7 @@ class Axis:
 class Plot:
 	def __init__(self, title, across, up, xs, ys, log_x=False, log_y=False):
 		self.x = Axis(xs, LEFT, WIDTH - RIGHT, log_x, part=4)
-		self.y = Axis(ys, HEIGHT - BOTTOM, TOP, log_y)
+		self.y = Axis(ys, HEIGHT - BOTTOM, TOP, log_y, part=2)
 		self.parts = [
 			f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="13" fill="#222">',
 			f'<rect width="{WIDTH}" height="{HEIGHT}" fill="#fff"/><text x="{LEFT}" y="28" font-size="16">{title}</text>',
@@ -87,7 +87,7 @@ class Plot:
 		for text, color in items:
 			self.parts.append(f'<circle cx="{x + 6}" cy="45" r="4.5" fill="{color}"/>')
 			self.text(x + 15, 49, text)
-			x += 30 + 7 * len(text)
+			x += 30 + 9 * len(text)
 		self.text(x, 49, rest, size=11, color="#555")
 
 	def svg(self):

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct FieldSetup {
 	int pool_tiles = 0; // tiles that may be awake at once
 	uint32_t seed = 0;
 
+	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
+	int instance_capacity() const { return int(std::min<uint64_t>(std::bit_ceil(uint64_t(grid.get_tile_count())), GRASS_MAX_DRAWN_TILES)); }
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()); }
@@ -54,8 +57,10 @@ struct BackendStatistics {
 	int64_t steps = 0; // simulation dispatches (GPU) or passes over the awake tiles (CPU)
 	int64_t simulated_blades = 0; // blades stepped
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
+	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
 	std::array<int64_t, GRASS_LOD_LEVELS> drawn_tiles{}; // in the newest frame known (GPU: about two frames late)
+	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };
 
@@ -63,6 +68,8 @@ class Backend {
 public:
 	virtual ~Backend() = default;
 
+	// Goes on with the same blades on another grid, all of them at rest. False if it cannot: then make another one.
+	virtual bool set_grid(const TileGrid &p_grid) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
 	// Chooses what is drawn in this frame.

@@ -37,6 +37,15 @@ CpuBackend::~CpuBackend() {
 	memdelete(_parallel);
 }
 
+bool CpuBackend::set_grid(const TileGrid &p_grid) {
+	_setup.grid = p_grid;
+	_slot_of_tile.clear();
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup));
+	}
+	return true;
+}
+
 void CpuBackend::step(const StepInput &p_input) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const int64_t blades_before = _pool.get_simulated_blades();
@@ -161,11 +170,15 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 }
 
 int64_t CpuBackend::get_memory_usage() const {
-	int64_t instances = 0;
+	int64_t bytes = int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + mesh_bytes(); // patch: here and as a texture
+	bytes += int64_t(_pool_texels.capacity()) * 4; // likewise
 	for (const FieldInstance &level : _levels) {
-		instances += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
-	return int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + int64_t(_pool_texels.size()) * 4 + instances;
+	for (const std::vector<float> &instances : _instances) {
+		bytes += int64_t(instances.capacity() * sizeof(float));
+	}
+	return bytes + int64_t(_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _changed_slots.get_memory_usage());
 }
 
 } // namespace grass

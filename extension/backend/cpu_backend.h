@@ -21,6 +21,7 @@ public:
 	explicit CpuBackend(const FieldSetup &p_setup);
 	~CpuBackend() override;
 
+	bool set_grid(const TileGrid &p_grid) override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;

@@ -24,6 +24,8 @@ struct ClumpParams {
 	float height = float(CLUMP_HEIGHT.initial);
 	float lean = float(CLUMP_LEAN.initial);
 	float tint = float(CLUMP_TINT.initial);
+
+	bool operator==(const ClumpParams &) const = default;
 };
 
 struct Clump {

@@ -7,7 +7,7 @@
 #include "core/clump.h"
 #include "core/patch.h"
 
-#include <array>
+#include <memory>
 #include <vector>
 
 namespace grass {
@@ -17,21 +17,36 @@ public:
 	// Knows no blades: no tile is ever met.
 	TileBounds() = default;
 	TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed);
+	// The same blades on another grid: much less work.
+	TileBounds(const TileBounds &p_other, const TileGrid &p_grid);
 
 	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
 	// Of all tiles: how far the blades lean out over the tile's square, and their highest tip. Metres.
 	double get_reach() const { return _reach; }
 	double get_height() const { return _height; }
+	size_t get_memory_usage() const; // bytes
 
 private:
+	// A blade's box from its root, and where in its tile the root stands, 0..1 each.
+	struct Blade;
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
+
+		// Without jumps: which of the sides decides cannot be foreseen.
+		bool meets(const Box &p_other, float p_other_bottom) const {
+			return bool(int(p_other.min_x <= max_x) & int(p_other.max_x >= min_x) & int(p_other.min_z <= max_z) &
+					int(p_other.max_z >= min_z) & int(p_other_bottom <= height));
+		}
 	};
+
+	void find_boxes();
 
 	TileGrid _grid;
 	uint32_t _seed = 0;
+	std::shared_ptr<const std::vector<Blade>> _blades; // of the patch
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
+	Box _inner{}; // what all of them share: most tiles under a body are told by it
 	double _reach = 0.0, _height = 0.0;
 };
 

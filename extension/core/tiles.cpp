@@ -84,16 +84,12 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	find_touched_tiles(p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	deactivate_tiles(delta); // lines 18 to 25
-	write_lists(p_colliders);
+	count_touches(p_colliders);
 	write_records();
+	write_list();
 }
 
 void TileManager::begin_step() {
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		Awake &awake = _awake[size_t(slot)];
-		awake.is_touched = awake.is_fresh = false;
-		awake.list_count = 0;
-	}
 	_touches.clear();
 	_to_activate.clear();
 	_yielding_known = false;
@@ -120,6 +116,7 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		const TilePlace centre = _ranges[i].count() > 0 ? _grid.get_place(p_colliders[i].now.position) : TilePlace{};
 		const TileRange range = shrink(_ranges[i], std::min(most, capacity - int64_t(_touches.size())), centre.x, centre.z);
 		_statistics.capped += uint64_t(_ranges[i].count() - range.count());
+		_statistics.looked_at += uint64_t(range.count());
 		for (int z = range.z_begin; z < range.z_end; z++) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
 				if (!_bounds || _bounds->meets(x, z, _swept[i])) {

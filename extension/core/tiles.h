@@ -61,6 +61,7 @@ struct TileStatistics {
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
 	uint64_t refused = 0; // wishes for a slot, one a tile and step, that the full pool could not grant
+	uint64_t looked_at = 0; // tiles tested against a collider, one a collider, tile and step
 	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
 	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
 };
@@ -122,8 +123,10 @@ private:
 		double settle_left = 0.0; // seconds to rest, while settling
 		float energy = NO_ENERGY; // since the last touch
 		float blend = 0.0f; // of this step's record; 1: at rest after it
-		bool is_fresh = false, is_touched = false, is_settling = false;
-		uint32_t list_begin = 0, list_count = 0;
+		bool is_settling = false;
+		bool is_fresh = false, is_touched = false; // in this step; false between steps
+		uint32_t list_count = 0; // objects in this step; 0 between steps
+		uint32_t list_next = 0; // entry of the collider list to write next
 	};
 
 	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
@@ -149,9 +152,10 @@ private:
 	void settle(Awake &r_awake, double p_delta) const;
 	void retire(int p_slot);
 
-	void write_lists(std::span<const ColliderShape> p_colliders);
+	void count_touches(std::span<const ColliderShape> p_colliders);
 	void pack_collider(const ColliderShape &p_collider);
 	void write_records();
+	void write_list();
 
 	TileGrid _grid;
 	TileParams _params;

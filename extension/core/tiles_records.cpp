@@ -6,8 +6,8 @@
 
 namespace grass {
 
-// Sorts the touches by slot, each tile's objects in the order in which they were given; packs the objects in use.
-void TileManager::write_lists(std::span<const ColliderShape> p_colliders) {
+// Drops the touches of tiles that got no slot, counts the others by slot, and packs the objects in use.
+void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
 	size_t kept = 0;
@@ -24,17 +24,6 @@ void TileManager::write_lists(std::span<const ColliderShape> p_colliders) {
 		}
 	}
 	_touches.resize(kept);
-	uint32_t end = 0;
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		_awake[size_t(slot)].list_begin = end;
-		end += _awake[size_t(slot)].list_count;
-		_awake[size_t(slot)].list_count = 0;
-	}
-	_collider_list.resize(kept);
-	for (const Touch &touch : _touches) {
-		Awake &awake = _awake[size_t(touch.slot)];
-		_collider_list[awake.list_begin + awake.list_count++] = touch.collider;
-	}
 	_statistics.colliders = int(_colliders.size());
 	_statistics.list_entries = int(kept);
 }
@@ -46,17 +35,31 @@ void TileManager::pack_collider(const ColliderShape &p_collider) {
 	}
 }
 
+// One pass over the awake tiles, which also readies them for the next step: they are many, and lie far apart in memory.
 void TileManager::write_records() {
 	_statistics.awake = _statistics.settling = 0;
+	uint32_t entries = 0;
 	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		const Awake &awake = _awake[size_t(slot)];
+		Awake &awake = _awake[size_t(slot)];
 		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0);
-		_records.push_back({ awake.tile, { awake.start, awake.list_begin, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
+		_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
 		_statistics.awake++;
 		_statistics.settling += awake.is_settling ? 1 : 0;
+		awake.list_next = entries;
+		entries += awake.list_count;
+		awake.list_count = 0;
+		awake.is_fresh = awake.is_touched = false;
 	}
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
 	_statistics.tile_steps += uint64_t(_statistics.awake);
+}
+
+// Each tile's objects, in the order in which they were given.
+void TileManager::write_list() {
+	_collider_list.resize(_touches.size());
+	for (const Touch &touch : _touches) {
+		_collider_list[_awake[size_t(touch.slot)].list_next++] = touch.collider;
+	}
 }
 
 } // namespace grass

@@ -24,6 +24,14 @@ struct WindParams {
 	float gust_strength = float(GUST_STRENGTH.initial); // 0..1
 };
 
+// Time as the wind knows it, wrapped where nothing is seen of it: it grows for days, and floats tire.
+struct WindClock {
+	double sway = 0.0; // seconds
+	double roll = 0.0; // gust sizes that the wind has travelled: a change of the wind moves no gust
+
+	void advance(double p_delta, double p_speed, double p_gust_size);
+};
+
 // What the wind does at one place to a point of a blade.
 struct Wind {
 	Eigen::Vector2f tilt = Eigen::Vector2f::Zero(); // towards x and z, as the lean of tilt_change
@@ -31,11 +39,12 @@ struct Wind {
 };
 
 // [Eq W1] Gusts: noise that travels with the wind. p_wind.velocity must not be zero.
-float gust_at(const Eigen::Vector2f &p_place, float p_time, const WindParams &p_wind);
+float gust_at(const Eigen::Vector2f &p_place, const WindClock &p_clock, const WindParams &p_wind);
 
 // [Eq W2] The tilt of the blade's tangent at p_along (0 = root .. 1 = tip). p_place: field-space x, z in metres;
-// p_random: the blade's own four numbers, 0..1; p_time: seconds. No wind gives exactly zero.
-Wind wind_at(const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, float p_time, const WindParams &p_wind);
+// p_random: the blade's own four numbers, 0..1. No wind gives exactly zero.
+Wind wind_at(
+		const Eigen::Vector2f &p_place, float p_along, const Eigen::Array4f &p_random, const WindClock &p_clock, const WindParams &p_wind);
 
 // [Eq W3] A point of a blade, bent by the wind without stretching. p_point: blade space, metres; p_reach:
 // tangent there, its length the distance from the root along the blade; p_tilt: of the tangent there.

@@ -19,6 +19,14 @@ int lod_triangles_per_blade(int p_level) {
 	return 2 * lod_segments(p_level) - 1;
 }
 
+int64_t mesh_bytes() {
+	int64_t indices = 0;
+	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+		indices += 3 * int64_t(lod_blades(level)) * lod_triangles_per_blade(level);
+	}
+	return 4 * indices;
+}
+
 void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material) {
 	const int blades = lod_blades(p_level), segments = lod_segments(p_level);
 	PackedInt32Array indices;

@@ -15,4 +15,7 @@ int lod_triangles_per_blade(int p_level); // quads, and one triangle at the tip
 // Adds the level's mesh as one more surface of p_mesh.
 void add_lod_surface(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_level, const godot::Ref<godot::Material> &p_material);
 
+// Of the meshes of all levels: their 32-bit indices.
+int64_t mesh_bytes();
+
 } // namespace grass

@@ -50,6 +50,12 @@ void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	}
 }
 
+void FieldInstance::set_bounds(const AABB &p_bounds) {
+	if (is_created()) {
+		RenderingServer::get_singleton()->multimesh_set_custom_aabb(_multimesh, p_bounds);
+	}
+}
+
 void FieldInstance::set_instances(const PackedFloat32Array &p_instances, int p_count) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	if (p_count > 0) {

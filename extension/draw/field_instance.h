@@ -26,6 +26,7 @@ public:
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	void set_bounds(const godot::AABB &p_bounds);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
 	void free();
 

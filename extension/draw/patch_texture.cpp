@@ -14,8 +14,11 @@ Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
 			Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
-Ref<ImageTexture> lattice_texture() {
+namespace {
+
+Ref<ImageTexture> make_lattice_texture() {
 	std::vector<uint8_t> texels;
+	texels.reserve(4 * GRASS_LATTICE_CELLS * GRASS_LATTICE_CELLS);
 	for (int y = 0; y < GRASS_LATTICE_CELLS; y++) {
 		for (int x = 0; x < GRASS_LATTICE_CELLS; x++) {
 			const Eigen::Array4f numbers = lattice(x, y);
@@ -26,6 +29,21 @@ Ref<ImageTexture> lattice_texture() {
 	}
 	return ImageTexture::create_from_image(Image::create_from_data(
 			GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
+}
+
+Ref<ImageTexture> shared_lattice;
+
+} // namespace
+
+Ref<ImageTexture> lattice_texture() {
+	if (shared_lattice.is_null()) {
+		shared_lattice = make_lattice_texture();
+	}
+	return shared_lattice;
+}
+
+void free_shared_textures() {
+	shared_lattice.unref();
 }
 
 AABB field_bounds(const FieldSetup &p_setup) {

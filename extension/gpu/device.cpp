@@ -18,19 +18,16 @@ RenderingDevice *main_device() {
 	return RenderingServer::get_singleton()->get_rendering_device();
 }
 
-void GpuBuffer::allocate(int64_t p_bytes, uint32_t p_fill) {
+void GpuBuffer::allocate(int64_t p_bytes) {
 	free();
 	_size = std::max<int64_t>(p_bytes, 16);
-	PackedByteArray data;
-	if (p_fill != 0) { // a new buffer's bytes are undefined; buffer_clear writes zeros only
-		data.resize(_size);
-		data.fill(uint8_t(p_fill));
-	}
-	RenderingDevice *device = main_device();
-	_rid = device->storage_buffer_create(uint32_t(_size), data);
-	if (p_fill == 0) {
-		device->buffer_clear(_rid, 0, uint32_t(_size));
-	}
+	_rid = main_device()->storage_buffer_create(uint32_t(_size));
+	clear();
+}
+
+void GpuBuffer::clear() {
+	main_device()->buffer_clear(_rid, 0, uint32_t(_size));
+	_uploaded = PackedByteArray();
 }
 
 int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {

@@ -23,8 +23,9 @@ class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
 
-	// Allocates p_bytes, all zero (or p_fill in every 32-bit word, 0 or 0xffffffff). Frees what was there.
-	void allocate(int64_t p_bytes, uint32_t p_fill = 0);
+	// Allocates p_bytes, all zero: the device writes them, nothing travels. Frees what was there.
+	void allocate(int64_t p_bytes);
+	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
 	template <typename T> int64_t upload(std::span<const T> p_records) {
 		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));

@@ -48,8 +48,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
 		add_lod_surface(mesh, level, _materials.level(level));
 	}
-	const int instances = std::min(_setup.grid.get_tile_count(), GRASS_MAX_DRAWN_TILES);
-	_instance.create(mesh, instances, true, field_bounds(_setup));
+	_instance.create(mesh, _setup.instance_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -57,6 +56,16 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 
 GpuBackend::~GpuBackend() {
 	RenderQueue::get_singleton()->post([field = _field, multimesh = _instance.multimesh()] { field->free(multimesh); });
+}
+
+bool GpuBackend::set_grid(const TileGrid &p_grid) {
+	_setup.grid = p_grid;
+	if (_setup.instance_capacity() > _instance.capacity()) {
+		return false;
+	}
+	_instance.set_bounds(field_bounds(_setup));
+	RenderQueue::get_singleton()->post([field = _field, tiles = p_grid.get_tile_count()] { field->set_tiles(tiles); });
+	return true;
 }
 
 void GpuBackend::step(const StepInput &p_input) {
@@ -92,7 +101,10 @@ BackendStatistics GpuBackend::get_statistics() {
 }
 
 int64_t GpuBackend::get_memory_usage() const {
-	return GpuField::memory_usage(_setup);
+	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
+	const int64_t instances = int64_t(_instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	std::lock_guard lock(_report->mutex);
+	return patch + instances + mesh_bytes() + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
 }
 
 } // namespace grass

@@ -2,6 +2,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "core/cpu_clock.h"
 #include "gpu/render_queue.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
@@ -10,6 +11,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 using namespace godot;
@@ -52,23 +54,24 @@ private:
 
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input) :
-		number(p_input.number),
-		slots(p_input.slots.begin(), p_input.slots.end()),
-		colliders(p_input.colliders.begin(), p_input.colliders.end()),
-		collider_list(p_input.collider_list.begin(), p_input.collider_list.end()),
-		planes(p_input.planes.begin(), p_input.planes.end()),
-		step(p_input.step) {}
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+	CpuClock clock;
+	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
+	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
+	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	copy_ms = clock.lap();
+}
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
 	RenderingDevice *device = main_device();
 	_tiles = p_setup.grid.get_tile_count();
-	_instances = std::min<int64_t>(_tiles, GRASS_MAX_DRAWN_TILES);
+	_instances = p_setup.instance_capacity();
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_energy.allocate(_slots * 4);
-	_table.allocate(_tiles * 4, uint32_t(GRASS_NO_SLOT));
+	set_tiles(_tiles);
 	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
 
 	Ref<RDTextureFormat> format;
@@ -89,6 +92,19 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_simulate.create(shader::SIMULATE_SPIRV, "GrassField simulate");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+}
+
+void GpuField::set_tiles(int64_t p_tiles) {
+	_tiles = p_tiles;
+	_table_changed = true;
+	if (_tiles * 4 <= _table.size()) {
+		_table.clear();
+		return;
+	}
+	_table.allocate(int64_t(std::bit_ceil(uint64_t(_tiles))) * 4);
+	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 }
 
 void GpuField::bind_simulate(const RID &p_patch) {
@@ -104,6 +120,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
 	}
+	CpuClock clock;
 	if (p_measure) {
 		read_times();
 	}
@@ -123,6 +140,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		_simulate.dispatch(list, record_bytes(p_records.step), uint32_t(p_records.slots.size()));
 		device->compute_list_end();
 	}
+	const double upload_ms = clock.lap();
 	int64_t live = 0;
 	for (const GrassSlot &slot : p_records.slots) {
 		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
@@ -134,6 +152,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
+		report_memory();
+		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
 	// The device copies it between this step's dispatch and the next one's, so it is this step's.
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
@@ -181,6 +201,7 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.culls++;
+		report_memory();
 		_report->statistics.uploaded_bytes += uploaded;
 	}
 	RenderQueue::get_singleton()->read_later(_counts.rid(), GRASS_LOD_LEVELS * 4, [report = _report](const PackedByteArray &p_data) {
@@ -253,12 +274,14 @@ void GpuField::free(const RID &p_multimesh) {
 	}
 }
 
-int64_t GpuField::memory_usage(const FieldSetup &p_setup) {
-	const int64_t tiles = p_setup.grid.get_tile_count();
-	const int64_t instances = std::min<int64_t>(tiles, GRASS_MAX_DRAWN_TILES) * GRASS_INSTANCE_FLOATS * 4;
-	const int64_t slot = 2 * KNOT_FLOATS_PER_SLOT * 4 + POOL_TEXTURE_WIDTH * 8 + int64_t(sizeof(GrassSlot)) + 4;
-	const int64_t patch = int64_t(p_setup.patch->texels.size()) * 2;
-	return patch + p_setup.pool_tiles * slot + tiles * 4 + instances;
+// The report's mutex is held.
+void GpuField::report_memory() {
+	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
+	for (const GpuBuffer *buffer :
+			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+		bytes += buffer->size();
+	}
+	_report->statistics.buffer_bytes = bytes;
 }
 
 } // namespace grass

@@ -20,6 +20,7 @@ struct StepRecords {
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
 	GrassStep step;
+	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);
 };
@@ -38,6 +39,8 @@ public:
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
+	// Another number of tiles, all at rest.
+	void set_tiles(int64_t p_tiles);
 	// One tick: uploads the records, simulates their tiles, asks for their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimesh.
@@ -46,11 +49,10 @@ public:
 	// p_multimesh: its command buffer goes too; the engine never frees that (seen in 4.6).
 	void free(const godot::RID &p_multimesh);
 
-	static int64_t memory_usage(const FieldSetup &p_setup); // bytes
-
 private:
 	void bind_simulate(const godot::RID &p_patch);
 	void read_times();
+	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
 	int64_t _tiles = 0, _instances = 0, _slots = 0;

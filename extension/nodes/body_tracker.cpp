@@ -7,6 +7,7 @@
 #include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -17,18 +18,24 @@ namespace {
 // Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
 constexpr double BLADE_FRICTION = 0.5;
 
-// Shapes that were added in the physics server itself have no owner in the node.
-bool is_disabled(const CollisionObject3D *p_node, int32_t p_shape) {
+// Which of a node's shapes are disabled, one bit a shape. Shapes that were added in the physics server itself have no
+// owner in the node, and are enabled.
+std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count) {
+	std::vector<bool> disabled(size_t(p_count), false);
 	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
 	for (int64_t i = 0; i < owners.size(); i++) {
 		const uint32_t owner = uint32_t(owners[i]);
+		if (!p_node->is_shape_owner_disabled(owner)) {
+			continue;
+		}
 		for (int32_t k = 0; k < p_node->shape_owner_get_shape_count(owner); k++) {
-			if (p_node->shape_owner_get_shape_index(owner, k) == p_shape) {
-				return p_node->is_shape_owner_disabled(owner);
+			const int32_t index = p_node->shape_owner_get_shape_index(owner, k);
+			if (index >= 0 && index < p_count) {
+				disabled[size_t(index)] = true;
 			}
 		}
 	}
-	return false;
+	return disabled;
 }
 
 // Takes the scale of p_basis into the shape: poses hold rotation only.
@@ -51,9 +58,18 @@ void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
 // A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
 // between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
 constexpr double TELEPORT_DISTANCE = 2.0;
+// The same for a turn. Radians. Smaller: fast animated rotors miss grass. Larger: a figure that is turned round mows.
+constexpr double TELEPORT_TURN = 0.5 * EIGEN_PI;
 // Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
 // the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
 constexpr double APPROACH = 3.0;
+// Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
+// grass notices a change later. Less: more calls of the physics server, which are most of what bodies cost.
+constexpr int LOOK_EVERY = 4, LIVELY_LOOKS = 60;
+// Ticks after which a static body that moved is ground again.
+constexpr int STILL_TICKS = 120;
+// Ticks after a jump of the field in which bodies are kept that the server says have left: kinematic ones follow late.
+constexpr int JUMP_TICKS = 6;
 
 // Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
 bool is_driven_by_velocity(int64_t p_mode) {
@@ -77,9 +93,16 @@ void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t 
 }
 
 void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents) {
-	if (_area.is_valid()) {
-		PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	if (!_area.is_valid()) {
+		return;
+	}
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	if (_box_extents != p_half_extents) {
+		_box_extents = p_half_extents;
 		server->shape_set_data(_box, p_half_extents + real_t(APPROACH) * Vector3(1, 1, 1));
+	}
+	if (_box_transform != p_transform) {
+		_box_transform = p_transform;
 		server->area_set_transform(_area, p_transform);
 	}
 }
@@ -98,6 +121,9 @@ void BodyTracker::stop() {
 		server->free_rid(_box);
 	}
 	_area = _box = RID();
+	_box_extents = Vector3();
+	_box_transform = Transform3D();
+	_has_field_before = false;
 	_bodies.clear();
 }
 
@@ -105,95 +131,192 @@ void BodyTracker::stop() {
 // the end of an overlap under an index of before.
 void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
 	const uint64_t key = uint64_t(p_body.get_id());
-	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
-		Body &body = _bodies[key];
-		body.rid = p_body;
-		body.instance_id = uint64_t(p_instance_id);
-		body.overlaps++;
-		return;
-	}
 	auto found = _bodies.find(key);
-	if (found != _bodies.end() && --found->second.overlaps <= 0) {
-		_bodies.erase(found);
+	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
+		if (found == _bodies.end()) {
+			found = _bodies.emplace(key, Body()).first;
+			found->second.rid = p_body;
+			found->second.instance_id = uint64_t(p_instance_id);
+		}
+		found->second.overlaps++;
+	} else if (found != _bodies.end()) {
+		found->second.overlaps--;
+	}
+	if (found != _bodies.end()) {
+		found->second.next_look = 0; // its shapes may have changed
 	}
 }
 
-// The body's pose in field space. False while the body counts as ground.
-bool BodyTracker::pose_of(
-		Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta, Eigen::Affine3d &r_now) {
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	const Transform3D world = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_TRANSFORM);
-	const int64_t mode = server->body_get_mode(p_body.rid);
-	Eigen::Vector3d step = Eigen::Vector3d::Zero(); // metres that its velocity takes it in a tick
-	if (is_driven_by_velocity(mode)) {
-		const Vector3 velocity = server->body_get_state(p_body.rid, PhysicsServer3D::BODY_STATE_LINEAR_VELOCITY);
-		step = p_field_from_world.linear() * to_eigen(velocity) * p_delta;
-	}
-	r_now = p_field_from_world * to_eigen(world);
-	if (!p_body.has_before) { // the tick in which it was found counts too
-		p_body.before = r_now;
-		p_body.before.translation() -= step;
-		p_body.world_found = world;
-		p_body.has_before = true;
-	}
-	if (mode == PhysicsServer3D::BODY_MODE_STATIC && !(p_node != nullptr && p_node->is_class("RigidBody3D"))) { // a frozen one is no ground
-		p_body.has_moved = p_body.has_moved || !world.is_equal_approx(p_body.world_found);
-		if (!p_body.has_moved) {
+int64_t BodyTracker::body_count() const {
+	return std::count_if(_bodies.begin(), _bodies.end(), [](const auto &p_entry) { return p_entry.second.overlaps > 0; });
+}
+
+// False once the body was freed: it may be listed until the server's next report.
+bool BodyTracker::find_state(Body &r_body) {
+	if (r_body.state_id == 0) {
+		if (r_body.instance_id != 0 && ObjectDB::get_instance(r_body.instance_id) == nullptr) {
 			return false;
 		}
+		r_body.state = PhysicsServer3D::get_singleton()->body_get_direct_state(r_body.rid);
+		r_body.state_id = r_body.state == nullptr ? 0 : r_body.state->get_instance_id();
+		return r_body.state != nullptr;
 	}
-	const double moved = (r_now.translation() - p_body.before.translation()).norm();
-	const double explained = std::max(step.norm(), p_body.last_step);
-	p_body.last_step = moved;
-	if (moved > TELEPORT_DISTANCE + 1.5 * explained) {
-		p_body.before = r_now;
-		p_body.last_step = 0.0;
+	return ObjectDB::get_instance(r_body.state_id) != nullptr;
+}
+
+// Notices what changes seldom: shapes, friction, mode.
+void BodyTracker::look(Body &r_body) {
+	if (r_body.next_look-- > 0) {
+		return;
 	}
-	return true;
+	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
+	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
+	r_body.is_driven = is_driven_by_velocity(mode);
+	// A frozen RigidBody3D is no ground.
+	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC && !(node != nullptr && node->is_class("RigidBody3D"));
+	bool has_changed = false;
+	look_at_shapes(r_body, node, has_changed);
+	has_changed = has_changed && r_body.has_before; // else it was just found
+	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
+	// Bodies that came together are not looked at together.
+	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
+	r_body.next_look = r_body.lively_looks > 0 ? 0 : LOOK_EVERY - 1 + phase;
+}
+
+void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, bool &r_changed) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
+	const double friction =
+			std::clamp(BLADE_FRICTION * double(server->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION)), 0.0, 1.0);
+	const std::vector<bool> disabled = p_node == nullptr ? std::vector<bool>(size_t(count), false) : find_disabled(p_node, count);
+	r_changed = r_changed || size_t(count) != r_body.shapes.size();
+	r_body.shapes.resize(size_t(count));
+	for (int32_t index = 0; index < count; index++) {
+		TrackedShape &shape = r_body.shapes[size_t(index)];
+		_statistics.shape_reads++;
+		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
+		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape) && transform == shape.transform &&
+				shape.enabled == !disabled[size_t(index)] && shape.collider.friction == friction;
+		if (is_same) {
+			continue;
+		}
+		r_changed = true;
+		shape.transform = transform;
+		shape.enabled = !disabled[size_t(index)];
+		shape.local = to_eigen(transform) * shape.offset;
+		shape.collider = shape.shape;
+		scale_shape(shape.collider, shape.local.linear());
+		shape.collider.friction = friction;
+	}
+}
+
+// In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
+// kinematic bodies in it) are where they were beside the field, not far away from it.
+Eigen::Affine3d BodyTracker::pose_of(Body &r_body, const FieldPose &p_field) {
+	const Eigen::Affine3d world = to_eigen(r_body.state->get_transform());
+	const Eigen::Affine3d now = p_field.from_world * world;
+	if (!p_field.has_jumped || !r_body.has_before) {
+		return now;
+	}
+	const Eigen::Affine3d late = p_field.from_world_before * world;
+	const Eigen::Vector3d before = r_body.before.translation();
+	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
+}
+
+// Takes back what the body did not do in this tick, but was done to it.
+void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const {
+	const bool is_new = !r_body.has_before;
+	if (is_new) { // the tick in which it was found counts too
+		r_body.before = p_now;
+		r_body.has_before = true;
+	}
+	const double moved = (p_now.translation() - r_body.before.translation()).norm();
+	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
+	const double turned = std::acos(std::clamp(cosine, -1.0, 1.0));
+	Eigen::Vector3d step = Eigen::Vector3d::Zero(); // metres that its velocity takes it in a tick
+	double turn = 0.0; // radians
+	if (r_body.is_driven && (is_new || moved > TELEPORT_DISTANCE || turned > TELEPORT_TURN)) {
+		step = to_eigen(r_body.state->get_linear_velocity()) * p_delta;
+		turn = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
+	}
+	if (is_new) {
+		r_body.before.translation() -= _from_world_before.linear() * step;
+		r_body.last_step = step.norm();
+		r_body.last_turn = turn;
+		return;
+	}
+	if (moved > TELEPORT_DISTANCE + 1.5 * std::max(step.norm(), r_body.last_step)) {
+		r_body.before = p_now;
+	} else if (turned > TELEPORT_TURN + 1.5 * std::max(turn, r_body.last_turn)) {
+		r_body.before.linear() = p_now.linear();
+	}
+	r_body.last_step = r_body.before.translation() == p_now.translation() ? 0.0 : moved;
+	r_body.last_turn = r_body.before.linear() == p_now.linear() ? 0.0 : turned;
+}
+
+// A static body is an object from its first motion on, until it has stood still for a while. p_is_carried: the field
+// jumped, and the body with it, in the same tick or in the next: the server hears of either when nodes tell it.
+bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
+	if (!r_body.is_static) {
+		r_body.still_ticks = 0;
+		r_body.world_before = p_world;
+		return false;
+	}
+	if (!r_body.has_before || p_is_carried) { // just found
+		r_body.still_ticks = r_body.has_before ? r_body.still_ticks : STILL_TICKS;
+	} else {
+		r_body.still_ticks = p_world == r_body.world_before ? std::min(r_body.still_ticks + 1, STILL_TICKS) : 0;
+	}
+	r_body.world_before = p_world;
+	return r_body.still_ticks >= STILL_TICKS;
 }
 
 void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders) {
-	const Eigen::Affine3d field_from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+	FieldPose field;
+	field.delta = p_delta;
+	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
+	const Eigen::Vector3d origin = to_eigen(p_field.origin);
+	field.has_jumped = (field.from_world_before * origin).norm() > TELEPORT_DISTANCE;
+	_from_world_before = field.from_world;
+	_has_field_before = true;
+	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
+	_written = 0;
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
 		Body &body = entry->second;
-		const CollisionObject3D *node = nullptr;
-		if (body.instance_id != 0) {
-			node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(body.instance_id));
-			if (node == nullptr) { // freed, but listed until the server's next report
-				entry = _bodies.erase(entry);
-				continue;
-			}
+		const bool has_left = body.overlaps <= 0 && _ticks_since_jump >= JUMP_TICKS;
+		if (has_left || !find_state(body)) {
+			entry = _bodies.erase(entry);
+			continue;
 		}
 		++entry;
-		Eigen::Affine3d now;
-		if (pose_of(body, node, field_from_world, p_delta, now)) {
-			collect_shapes(body, node, now, r_colliders);
+		_statistics.body_reads++;
+		look(body);
+		const Eigen::Affine3d now = pose_of(body, field);
+		const bool is_carried =
+				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
+		const bool ground = is_ground(body, body.state->get_transform(), is_carried);
+		judge_motion(body, now, p_delta);
+		if (!ground) {
+			write_shapes(body, now, r_colliders);
 		}
 		body.before = now;
 	}
+	r_colliders.resize(_written);
 }
 
 // All shapes that are enabled. Those far from the grass find no tile.
-void BodyTracker::collect_shapes(
-		Body &p_body, const CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	const int32_t count = int32_t(server->body_get_shape_count(p_body.rid));
-	const double friction = server->body_get_param(p_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
-	p_body.shapes.resize(size_t(count));
-	for (int32_t index = 0; index < count; index++) {
-		if (p_node != nullptr && is_disabled(p_node, index)) {
+void BodyTracker::write_shapes(const Body &p_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
+	for (const TrackedShape &shape : p_body.shapes) {
+		if (!shape.enabled || !shape.usable) {
 			continue;
 		}
-		TrackedShape &tracked = p_body.shapes[size_t(index)];
-		if (!read_shape(server->body_get_shape(p_body.rid, index), tracked)) {
-			continue;
+		if (_written == r_colliders.size()) {
+			r_colliders.emplace_back();
 		}
-		const Eigen::Affine3d local = to_eigen(server->body_get_shape_transform(p_body.rid, index)) * tracked.offset;
-		ColliderShape collider = tracked.shape;
-		scale_shape(collider, (p_now * local).linear());
-		collider.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
-		collider.set_poses(p_body.before * local, p_now * local);
-		r_colliders.push_back(collider);
+		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
+		collider = shape.collider;
+		collider.set_poses(p_body.before * shape.local, p_now * shape.local);
 	}
 }
 

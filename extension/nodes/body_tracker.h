@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <godot_cpp/classes/collision_object3d.hpp>
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
@@ -25,6 +26,17 @@ struct TrackedShape {
 	ColliderShape shape;
 	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space
 	bool usable = false;
+
+	godot::Transform3D transform; // of the physics shape in its body
+	bool enabled = false;
+	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
+	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
+};
+
+// Counts since the tracker was made.
+struct TrackerStatistics {
+	int64_t body_reads = 0; // poses read, one a body and tick
+	int64_t shape_reads = 0; // shapes looked at for changes
 };
 
 class BodyTracker {
@@ -40,36 +52,62 @@ public:
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// Appends every shape that may touch grass in this tick, posed in the field's space.
+	// Writes every shape that may touch grass in this tick, posed in the field's space, over what r_colliders held.
 	// p_field: the field's transform (orthonormal); p_delta: seconds since the last call.
 	void collect(const godot::Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders);
 
-	int64_t body_count() const { return int64_t(_bodies.size()); }
+	const TrackerStatistics &get_statistics() const { return _statistics; }
+	int64_t body_count() const;
 
 private:
 	struct Body {
 		godot::RID rid;
 		uint64_t instance_id = 0;
 		int64_t overlaps = 0; // shapes of it that overlap the area
+		uint64_t state_id = 0; // of the server's object that tells where it is: gone when the body is
+		godot::PhysicsDirectBodyState3D *state = nullptr;
+		// As it was when it was last looked at.
 		std::vector<TrackedShape> shapes;
+		bool is_static = false; // ground, while it stands still
+		bool is_driven = false; // moves as its velocity says
+		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
+		// As it was in the last tick.
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
-		godot::Transform3D world_found; // where it was when it came in: in the world, for a field may move over ground that does not
 		bool has_before = false;
-		bool has_moved = false; // a StaticBody3D counts from its first motion on
-		double last_step = 0.0; // metres that it moved in the tick before
+		double last_step = 0.0, last_turn = 0.0; // metres, radians
+		// Of a static one.
+		godot::Transform3D world_before; // in the world, for a field may move over ground that does not
+		int still_ticks = 0; // for which it has not moved; starts as ground
+	};
+	// The field's pose in this tick, and in the one before.
+	struct FieldPose {
+		Eigen::Affine3d from_world, from_world_before;
+		bool has_jumped = false;
+		double delta = 0.0; // seconds
 	};
 
-	bool pose_of(Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_field_from_world, double p_delta,
-			Eigen::Affine3d &r_now);
-	void collect_shapes(
-			Body &p_body, const godot::CollisionObject3D *p_node, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
+	bool find_state(Body &r_body);
+	void look(Body &r_body);
+	void look_at_shapes(Body &r_body, const godot::CollisionObject3D *p_node, bool &r_changed);
+	Eigen::Affine3d pose_of(Body &r_body, const FieldPose &p_field);
+	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
+	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const;
+	void write_shapes(const Body &p_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
 
 	godot::RID _area, _box;
+	godot::Transform3D _box_transform;
+	godot::Vector3 _box_extents;
 	uint32_t _mask = 1;
+	Eigen::Affine3d _from_world_before = Eigen::Affine3d::Identity();
+	bool _has_field_before = false;
+	int _ticks_since_jump = 1 << 30;
+	size_t _written = 0; // colliders in this tick
+	TrackerStatistics _statistics;
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run
 };
 
-// Reads shape p_shape of the physics server. False if it bends no grass (planes, rays, ground meshes).
+// Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
+// (planes, rays, ground meshes).
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
 
 } // namespace grass

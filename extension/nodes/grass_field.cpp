@@ -5,6 +5,7 @@
 
 #include "backend/cpu_backend.h"
 #include "convert.h"
+#include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/params.h"
 
@@ -13,7 +14,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
-#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -52,6 +52,7 @@ void GrassField::_notification(int p_what) {
 }
 
 void GrassField::enter() {
+	FieldMonitors::add(this);
 	set_process_internal(true);
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
@@ -62,6 +63,7 @@ void GrassField::enter() {
 }
 
 void GrassField::leave() {
+	FieldMonitors::remove(this);
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	set_process_internal(false);
 	set_physics_process_internal(false);
@@ -82,15 +84,17 @@ void GrassField::build() {
 		return;
 	}
 	_dirty = false;
-	_backend.reset();
-	_ground.free();
+	CpuClock clock;
+	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	_bounds = std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed;
+	_bounds = same_blades ? std::make_shared<const TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -101,6 +105,20 @@ void GrassField::build() {
 			WARN_PRINT(vformat("%s: %s", label(), warning));
 		}
 	}
+	_ground.free();
+	if (!same_blades || before.pool_tiles != _setup.pool_tiles || !_backend || !_backend->set_grid(_setup.grid)) {
+		make_backend();
+	}
+	if (_backend) {
+		_ground.create(_setup.grid);
+		follow();
+		set_all_uniforms();
+	}
+	_build_ms = clock.lap();
+}
+
+void GrassField::make_backend() {
+	_backend.reset();
 	if (_setup.patch->is_empty()) {
 		return;
 	}
@@ -110,10 +128,8 @@ void GrassField::build() {
 	} else {
 		_backend = std::make_unique<CpuBackend>(_setup);
 	}
-	_backend->set_measure_time(_measure_time);
-	_ground.create(_setup.grid);
-	follow();
-	set_all_uniforms();
+	_backend->set_measure_time(_measure_time || _is_watched);
+	_builds++;
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -121,16 +137,16 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	CpuClock clock;
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
 	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
-	_colliders.clear();
 	_tracker.collect(transform, p_delta, _colliders);
+	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
-	_management_us = double(Time::get_singleton()->get_ticks_usec() - begin);
+	_tiles_ms = clock.lap();
 	if (_tiles.get_slots().empty()) {
 		return; // nothing is awake: no dispatch, no upload
 	}
@@ -152,9 +168,9 @@ void GrassField::frame(double p_delta) {
 	if (!_backend) {
 		return;
 	}
-	_time += p_delta;
 	if (param(PARAM_WIND_SPEED) > 0.0) {
-		_backend->set_uniform("grass_time", _time); // the ground has no wind
+		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
+		set_wind_clock();
 	}
 }
 
@@ -170,7 +186,13 @@ void GrassField::_before_draw() {
 	if (!_backend) {
 		return;
 	}
+	CpuClock clock;
 	follow();
+	choose_view();
+	_frame_ms = clock.lap();
+}
+
+void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}

@@ -7,6 +7,7 @@
 #include "core/tiles.h"
 #include "draw/ground.h"
 #include "nodes/body_tracker.h"
+#include "nodes/field_monitors.h"
 #include "nodes/field_params.h"
 #include "nodes/grass_patch.h"
 
@@ -88,6 +89,7 @@ public:
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
+	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
@@ -101,16 +103,19 @@ private:
 	void enter();
 	void leave();
 	void build();
+	void make_backend();
 	void request_rebuild();
 	void physics_tick(double p_delta);
 	void frame(double p_delta);
 	void follow();
 	void _before_draw();
+	void choose_view();
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
+	void set_wind_clock();
 	godot::Transform3D field_transform() const; // global, without scale
 	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
@@ -133,8 +138,11 @@ private:
 	std::array<godot::Color, FIELD_COLORS.size()> _colors;
 
 	bool _dirty = false; // the backend must be made again
-	double _time = 0.0; // of the wind, seconds
-	double _management_us = 0.0; // CPU time of the last tick without the backend's simulation, microseconds
+	int64_t _builds = 0; // backends made
+	bool _is_watched = false; // somebody reads the monitors of times
+	WindClock _wind_clock;
+	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field.
+	double _gather_ms = 0.0, _tiles_ms = 0.0, _frame_ms = 0.0, _build_ms = 0.0;
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;

@@ -57,8 +57,11 @@ void GrassField::set_simulated(bool p_simulated) {
 
 void GrassField::set_backend(BackendMode p_mode) {
 	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
-	_backend_mode = p_mode;
-	request_rebuild();
+	if (_backend_mode != p_mode) {
+		_backend_mode = p_mode;
+		_backend.reset();
+		request_rebuild();
+	}
 }
 
 void GrassField::set_method(SolverMethod p_method) {
@@ -91,7 +94,7 @@ void GrassField::set_debug_view(DebugView p_view) {
 void GrassField::set_measure_time(bool p_measure) {
 	_measure_time = p_measure;
 	if (_backend) {
-		_backend->set_measure_time(p_measure);
+		_backend->set_measure_time(p_measure || _is_watched);
 	}
 }
 
@@ -152,6 +155,11 @@ void GrassField::set_wind_uniforms() {
 	set_uniform("gust", Vector2(real_t(param(PARAM_GUST_SIZE)), real_t(param(PARAM_GUST_STRENGTH))));
 }
 
+// The ground has no wind.
+void GrassField::set_wind_clock() {
+	_backend->set_uniform("grass_time", Vector2(real_t(_wind_clock.sway), real_t(_wind_clock.roll)));
+}
+
 void GrassField::set_all_uniforms() {
 	const TileGrid &grid = _setup.grid;
 	set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
@@ -159,7 +167,7 @@ void GrassField::set_all_uniforms() {
 	set_uniform("tile_size", grid.get_tile_size());
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
-	set_uniform("grass_time", _time);
+	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			set_uniform(FIELD_PARAMS[i].tunable.name, _params[i]);

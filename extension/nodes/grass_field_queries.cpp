@@ -81,7 +81,40 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 }
 
 int64_t GrassField::get_memory_usage() const {
-	return int64_t(_tiles.get_memory_usage()) + (_backend ? _backend->get_memory_usage() : 0);
+	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
+	return int64_t(tiles) + (_backend ? _backend->get_memory_usage() : 0);
+}
+
+double GrassField::get_monitor(FieldMonitor p_monitor) {
+	if (!_backend) {
+		return 0.0;
+	}
+	const bool is_time = p_monitor == MONITOR_SIMULATE || p_monitor == MONITOR_CULL;
+	if (is_time && !_is_watched) {
+		_is_watched = true;
+		_backend->set_measure_time(true);
+	}
+	const Dictionary now = get_statistics();
+	switch (p_monitor) {
+		case MONITOR_AWAKE_TILES:
+			return double(now["awake_tiles"]);
+		case MONITOR_SIMULATED_BLADES:
+			return double(now["awake_tiles"]) * GRASS_BLADES_PER_TILE;
+		case MONITOR_DRAWN_BLADES:
+			return double(now["drawn_blades"]);
+		case MONITOR_DRAWN_TRIANGLES:
+			return double(now["drawn_triangles"]);
+		case MONITOR_MANAGEMENT:
+			return 1e-3 * double(now["management_ms"]);
+		case MONITOR_SIMULATE:
+			return 1e-3 * double(now["simulate_ms"]);
+		case MONITOR_CULL:
+			return 1e-3 * double(now["cull_ms"]);
+		case MONITOR_MEMORY:
+			return double(now["memory"]);
+		default:
+			return 0.0;
+	}
 }
 
 Dictionary GrassField::get_statistics() const {
@@ -107,6 +140,9 @@ Dictionary GrassField::get_statistics() const {
 	result["refused"] = int64_t(tiles.refused);
 	result["capped"] = int64_t(tiles.capped);
 	result["bodies"] = get_body_count();
+	result["body_reads"] = _tracker.get_statistics().body_reads;
+	result["shape_reads"] = _tracker.get_statistics().shape_reads;
+	result["tiles_looked_at"] = int64_t(tiles.looked_at);
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);
@@ -117,7 +153,13 @@ Dictionary GrassField::get_statistics() const {
 	result["drawn_tiles"] = drawn_tiles;
 	result["drawn_blades"] = drawn_blades;
 	result["drawn_triangles"] = drawn_triangles;
-	result["management_ms"] = _management_us * 1e-3;
+	result["gather_ms"] = _gather_ms;
+	result["tiles_ms"] = _tiles_ms;
+	result["management_ms"] = _gather_ms + _tiles_ms;
+	result["upload_ms"] = backend.upload_ms;
+	result["frame_ms"] = _frame_ms;
+	result["build_ms"] = _build_ms;
+	result["builds"] = _builds;
 	result["simulate_ms"] = backend.simulate_ms;
 	result["cull_ms"] = backend.cull_ms;
 	result["memory"] = get_memory_usage();

@@ -97,12 +97,13 @@ bool read_shape(const RID &p_shape, TrackedShape &r_shape) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int64_t type = server->shape_get_type(p_shape);
 	const Variant data = server->shape_get_data(p_shape);
-	if (type != r_shape.type || data != r_shape.data) {
-		r_shape.type = type;
-		r_shape.data = data;
-		convert(r_shape);
+	if (type == r_shape.type && data == r_shape.data) {
+		return false;
 	}
-	return r_shape.usable;
+	r_shape.type = type;
+	r_shape.data = data;
+	convert(r_shape);
+	return true;
 }
 
 } // namespace grass

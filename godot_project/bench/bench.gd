@@ -2,16 +2,30 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    draw, simulate, sleep, kernel or accuracy
-##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel` and `accuracy`, which are left out without it
+##   --only PART    what the part's file begins with: draw, simulate, sleep, cpu, kernel, accuracy; paper or paper_table1 and so on,
+##                  which are left out without it
+##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
+##   --quick yes    the parts `paper` as small as in software
+##   --pictures DIR where the part `paper_rivals` puts pictures; none without it
 extends Node3D
 
 const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
+const Cpu := preload("res://bench/bench_cpu.gd")
 const Kernel := preload("res://bench/bench_kernel.gd")
 const Accuracy := preload("res://bench/bench_accuracy.gd")
+const PaperTable1 := preload("res://bench/paper_table1.gd")
+const PaperPasses := preload("res://bench/paper_passes.gd")
+const PaperAwake := preload("res://bench/paper_awake.gd")
+const PaperTiles := preload("res://bench/paper_tiles.gd")
+const PaperLists := preload("res://bench/paper_lists.gd")
+const PaperMemory := preload("res://bench/paper_memory.gd")
+const PaperRivals := preload("res://bench/paper_rivals.gd")
+const Table := preload("res://bench/table.gd")
+
+const PAPER: Array[GDScript] = [PaperMemory, PaperLists, PaperAwake, PaperTiles, PaperPasses, PaperTable1, PaperRivals]
 
 
 func _ready() -> void:
@@ -21,7 +35,7 @@ func _ready() -> void:
 	var only := _argument("--only", "")
 	var spirv := _argument("--spirv", "")
 	var wants := { Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder] } # what a part takes, in order
-	for script: GDScript in [Draw, Simulate, Sleep, Kernel, Accuracy]:
+	for script: GDScript in [Draw, Simulate, Sleep, Cpu, Kernel, Accuracy]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])
 		if not part.FILE.begins_with(only) or arguments.has(""):
@@ -31,11 +45,28 @@ func _ready() -> void:
 		var rows: Array[PackedStringArray] = await part.run.callv(arguments + [is_software()])
 		part.queue_free()
 		_write(folder.path_join(part.FILE), rows)
+	if only.begins_with("paper"):
+		await _run_paper(only, folder, spirv)
 	get_tree().quit()
 
 
+## These write their rows as they come: what fails later takes nothing away.
+func _run_paper(p_only: String, p_folder: String, p_spirv: String) -> void:
+	var wants := { PaperLists: [p_spirv], PaperRivals: [_argument("--pictures", "")] }
+	for script in PAPER:
+		var part: Node = script.new()
+		if part.FILE.begins_with(p_only):
+			add_child(part)
+			var table := Table.new(p_folder.path_join(part.FILE))
+			var start := Time.get_ticks_msec()
+			await part.run.callv(wants.get(script, []) + [table, is_software() or _argument("--quick", "") == "yes"])
+			print("%s: %.1f s" % [part.FILE, (Time.get_ticks_msec() - start) * 1e-3])
+		part.queue_free()
+		await get_tree().process_frame
+
+
 static func is_software() -> bool:
-	return RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+	return RenderingServer.get_rendering_device() == null or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
 
 
 ## Middle value; 0 of nothing.

@@ -5,7 +5,7 @@ extends RefCounted
 
 const BLADES := 64 # a tile
 const FRESH := 1 # bit of a slot
-const PATCH_BLADES_PER_ROW := 128
+const FREQUENCY := 1.2 # Hz
 const SLOT_BYTES := 48
 const COLLIDER_BYTES := 96
 
@@ -106,7 +106,7 @@ func finish() -> void:
 	device.sync()
 
 
-## p_steps steps with each of p_pushes in turn; returns milliseconds of wall time a step.
+## Milliseconds of wall time a step takes.
 func time(p_push: PackedByteArray, p_tiles: int, p_steps: int) -> float:
 	var start := Time.get_ticks_usec()
 	for i in p_steps:
@@ -172,3 +172,34 @@ func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array)
 ## A slot record: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
 static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: int, p_count: int, p_bits: int) -> PackedInt32Array:
 	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0]
+
+
+## The push constant of a step at 60 Hz with two iterations. p_load: m/s^2.
+static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, p_load: Vector3) -> PackedByteArray:
+	var w := TAU * FREQUENCY
+	var h := 1.0 / 60.0
+	var pull := w * w * h * h
+	var load := p_load if p_method == 0 else p_load * h * h
+	return PackedFloat32Array([
+		0.9, pull, pull, 0.5, # motion
+		load.x, load.y, load.z, 20.0 * h,
+		2.0, 1.0, 0.02, p_method, # contact
+		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
+		1.0 / (h * h), w * w, w * w, 0.0, # energy
+		p_tile_size, p_tiles, p_tiles, p_knots, # field
+		1.6, 0.0, 0.0, 0.0, # clump
+	]).to_byte_array()
+
+
+## A patch of leaning blades, p_length metres long, as texels of 16-bit floats.
+static func patch_texels(p_width: int, p_blades: int, p_knots: int, p_length: float) -> PackedByteArray:
+	var row := p_width / p_knots
+	var image := Image.create_empty(p_width, p_blades / row, false, Image.FORMAT_RGBAH)
+	for blade in p_blades:
+		var at := Vector2i(blade % row * p_knots, blade / row)
+		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
+		for knot in range(1, p_knots):
+			var along := float(knot) / (p_knots - 1)
+			var lean := 0.3 * along * along * p_length
+			image.set_pixelv(at + Vector2i(knot, 0), Color(lean * cos(blade), p_length * along, lean * sin(blade)))
+	return image.get_data()

@@ -19,7 +19,7 @@ layout(push_constant) uniform Phase {
 layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
 	GrassView view;
 };
-// Slot of each tile in the pool, or GRASS_NO_SLOT. Written by simulate; lives as long as the field.
+// Slot + 1 of each tile in the pool, 0 without one. Written by simulate; lives as long as the field.
 layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
 	int table[];
 };
@@ -95,6 +95,6 @@ void main() {
 	}
 	uint instance = first_instance(level) + atomicAdd(counts[GRASS_LOD_LEVELS + level], 1u);
 	if (instance < phase.z) {
-		write_instance(instance, tile, centre, blades, level, table[tile_index]);
+		write_instance(instance, tile, centre, blades, level, table[tile_index] - 1);
 	}
 }

@@ -53,7 +53,7 @@ layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict 
 layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
 	float slot_energy[];
 };
-// Slot of every tile of the field, or GRASS_NO_SLOT. Written here, read by cull.
+// Slot + 1 of every tile of the field, 0 without one: a new table is all zeros. Written here, read by cull.
 layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
 	int tile_table[];
 };
@@ -205,7 +205,7 @@ void main() {
 	uint blade = gl_LocalInvocationID.x;
 	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
 	if (blade == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
-		tile_table[slot.tile.z] = is_retired ? GRASS_NO_SLOT : slot.tile.w;
+		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
 	}
 	if (is_retired) {
 		return;

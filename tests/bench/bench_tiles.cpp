@@ -42,7 +42,16 @@ void move_balls(std::vector<ColliderShape> &r_balls, int p_step, double p_extent
 
 void run(double p_size, int p_count) {
 	TileManager manager;
-	manager.set_grid(TileGrid::make(p_size, p_size, 256.0));
+	const TileGrid grid = TileGrid::make(p_size, p_size, 256.0);
+	static const Patch patch = generate_patch(PatchParams());
+	const auto bounds = std::make_shared<const TileBounds>(patch, grid, ClumpParams(), 0);
+	TileParams params;
+	params.reach = bounds->get_reach();
+	params.height = bounds->get_height();
+	manager.set_grid(grid);
+	manager.set_params(params);
+	manager.set_bounds(bounds);
+	const std::vector<float> lively(size_t(params.pool_size), 1.0f); // J/kg: tiles sleep by the timer, the pool is full
 	std::mt19937 random(1);
 	const double extent = 0.5 * std::min(p_size, 70.0); // the crowd stays together on any field
 	std::vector<ColliderShape> balls = make_balls(p_count, extent, random);
@@ -51,6 +60,7 @@ void run(double p_size, int p_count) {
 	for (int step = 0; step < WARM_STEPS + STEPS; step++) {
 		move_balls(balls, step, extent);
 		const auto begin = std::chrono::steady_clock::now();
+		manager.report_energy({ manager.get_step_number(), lively });
 		manager.update(DELTA, balls);
 		const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
 		if (step >= WARM_STEPS) {

@@ -22,6 +22,12 @@ WindParams blowing(float p_x, float p_z) {
 	return wind;
 }
 
+WindClock clock_at(double p_time, const WindParams &p_wind) {
+	WindClock clock;
+	clock.advance(p_time, p_wind.velocity.norm(), p_wind.gust_size);
+	return clock;
+}
+
 std::vector<Eigen::Vector3f> blade_of(const Patch &p_patch, int p_blade) {
 	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
 	for (int k = 1; k < GRASS_KNOTS; k++) {
@@ -37,7 +43,7 @@ std::vector<Eigen::Vector3f> bend(const std::vector<Eigen::Vector3f> &p_knots, c
 	for (size_t k = 0; k < p_knots.size(); k++) {
 		const size_t below = std::min(k, p_knots.size() - 2);
 		const Eigen::Vector3f reach = (p_knots[below + 1] - p_knots[below]) * std::max(float(k), 0.01f);
-		const Wind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, MIDDLE, p_time, p_wind);
+		const Wind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, MIDDLE, clock_at(p_time, p_wind), p_wind);
 		bent[k] = wind_point(p_knots[k], reach, here.tilt * wind_hold(p_knots[k], reach));
 	}
 	return bent;
@@ -59,7 +65,7 @@ TEST_CASE("wind: none leaves every knot where it is, bit for bit") {
 		const std::vector<Eigen::Vector3f> knots = blade_of(patch, blade);
 		CHECK(bend(knots, blowing(0.0f, 0.0f), 12.3f) == knots);
 	}
-	CHECK(wind_at({ 3.0f, 4.0f }, 1.0f, MIDDLE, 1.0f, blowing(0.0f, 0.0f)).gust == 0.0f);
+	CHECK(wind_at({ 3.0f, 4.0f }, 1.0f, MIDDLE, clock_at(1.0, blowing(0.0f, 0.0f)), blowing(0.0f, 0.0f)).gust == 0.0f);
 }
 
 TEST_CASE("wind: keeps the root still and the blade as long as it is") {
@@ -124,9 +130,9 @@ TEST_CASE("wind: gusts travel with the wind") {
 	float least = 1.0f, most = 0.0f;
 	for (int i = 0; i < 2000; i++) {
 		const Eigen::Vector2f place(0.73f * float(i % 50), 1.29f * float(i / 50));
-		const float now = gust_at(place, 7.0f, wind);
-		moved += std::abs(gust_at(place + 0.8f * wind.velocity, 7.8f, wind) - now);
-		stayed += std::abs(gust_at(place, 7.8f, wind) - now);
+		const float now = gust_at(place, clock_at(7.0, wind), wind);
+		moved += std::abs(gust_at(place + 0.8f * wind.velocity, clock_at(7.8, wind), wind) - now);
+		stayed += std::abs(gust_at(place, clock_at(7.8, wind), wind) - now);
 		least = std::min(least, now);
 		most = std::max(most, now);
 	}
@@ -139,10 +145,38 @@ TEST_CASE("wind: is smooth in time") {
 	const WindParams wind = blowing(6.0f, 1.0f);
 	double fastest = 0.0;
 	for (float time = 0.0f; time < 30.0f; time += 1.0f / 60.0f) {
-		const Eigen::Vector2f before = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, time, wind).tilt;
-		const Eigen::Vector2f after = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, time + 1.0f / 60.0f, wind).tilt;
+		const Eigen::Vector2f before = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, clock_at(time, wind), wind).tilt;
+		const Eigen::Vector2f after = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, clock_at(time + 1.0f / 60.0f, wind), wind).tilt;
 		fastest = std::max(fastest, double((after - before).norm()));
 	}
 	CHECK(fastest < 0.08);
 	CHECK(fastest > 0.001);
+}
+
+TEST_CASE("wind: the clock turns over without a jerk, and stays small for days") {
+	const WindParams wind = blowing(6.0f, 1.0f);
+	for (int i = 0; i < 400; i++) {
+		const Eigen::Vector2f place(0.83f * float(i % 20) - 8.0f, 1.29f * float(i / 20));
+		for (const double part : { 0.0, 0.3, 0.7 }) {
+			const WindClock here{ part, part };
+			const WindClock next{ part + GRASS_WIND_SWAY_PERIOD, part + GRASS_WIND_ROLL_PERIOD };
+			const Wind a = wind_at(place, 1.0f, MIDDLE, here, wind), b = wind_at(place, 1.0f, MIDDLE, next, wind);
+			CHECK((a.tilt - b.tilt).norm() < 2e-3f); // single precision of an argument of 5,888 cells
+			CHECK(std::abs(a.gust - b.gust) < 5e-3f);
+		}
+	}
+	WindClock clock;
+	for (int day = 0; day < 10; day++) {
+		clock.advance(86400.0, wind.velocity.norm(), wind.gust_size);
+		CHECK(clock.sway < GRASS_WIND_SWAY_PERIOD);
+		CHECK(clock.roll < GRASS_WIND_ROLL_PERIOD);
+	}
+}
+
+TEST_CASE("wind: a change of its speed moves no gust") {
+	WindClock clock;
+	clock.advance(1000.0, 3.0, 7.0);
+	const double before = clock.roll;
+	clock.advance(1.0 / 60.0, 30.0, 7.0);
+	CHECK(std::abs(clock.roll - before) == doctest::Approx(30.0 / 60.0 / 7.0));
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Time that the CPU takes for a stage of the work.
+#pragma once
+
+#include <chrono>
+
+namespace grass {
+
+class CpuClock {
+public:
+	// Milliseconds since it was made or last asked.
+	double lap() {
+		const auto now = std::chrono::steady_clock::now();
+		const std::chrono::duration<double, std::milli> time = now - _begin;
+		_begin = now;
+		return time.count();
+	}
+
+private:
+	std::chrono::steady_clock::time_point _begin = std::chrono::steady_clock::now();
+};
+
+} // namespace grass

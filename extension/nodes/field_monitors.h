@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Custom monitors in the engine's debugger: what all fields of the running game together do and cost. They are there as
+// long as a field is.
+#pragma once
+
+#include <godot_cpp/classes/object.hpp>
+
+#include <array>
+#include <vector>
+
+namespace grass {
+
+class GrassField;
+
+// A number that each field adds its share to.
+enum FieldMonitor {
+	MONITOR_AWAKE_TILES,
+	MONITOR_SIMULATED_BLADES, // in a tick
+	MONITOR_DRAWN_BLADES,
+	MONITOR_DRAWN_TRIANGLES,
+	MONITOR_MANAGEMENT, // seconds of CPU time in a tick
+	MONITOR_SIMULATE, // seconds in a tick
+	MONITOR_CULL, // seconds in a frame
+	MONITOR_MEMORY, // bytes
+	MONITOR_COUNT,
+};
+
+class FieldMonitors : public godot::Object {
+	GDCLASS(FieldMonitors, godot::Object)
+
+public:
+	// Of the main thread. p_field counts from now on, until remove().
+	static void add(GrassField *p_field);
+	static void remove(GrassField *p_field);
+	// For the extension's end.
+	static void free_singleton();
+
+protected:
+	static void _bind_methods() {}
+
+private:
+	double _read(int64_t p_monitor);
+	void show();
+	void hide();
+
+	static FieldMonitors *_singleton;
+	std::vector<GrassField *> _fields;
+};
+
+} // namespace grass

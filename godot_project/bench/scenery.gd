@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+## What benchmarks put around a field.
+extends RefCounted
+
+const Bodies := preload("res://demo/bodies.gd")
+
+
+static func add_ground(p_to: Node3D) -> void:
+	var ground := StaticBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = WorldBoundaryShape3D.new()
+	ground.add_child(shape)
+	p_to.add_child(ground)
+
+
+static func add_sun(p_to: Node3D, p_shadows: bool) -> DirectionalLight3D:
+	var sun := DirectionalLight3D.new()
+	sun.rotation_degrees = Vector3(-50.0, 40.0, 0.0)
+	sun.shadow_enabled = p_shadows
+	p_to.add_child(sun)
+	return sun
+
+
+## The demo's bodies, thrown across p_side metres. The same seed throws the same.
+static func throw(p_to: Node3D, p_count: int, p_side: float, p_seed: int) -> Array[RigidBody3D]:
+	var source := Bodies.new(p_seed)
+	var thrown: Array[RigidBody3D] = []
+	for i in p_count:
+		var body := source.make()
+		source.throw(body, p_side)
+		p_to.add_child(body)
+		thrown.append(body)
+	return thrown
+
+
+## A flat box in the tips of the grass, p_side metres wide: every tile below it is awake and has one object.
+static func add_lid(p_to: Node3D, p_side: float) -> AnimatableBody3D:
+	var body := AnimatableBody3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = BoxShape3D.new()
+	shape.shape.size = Vector3(p_side, 0.2, p_side)
+	body.add_child(shape)
+	body.position.y = 0.45
+	p_to.add_child(body)
+	return body

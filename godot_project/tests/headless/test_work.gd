@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+## How much is done, by the counters: nothing where nothing changes, and no more on a large field than on a small one.
+extends "res://tests/field_case.gd"
+
+const SIZES: Array[float] = [70.5, 500.0] # metres: 20 thousand and 1 million tiles
+
+
+func test_the_same_work_on_any_field() -> void:
+	var fields: Array[GrassField] = []
+	for size_ in SIZES:
+		fields.append(add_field({size = Vector2(size_, size_)}))
+	await ticks(2)
+	var bodies: Array[PhysicsBody3D] = []
+	for i in 24:
+		# On both fields at the same place within a tile.
+		bodies.append(add_held_body(ball(0.1 + 0.01 * i), Vector3(0.25 + 1.5 * (i % 6) - 4.0, 0.2, 0.25 + 1.5 * floorf(i / 6.0) - 3.0)))
+	for i in 20:
+		for body in bodies:
+			body.position.x += 0.02
+		await ticks(1)
+	var small := fields[0].get_statistics()
+	var large := fields[1].get_statistics()
+	assert_greater(large.tiles, 50 * small.tiles - 1)
+	for key: String in ["body_reads", "shape_reads"]:
+		assert_eq(large[key], small[key], key)
+	for key: String in ["tiles_looked_at", "tile_steps", "list_entries", "woken"]: # the grids lie a little differently under the bodies
+		assert_less(absf(large[key] - small[key]), 0.2 * small[key], key)
+	assert_less(absf(large.memory - small.memory), 1e6, "bytes")
+
+
+func test_shapes_are_looked_at_now_and_then() -> void:
+	var field := add_field()
+	for i in 8:
+		add_held_body(ball(0.1), Vector3(0.4 * i - 1.5, 0.2, 0.1))
+	await ticks(20)
+	var before := field.get_statistics()
+	await ticks(80)
+	var after := field.get_statistics()
+	assert_eq(after.body_reads - before.body_reads, 8 * 80, "poses: every tick")
+	assert_eq(after.shape_reads - before.shape_reads, 8 * 80 / 4, "shapes: every fourth")
+
+
+func test_nothing_near_looks_at_nothing() -> void:
+	var field := add_field({size = Vector2(500, 500)})
+	await ticks(60)
+	var now := field.get_statistics()
+	for key: String in ["steps", "simulated_blades", "tiles_looked_at", "body_reads", "shape_reads", "uploaded_bytes", "culls", "woken"]:
+		assert_eq(now[key], 0, key)
+
+
+func test_many_changes_at_once_make_the_field_once() -> void:
+	var field := add_field()
+	await ticks(2)
+	assert_eq(field.get_statistics().builds, 1)
+	field.seed = 3
+	field.pool_tiles = 100
+	field.clump_lean = 0.5
+	field.size = Vector2(6, 6)
+	await ticks(2)
+	assert_eq(field.get_statistics().builds, 2)
+	field.seed = 3
+	field.wind_speed = 4.0
+	field.sleep_delay = 1.0
+	await ticks(2)
+	assert_eq(field.get_statistics().builds, 2, "nothing that it is made of has changed")
+
+
+func test_a_field_that_grows_keeps_its_pool() -> void:
+	var field := add_field()
+	var body := add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
+	for i in 20:
+		field.size += Vector2(30, 30)
+		if i % 5 == 4:
+			field.density += 40.0
+		await seen()
+		assert_greater(field.get_awake_tile_count(), 0, "size %s" % field.size)
+		assert_true(all_finite(field, awake_near(field, body.position)), "size %s" % field.size)
+	assert_eq(field.get_statistics().builds, 1)
+	assert_greater(field.get_blade_count(), 100_000_000)
+	# As if it had been made so.
+	var fresh := add_field({size = field.size, density = field.density})
+	body.free()
+	await ticks(1000)
+	assert_eq(field.get_awake_tile_count(), 0)
+	for place: Vector3 in [Vector3(0.3, 0, 0.4), Vector3(200, 0, -100)]:
+		assert_eq(field.get_tile_at(place), fresh.get_tile_at(place))
+		assert_eq(tile_knots(field, field.get_tile_at(place)), tile_knots(fresh, fresh.get_tile_at(place)))
+	assert_near(field.get_memory_usage(), fresh.get_memory_usage(), 4e6, "bytes: nothing piles up")
+
+
+func awake_near(field: GrassField, place: Vector3) -> Array[Vector2i]:
+	var middle := field.get_tile_at(place)
+	var found: Array[Vector2i] = []
+	for x in range(-3, 4):
+		for z in range(-3, 4):
+			if field.is_tile_awake(middle + Vector2i(x, z)):
+				found.append(middle + Vector2i(x, z))
+	return found
+
+
+func test_a_scene_file_is_small() -> void:
+	var root := Node3D.new()
+	var field := GrassField.new()
+	field.size = Vector2(500, 500) # 64 million blades
+	root.add_child(field)
+	field.owner = root
+	var scene := PackedScene.new()
+	assert_eq(scene.pack(root), OK)
+	var path := OS.get_user_data_dir().path_join("test_scene.tscn")
+	assert_eq(ResourceSaver.save(scene, path), OK)
+	assert_less(FileAccess.get_file_as_bytes(path).size(), 10_000, "bytes")
+	DirAccess.remove_absolute(path)
+	root.free()
