@@ -55,7 +55,10 @@ struct Patch {
 
 	bool is_empty() const { return empty_because != nullptr; }
 	// First of the four halves of knot p_knot of blade p_blade.
-	static size_t texel_index(int p_blade, int p_knot) { return (size_t(p_blade) * GRASS_KNOTS + size_t(p_knot)) * 4; }
+	static size_t texel_index(int p_blade, int p_knot) {
+		const size_t row = size_t(p_blade / GRASS_PATCH_BLADES_PER_ROW), column = size_t(p_blade % GRASS_PATCH_BLADES_PER_ROW);
+		return ((row * GRASS_KNOTS + size_t(p_knot)) * GRASS_PATCH_BLADES_PER_ROW + column) * 4;
+	}
 };
 
 // The same bits for the same parameters, on every machine.

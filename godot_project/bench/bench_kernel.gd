@@ -101,8 +101,8 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	var pool := p_tiles * 3 * FREE_KNOTS * BLADES * 4
 	var patch := RDTextureFormat.new()
 	patch.format = RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT
-	patch.width = 2048
-	patch.height = 128
+	patch.width = KNOTS * BLADES
+	patch.height = PATCH_BLADES / BLADES
 	patch.usage_bits = RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT
 	var pool_texture := RDTextureFormat.new()
 	pool_texture.format = patch.format
@@ -129,13 +129,13 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 
 
 func _patch_texels() -> PackedByteArray:
-	var image := Image.create_empty(2048, 128, false, Image.FORMAT_RGBAH)
+	var image := Image.create_empty(KNOTS * BLADES, PATCH_BLADES / BLADES, false, Image.FORMAT_RGBAH)
 	for blade in PATCH_BLADES:
-		var at := Vector2i(blade % 128 * KNOTS, blade / 128)
+		var at := Vector2i(blade % BLADES, blade / BLADES)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
 		for knot in range(1, KNOTS):
 			var lean := 0.3 * knot * knot / 225.0 * LENGTH
-			image.set_pixelv(at + Vector2i(knot, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
+			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
 	return image.get_data()
 
 

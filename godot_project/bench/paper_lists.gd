@@ -17,7 +17,7 @@ const BATCHES := 5
 const WARM_UP := 0.2 # seconds
 const KNOTS := 16
 const PATCH_BLADES := 16384
-const PATCH_WIDTH := 2048
+const PATCH_WIDTH := 1024
 enum { DIRECT, PBD }
 
 var _pass: SimulatePass

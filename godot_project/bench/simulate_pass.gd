@@ -196,10 +196,10 @@ static func patch_texels(p_width: int, p_blades: int, p_knots: int, p_length: fl
 	var row := p_width / p_knots
 	var image := Image.create_empty(p_width, p_blades / row, false, Image.FORMAT_RGBAH)
 	for blade in p_blades:
-		var at := Vector2i(blade % row * p_knots, blade / row)
+		var at := Vector2i(blade % row, blade / row)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
 		for knot in range(1, p_knots):
 			var along := float(knot) / (p_knots - 1)
 			var lean := 0.3 * along * along * p_length
-			image.set_pixelv(at + Vector2i(knot, 0), Color(lean * cos(blade), p_length * along, lean * sin(blade)))
+			image.set_pixelv(at + Vector2i(knot * row, 0), Color(lean * cos(blade), p_length * along, lean * sin(blade)))
 	return image.get_data()

@@ -36,7 +36,8 @@ layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer
 };
 
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
-// [slot][component][knot][blade].
+// [slot][component][knot][blade]. Within a step they are what is called start and before below: METHOD_DIRECT keeps what its
+// stage starts from and aims at there, since what else a thread keeps for itself would push it out of the caches.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
@@ -67,6 +68,17 @@ uint pool_index; // of knot 2's x
 uint pool_place(int p_knot, uint p_component) {
 	return pool_index + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
 }
+ivec2 pool_texel(int p_knot) {
+	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + int(gl_LocalInvocationID.x), slot.tile.w);
+}
+vec3 start_of(int p_knot) {
+	return vec3(pool_knots[pool_place(p_knot, 0u)], pool_knots[pool_place(p_knot, 1u)], pool_knots[pool_place(p_knot, 2u)]);
+}
+void set_start(int p_knot, vec3 p_place) {
+	pool_knots[pool_place(p_knot, 0u)] = p_place.x;
+	pool_knots[pool_place(p_knot, 1u)] = p_place.y;
+	pool_knots[pool_place(p_knot, 2u)] = p_place.z;
+}
 vec3 before_of(int p_knot) {
 	return vec3(pool_before[pool_place(p_knot, 0u)], pool_before[pool_place(p_knot, 1u)], pool_before[pool_place(p_knot, 2u)]);
 }
@@ -75,17 +87,16 @@ void set_before(int p_knot, vec3 p_place) {
 	pool_before[pool_place(p_knot, 1u)] = p_place.y;
 	pool_before[pool_place(p_knot, 2u)] = p_place.z;
 }
-// The rest pose, fetched once: a texture answers too slowly to be asked in every loop.
-vec3 rest_knots[GRASS_KNOTS];
-float lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 
+// grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
 vec3 rest_of(int p_knot) {
-	return rest_knots[p_knot];
-}
-void load_rest() {
-	for (int k = 0; k < KNOT_COUNT; k++) {
-		rest_knots[k] = grass_rest_knot(texelFetch(patch_texture, texel + ivec2(k, 0), 0).xyz, k, clump);
-	}
+	vec3 place = texelFetch(patch_texture, texel + ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot, 0), 0).xyz;
+	precise vec3 knot = place * clump.height;
+	float x = clump.lean.x, z = clump.lean.y;
+	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
+	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
+	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
+	return rest;
 }
 
 #include "compute/vector.inc"
@@ -122,41 +133,13 @@ TileCollider tile_collider(uint p_entry) {
 
 #include "compute/shape.inc"
 
-uint near_colliders; // one bit for each shared one
-
-bool is_within_reach(TileCollider p_collider) {
-	return comes_within(p_collider, root, reach * REACH_MARGIN);
-}
-
-// Whether collider p_entry may touch the blade in this step.
-bool comes_near(uint p_entry) {
-	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
-		return (near_colliders & (1u << p_entry)) != 0u;
-	}
-	TileCollider collider;
-	bool is_valid = make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
-	return is_valid && is_within_reach(collider);
-}
-
-// Whether any of them may.
-bool find_near(uint p_count) {
-	near_colliders = 0u;
-	for (uint i = 0u; i < min(p_count, uint(GRASS_SHARED_COLLIDERS)); i++) {
-		if ((shared_valid & (1u << i)) != 0u && is_within_reach(shared_colliders[i])) {
-			near_colliders |= 1u << i;
-		}
-	}
-	bool is_near = near_colliders != 0u;
-	for (uint i = uint(GRASS_SHARED_COLLIDERS); i < p_count && !is_near; i++) {
-		is_near = comes_near(i);
-	}
-	return is_near;
-}
-
+#include "compute/near.inc"
 #include "compute/contact.inc"
 #include "compute/touch.inc"
 #include "compute/matrix.inc"
+#include "compute/joint.inc"
 #include "compute/chain.inc"
+#include "compute/finish.inc"
 #include "compute/direct.inc"
 #include "compute/solve.inc"
 
@@ -164,7 +147,7 @@ shared uint liveliest; // the bits of a float that is not negative order as the 
 
 void find_blade(uint p_blade) {
 	int blade = int(slot.list.x + p_blade);
-	texel = ivec2((blade % GRASS_PATCH_BLADES_PER_ROW) * GRASS_KNOTS, blade / GRASS_PATCH_BLADES_PER_ROW);
+	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
 	clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
@@ -172,32 +155,25 @@ void find_blade(uint p_blade) {
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
-void load_knots(uint p_blade) {
+// The rest pose and the blade's length. A fresh tile's blades stand at rest.
+void load_rest() {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
-	load_rest();
-	knots[0] = rest_of(0);
-	knots[1] = rest_of(1);
-	for (int k = GRASS_CLAMPED_KNOTS; k < KNOT_COUNT; k++) {
+	reach = 0.0;
+	vec3 parent = vec3(0.0);
+	for (int k = 1; k < KNOT_COUNT; k++) {
+		vec3 rest = rest_of(k);
+		reach = reach + length_of(rest - parent);
+		parent = rest;
 		if (is_fresh) {
-			knots[k] = rest_of(k);
-			set_before(k, knots[k]);
-			twist[k - 1] = 0.0;
-		} else {
-			twist[k - 1] = imageLoad(pool_texture, ivec2(GRASS_POOL_BLADES_PER_ROW * k + int(p_blade), slot.tile.w)).w;
-			knots[k] = vec3(pool_knots[pool_place(k, 0u)], pool_knots[pool_place(k, 1u)], pool_knots[pool_place(k, 2u)]);
+			imageStore(pool_texture, pool_texel(k), vec4(0.0));
+		}
+		if (is_fresh && k >= GRASS_CLAMPED_KNOTS) {
+			set_start(k, rest);
+			set_before(k, rest);
 		}
 	}
-}
-
-void store_knots(uint p_blade) {
-	for (int k = GRASS_CLAMPED_KNOTS; k < KNOT_COUNT; k++) {
-		pool_knots[pool_place(k, 0u)] = knots[k].x;
-		pool_knots[pool_place(k, 1u)] = knots[k].y;
-		pool_knots[pool_place(k, 2u)] = knots[k].z;
-	}
-	for (int k = 1; k < KNOT_COUNT; k++) {
-		imageStore(pool_texture, ivec2(GRASS_POOL_BLADES_PER_ROW * k + int(p_blade), slot.tile.w), vec4(knots[k] - rest_of(k), k > 1 ? twist[k - 1] : 0.0));
-	}
+	knots[0] = vec3(0.0);
+	knots[1] = rest_of(1);
 }
 
 void main() {
@@ -212,15 +188,14 @@ void main() {
 	}
 	share_colliders(blade);
 	find_blade(blade);
-	load_knots(blade);
-	step_blade(slot.list.z);
-	store_knots(blade);
+	load_rest();
+	float energy = step_blade(slot.list.z);
 
 	if (blade == 0u) {
 		liveliest = 0u;
 	}
 	barrier();
-	atomicMax(liveliest, floatBitsToUint(measure_energy()));
+	atomicMax(liveliest, floatBitsToUint(energy));
 	barrier();
 	if (blade == 0u) {
 		slot_energy[slot.tile.w] = uintBitsToFloat(liveliest);

@@ -26,12 +26,13 @@ Eigen::Vector3f knot(const Patch &p_patch, int p_blade, int p_knot) {
 	return p_knot == 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : Eigen::Vector3f(texel(p_patch, p_blade, p_knot).head<3>());
 }
 
-// FNV-1a of the patch's bytes, low byte first.
+// FNV-1a of the patch's bytes, blade by blade, low byte first.
 uint64_t digest(const Patch &p_patch) {
 	uint64_t hash = 14695981039346656037ull;
-	for (const uint16_t half : p_patch.texels) {
-		hash = (hash ^ (half & 0xffu)) * 1099511628211ull;
-		hash = (hash ^ (half >> 8)) * 1099511628211ull;
+	for (int i = 0; i < GRASS_PATCH_BLADES * GRASS_KNOTS * 4; i++) {
+		const uint16_t half = p_patch.texels[Patch::texel_index(i / (4 * GRASS_KNOTS), i / 4 % GRASS_KNOTS) + size_t(i % 4)];
+		hash = (hash ^ (half & 255u)) * 1099511628211ull;
+		hash = (hash ^ uint64_t(half >> 8)) * 1099511628211ull;
 	}
 	return hash;
 }
@@ -75,7 +76,7 @@ TEST_CASE("patch: fills the texture with blades within the lengths, widths and t
 	const PatchParams params;
 	const Patch patch = generate_patch(params);
 	CHECK_FALSE(patch.is_empty());
-	REQUIRE(patch.texels.size() == 2048u * 128u * 4u);
+	REQUIRE(patch.texels.size() == 1024u * 256u * 4u);
 	double longest = 0.0;
 	for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
 		const Eigen::Vector4f root = texel(patch, blade, 0);
@@ -180,7 +181,7 @@ TEST_CASE("patch: nothing to grow gives an empty patch that says why") {
 	Patch patch = generate_patch(params);
 	CHECK(patch.is_empty());
 	CHECK(patch.max_length == 0.0f);
-	CHECK(patch.texels == std::vector<uint16_t>(2048u * 128u * 4u, 0));
+	CHECK(patch.texels == std::vector<uint16_t>(1024u * 256u * 4u, 0));
 
 	params = {};
 	params.length_min = params.length_max = 0.0;

@@ -117,7 +117,7 @@ private:
 	uint32_t find_state(const TileState &p_state) {
 		if (_patch.empty()) { // the same blades in all problems
 			for (int i = 0; i < GRASS_BLADES_PER_TILE * GRASS_KNOTS; i++) {
-				const int b = i / GRASS_KNOTS, k = i % GRASS_KNOTS;
+				const int b = i % GRASS_BLADES_PER_TILE, k = i / GRASS_BLADES_PER_TILE;
 				const float knot[4] = { p_state.rest[0][k][b], p_state.rest[1][k][b], p_state.rest[2][k][b], 0.0f };
 				const float root[4] = { 0.5f, 0.5f, 0.0f, 0.0f }; // the middle of the tile
 				_patch.insert(_patch.end(), k == 0 ? root : knot, (k == 0 ? root : knot) + 4);
