@@ -101,6 +101,7 @@ vec3 rest_of(int p_knot) {
 
 #include "compute/vector.inc"
 #include "compute/collide.inc"
+#include "compute/edge.inc"
 
 // The first colliders of the tile's list, which all of its blades share.
 shared TileCollider shared_colliders[GRASS_SHARED_COLLIDERS];
