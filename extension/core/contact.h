@@ -28,7 +28,7 @@ template <class T> struct DeepestContact {
 
 // The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
 template <class T>
-GRASS_INLINE Contact<T> find_edge_contact(
+GRASS_APART Contact<T> find_edge_contact(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
@@ -131,7 +131,7 @@ GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> 
 
 // [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
 template <class T>
-GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
+GRASS_APART Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
 		const Vec3<T> &p_segment, const T &p_length) {
 	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
 	const T reach = T(p_collider.bound) + p_length * T(0.5f);

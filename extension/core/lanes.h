@@ -19,6 +19,9 @@
 #define GRASS_INLINE inline __attribute__((always_inline))
 #define GRASS_IS_ONE_FUNCTION 1
 #endif
+// What few blades need stands apart, or that one function would take minutes to compile: never in the newer instruction set, and with
+// nothing that is a single vector by value, which the two would pass in different ways.
+#define GRASS_APART __attribute__((noinline))
 
 namespace grass {
 
