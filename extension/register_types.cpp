@@ -13,6 +13,7 @@
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
+#include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/godot.hpp>
@@ -23,6 +24,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
+		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
@@ -47,6 +49,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::free_shared_textures();
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();
+		grass::SceneWatch::free_singleton();
 	}
 }
 

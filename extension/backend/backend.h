@@ -5,6 +5,7 @@
 
 #include "core/clump.h"
 #include "core/lod.h"
+#include "core/map/tile_cover.h"
 #include "core/patch.h"
 #include "core/step.h"
 #include "core/tile_grid.h"
@@ -30,26 +31,45 @@ struct FieldSetup {
 	ClumpParams clump;
 	int pool_tiles = 0; // tiles that may be awake at once
 	uint32_t seed = 0;
+	bool is_mapped = false; // a map says what grows where
+	float follow_slope = 0.0f; // FOLLOW_SLOPE
 
 	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
-	int instance_capacity() const { return int(std::min<uint64_t>(std::bit_ceil(uint64_t(grid.get_tile_count())), GRASS_MAX_DRAWN_TILES)); }
+	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }
+	int shadow_capacity() const { return capacity(GRASS_MAX_SHADOW_TILES); }
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()); }
 	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()); }
+	// Of the mean blade.
+	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 
 private:
-	// How far a clump's lean moves a tip, at most: the chord of the angle whose half has that tangent, on both axes.
-	float blade_lean() const { return 2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) * blade_length(); }
+	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
+	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
+	// that tangent, on both axes.
+	float blade_lean() const {
+		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
+	}
+};
+
+// A camera that sees the field. Field space, metres.
+struct ViewCamera {
+	Frustum planes = {}; // n.x <= d inside
+	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	float near = 0.05f; // distance of its near plane
+	float pixel = 0.0f, pixel_slope = 0.0f; // metres in a pixel at a distance: pixel + pixel_slope * distance
+
+	float pixel_at(float p_distance) const { return pixel + pixel_slope * p_distance; }
 };
 
 // From where, and how finely, the field is drawn in a frame. Field space, metres.
 struct FieldView {
-	std::array<Eigen::Vector4f, 6> planes = {}; // of the camera's frustum, n.x <= d inside
-	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	std::vector<ViewCamera> cameras; // all whose picture this frame shows
 	LodParams lod;
-	float shadow_margin = 0.0f; // how far outside of the frustum a tile is still drawn, for its shadow
-	int debug_view = 0; // GrassField::DebugView
+	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
+	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
+	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
 };
 
 // What a backend did; counts since it was made, unless said otherwise.
@@ -59,7 +79,9 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
-	std::array<int64_t, GRASS_LOD_LEVELS> drawn_tiles{}; // in the newest frame known (GPU: about two frames late)
+	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
+	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
+	int64_t drawn_blades = 0, shadow_blades = 0;
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };
@@ -68,7 +90,8 @@ class Backend {
 public:
 	virtual ~Backend() = default;
 
-	// Goes on with the same blades on another grid, all of them at rest. False if it cannot: then make another one.
+	// Goes on with the same blades on another grid, all of them at rest; with a map, set_cover() follows. False if it cannot: then make
+	// another one.
 	virtual bool set_grid(const TileGrid &p_grid) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
@@ -76,6 +99,8 @@ public:
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
+	// Of fields with a map: what it says about the tiles, of which those in p_changed may differ from the last call.
+	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets a uniform of the blade shader.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 using namespace godot;
 
@@ -27,8 +28,10 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
+	_materials.set("blade_length", _setup.blade_length());
 	_changed_slots.reset(p_setup.pool_tiles, false);
 	update_pool_texture();
 }
@@ -40,6 +43,7 @@ CpuBackend::~CpuBackend() {
 bool CpuBackend::set_grid(const TileGrid &p_grid) {
 	_setup.grid = p_grid;
 	_slot_of_tile.clear();
+	_cover.reset(); // of the other grid; set_cover() follows
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup));
 	}
@@ -84,12 +88,13 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 	for (std::vector<float> &instances : _instances) {
 		instances.clear();
 	}
+	_statistics.drawn_blades = _statistics.shadow_blades = 0;
 	for (int z = 0; z < _setup.grid.get_tiles_z(); z++) {
 		for (int x = 0; x < _setup.grid.get_tiles_x(); x++) {
-			add_tile(p_view, x, z);
+			choose_tile(p_view, x, z);
 		}
 	}
-	for (size_t level = 0; level < GRASS_LOD_LEVELS; level++) {
+	for (size_t level = 0; level < GRASS_ALL_LEVELS; level++) {
 		FieldInstance &instance = _levels[level];
 		const int count = std::min(int(_instances[level].size()) / GRASS_INSTANCE_FLOATS, GRASS_MAX_DRAWN_TILES);
 		if (count > instance.capacity()) {
@@ -103,35 +108,63 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 	}
 }
 
-// The CPU's twin of main() in shaders/compute/cull.glsl.
-void CpuBackend::add_tile(const FieldView &p_view, int p_x, int p_z) {
-	const TileGrid &grid = _setup.grid;
-	const Eigen::Vector3f centre = grid.get_centre(p_x, p_z).cast<float>();
-	const float side = 0.5f * float(grid.get_tile_size()) + _setup.blade_reach(), half_height = 0.5f * _setup.blade_height();
-	const Eigen::Vector3f middle = centre + Eigen::Vector3f(0.0f, half_height, 0.0f);
-	if (!grass_tile_visible(p_view.planes, middle, { side, half_height, side }, p_view.shadow_margin)) {
+namespace {
+
+// The CPU's twins of casts_into() and choose() in shaders/compute/cull.glsl.
+bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
+	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+	return grass_tile_visible(p_camera.planes, p_middle, p_half, p_view.shadow_margin, none) ||
+			std::any_of(p_view.falls.begin(), p_view.falls.end(),
+					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
+}
+
+} // namespace
+
+void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+	if (ground.is_bare()) {
 		return;
 	}
-	const float distance = (p_view.eye - middle).norm();
-	const float blades = grass_lod_blades(distance, p_view.lod.near, p_view.lod.far);
-	const int level = grass_lod_level(blades, distance, p_view.lod.fine, p_view.lod.medium);
-	const auto found = _slot_of_tile.find(grid.get_index(p_x, p_z));
-	const int slot = found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
-	float tint = 0.0f;
-	if (p_view.debug_view == GRASS_DEBUG_AWAKE) {
-		tint = slot == GRASS_NO_SLOT ? 0.0f : 1.0f;
-	} else if (p_view.debug_view == GRASS_DEBUG_LOD) {
-		tint = 2.0f + float(level);
+	const float side = 0.5f * float(_setup.grid.get_tile_size()) + _setup.blade_reach();
+	const float half_height = 0.5f * (_setup.blade_height() + ground.high - ground.low);
+	const Eigen::Vector3f half(side, half_height, side);
+	const Eigen::Vector3f middle = _setup.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f);
+	const BladeSize size = _setup.blade_size();
+	LodNeed seen, casting;
+	for (const ViewCamera &camera : p_view.cameras) {
+		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
+		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
+			seen.add(p_view.lod, size, distance, camera.near, pixel);
+		}
+		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
+			casting.add(p_view.lod, size, distance, camera.near, pixel * p_view.lod.shadow_coarseness);
+		}
 	}
+	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS, _statistics.drawn_blades);
+	add_tile(p_x, p_z, casting, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, _statistics.shadow_blades);
+}
+
+void CpuBackend::add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, int64_t &r_blades) {
+	if (p_need.blades <= 0.0f) {
+		return;
+	}
+	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
+	const float hash = grass_tile_hash(x, z, _setup.seed);
+	const float blades = grass_lod_shown(p_need.blades, hash);
+	const int segments = std::min(grass_lod_segments(p_need.segments), get_lod_level(p_first).segments);
+	const int level = grass_lod_level(blades, segments, p_first, p_end);
+	const Eigen::Vector3f centre = _setup.grid.get_centre(p_x, p_z).cast<float>();
+	const auto found = _slot_of_tile.find(_setup.grid.get_index(p_x, p_z));
+	const int slot = found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
-	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
 	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
 		0.0f, 1.0f, 0.0f, centre.y(), //
 		0.0f, 0.0f, 1.0f, centre.z(), //
-		float(p_x), float(p_z), blades, tint, //
-		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(low), grass_tile_hash(x, z, _setup.seed), float(high) };
+		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
+		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(low), hash, float(high) };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
+	r_blades += int64_t(std::ceil(blades));
 }
 
 void CpuBackend::update_pool_texture() {
@@ -156,16 +189,24 @@ void CpuBackend::update_pool_texture() {
 	}
 }
 
+void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	(void)p_changed; // asked for tile by tile
+	_cover = p_cover;
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup, _cover.get()));
+	}
+}
+
 void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		FieldInstance &instance = _levels[size_t(level)];
 		if (!instance.is_created()) {
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level));
-			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup));
+			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()));
 		}
-		instance.follow(p_node, p_transform);
+		instance.follow(p_node, p_transform, level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
 	}
 }
 

@@ -26,17 +26,20 @@ public:
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override { return _pool.get_knots(p_slot, p_blade); }
-	EnergyReport read_energy() override { return { _step_number, _pool.get_energy() }; }
+	EnergyReport read_energy() override { return { _step_number, _pool.get_energy(), _pool.get_bends() }; }
 	BackendStatistics get_statistics() override { return _statistics; }
 	int64_t get_memory_usage() const override;
 	const char *get_name() const override { return "CPU"; }
 
 private:
 	void choose_tiles(const FieldView &p_view);
-	void add_tile(const FieldView &p_view, int p_x, int p_z);
+	void choose_tile(const FieldView &p_view, int p_x, int p_z);
+	// Adds the tile to one of the levels in [p_first, p_end), and its blades to r_blades.
+	void add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, int64_t &r_blades);
 	void update_pool_texture();
 
 	FieldSetup _setup;
@@ -47,14 +50,15 @@ private:
 	BackendStatistics _statistics;
 	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
 
+	std::shared_ptr<const TileCover> _cover; // null: no map
 	BladeMaterials _materials;
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture;
 	int _pool_rows = 0; // of the pool texture; grows with the highest slot in use
 	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
 	int _highest_slot = -1;
 	std::vector<uint16_t> _pool_texels;
-	std::array<FieldInstance, GRASS_LOD_LEVELS> _levels;
-	std::array<std::vector<float>, GRASS_LOD_LEVELS> _instances;
+	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
+	std::array<std::vector<float>, GRASS_ALL_LEVELS> _instances;
 };
 
 } // namespace grass

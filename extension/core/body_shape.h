@@ -34,6 +34,7 @@ struct ColliderShape {
 	// radius, half height (along y). Hull: half extents of the box around it, centred at the shape's origin (put the
 	// origin at Hull::centre). Metres.
 	Eigen::Vector3d size = Eigen::Vector3d::Constant(0.5);
+	uint64_t owner = 0; // Whose it is, for whoever made it; the core passes it on.
 	double friction = 0.5; // 0: blades slide freely along it, 1: they stick.
 	std::vector<Eigen::Vector4f> planes; // Hull only, in the shape's space: n.xyz, d; n.x <= d inside; metres.
 	ColliderPose now, before; // At the end and at the start of the step; equal after a teleport.

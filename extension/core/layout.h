@@ -53,12 +53,17 @@ static_assert(offsetof(GrassStep, energy) == 64);
 static_assert(offsetof(GrassStep, field) == 80);
 static_assert(offsetof(GrassStep, clump) == 96);
 
-static_assert(sizeof(GrassView) == 176 && std::is_trivially_copyable_v<GrassView>);
-static_assert(offsetof(GrassView, planes) == 0);
-static_assert(offsetof(GrassView, eye) == 96);
-static_assert(offsetof(GrassView, lod) == 112);
-static_assert(offsetof(GrassView, field) == 128);
-static_assert(offsetof(GrassView, blades) == 144);
-static_assert(offsetof(GrassView, patch_seed) == 160);
+static_assert(sizeof(GrassCamera) == 128 && std::is_trivially_copyable_v<GrassCamera>);
+static_assert(offsetof(GrassCamera, planes) == 0);
+static_assert(offsetof(GrassCamera, eye) == 96);
+static_assert(offsetof(GrassCamera, pixel) == 112);
+
+static_assert(sizeof(GrassView) == 144 && std::is_trivially_copyable_v<GrassView>);
+static_assert(offsetof(GrassView, lod) == 0);
+static_assert(offsetof(GrassView, field) == 16);
+static_assert(offsetof(GrassView, blades) == 32);
+static_assert(offsetof(GrassView, shadow) == 48);
+static_assert(offsetof(GrassView, falls) == 64);
+static_assert(offsetof(GrassView, counts) == 128);
 
 } // namespace grass

@@ -11,22 +11,39 @@
 
 namespace grass {
 
-// From here on one eighth of the blades is drawn. The view's far end, or where the field ends for the eye.
+// From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
-// Blades have 15 segments up to here, then 7. Usual 4 to 15; beyond twice that vertices are finer than pixels.
-inline constexpr Tunable LOD_FINE{ "lod_fine", "m", 0.0, 1000.0, 0.5, 6.0 };
-// Blades have 7 segments up to here, then 3. Usual two to three times fine.
-inline constexpr Tunable LOD_MEDIUM{ "lod_medium", "m", 0.0, 1000.0, 0.5, 18.0 };
+// How far a blade may be drawn from its curve, in pixels: decides its segments. 0: always 15; above 2 curves look cut.
+inline constexpr Tunable LOD_ERROR{ "lod_error", "px", 0.0, 8.0, 0.05, 1.0 };
+// No blade is drawn narrower at its root than this; where blades would be, fewer are drawn that cover as much. 0: all
+// blades at their own width, far grass flickers; above 2 it looks coarse.
+inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
+// How many times coarser than in the picture blades are where they only cast shadows. 1: as fine; above 6 shadows of
+// single blades are gone near the camera.
+inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 0.1, 3.0 };
 
-// Distances from the camera to a tile's centre, metres.
 struct LodParams {
-	float near = 0.05f; // Full count of blades up to here: the camera's near plane.
-	float far = float(LOD_FAR.initial); // One eighth of the blades beyond about this: the camera's far plane, or where the field ends.
-	float fine = float(LOD_FINE.initial); // 15 segments a blade up to here
-	float medium = float(LOD_MEDIUM.initial); // 7 segments up to here, then 3
+	float far = float(LOD_FAR.initial); // metres
+	float error = float(LOD_ERROR.initial); // pixels
+	float pixels_min = float(PIXELS_MIN.initial); // pixels
+	float shadow_coarseness = float(SHADOW_COARSENESS.initial);
 
-	// The same with NaN, negative and disordered values mended: 0 <= near, 0.001 <= far, 0 <= fine <= medium.
+	// The same with NaN and values out of range mended: 0.001 <= far, 0 <= error, 0 <= pixels_min, 1 <= shadow_coarseness.
 	LodParams sanitised() const;
+};
+
+// The mean blade of a field, metres.
+struct BladeSize {
+	float width = 0.0f, length = 0.0f;
+};
+
+// What a tile needs: blades, and segments of each. The most that any camera asks for counts.
+struct LodNeed {
+	float blades = 0.0f, segments = 0.0f;
+
+	// Adds what a camera at p_distance (metres) asks for, whose near plane is p_near metres away, and to which p_pixel metres
+	// of the tile are a pixel.
+	void add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel);
 };
 
 struct LodLevel {
@@ -34,20 +51,22 @@ struct LodLevel {
 	int segments; // A blade.
 };
 
-// Level i, nearest first; p_level within [0, GRASS_LOD_LEVELS).
+// Level i of GRASS_ALL_LEVELS.
 LodLevel get_lod_level(int p_level);
 
-// [Eq L1] Blades to draw in a tile: L(z) = (1 - 7 (z - z_near) / (8 z_far)) C, within [C / 8, C]. Distances in metres.
-float grass_lod_blades(float p_distance, float p_near, float p_far);
-
-// The level (of GRASS_LOD_*) whose mesh holds p_blades and has the segments due at p_distance.
-int grass_lod_level(float p_blades, float p_distance, float p_fine, float p_medium);
+// The twins; see lod.inc.
+float grass_lod_blades(float p_distance, float p_near, float p_far); // [Eq L1]
+float grass_lod_blades_of_width(float p_width, float p_least); // [Eq L2]
+float grass_lod_shown(float p_blades, float p_hash); // [Eq L3]
+float grass_lod_needed(float p_length, float p_error); // [Eq L4]
+int grass_lod_segments(float p_needed);
+float grass_lod_morph(float p_needed, int p_segments); // [Eq L5]
+int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end);
 
 // Six planes: normal.xyz, d; inside: normal . x <= d. The normals look out of the view, as Godot's do.
 using Frustum = std::array<Eigen::Vector4f, 6>;
 
-// Whether a box is seen: not wholly outside of one of the planes. p_margin: metres by which the view is widened, for
-// what is out of it but throws its shadow in.
-bool grass_tile_visible(const Frustum &p_planes, const Eigen::Vector3f &p_centre, const Eigen::Vector3f &p_half_extents, float p_margin);
+bool grass_tile_visible(const Frustum &p_planes, const Eigen::Vector3f &p_centre, const Eigen::Vector3f &p_half_extents, float p_margin,
+		const Eigen::Vector3f &p_fall);
 
 } // namespace grass

@@ -110,6 +110,8 @@ void measure(Patch &r_patch, int p_blade) {
 	r_patch.max_height = std::max(r_patch.max_height, height);
 	r_patch.mean_height += height / GRASS_PATCH_BLADES;
 	r_patch.max_length = std::max(r_patch.max_length, length);
+	r_patch.mean_length += length / GRASS_PATCH_BLADES;
+	r_patch.mean_width += half_to_float(r_patch.texels[Patch::texel_index(p_blade, 0) + 3]) / GRASS_PATCH_BLADES;
 }
 
 void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {

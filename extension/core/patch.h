@@ -52,6 +52,7 @@ struct Patch {
 	float max_reach = 0.0f; // metres, horizontally from the root
 	float max_height = 0.0f; // metres, above the root
 	float mean_height = 0.0f; // metres, of the blades' highest knots
+	float mean_length = 0.0f, mean_width = 0.0f; // metres: along the blade, full width at the root
 
 	bool is_empty() const { return empty_because != nullptr; }
 	// First of the four halves of knot p_knot of blade p_blade.

@@ -6,6 +6,7 @@
 #include "core/tile_state.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace grass {
 
@@ -33,6 +34,20 @@ Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	return knot;
 }
 
+// [Eq M5] All segments of a blade are equally long.
+Eigen::Vector3f bend_of(const TileState &p_state) {
+	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+	for (int b = 0; b < BLADES; b++) {
+		Eigen::Vector3f first, away;
+		for (int c = 0; c < 3; c++) {
+			first[c] = p_state.rest[c][1][b] - p_state.rest[c][0][b];
+			away[c] = p_state.knots[c][GRASS_FREE_KNOTS - 1][b] - p_state.rest[c][GRASS_KNOTS - 1][b];
+		}
+		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
+	}
+	return sum / float(BLADES);
+}
+
 } // namespace
 
 void serial_for(int p_count, const std::function<void(int)> &p_body) {
@@ -42,7 +57,10 @@ void serial_for(int p_count, const std::function<void(int)> &p_body) {
 }
 
 CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
-		_patch(std::move(p_patch)), _slots(size_t(std::max(p_slots, 0))), _energy(_slots.size(), 0.0f) {}
+		_patch(std::move(p_patch)),
+		_slots(size_t(std::max(p_slots, 0))),
+		_energy(_slots.size(), 0.0f),
+		_bends(_slots.size(), Eigen::Vector3f::Zero()) {}
 
 CpuPool::~CpuPool() = default;
 
@@ -68,7 +86,8 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 	_simulated_blades += int64_t(awake.size()) * BLADES;
 }
 
-void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
+// The rest pose: the patch's, grown by the clump at the root, or as a map says (p_growth).
+void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
 	const ClumpParams params{ p_step.clump.x, p_step.clump.y, p_step.clump.z, p_step.clump.w };
@@ -79,27 +98,45 @@ void CpuPool::wake(const GrassSlot &p_slot, const GrassStep &p_step) {
 			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
 		};
 		const Eigen::Vector2f place = texel(0).head<2>();
-		const Clump clump = clump_at(root_place(tile, place, tiles, p_step.field.x), params);
+		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
+		Clump clump;
+		if (p_growth) {
+			clump.height = growth.x;
+			clump.lean = { growth.y, growth.z };
+		} else {
+			clump = clump_at(root_place(tile, place, tiles, p_step.field.x), params);
+		}
 		state.root[0][b] = (place.x() - 0.5f) * p_step.field.x;
-		state.root[1][b] = 0.0f;
+		state.root[1][b] = growth.w;
 		state.root[2][b] = (place.y() - 0.5f) * p_step.field.x;
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3f rest = rest_knot(texel(k), k, clump);
 			for (int c = 0; c < 3; c++) {
 				state.rest[c][k][b] = rest[c];
-				if (k >= GRASS_CLAMPED_KNOTS) {
-					state.knots[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
-					state.before[c][k - GRASS_CLAMPED_KNOTS][b] = rest[c];
-					state.twist[k - GRASS_CLAMPED_KNOTS][b] = 0.0f;
-				}
 			}
 		}
 	}
 }
 
+// Every blade at rest.
+void CpuPool::wake(const GrassSlot &p_slot) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	for (int c = 0; c < 3; c++) {
+		std::memcpy(state.knots[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.knots[c]));
+		std::memcpy(state.before[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.before[c]));
+	}
+	std::memset(state.twist, 0, sizeof(state.twist));
+}
+
 void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision) {
-	if (p_slot.list.w & GRASS_SLOT_FRESH) {
-		wake(p_slot, p_input.step);
+	const auto growth = std::find_if(
+			p_input.growth.begin(), p_input.growth.end(), [&](const SlotGrowth &p_growth) { return p_growth.slot == p_slot.tile.w; });
+	const bool is_fresh = p_slot.list.w & GRASS_SLOT_FRESH;
+	if (is_fresh || growth != p_input.growth.end()) {
+		find_rest(p_slot, p_input.step, growth == p_input.growth.end() ? nullptr : &*growth);
+	}
+	if (is_fresh) {
+		wake(p_slot);
 	}
 	std::vector<TileCollider> colliders;
 	colliders.reserve(p_slot.list.z);
@@ -114,6 +151,7 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
 	_energy[slot] = step_state(*_slots[slot], p_input.step, blend, colliders, p_precision);
+	_bends[slot] = bend_of(*_slots[slot]);
 }
 
 std::vector<Eigen::Vector3f> CpuPool::get_knots(int p_slot, int p_blade) const {
@@ -157,7 +195,8 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 
 int64_t CpuPool::get_memory_usage() const {
 	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
-	return int64_t(used) * int64_t(sizeof(TileState)) + int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(float)));
+	return int64_t(used) * int64_t(sizeof(TileState)) +
+			int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0])));
 }
 
 } // namespace grass

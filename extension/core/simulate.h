@@ -48,6 +48,8 @@ public:
 	void pack_row(int p_slot, std::span<uint16_t> r_texels) const;
 	// [Eq 19] Of every slot, J/kg: its liveliest blade. 0 if never awake.
 	std::span<const float> get_energy() const { return _energy; }
+	// [Eq M5] Of every slot: how far the tips of its blades are from rest, on average, as shares of the blades' lengths.
+	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
 
 	int get_slot_count() const { return int(_slots.size()); }
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since made
@@ -57,12 +59,14 @@ public:
 	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);
 
 private:
-	void wake(const GrassSlot &p_slot, const GrassStep &p_step);
+	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
+	void wake(const GrassSlot &p_slot);
 	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
 
 	std::shared_ptr<const Patch> _patch;
 	std::vector<std::unique_ptr<TileState>> _slots;
 	std::vector<float> _energy;
+	std::vector<Eigen::Vector3f> _bends;
 	int64_t _simulated_blades = 0;
 };
 

@@ -6,9 +6,16 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 
 namespace grass {
+
+// How the blades of an awake tile grow, where a map decides it. Made when the tile wakes, and when the map changes below it.
+struct SlotGrowth {
+	int slot = GRASS_NO_SLOT;
+	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
+};
 
 // Views only: the arrays belong to TileManager and hold until its next update().
 struct StepInput {
@@ -18,12 +25,14 @@ struct StepInput {
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
+	std::span<const SlotGrowth> growth = {}; // Of fields with a map: every fresh slot, and those below which it changed.
 };
 
 // What the blades of each slot still moved by after a step, as the backend reports it, late as it may be.
 struct EnergyReport {
 	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
 	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
+	std::span<const Eigen::Vector3f> bends = {}; // [Eq M5] of each slot: how far its tips are from rest, shares of their blades
 };
 
 } // namespace grass

@@ -81,14 +81,18 @@ size_t TileBounds::get_memory_usage() const {
 }
 
 bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
-	if (_boxes.empty() || p_bounds.max.y() < 0.0) {
+	if (_boxes.empty()) {
+		return false;
+	}
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+	if (ground.is_bare() || p_bounds.max.y() < double(ground.low)) {
 		return false;
 	}
 	// Rounded once, after the difference: a few nanometres, on any field.
 	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	const Box box{ float(p_bounds.min.x() - centre.x()), float(p_bounds.max.x() - centre.x()), float(p_bounds.min.z() - centre.z()),
-		float(p_bounds.max.z() - centre.z()), 0.0f };
-	const float bottom = float(p_bounds.min.y());
+	const Box box{ float(p_bounds.min.x() - centre.x() - _lean), float(p_bounds.max.x() - centre.x() + _lean),
+		float(p_bounds.min.z() - centre.z() - _lean), float(p_bounds.max.z() - centre.z() + _lean), 0.0f };
+	const float bottom = float(p_bounds.min.y() - _lean - double(ground.high));
 	return _inner.meets(box, bottom) ||
 			_boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE].meets(box, bottom);
 }

@@ -5,6 +5,7 @@
 
 #include "core/body_shape.h"
 #include "core/clump.h"
+#include "core/map/tile_cover.h"
 #include "core/patch.h"
 
 #include <memory>
@@ -22,9 +23,16 @@ public:
 
 	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
-	// Of all tiles: how far the blades lean out over the tile's square, and their highest tip. Metres.
-	double get_reach() const { return _reach; }
-	double get_height() const { return _height; }
+	// The ground that the tiles stand on, and those that are bare; null: all stand on level ground. p_lean: metres by which
+	// blades lean farther on slopes.
+	void set_cover(std::shared_ptr<const TileCover> p_cover, double p_lean) {
+		_cover = std::move(p_cover);
+		_lean = p_lean;
+	}
+	// Of all tiles: how far the blades lean out over the tile's square; their lowest ground and their highest tip. Metres.
+	double get_reach() const { return _reach + _lean; }
+	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
+	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }
 	size_t get_memory_usage() const; // bytes
 
 private:
@@ -48,6 +56,8 @@ private:
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
 	Box _inner{}; // what all of them share: most tiles under a body are told by it
 	double _reach = 0.0, _height = 0.0;
+	double _lean = 0.0;
+	std::shared_ptr<const TileCover> _cover;
 };
 
 } // namespace grass

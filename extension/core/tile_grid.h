@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace grass {
 
 // Tiles x_begin <= x < x_end, z_begin <= z < z_end.
@@ -16,6 +18,12 @@ struct TileRange {
 	int width() const { return x_end > x_begin ? x_end - x_begin : 0; }
 	int depth() const { return z_end > z_begin ? z_end - z_begin : 0; }
 	int64_t count() const { return int64_t(width()) * depth(); }
+	bool has(int p_x, int p_z) const { return p_x >= x_begin && p_x < x_end && p_z >= z_begin && p_z < z_end; }
+	// The smallest range that holds both; neither may be empty.
+	TileRange joined(const TileRange &p_other) const {
+		return { std::min(x_begin, p_other.x_begin), std::max(x_end, p_other.x_end), std::min(z_begin, p_other.z_begin),
+			std::max(z_end, p_other.z_end) };
+	}
 	bool operator==(const TileRange &) const = default;
 };
 

@@ -41,7 +41,8 @@ TileParams TileParams::sanitised() const {
 	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
 	params.reach = limit(reach, 100.0, defaults.reach);
-	params.height = limit(height, 100.0, defaults.height);
+	params.low = std::isfinite(low) ? low : defaults.low;
+	params.height = std::isfinite(height) ? height : defaults.height;
 	return params;
 }
 
@@ -99,6 +100,7 @@ void TileManager::begin_step() {
 void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 	_ranges.clear();
 	_swept.clear();
+	_has_met.assign(p_colliders.size(), 0);
 	int64_t total = 0;
 	for (ColliderShape &collider : p_colliders) {
 		const char *reason = nullptr;
@@ -121,15 +123,16 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
 				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
 					touch(_grid.get_index(x, z), uint32_t(i));
+					_has_met[i] = 1;
 				}
 			}
 		}
 	}
 }
 
-// The tiles whose box could meet the collider's: squares grown by the farthest reach, ground to the highest tip.
+// The tiles whose box could meet the collider's: squares grown by the farthest reach, lowest ground to highest tip.
 TileRange TileManager::find_range(const Bounds &p_swept) const {
-	if (p_swept.max.y() < 0.0 || p_swept.min.y() > _params.height) {
+	if (p_swept.max.y() < _params.low || p_swept.min.y() > _params.height) {
 		return {};
 	}
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);
@@ -174,6 +177,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	awake = {};
 	awake.tile = { x, z, p_tile, p_slot };
 	awake.start = grass_tile_start(uint32_t(x), uint32_t(z), _params.seed);
+	awake.woken_step = _step_number;
 	awake.is_fresh = awake.is_touched = true; // touched: deactivate_tiles() sets the timestamps
 	_slot_of_tile.insert(p_tile, p_slot);
 	_used.insert(p_slot);
@@ -229,11 +233,17 @@ bool TileManager::is_settling(int p_tile) const {
 	return slot != GRASS_NO_SLOT && _awake[size_t(slot)].is_settling;
 }
 
+Eigen::Vector3f TileManager::get_bend(int p_tile) const {
+	const int slot = get_slot_of(p_tile);
+	return slot == GRASS_NO_SLOT ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : _awake[size_t(slot)].bend;
+}
+
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	return bytes(_awake) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() + bytes(_ranges) +
-			bytes(_swept) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
-			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
+			bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) +
+			_place_of_tile.get_memory_usage() + bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) +
+			bytes(_planes);
 }
 
 } // namespace grass

@@ -42,8 +42,10 @@ struct TileParams {
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
 	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
-	double height = 1.0; // Metres to the highest tip. Too small: bodies pass through tips.
+	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
+	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
+	bool is_mapped = false; // A map says how the blades grow: StepInput::growth.
 
 	// The same within limits; NaN becomes the default.
 	TileParams sanitised() const;
@@ -101,6 +103,11 @@ public:
 	// before the tile was last touched, thus also the energies of slots that were other tiles' then.
 	void report_energy(const EnergyReport &p_report);
 
+	// [Eq M5] Of an awake tile, as reported; zero of one at rest, and while nothing is known.
+	Eigen::Vector3f get_bend(int p_tile) const;
+	// Whether collider p_collider of the last update met grass: the box around the blades of a tile on which some stand.
+	bool has_met_grass(size_t p_collider) const { return p_collider < _has_met.size() && _has_met[p_collider] != 0; }
+
 	int get_slot_of(int p_tile) const { return _slot_of_tile.find(p_tile); } // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
 	bool is_awake(int p_tile) const; // Has a slot.
@@ -118,10 +125,11 @@ private:
 		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
 		uint32_t start = 0; // first blade in the patch
 		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
-		uint64_t touched_step = 0; // its number
+		uint64_t touched_step = 0, woken_step = 0; // numbers of that step, and of the one in which it woke
 		double calm_since = NEVER; // timestamp
 		double settle_left = 0.0; // seconds to rest, while settling
 		float energy = NO_ENERGY; // since the last touch
+		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
 		float blend = 0.0f; // of this step's record; 1: at rest after it
 		bool is_settling = false;
 		bool is_fresh = false, is_touched = false; // in this step; false between steps
@@ -171,6 +179,7 @@ private:
 	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
 	std::vector<TileRange> _ranges;
 	std::vector<Bounds> _swept; // of the colliders
+	std::vector<uint8_t> _has_met; // of the colliders: grass
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;

@@ -41,7 +41,8 @@ void TileManager::write_records() {
 	uint32_t entries = 0;
 	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
 		Awake &awake = _awake[size_t(slot)];
-		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0);
+		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
+				(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
 		_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
 		_statistics.awake++;
 		_statistics.settling += awake.is_settling ? 1 : 0;

@@ -23,6 +23,9 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 	for (int slot = _used.find(0); slot != SlotSet::NONE && size_t(slot) < p_report.energies.size(); slot = _used.find(slot + 1)) {
 		Awake &awake = _awake[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
+		if (p_report.step >= awake.woken_step && size_t(slot) < p_report.bends.size() && p_report.bends[size_t(slot)].allFinite()) {
+			awake.bend = p_report.bends[size_t(slot)];
+		}
 		if (p_report.step < awake.touched_step || !std::isfinite(energy)) {
 			continue;
 		}

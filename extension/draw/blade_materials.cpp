@@ -9,18 +9,22 @@ using namespace godot;
 
 namespace grass {
 
-BladeMaterials::BladeMaterials() {
-	const Ref<Shader> shader = shared_shader(shader::BLADE_GDSHADER);
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
-		Ref<ShaderMaterial> &material = _levels[size_t(level)];
-		material.instantiate();
-		material->set_shader(shader);
-		material->set_shader_parameter("segments", lod_segments(level));
+BladeMaterials::BladeMaterials(bool p_mapped) {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const bool first = level == 0 || level == GRASS_LOD_LEVELS;
+		if (first || lod_segments(level) != lod_segments(level - 1)) {
+			Ref<ShaderMaterial> material;
+			material.instantiate();
+			material->set_shader(shared_shader(level < GRASS_LOD_LEVELS ? shader::BLADE_GDSHADER : shader::SHADOW_GDSHADER, p_mapped));
+			material->set_shader_parameter("segments", lod_segments(level));
+			_materials.push_back(material);
+		}
+		_levels[size_t(level)] = _materials.back();
 	}
 }
 
 void BladeMaterials::set(const StringName &p_uniform, const Variant &p_value) {
-	for (Ref<ShaderMaterial> &material : _levels) {
+	for (Ref<ShaderMaterial> &material : _materials) {
 		material->set_shader_parameter(p_uniform, p_value);
 	}
 }

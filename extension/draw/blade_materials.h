@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The blade shader and its material for each level of detail (they differ in the `segments` uniform only).
+// The materials of blades and of what casts their shadows: one for each number of segments (the `segments` uniform).
 #pragma once
 
 #include "core/layout.h"
@@ -8,19 +8,22 @@
 #include <godot_cpp/variant/string_name.hpp>
 
 #include <array>
+#include <vector>
 
 namespace grass {
 
 class BladeMaterials {
 public:
-	BladeMaterials();
+	// p_mapped: for fields with a map.
+	explicit BladeMaterials(bool p_mapped);
 
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
-	// Sets a uniform of the blade shader in all levels.
+	// Sets a uniform in all of them; a shader ignores what it has not.
 	void set(const godot::StringName &p_uniform, const godot::Variant &p_value);
 
 private:
-	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_LOD_LEVELS> _levels;
+	std::vector<godot::Ref<godot::ShaderMaterial>> _materials;
+	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_ALL_LEVELS> _levels; // each one of _materials
 };
 
 } // namespace grass

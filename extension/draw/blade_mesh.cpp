@@ -21,7 +21,7 @@ int lod_triangles_per_blade(int p_level) {
 
 int64_t mesh_bytes() {
 	int64_t indices = 0;
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		indices += 3 * int64_t(lod_blades(level)) * lod_triangles_per_blade(level);
 	}
 	return 4 * indices;
@@ -33,13 +33,13 @@ void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Materi
 	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level) * 3);
 	int32_t *next = indices.ptrw();
 	for (int blade = 0; blade < blades; blade++) {
-		const int first = blade * 2 * (segments + 1);
+		const int first = blade * (2 * segments + 1); // two vertices a row, one at the tip
 		for (int row = 0; row < segments; row++) {
 			const int left = first + 2 * row, right = left + 1;
 			*next++ = left;
 			*next++ = left + 2;
 			*next++ = right;
-			if (row + 1 < segments) { // the tip row's two sides meet: no second triangle
+			if (row + 1 < segments) { // else `left + 2` is the tip
 				*next++ = right;
 				*next++ = left + 2;
 				*next++ = right + 2;

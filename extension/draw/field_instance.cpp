@@ -42,12 +42,20 @@ void FieldInstance::reserve(int p_capacity) {
 			_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
 }
 
-void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	if (is_created()) {
-		follow_node(_instance, p_node, p_transform);
-		RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(
-				_instance, RenderingServer::ShadowCastingSetting(p_node->get_cast_shadows_setting()));
+void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, Role p_role) {
+	if (!is_created()) {
+		return;
 	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	const GeometryInstance3D::ShadowCastingSetting setting = p_node->get_cast_shadows_setting();
+	const bool unwanted = p_role == Role::PICTURE ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
+												  : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
+	follow_node(_instance, p_node, p_transform);
+	if (unwanted) {
+		server->instance_set_visible(_instance, false);
+	}
+	server->instance_geometry_set_cast_shadows_setting(_instance,
+			p_role == Role::PICTURE ? RenderingServer::SHADOW_CASTING_SETTING_OFF : RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
 }
 
 void FieldInstance::set_bounds(const AABB &p_bounds) {

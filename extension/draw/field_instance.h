@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One MultiMesh in the renderer's scene: what is drawn of a field (GPU backend) or of one of its levels of
-// detail (CPU backend).
+// One MultiMesh in the renderer's scene: what is drawn of a field, or casts its shadows (GPU backend), or one of the levels
+// of detail of either (CPU backend).
 #pragma once
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -12,6 +12,9 @@ namespace grass {
 
 // Lets an instance of the renderer follow a node: world, visibility, layers, transparency, and p_transform for its own.
 void follow_node(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+
+// What an instance is there for: the picture shows all blades that can be seen; shadows need far fewer.
+enum class Role { PICTURE, SHADOWS };
 
 class FieldInstance {
 public:
@@ -25,7 +28,7 @@ public:
 	// Makes room for more instances, of those that the CPU writes; what they hold is lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
-	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, Role p_role);
 	void set_bounds(const godot::AABB &p_bounds);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
 	void free();

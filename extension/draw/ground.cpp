@@ -17,7 +17,7 @@ namespace {
 constexpr real_t LIFT = 0.005f; // metres above the user's floor; less flickers with it, more shows at the field's edge
 } // namespace
 
-void Ground::create(const TileGrid &p_grid) {
+void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	free();
 	const real_t x = real_t(0.5 * p_grid.get_size_x()), z = real_t(0.5 * p_grid.get_size_z());
 	PackedVector3Array vertices, normals;
@@ -35,7 +35,7 @@ void Ground::create(const TileGrid &p_grid) {
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
 	_material.instantiate();
-	_material->set_shader(shared_shader(shader::GROUND_GDSHADER));
+	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, p_mapped));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
 	_mesh.instantiate();
 	_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);

@@ -17,7 +17,7 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
-	void create(const TileGrid &p_grid);
+	void create(const TileGrid &p_grid, bool p_mapped); // p_mapped: soil only where the map has grass
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
 	// Sets a uniform of the ground shader; it shares names with the blade shader and ignores the blades' own.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);

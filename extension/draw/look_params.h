@@ -32,8 +32,6 @@ inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.5 };
 inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.12 };
 inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };
 // 0: a thinned tile's blades keep their width; 1: they cover as much as all would.
-inline constexpr Tunable THIN_WIDENING{ "thin_widening", "", 0.0, 1.0, 0.01, 0.75 };
-// No blade is drawn narrower at its root than this. 0: far grass flickers; above 2: it looks coarse.
-inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
+inline constexpr Tunable THIN_WIDENING{ "thin_widening", "", 0.0, 1.0, 0.01, 1.0 };
 
 } // namespace grass

@@ -16,7 +16,7 @@ godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
 godot::Ref<godot::ImageTexture> lattice_texture();
 void free_shared_textures();
 
-// Box around all blades of the field at rest and in wind, field space, metres.
-godot::AABB field_bounds(const FieldSetup &p_setup);
+// Box around all blades of the field at rest and in wind, field space, metres. p_cover: null on level ground.
+godot::AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover = nullptr);
 
 } // namespace grass

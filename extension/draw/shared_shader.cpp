@@ -8,14 +8,15 @@ using namespace godot;
 namespace grass {
 
 namespace {
-std::map<const char *, Ref<Shader>> shaders; // by the address of their code
+std::map<std::pair<const char *, bool>, Ref<Shader>> shaders; // by the address of their code, and whether for a map
 } // namespace
 
-Ref<Shader> shared_shader(const char *p_code) {
-	Ref<Shader> &shader = shaders[p_code];
+Ref<Shader> shared_shader(const char *p_code, bool p_mapped) {
+	Ref<Shader> &shader = shaders[{ p_code, p_mapped }];
 	if (shader.is_null()) {
 		shader.instantiate();
-		shader->set_code(String::utf8(p_code));
+		const String code = String::utf8(p_code);
+		shader->set_code(p_mapped ? code.replace("shader_type spatial;", "shader_type spatial;\n#define GRASS_MAP") : code);
 	}
 	return shader;
 }

@@ -7,8 +7,9 @@
 
 namespace grass {
 
-// The shader of p_code (UTF-8, a string literal), made when it is first asked for and kept.
-godot::Ref<godot::Shader> shared_shader(const char *p_code);
+// The shader of p_code (UTF-8, a string literal), made when it is first asked for and kept. p_mapped: with GRASS_MAP
+// defined, for fields with a map.
+godot::Ref<godot::Shader> shared_shader(const char *p_code, bool p_mapped = false);
 // For when the library is unloaded.
 void free_shared_shaders();
 

@@ -46,6 +46,17 @@ int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {
 	return p_bytes;
 }
 
+int64_t GpuBuffer::write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes) {
+	ERR_FAIL_COND_V(p_offset < 0 || p_offset + p_bytes > _size, 0);
+	if (p_bytes > 0) {
+		PackedByteArray data;
+		data.resize(p_bytes);
+		std::memcpy(data.ptrw(), p_data, size_t(p_bytes));
+		main_device()->buffer_update(_rid, uint32_t(p_offset), uint32_t(p_bytes), data);
+	}
+	return p_bytes;
+}
+
 void GpuBuffer::free() {
 	if (_rid.is_valid()) {
 		main_device()->free_rid(_rid);

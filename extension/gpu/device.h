@@ -30,6 +30,10 @@ public:
 	template <typename T> int64_t upload(std::span<const T> p_records) {
 		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
 	}
+	// Writes records at p_offset bytes into what was allocated. Returns the bytes that travelled.
+	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) {
+		return write_bytes(p_offset, reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
+	}
 	void free();
 
 	godot::RID rid() const { return _rid; }
@@ -37,6 +41,7 @@ public:
 
 private:
 	int64_t upload_bytes(const uint8_t *p_data, int64_t p_bytes);
+	int64_t write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes);
 
 	godot::RID _rid;
 	int64_t _size = 0; // bytes
@@ -63,6 +68,8 @@ public:
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_ready() const { return _pipeline.is_valid(); }
+	// Whether it binds something else than in its last dispatch.
+	bool has_changed() const { return _changed; }
 
 private:
 	struct Binding {

@@ -18,52 +18,80 @@ vec4 to_vec4(const Eigen::Vector4f &p_v) {
 	return { p_v.x(), p_v.y(), p_v.z(), p_v.w() };
 }
 
-GrassView to_record(const FieldView &p_view, const FieldSetup &p_setup) {
-	GrassView record;
-	for (size_t i = 0; i < p_view.planes.size(); i++) {
-		record.planes[i] = to_vec4(p_view.planes[i]);
+GrassCamera to_record(const ViewCamera &p_camera) {
+	GrassCamera record;
+	for (size_t i = 0; i < p_camera.planes.size(); i++) {
+		record.planes[i] = to_vec4(p_camera.planes[i]);
 	}
-	record.eye = { p_view.eye.x(), p_view.eye.y(), p_view.eye.z(), p_view.shadow_margin };
-	record.lod = { p_view.lod.near, p_view.lod.far, p_view.lod.fine, p_view.lod.medium };
-	record.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
-		p_setup.blade_height() };
-	record.blades = { p_setup.blade_reach(), float(p_view.debug_view), 0.0f, 0.0f };
-	record.patch_seed = { p_setup.seed, 0, 0, 0 };
+	record.eye = { p_camera.eye.x(), p_camera.eye.y(), p_camera.eye.z(), p_camera.near };
+	record.pixel = { p_camera.pixel, p_camera.pixel_slope, 0.0f, 0.0f };
 	return record;
+}
+
+ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
+	ViewRecords records;
+	GrassView &view = records.view;
+	const BladeSize size = p_setup.blade_size();
+	view.lod = { p_view.lod.far, p_view.lod.error, p_view.lod.pixels_min, p_view.lod.shadow_coarseness };
+	view.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
+		p_setup.blade_height() };
+	view.blades = { p_setup.blade_reach(), size.width, size.length, 0.0f };
+	view.shadow = { p_view.shadow_margin, p_view.shadow_distance, 0.0f, 0.0f };
+	const size_t falls = std::min(p_view.falls.size(), std::size(view.falls));
+	for (size_t i = 0; i < falls; i++) {
+		view.falls[i] = { p_view.falls[i].x(), p_view.falls[i].y(), p_view.falls[i].z(), 0.0f };
+	}
+	view.counts = { uint32_t(p_view.cameras.size()), uint32_t(falls), p_setup.seed, p_setup.is_mapped ? 1u : 0u };
+	for (const ViewCamera &camera : p_view.cameras) {
+		records.cameras.push_back(to_record(camera));
+	}
+	return records;
+}
+
+// A mesh with the levels from p_first to p_end as its surfaces.
+Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end) {
+	Ref<ArrayMesh> mesh;
+	mesh.instantiate();
+	for (int level = p_first; level < p_end; level++) {
+		add_lod_surface(mesh, level, p_materials.level(level));
+	}
+	return mesh;
 }
 
 } // namespace
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
+		_materials(p_setup.is_mapped),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
-
-	Ref<ArrayMesh> mesh;
-	mesh.instantiate();
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
-		add_lod_surface(mesh, level, _materials.level(level));
-	}
-	_instance.create(mesh, _setup.instance_capacity(), true, field_bounds(_setup));
+	_materials.set("blade_length", _setup.blade_length());
+	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), _setup.instance_capacity(), true, field_bounds(_setup));
+	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), _setup.shadow_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
 }
 
 GpuBackend::~GpuBackend() {
-	RenderQueue::get_singleton()->post([field = _field, multimesh = _instance.multimesh()] { field->free(multimesh); });
+	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
+}
+
+FieldMultiMeshes GpuBackend::multimeshes() const {
+	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
 bool GpuBackend::set_grid(const TileGrid &p_grid) {
 	_setup.grid = p_grid;
-	if (_setup.instance_capacity() > _instance.capacity()) {
+	if (_setup.instance_capacity() > _picture.capacity() || _setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
 	}
-	_instance.set_bounds(field_bounds(_setup));
+	_picture.set_bounds(field_bounds(_setup));
+	_shadows.set_bounds(field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, tiles = p_grid.get_tile_count()] { field->set_tiles(tiles); });
 	return true;
 }
@@ -74,12 +102,26 @@ void GpuBackend::step(const StepInput &p_input) {
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
-	RenderQueue::get_singleton()->post([field = _field, view = to_record(p_view, _setup), multimesh = _instance.multimesh(),
-											   measure = _measure] { field->draw(view, multimesh, measure); });
+	RenderQueue::get_singleton()->post([field = _field, records = to_records(p_view, _setup), multimeshes = multimeshes(),
+											   measure = _measure] { field->draw(records, multimeshes, measure); });
 }
 
 void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	_instance.follow(p_node, p_transform);
+	_picture.follow(p_node, p_transform, Role::PICTURE);
+	_shadows.follow(p_node, p_transform, Role::SHADOWS);
+}
+
+void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	const AABB bounds = field_bounds(_setup, p_cover.get());
+	_picture.set_bounds(bounds);
+	_shadows.set_bounds(bounds);
+	if (p_changed.count() > 0) { // whole rows: one copy
+		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
+		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
+		RenderQueue::get_singleton()->post([field = _field, first, changed = std::vector<TileCover::Tile>(tiles.begin(), tiles.end())] {
+			field->set_cover(first, changed);
+		});
+	}
 }
 
 std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
@@ -92,7 +134,8 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
 	_energy = _report->energy;
-	return { _report->energy_step, _energy };
+	_bends = _report->bends;
+	return { _report->energy_step, _energy, _bends };
 }
 
 BackendStatistics GpuBackend::get_statistics() {
@@ -102,7 +145,7 @@ BackendStatistics GpuBackend::get_statistics() {
 
 int64_t GpuBackend::get_memory_usage() const {
 	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
-	const int64_t instances = int64_t(_instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
 	return patch + instances + mesh_bytes() + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh whose instances and
-// counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
+// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh for the picture and one for shadows,
+// whose instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
 #pragma once
 
 #include "backend/backend.h"
@@ -13,6 +13,7 @@
 namespace grass {
 
 class GpuField;
+struct FieldMultiMeshes;
 struct GpuReport;
 
 class GpuBackend : public Backend {
@@ -25,6 +26,7 @@ public:
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override;
@@ -34,14 +36,17 @@ public:
 	const char *get_name() const override { return "GPU"; }
 
 private:
+	FieldMultiMeshes multimeshes() const;
+
 	FieldSetup _setup;
 	bool _measure = false;
 	BladeMaterials _materials;
 	godot::Ref<godot::ImageTexture> _patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture;
-	FieldInstance _instance;
+	FieldInstance _picture, _shadows;
 	std::shared_ptr<GpuReport> _report;
 	std::vector<float> _energy;
+	std::vector<Eigen::Vector3f> _bends;
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
 };
 

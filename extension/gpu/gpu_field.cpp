@@ -21,6 +21,7 @@ namespace grass {
 namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+constexpr int COUNTS = 2 * GRASS_ALL_LEVELS + 2; // words of CountBuffer in cull.glsl
 constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 
 template <typename T> PackedByteArray record_bytes(const T &p_record) {
@@ -60,6 +61,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	growth.assign(p_input.growth.begin(), p_input.growth.end());
 	copy_ms = clock.lap();
 }
 
@@ -67,12 +69,15 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	RenderingDevice *device = main_device();
 	_tiles = p_setup.grid.get_tile_count();
 	_instances = p_setup.instance_capacity();
+	_shadow_instances = p_setup.shadow_capacity();
 	_slots = p_setup.pool_tiles;
 	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_energy.allocate(_slots * 4);
+	_energy.allocate(_slots * int64_t(sizeof(vec4)));
+	_is_mapped = p_setup.is_mapped;
 	set_tiles(_tiles);
-	_counts.allocate(2 * GRASS_LOD_LEVELS * 4);
+	_counts.allocate(COUNTS * 4);
+	_growth.allocate(_is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -99,11 +104,15 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 void GpuField::set_tiles(int64_t p_tiles) {
 	_tiles = p_tiles;
 	_table_changed = true;
+	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles)));
+	if (const int64_t cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0; cover > _cover.size() || !_cover.rid().is_valid()) {
+		_cover.allocate(cover);
+	}
 	if (_tiles * 4 <= _table.size()) {
 		_table.clear();
 		return;
 	}
-	_table.allocate(int64_t(std::bit_ceil(uint64_t(_tiles))) * 4);
+	_table.allocate(room * 4);
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 }
 
@@ -114,6 +123,7 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	_simulate.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
@@ -129,6 +139,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	for (const SlotGrowth &growth : p_records.growth) {
+		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+	}
 	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -159,33 +172,63 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;
-		report->energy.resize(size_t(p_data.size()) / 4);
-		std::memcpy(report->energy.data(), p_data.ptr(), report->energy.size() * 4);
+		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
+		report->energy.resize(slots);
+		report->bends.resize(slots);
+		for (size_t slot = 0; slot < slots; slot++) {
+			vec4 record;
+			std::memcpy(&record, p_data.ptr() + slot * sizeof(vec4), sizeof(vec4));
+			report->energy[slot] = record.x;
+			report->bends[slot] = { record.y, record.z, record.w };
+		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * 4), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
 }
 
-void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_measure) {
+void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
+	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), std::span<const TileCover::Tile>(p_tiles));
+	_table_changed = true; // other tiles may be drawn now
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.uploaded_bytes += uploaded;
+}
+
+bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimesh);
-	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimesh);
-	if (!_cull.is_ready() || !instances.is_valid() || !commands.is_valid()) {
-		return;
+	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.picture);
+	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture);
+	const RID shadow_instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows);
+	const RID shadow_commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows);
+	if (!instances.is_valid() || !commands.is_valid() || !shadow_instances.is_valid() || !shadow_commands.is_valid()) {
+		return false;
 	}
-	const int64_t uploaded = _view.upload(std::span<const GrassView>(&p_view, 1));
-	if (p_measure) {
-		read_times();
-	}
-	if (uploaded == 0 && !_table_changed && instances == _culled_into) {
-		return; // the same view of the same tiles: what is in the MultiMesh still holds
-	}
-	_table_changed = false;
-	_culled_into = instances;
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
+	_cull.bind_buffer(GRASS_CULL_CAMERAS, _cameras.rid());
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
+	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
 	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, shadow_instances);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_COMMANDS, shadow_commands);
+	return true;
+}
+
+void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
+	if (!_cull.is_ready()) {
+		return;
+	}
+	int64_t uploaded = _view.upload(std::span<const GrassView>(&p_records.view, 1));
+	uploaded += _cameras.upload(std::span<const GrassCamera>(p_records.cameras));
+	if (!bind_cull(p_multimeshes)) {
+		return;
+	}
+	if (p_measure) {
+		read_times();
+	}
+	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
+		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+	}
+	_table_changed = false;
 	{
 		Stopwatch watch(p_measure, "GrassField cull");
 		RenderingDevice *device = main_device();
@@ -193,23 +236,38 @@ void GpuField::draw(const GrassView &p_view, const RID &p_multimesh, bool p_meas
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
 		const int64_t list = device->compute_list_begin();
 		for (uint32_t phase = 0; phase < 2; phase++) {
-			_cull.dispatch(list, record_bytes(uvec4{ phase, uint32_t(_tiles), uint32_t(_instances), 0 }), groups);
+			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
+			_cull.dispatch(list, record_bytes(constants), groups);
 			device->compute_list_add_barrier(list);
 		}
 		device->compute_list_end();
 	}
+	report_counts(uploaded);
+}
+
+void GpuField::report_counts(int64_t p_uploaded) {
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->statistics.culls++;
 		report_memory();
-		_report->statistics.uploaded_bytes += uploaded;
+		_report->statistics.uploaded_bytes += p_uploaded;
 	}
-	RenderQueue::get_singleton()->read_later(_counts.rid(), GRASS_LOD_LEVELS * 4, [report = _report](const PackedByteArray &p_data) {
-		std::lock_guard lock(report->mutex);
-		for (int level = 0; level < GRASS_LOD_LEVELS && level < p_data.size() / 4; level++) {
-			report->statistics.drawn_tiles[size_t(level)] = p_data.decode_u32(level * 4);
+	const auto receive = [report = _report, room = std::array{ _instances, _shadow_instances }](const PackedByteArray &p_data) {
+		if (p_data.size() < COUNTS * 4) {
+			return;
 		}
-	});
+		std::lock_guard lock(report->mutex);
+		BackendStatistics &statistics = report->statistics;
+		std::array<int64_t, 2> left = room; // what does not fit is not drawn
+		for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+			int64_t &free = left[level < GRASS_LOD_LEVELS ? 0 : 1];
+			statistics.drawn_tiles[size_t(level)] = std::min<int64_t>(p_data.decode_u32(level * 4), free);
+			free -= statistics.drawn_tiles[size_t(level)];
+		}
+		statistics.drawn_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS);
+		statistics.shadow_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS + 4);
+	};
+	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS * 4, receive);
 }
 
 // Timestamps of a frame that the GPU has finished: each of ours ends a stretch that began at the one before it.
@@ -253,14 +311,15 @@ std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
 	return knots;
 }
 
-void GpuField::free(const RID &p_multimesh) {
+void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
 	if (_pool.is_valid()) { // the texture resource first: it holds a view of what is freed next
 		_pool->set_texture_rd_rid(RID());
 		_pool.unref();
 	}
-	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimesh) }) {
+	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture),
+				 server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}
@@ -268,8 +327,8 @@ void GpuField::free(const RID &p_multimesh) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_cull.free();
-	for (GpuBuffer *buffer :
-			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
+				 &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
@@ -277,8 +336,8 @@ void GpuField::free(const RID &p_multimesh) {
 // The report's mutex is held.
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
-	for (const GpuBuffer *buffer :
-			{ &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_view, &_counts }) {
+	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
+				 &_growth, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

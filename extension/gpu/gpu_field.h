@@ -19,10 +19,22 @@ struct StepRecords {
 	std::vector<GrassCollider> colliders;
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
+	std::vector<SlotGrowth> growth;
 	GrassStep step;
 	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);
+};
+
+// The records of one drawn frame.
+struct ViewRecords {
+	GrassView view;
+	std::vector<GrassCamera> cameras;
+};
+
+// The MultiMeshes that a field is drawn by.
+struct FieldMultiMeshes {
+	godot::RID picture, shadows;
 };
 
 // What the render thread reports to the main thread.
@@ -31,6 +43,7 @@ struct GpuReport {
 	BackendStatistics statistics;
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
+	std::vector<Eigen::Vector3f> bends; // per slot
 };
 
 class GpuField {
@@ -43,19 +56,24 @@ public:
 	void set_tiles(int64_t p_tiles);
 	// One tick: uploads the records, simulates their tiles, asks for their energy.
 	void step(const StepRecords &p_records, bool p_measure);
-	// One frame: writes the instances and commands of p_multimesh.
-	void draw(const GrassView &p_view, const godot::RID &p_multimesh, bool p_measure);
+	// One frame: writes the instances and commands of p_multimeshes.
+	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
+	// The cover of consecutive tiles from p_first on.
+	void set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
-	// p_multimesh: its command buffer goes too; the engine never frees that (seen in 4.6).
-	void free(const godot::RID &p_multimesh);
+	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
+	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
 	void bind_simulate(const godot::RID &p_patch);
+	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
+	void report_counts(int64_t p_uploaded);
 	void read_times();
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
-	int64_t _tiles = 0, _instances = 0, _slots = 0;
+	int64_t _tiles = 0, _slots = 0;
+	int64_t _instances = 0, _shadow_instances = 0; // that the MultiMeshes hold
 	bool _table_changed = true; // since the last cull
 
 	// Written by the main thread's records every step, read by simulate, one step long.
@@ -64,14 +82,17 @@ private:
 	GpuBuffer _knots, _knots_before, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
+	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
+	// stand, read by cull. Fields without a map have none (16 bytes).
+	GpuBuffer _growth, _cover;
+	bool _is_mapped = false;
 	// Written every frame, read by cull.
-	GpuBuffer _view;
+	GpuBuffer _view, _cameras;
 	// Written and read by cull, one frame.
 	GpuBuffer _counts;
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler;
 	godot::Ref<godot::Texture2DRD> _pool;
-	godot::RID _culled_into; // the instance buffer of the last cull
 	GpuPass _simulate, _cull;
 };
 

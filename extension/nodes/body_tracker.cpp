@@ -38,23 +38,6 @@ std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count
 	return disabled;
 }
 
-// Takes the scale of p_basis into the shape: poses hold rotation only.
-void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
-	const Eigen::Vector3d scale = p_basis.colwise().norm();
-	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
-		return;
-	}
-	if (r_shape.type == GRASS_BOX || r_shape.type == GRASS_HULL) {
-		r_shape.size = r_shape.size.cwiseProduct(scale);
-	} else { // round about y: radius, half length along y
-		r_shape.size = { r_shape.size.x() * std::max(scale.x(), scale.z()), r_shape.size.y() * scale.y(), 0.0 };
-	}
-	for (Eigen::Vector4f &plane : r_shape.planes) {
-		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(scale.cast<float>());
-		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
-	}
-}
-
 // A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
 // between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
 constexpr double TELEPORT_DISTANCE = 2.0;
@@ -77,6 +60,22 @@ bool is_driven_by_velocity(int64_t p_mode) {
 }
 
 } // namespace
+
+void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
+	const Eigen::Vector3d scale = p_basis.colwise().norm();
+	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
+		return;
+	}
+	if (r_shape.type == GRASS_BOX || r_shape.type == GRASS_HULL) {
+		r_shape.size = r_shape.size.cwiseProduct(scale);
+	} else { // round about y: radius, half length along y
+		r_shape.size = { r_shape.size.x() * std::max(scale.x(), scale.z()), r_shape.size.y() * scale.y(), 0.0 };
+	}
+	for (Eigen::Vector4f &plane : r_shape.planes) {
+		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(scale.cast<float>());
+		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
+	}
+}
 
 void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t p_mask) {
 	stop();
@@ -316,6 +315,7 @@ void BodyTracker::write_shapes(const Body &p_body, const Eigen::Affine3d &p_now,
 		}
 		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
 		collider = shape.collider;
+		collider.owner = p_body.instance_id;
 		collider.set_poses(p_body.before * shape.local, p_now * shape.local);
 	}
 }

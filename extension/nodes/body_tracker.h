@@ -109,5 +109,7 @@ private:
 // Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
 // (planes, rays, ground meshes).
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
+// Takes the scale of p_basis into the shape: poses hold rotation only.
+void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 
 } // namespace grass

@@ -5,6 +5,8 @@
 
 #include "core/clump.h"
 #include "core/lod.h"
+#include "core/map/growth.h"
+#include "core/map/recovery.h"
 #include "core/patch.h"
 #include "core/solver_params.h"
 #include "core/tile_grid.h"
@@ -20,20 +22,26 @@ namespace grass {
 inline constexpr Tunable FIELD_SIZE{ "size", "m", 0.1, 16384.0, 0.1, 32.0 };
 // A tile holds 64 blades, so this decides its side: 256 gives 0.5 m. Meadow 150 to 400, lawn 400 to 1500.
 inline constexpr Tunable DENSITY{ "density", "blades/m\u00b2", TileGrid::MIN_DENSITY, TileGrid::MAX_DENSITY, 1.0, 256.0 };
-// Tiles this far outside of the view are still drawn, for their shadows. 0: shadows pop at the picture's edge.
+// Tiles this far outside of the view still cast shadows, whatever the light; those whose shadow a directional light throws into
+// it do anyway. 0: shadows by other lights pop at the picture's edge.
 inline constexpr Tunable SHADOW_MARGIN{ "shadow_margin", "m", 0.0, 50.0, 0.1, 2.0 };
+// Tiles farther from the camera cast no shadow. 0: none does. Beyond 150 shadow maps are coarser than tiles.
+inline constexpr Tunable SHADOW_DISTANCE{ "shadow_distance", "m", 0.0, 1000.0, 1.0, 60.0 };
 
 // What must follow when a number changes.
 enum class Effect {
 	REBUILD, // the field is made anew
 	STEP, // read at the next tick
-	UNIFORM, // handed to the blade shader under the property's own name
+	UNIFORM, // handed to the shaders under the property's own name; the next frame reads it, too
 	WIND, // handed to the blade shader with the other numbers of the wind
 	VIEW, // read at the next frame
 };
 
 enum FieldParamId {
 	PARAM_DENSITY,
+	PARAM_FOLLOW_SLOPE,
+	PARAM_REGROWTH,
+	PARAM_WEAR_RECOVERY,
 	PARAM_CLUMP_SIZE,
 	PARAM_CLUMP_HEIGHT,
 	PARAM_CLUMP_LEAN,
@@ -58,11 +66,12 @@ enum FieldParamId {
 	PARAM_SHEEN,
 	PARAM_GLOSS,
 	PARAM_LOD_FAR,
-	PARAM_LOD_FINE,
-	PARAM_LOD_MEDIUM,
-	PARAM_SHADOW_MARGIN,
-	PARAM_THIN_WIDENING,
+	PARAM_LOD_ERROR,
 	PARAM_PIXELS_MIN,
+	PARAM_THIN_WIDENING,
+	PARAM_SHADOW_DISTANCE,
+	PARAM_SHADOW_COARSENESS,
+	PARAM_SHADOW_MARGIN,
 	PARAM_COUNT,
 };
 
@@ -75,6 +84,9 @@ struct FieldParam {
 
 inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
+	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
+	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },
+	FieldParam{ PARAM_WEAR_RECOVERY, WEAR_RECOVERY, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_HEIGHT, CLUMP_HEIGHT, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_LEAN, CLUMP_LEAN, Effect::REBUILD, "Clumps" },
@@ -99,11 +111,12 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_SHEEN, SHEEN, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_GLOSS, GLOSS, Effect::UNIFORM, "Look" },
 	FieldParam{ PARAM_LOD_FAR, LOD_FAR, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_LOD_FINE, LOD_FINE, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_LOD_MEDIUM, LOD_MEDIUM, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_SHADOW_MARGIN, SHADOW_MARGIN, Effect::VIEW, "Level of Detail" },
-	FieldParam{ PARAM_THIN_WIDENING, THIN_WIDENING, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_LOD_ERROR, LOD_ERROR, Effect::VIEW, "Level of Detail" },
 	FieldParam{ PARAM_PIXELS_MIN, PIXELS_MIN, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_THIN_WIDENING, THIN_WIDENING, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_SHADOW_DISTANCE, SHADOW_DISTANCE, Effect::UNIFORM, "Level of Detail" },
+	FieldParam{ PARAM_SHADOW_COARSENESS, SHADOW_COARSENESS, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_SHADOW_MARGIN, SHADOW_MARGIN, Effect::VIEW, "Level of Detail" },
 };
 
 // The table is indexed by id.

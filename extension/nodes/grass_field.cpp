@@ -7,15 +7,12 @@
 #include "convert.h"
 #include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
+#include "nodes/field_view.h"
 #include "nodes/params.h"
 
-#include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 using namespace godot;
 
@@ -70,6 +67,9 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
+	_in_grass.clear();
+	_field_map.reset();
+	_map_textures.free();
 	_tiles.reset();
 }
 
@@ -92,9 +92,13 @@ void GrassField::build() {
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
 	_setup.seed = uint32_t(_seed);
-	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed;
-	_bounds = same_blades ? std::make_shared<const TileBounds>(*_bounds, _setup.grid)
-						  : std::make_shared<const TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_setup.is_mapped = _map.is_valid();
+	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
+			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	build_map();
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -110,9 +114,10 @@ void GrassField::build() {
 		make_backend();
 	}
 	if (_backend) {
-		_ground.create(_setup.grid);
+		_ground.create(_setup.grid, _setup.is_mapped);
 		follow();
 		set_all_uniforms();
+		update_map();
 	}
 	_build_ms = clock.lap();
 }
@@ -138,24 +143,33 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	CpuClock clock;
+	recover(p_delta);
+	update_map();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
-	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height), real_t(0.5 * _setup.grid.get_size_z() + height));
+	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
+			real_t(0.5 * _setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
 	_tracker.collect(transform, p_delta, _colliders);
+	_node_colliders.collect(transform, _colliders);
 	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.update(p_delta, _colliders);
 	_tiles_ms = clock.lap();
-	if (_tiles.get_slots().empty()) {
-		return; // nothing is awake: no dispatch, no upload
+	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
+		step(p_delta);
 	}
+	tell_of_bodies();
+}
+
+void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
+	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
@@ -177,7 +191,7 @@ void GrassField::frame(double p_delta) {
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _has_ground);
+	_ground.follow(this, transform, _has_ground && ground_reach() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
@@ -187,6 +201,7 @@ void GrassField::_before_draw() {
 		return;
 	}
 	CpuClock clock;
+	update_map();
 	follow();
 	choose_view();
 	_frame_ms = clock.lap();
@@ -196,25 +211,22 @@ void GrassField::choose_view() {
 	if (!is_visible_in_tree()) {
 		return;
 	}
-	Camera3D *camera = find_camera();
-	if (camera == nullptr || camera->get_viewport()->is_3d_disabled()) {
-		return;
-	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
 	FieldView view;
-	const TypedArray<Plane> planes = camera->get_frustum();
-	for (int i = 0; i < 6 && i < planes.size(); i++) {
-		const Eigen::Vector4d plane = to_eigen(Plane(planes[i]));
-		const Eigen::Vector3d normal = plane.head<3>();
-		view.planes[size_t(i)].head<3>() = (field.linear().transpose() * normal).cast<float>();
-		view.planes[size_t(i)].w() = float(plane.w() - normal.dot(field.translation()));
+	view.cameras = find_cameras(this, field);
+	if (view.cameras.empty()) {
+		return;
 	}
-	view.eye = (field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin)).cast<float>();
-	view.lod = LodParams{ float(camera->get_near()), float(param(PARAM_LOD_FAR)), float(param(PARAM_LOD_FINE)),
-		float(param(PARAM_LOD_MEDIUM)) }
-					   .sanitised();
-	view.shadow_margin = get_cast_shadows_setting() == SHADOW_CASTING_SETTING_OFF ? 0.0f : float(param(PARAM_SHADOW_MARGIN));
-	view.debug_view = _debug_view;
+	view.lod.far = float(param(PARAM_LOD_FAR));
+	view.lod.error = float(param(PARAM_LOD_ERROR));
+	view.lod.pixels_min = float(param(PARAM_PIXELS_MIN));
+	view.lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
+	view.lod = view.lod.sanitised();
+	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
+		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
+		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
+		view.falls = find_falls(this, field, _setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
+	}
 	_backend->draw(view);
 }
 
@@ -234,14 +246,6 @@ Transform3D GrassField::field_transform() const {
 		turned.basis.scale_local(Vector3(-1, 1, 1));
 	}
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
-}
-
-Camera3D *GrassField::find_camera() const {
-	if (Engine::get_singleton()->is_editor_hint() && get_tree()->get_edited_scene_root() != nullptr) {
-		SubViewport *viewport = EditorInterface::get_singleton()->get_editor_viewport_3d(0);
-		return viewport == nullptr ? nullptr : viewport->get_camera_3d();
-	}
-	return get_viewport()->get_camera_3d();
 }
 
 // A field without a patch of its own shares one with all others.
@@ -266,7 +270,9 @@ TileParams GrassField::tile_params() const {
 	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.is_mapped = _field_map != nullptr;
 	params.seed = _setup.seed;
 	return params;
 }

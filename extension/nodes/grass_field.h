@@ -4,20 +4,24 @@
 #pragma once
 
 #include "backend/backend.h"
+#include "core/map/field_map.h"
 #include "core/tiles.h"
 #include "draw/ground.h"
+#include "draw/map_textures.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_monitors.h"
 #include "nodes/field_params.h"
+#include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
+#include "nodes/node_colliders.h"
 
-#include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace grass {
@@ -50,6 +54,8 @@ public:
 	godot::Vector2 get_size() const { return _size; }
 	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
+	godot::Ref<GrassMap> get_map() const { return _map; }
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
@@ -91,6 +97,20 @@ public:
 	godot::Dictionary get_statistics() const;
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
 
+	// grass_field_game.cpp: what a game asks of the grass and does to it. Places are global.
+	bool is_grass_at(const godot::Vector3 &p_global_position);
+	double density_at(const godot::Vector3 &p_global_position); // share of the blades that stand, 0..1
+	double height_at(const godot::Vector3 &p_global_position); // of the grass at rest, metres
+	// How far the tips around are from rest, on average: global axes, shares of the blades' lengths.
+	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
+	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
+	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
+	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
+	void unregister_collider(godot::Node3D *p_node);
+
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
 
@@ -106,18 +126,35 @@ private:
 	void make_backend();
 	void request_rebuild();
 	void physics_tick(double p_delta);
+	void step(double p_delta);
 	void frame(double p_delta);
 	void follow();
 	void _before_draw();
 	void choose_view();
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
+	// grass_field_map.cpp
+	void build_map();
+	void update_map();
+	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
+	std::span<const SlotGrowth> grow_tiles();
+	double ground_reach() const;
+	double ground_range() const;
+	// grass_field_game.cpp
+	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
+	Growth growth_at(const Eigen::Vector3d &p_place) const;
+	GrassKind grass_kind() const;
+	GrassMap *find_map(const char *p_method);
+	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
+			std::optional<Footprint> &r_footprint) const;
+	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
+	void recover(double p_delta);
+	void tell_of_bodies();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
 	void set_wind_uniforms();
 	void set_wind_clock();
 	godot::Transform3D field_transform() const; // global, without scale
-	godot::Camera3D *find_camera() const;
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
@@ -128,6 +165,7 @@ private:
 
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
+	godot::Ref<GrassMap> _map;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);
@@ -146,10 +184,19 @@ private:
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
-	std::shared_ptr<const TileBounds> _bounds;
+	std::shared_ptr<TileBounds> _bounds;
+	std::unique_ptr<FieldMap> _field_map; // null: no map
+	MapTextures _map_textures;
+	bool _map_has_changed = false;
+	MapRegion _changed_region; // where
+	TileRange _regrown; // tiles below which the map changed since the last tick
+	std::vector<SlotGrowth> _growth; // of this tick
 	TileManager _tiles;
 	StepClock _clock;
 	BodyTracker _tracker;
+	NodeColliders _node_colliders;
+	std::vector<uint64_t> _in_grass; // instance ids of the bodies that met grass in the last tick, rising
+	Recovery _recovery;
 	std::vector<ColliderShape> _colliders;
 };
 

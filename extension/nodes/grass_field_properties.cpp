@@ -89,6 +89,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 void GrassField::set_debug_view(DebugView p_view) {
 	ERR_FAIL_INDEX_MSG(int(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
 	_debug_view = p_view;
+	set_uniform("debug_view", int64_t(p_view));
 }
 
 void GrassField::set_measure_time(bool p_measure) {
@@ -167,6 +168,7 @@ void GrassField::set_all_uniforms() {
 	set_uniform("tile_size", grid.get_tile_size());
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
+	set_uniform("debug_view", int64_t(_debug_view));
 	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
@@ -219,6 +221,9 @@ void GrassField::_bind_methods() {
 	add_numbers("Field");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
+	ADD_GROUP("Map", "");
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
+	add_numbers("Map");
 	ADD_GROUP("Clumps", "");
 	add_numbers("Clumps");
 	ADD_GROUP("Simulation", "");
@@ -257,6 +262,22 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
+
+	ClassDB::bind_method(D_METHOD("is_grass_at", "global_position"), &GrassField::is_grass_at);
+	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::density_at);
+	ClassDB::bind_method(D_METHOD("height_at", "global_position"), &GrassField::height_at);
+	ClassDB::bind_method(D_METHOD("bend_at", "global_position"), &GrassField::bend_at);
+	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassField::cut);
+	ClassDB::bind_method(
+			D_METHOD("get_mown_share", "shape", "transform"), &GrassField::get_mown_share, DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
+	ClassDB::bind_method(D_METHOD("regrow", "height", "wear", "shape", "transform"), &GrassField::regrow, DEFVAL(0.0),
+			DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
+	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassField::paint);
+	ClassDB::bind_method(D_METHOD("trample", "global_position", "radius", "amount"), &GrassField::trample);
+	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
+	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
+	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
+	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 
 	BIND_ENUM_CONSTANT(BACKEND_AUTO);
 	BIND_ENUM_CONSTANT(BACKEND_CPU);

@@ -63,7 +63,10 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 	const Eigen::Vector2f in_tile = texel(0).head<2>();
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile,
 			Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
-	const Clump clump = clump_at(place, _setup.clump);
+	FieldMap::BladePose pose{ clump_at(place, _setup.clump) };
+	if (_field_map) {
+		pose = _field_map->get_pose(p_tile.x, p_tile.y, blade);
+	}
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
@@ -71,10 +74,10 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
 	const Eigen::Vector2d offset = (in_tile.cast<double>().array() - 0.5) * grid.get_tile_size();
-	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), 0.0, offset.y());
+	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, clump) : simulated[size_t(knot)];
+		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, pose.clump) : simulated[size_t(knot)];
 		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
 	}
 	return result;
@@ -82,7 +85,8 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 
 int64_t GrassField::get_memory_usage() const {
 	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
-	return int64_t(tiles) + (_backend ? _backend->get_memory_usage() : 0);
+	const int64_t map = _field_map ? int64_t(_field_map->get_memory_usage()) + _map_textures.get_memory_usage() : 0;
+	return map + int64_t(tiles) + (_backend ? _backend->get_memory_usage() : 0);
 }
 
 double GrassField::get_monitor(FieldMonitor p_monitor) {
@@ -120,17 +124,19 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 Dictionary GrassField::get_statistics() const {
 	const TileStatistics &tiles = _tiles.get_statistics();
 	const BackendStatistics backend = _backend ? _backend->get_statistics() : BackendStatistics();
-	int64_t drawn_tiles = 0, drawn_blades = 0, drawn_triangles = 0;
-	for (int level = 0; level < GRASS_LOD_LEVELS; level++) {
+	std::array<int64_t, 2> drawn_tiles{}, drawn_triangles{}; // in the picture, in shadows
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
 		const int64_t count = backend.drawn_tiles[size_t(level)];
-		drawn_tiles += count;
-		drawn_blades += count * lod_blades(level);
-		drawn_triangles += count * lod_blades(level) * lod_triangles_per_blade(level);
+		drawn_tiles[list] += count;
+		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level);
 	}
 	Dictionary result;
 	result["backend"] = _backend ? _backend->get_name() : "none";
 	result["tiles"] = _backend ? int64_t(_setup.grid.get_tile_count()) : int64_t(0);
 	result["blades"] = get_blade_count();
+	result["bare_tiles"] = _field_map ? int64_t(_field_map->get_cover()->get_bare_count()) : int64_t(0);
+	result["map_bytes"] = _map_textures.get_uploaded_bytes();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -150,9 +156,12 @@ Dictionary GrassField::get_statistics() const {
 	result["simulated_blades"] = backend.simulated_blades;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["culls"] = backend.culls;
-	result["drawn_tiles"] = drawn_tiles;
-	result["drawn_blades"] = drawn_blades;
-	result["drawn_triangles"] = drawn_triangles;
+	result["drawn_tiles"] = drawn_tiles[0];
+	result["drawn_blades"] = backend.drawn_blades;
+	result["drawn_triangles"] = drawn_triangles[0];
+	result["shadow_tiles"] = drawn_tiles[1];
+	result["shadow_blades"] = backend.shadow_blades;
+	result["shadow_triangles"] = drawn_triangles[1];
 	result["gather_ms"] = _gather_ms;
 	result["tiles_ms"] = _tiles_ms;
 	result["management_ms"] = _gather_ms + _tiles_ms;
@@ -170,7 +179,7 @@ AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	setup.patch = find_patch();
-	return field_bounds(setup);
+	return field_bounds(setup, _field_map ? _field_map->get_cover().get() : nullptr);
 }
 
 PackedStringArray GrassField::_get_configuration_warnings() const {

@@ -23,6 +23,15 @@ bool GrassMap::is_usable() const {
 }
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed) {
+	Rect2 region;
+	for (const MapKey &key : p_changed) {
+		const Rect2 chunk(Vector2(key.x, key.z) * MAP_CHUNK_SIZE, Vector2(1, 1) * MAP_CHUNK_SIZE);
+		region = key == p_changed.front() ? chunk : region.merge(chunk);
+	}
+	tell(p_changed, region);
+}
+
+void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
 	if (p_changed.empty()) {
 		return;
 	}
@@ -30,7 +39,23 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 	for (const MapKey &key : p_changed) {
 		chunks.push_back(Vector2i(key.x, key.z));
 	}
-	emit_signal("chunks_changed", chunks);
+	emit_signal("chunks_changed", chunks, p_region);
+	emit_changed();
+}
+
+void GrassMap::tell(const BrushResult &p_result) {
+	if (p_result.out_of_room) {
+		WARN_PRINT(vformat("%s: some of what was painted is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
+				label(), int64_t(PaintMap::MAX_CHUNKS)));
+	}
+	const Eigen::Vector2d size = p_result.max - p_result.min;
+	tell(p_result.changed, Rect2(to_godot(p_result.min), to_godot(size)));
+}
+
+// Everywhere.
+void GrassMap::tell_all() {
+	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
+	emit_signal("chunks_changed", get_chunks(), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
 	emit_changed();
 }
 
@@ -38,8 +63,7 @@ void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
 	if (is_usable()) {
 		_map.set_base_density(checked(BASE_DENSITY, p_density, label()));
-		emit_signal("chunks_changed", get_chunks());
-		emit_changed();
+		tell_all();
 	}
 }
 
@@ -50,7 +74,11 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 		return String(reason.c_str());
 	}
 	_unread.clear();
-	tell(_map.compare(before));
+	if (before.get_base_density() != _map.get_base_density()) {
+		tell_all();
+	} else {
+		tell(_map.compare(before));
+	}
 	return String();
 }
 
@@ -67,16 +95,30 @@ PackedByteArray GrassMap::get_data() const {
 }
 
 BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
-	if (!is_usable()) {
-		return {};
-	}
-	const BrushResult result = apply_brush(_map, p_shape, p_brush);
-	if (result.out_of_room) {
-		WARN_PRINT(vformat("%s: some of a stroke is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
-				label(), int64_t(PaintMap::MAX_CHUNKS)));
-	}
-	tell(result.changed);
-	return result;
+	return change([&](PaintMap &r_map) { return apply_brush(r_map, p_shape, p_brush); });
+}
+
+bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
+	ERR_FAIL_COND_V_MSG(p_heights.is_null() || p_heights->is_empty(), false,
+			vformat("%s: set_ground() needs an image of heights in metres, in its red channel.", label()));
+	ERR_FAIL_COND_V_MSG(p_heights->is_compressed(), false,
+			vformat("%s: set_ground() cannot read a compressed image. Call decompress() on it, or use FORMAT_RF.", label()));
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), false,
+			vformat("%s: set_ground() needs a region with a width and a depth, in metres.", label()));
+	const int32_t width = p_heights->get_width(), depth = p_heights->get_height();
+	const auto texel = [&](double p_i, double p_j) {
+		return double(p_heights->get_pixel(int32_t(std::clamp(p_i, 0.0, width - 1.0)), int32_t(std::clamp(p_j, 0.0, depth - 1.0))).r);
+	};
+	const auto height = [&](const Eigen::Vector2d &p_place) {
+		const Eigen::Array2d share = (p_place - to_eigen(p_region.position)).array() / to_eigen(p_region.size).array();
+		const Eigen::Array2d at = share * Eigen::Array2d(width, depth) - 0.5, corner = at.floor(), t = at - corner;
+		const double near_row = texel(corner.x(), corner.y()) * (1.0 - t.x()) + texel(corner.x() + 1.0, corner.y()) * t.x();
+		const double far_row = texel(corner.x(), corner.y() + 1.0) * (1.0 - t.x()) + texel(corner.x() + 1.0, corner.y() + 1.0) * t.x();
+		return near_row * (1.0 - t.y()) + far_row * t.y();
+	};
+	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	const LaidGround laid = change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
+	return laid.asked > laid.missing;
 }
 
 double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {
@@ -105,8 +147,13 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
 	if (is_usable()) {
 		const std::vector<MapKey> changed = _map.compare(p_snapshot->map);
+		const bool is_everywhere = _map.get_base_density() != p_snapshot->map.get_base_density();
 		_map = p_snapshot->map;
-		tell(changed);
+		if (is_everywhere) {
+			tell_all();
+		} else {
+			tell(changed);
+		}
 	}
 }
 
@@ -132,6 +179,7 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_data"), &GrassMap::get_data);
 	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
+	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
@@ -143,7 +191,8 @@ void GrassMap::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR), "set_base_density",
 			"get_base_density");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_data", "get_data");
-	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i")));
+	ADD_SIGNAL(MethodInfo("chunks_changed", PropertyInfo(Variant::ARRAY, "chunks", PROPERTY_HINT_ARRAY_TYPE, "Vector2i"),
+			PropertyInfo(Variant::RECT2, "region", PROPERTY_HINT_NONE, "suffix:m")));
 
 	BIND_ENUM_CONSTANT(CHANNEL_DENSITY);
 	BIND_ENUM_CONSTANT(CHANNEL_HEIGHT);

@@ -4,8 +4,10 @@
 #pragma once
 
 #include "core/map/brush.h"
+#include "core/map/lay_ground.h"
 #include "nodes/grass_brush.h"
 
+#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -47,6 +49,8 @@ public:
 	// Places are x, z in metres from the field's centre. What changed, in the units of BrushResult::amount.
 	double stroke(const godot::Ref<GrassBrush> &p_brush, const godot::Vector2 &p_from, const godot::Vector2 &p_to);
 	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const;
+	// The ground's shape, from heights in metres (red channel) over a rectangle of places; false if nothing could be read.
+	bool set_ground(const godot::Ref<godot::Image> &p_heights, const godot::Rect2 &p_region);
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
 	void clear();
@@ -59,13 +63,25 @@ public:
 	godot::String read(const godot::PackedByteArray &p_bytes);
 	// Does it on the map, and tells who listens.
 	BrushResult apply(const MapShape &p_shape, const Brush &p_brush);
+	// Does whatever p_change does to the map, and tells who listens. p_change returns a BrushResult, or what derives from it.
+	template <typename F> auto change(F &&p_change) {
+		decltype(p_change(_map)) result;
+		if (is_usable()) {
+			result = p_change(_map);
+			tell(result);
+		}
+		return result;
+	}
 
 protected:
 	static void _bind_methods();
 
 private:
 	bool is_usable() const;
-	void tell(const std::vector<MapKey> &p_changed);
+	void tell(const BrushResult &p_result);
+	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
+	void tell(const std::vector<MapKey> &p_changed); // of whole chunks
+	void tell_all();
 	godot::String label() const; // for messages
 
 	PaintMap _map;

@@ -96,7 +96,7 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	]).to_byte_array()
 
 
-## Slots (all fresh), knots, knots before, patch, pool texture, energy, tile table.
+## Slots (all fresh), knots, knots before, patch, its sampler, pool texture, energy and bend, tile table, growth (no tile has a map).
 func _shared_resources(p_tiles: int) -> Array[RID]:
 	var pool := p_tiles * 3 * FREE_KNOTS * BLADES * 4
 	var patch := RDTextureFormat.new()
@@ -116,8 +116,9 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 		_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
 		_device.sampler_create(RDSamplerState.new()),
 		_device.texture_create(pool_texture, RDTextureView.new()),
+		_device.storage_buffer_create(p_tiles * 16),
 		_device.storage_buffer_create(p_tiles * 4),
-		_device.storage_buffer_create(p_tiles * 4),
+		_device.storage_buffer_create(16),
 	])
 
 
@@ -164,8 +165,8 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_colliders: int, p_phase:
 		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
 	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
 	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
-	uniforms.append(_uniform(8, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6]]))
-	uniforms.append(_uniform(9, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[7]]))
+	for i in 3:
+		uniforms.append(_uniform(8 + i, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 

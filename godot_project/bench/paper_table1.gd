@@ -10,10 +10,11 @@ const FILE := "paper_table1.csv"
 const TILES: Dictionary[String, Vector2i] = { "2K": Vector2i(64, 32), "4K": Vector2i(64, 64), "8K": Vector2i(128, 64), "16K": Vector2i(128, 128) }
 const TILE := 0.5 # metres
 const BLADES: Array[int] = [64, 128, 256, 512] # a tile
-## none: every blade with 15 segments. blades: fewer far away, as in the paper. all: fewer segments, too; the default.
+## none: every blade with 15 segments. blades: fewer far away, as in the paper. all: fewer where they
+## are thin, and fewer segments, too; the default.
 const LODS: Dictionary[String, Dictionary] = {
-	"none": { lod_far = 10000.0, lod_fine = 1000.0, lod_medium = 1000.0 },
-	"blades": { lod_fine = 1000.0, lod_medium = 1000.0 },
+	"none": { lod_far = 10000.0, lod_error = 0.0, pixels_min = 0.0 },
+	"blades": { lod_error = 0.0, pixels_min = 0.0 },
 	"all": {},
 }
 

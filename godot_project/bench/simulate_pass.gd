@@ -63,12 +63,13 @@ func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: Rend
 	var pool_texture := _texture(RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT, p_knots * BLADES, p_tiles, RenderingDevice.TEXTURE_USAGE_STORAGE_BIT, [offsets])
 	var sampler := device.sampler_create(RDSamplerState.new())
 	_made.append(sampler)
-	var energy := _buffer(p_tiles * 4)
+	var energy := _buffer(p_tiles * 16) # and bends
 	var table := _buffer(p_tiles * 4)
+	var growth := _buffer(16) # no tile has a map
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
-	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table]]
+	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table], [growth]]
 	for binding in bound.size():
 		var type := RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER
 		if bound[binding].has(patch):

@@ -4,15 +4,19 @@ extends "res://tests/field_case.gd"
 
 var viewport: SubViewport
 var camera: Camera3D
+var picture_size: Vector2i # of the pictures that are compared
 
 
 func before() -> void:
 	open_view(Vector2i(64, 36))
 
 
-func open_view(size: Vector2i) -> void:
+## A view whose pictures have `size`. Each of their pixels is the mean of `finer` x `finer` that are drawn: blades are thinned by
+## the pixels that are drawn, and of those that stay a coarse picture shows too little.
+func open_view(size: Vector2i, finer := 1) -> void:
+	picture_size = size
 	viewport = SubViewport.new()
-	viewport.size = size
+	viewport.size = size * finer
 	viewport.own_world_3d = true
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	add_child(viewport)
@@ -56,8 +60,16 @@ func drawn() -> void:
 ## The viewport's picture as it is now.
 func picture() -> Image:
 	await frames(2)
+	return await next_picture()
+
+
+## The picture of this very frame.
+func next_picture() -> Image:
 	await RenderingServer.frame_post_draw
-	return viewport.get_texture().get_image()
+	var image := viewport.get_texture().get_image()
+	while image.get_width() > picture_size.x:
+		image.shrink_x2()
+	return image
 
 
 ## Share of the pixels that `is_counted` (a function of a Color) is true for.

@@ -50,13 +50,18 @@ layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
 // Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians, which
 // this pass reads again.
 layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict image2D pool_texture;
-// Written here, read by the CPU some frames later: the liveliest blade's energy, by slot, J/kg.
+// Written here, read by the CPU some frames later; by slot: the liveliest blade's energy, J/kg; the tile's bend, [Eq M5].
 layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
-	float slot_energy[];
+	vec4 slot_report[];
 };
 // Slot + 1 of every tile of the field, 0 without one: a new table is all zeros. Written here, read by cull.
 layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
 	int tile_table[];
+};
+// Written by the CPU when a tile of a field with a map wakes, and when the map changes below it; by slot and blade: factor
+// on the length; lean x, z; ground under the root, metres.
+layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer GrowthBuffer {
+	vec4 blade_growth[];
 };
 
 // This thread's blade.
@@ -145,14 +150,23 @@ TileCollider tile_collider(uint p_entry) {
 #include "compute/solve.inc"
 
 shared uint liveliest; // the bits of a float that is not negative order as the float does
+shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
+const float BEND_UNITS = 65536.0;
 
 void find_blade(uint p_blade) {
 	int blade = int(slot.list.x + p_blade);
 	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
-	clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
-	root = vec3((place.x - 0.5) * step.field.x, 0.0, (place.y - 0.5) * step.field.x);
+	float ground = 0.0;
+	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+		vec4 growth = blade_growth[slot.tile.w * GRASS_BLADES_PER_TILE + int(p_blade)];
+		clump = GrassClump(growth.x, growth.yz, 0.0);
+		ground = growth.w;
+	} else {
+		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
+	}
+	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
@@ -177,6 +191,13 @@ void load_rest() {
 	knots[1] = rest_of(1);
 }
 
+// [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
+vec3 measure_bend() {
+	const int tip = GRASS_KNOTS - 1;
+	float reach = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
+	return clamp((start_of(tip) - rest_of(tip)) / reach, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
+}
+
 void main() {
 	slot = slots[gl_WorkGroupID.x];
 	uint blade = gl_LocalInvocationID.x;
@@ -194,11 +215,17 @@ void main() {
 
 	if (blade == 0u) {
 		liveliest = 0u;
+		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
 	barrier();
 	atomicMax(liveliest, floatBitsToUint(energy));
+	vec3 bend = measure_bend() * BEND_UNITS;
+	for (int c = 0; c < 3; c++) {
+		atomicAdd(bend_sum[c], int(round(bend[c])));
+	}
 	barrier();
 	if (blade == 0u) {
-		slot_energy[slot.tile.w] = uintBitsToFloat(liveliest);
+		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
+		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
 	}
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 // shaders/shared/lod.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
 namespace twin {
@@ -26,6 +27,15 @@ vec3 abs(vec3 p_a) {
 }
 float clamp(double p_value, double p_min, double p_max) {
 	return float(std::clamp(p_value, p_min, p_max));
+}
+float min(double p_a, double p_b) {
+	return float(std::min(p_a, p_b));
+}
+float max(double p_a, double p_b) {
+	return float(std::max(p_a, p_b));
+}
+float sqrt(double p_value) {
+	return float(std::sqrt(p_value));
 }
 
 #include "../../shaders/shared/lod.inc"
@@ -49,6 +59,16 @@ Frustum make_frustum(const Eigen::Vector3f &p_eye, float p_near, float p_far) {
 }
 
 const Eigen::Vector3f TILE(0.25f, 0.5f, 0.25f);
+const Eigen::Vector3f NO_FALL = Eigen::Vector3f::Zero();
+const BladeSize BLADE{ 0.015f, 0.5f };
+constexpr float PIXEL_SLOPE = 0.00142f; // metres in a pixel a metre away: 1080 lines, 75 degrees
+
+// What a tile needs at p_distance.
+LodNeed need_at(const LodParams &p_params, float p_distance) {
+	LodNeed need;
+	need.add(p_params, BLADE, p_distance, 0.05f, PIXEL_SLOPE * p_distance);
+	return need;
+}
 
 } // namespace
 
@@ -66,64 +86,118 @@ TEST_CASE("lod: L(z) is the paper's line, full at the near plane, never below an
 	}
 }
 
-TEST_CASE("lod: the level's mesh always holds the blades, and is the smallest that does") {
-	const LodParams params;
-	int level_before = 0;
-	for (int i = 0; i < 4000; i++) {
-		const float distance = 0.05f * float(i);
-		const float blades = grass_lod_blades(distance, params.near, params.far);
-		const int level = grass_lod_level(blades, distance, params.fine, params.medium);
-		REQUIRE(level >= level_before);
-		REQUIRE(level < GRASS_LOD_LEVELS);
-		const LodLevel mesh = get_lod_level(level);
-		REQUIRE(float(mesh.blades) >= blades);
-		REQUIRE((mesh.blades == 16 || 0.5f * float(mesh.blades) < blades));
-		level_before = level;
+TEST_CASE("lod: blades that would be thinner than pixels are fewer, and cover as much") {
+	CHECK(grass_lod_blades_of_width(0.015f, 0.0f) == 64.0f);
+	CHECK(grass_lod_blades_of_width(0.015f, 0.005f) == 64.0f);
+	CHECK(grass_lod_blades_of_width(0.015f, 100.0f) == 1.0f);
+	for (const float least : { 0.01f, 0.02f, 0.05f, 0.2f }) {
+		const float blades = grass_lod_blades_of_width(0.015f, least);
+		CHECK(blades * least == doctest::Approx(64.0 * 0.015 * GRASS_LOD_FACING));
 	}
-	CHECK(level_before == 4);
 }
 
-TEST_CASE("lod: segments fall with the distance") {
-	CHECK(get_lod_level(grass_lod_level(64.0f, 7.9f, 8.0f, 20.0f)).segments == 15);
-	CHECK(get_lod_level(grass_lod_level(64.0f, 8.0f, 8.0f, 20.0f)).segments == 7);
-	CHECK(get_lod_level(grass_lod_level(64.0f, 20.0f, 8.0f, 20.0f)).segments == 3);
-	CHECK(grass_lod_level(32.0f, 1.0f, 8.0f, 20.0f) == 3);
-	CHECK(grass_lod_level(32.1f, 1.0f, 8.0f, 20.0f) == 0);
-	CHECK(grass_lod_level(16.0f, 1.0f, 8.0f, 20.0f) == 4);
+TEST_CASE("lod: the level's mesh always holds the blades, has the segments, and is the smallest such one") {
+	for (const auto &[first, end] : { std::pair(0, GRASS_LOD_LEVELS), std::pair(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS) }) {
+		for (const int segments : { 1, 3, 7, 15 }) {
+			if (segments > get_lod_level(first).segments) {
+				continue;
+			}
+			for (float blades = 1.0f; blades <= 64.0f; blades += 0.25f) {
+				const int level = grass_lod_level(blades, segments, first, end);
+				REQUIRE(level >= first);
+				REQUIRE(level < end);
+				const LodLevel mesh = get_lod_level(level);
+				REQUIRE(mesh.segments == segments);
+				REQUIRE(float(mesh.blades) >= blades);
+				const bool has_smaller = level + 1 < end && get_lod_level(level + 1).segments == segments;
+				REQUIRE((!has_smaller || float(get_lod_level(level + 1).blades) < blades));
+			}
+		}
+	}
 }
 
-TEST_CASE("lod: a very far far plane and segment distances switch it off") {
-	CHECK(grass_lod_level(grass_lod_blades(5000.0f, 0.1f, 1e30f), 5000.0f, 1e30f, 1e30f) == 0);
+TEST_CASE("lod: with the distance blades and segments fall and never jump") {
+	const LodParams params;
+	LodNeed before = need_at(params, 0.1f);
+	CHECK(before.blades == doctest::Approx(64.0).epsilon(0.01));
+	CHECK(grass_lod_segments(before.segments) == 15);
+	for (int i = 1; i < 8000; i++) {
+		const LodNeed need = need_at(params, 0.1f + 0.05f * float(i));
+		REQUIRE(need.blades <= before.blades);
+		REQUIRE(need.segments <= before.segments);
+		REQUIRE(before.blades - need.blades < 1.0f);
+		const int segments = grass_lod_segments(need.segments), segments_before = grass_lod_segments(before.segments);
+		const float morph = grass_lod_morph(need.segments, segments), morph_before = grass_lod_morph(before.segments, segments_before);
+		if (segments == segments_before) {
+			REQUIRE(morph >= morph_before);
+		} else { // the rows have met where the coarser mesh takes over, and it begins unchanged
+			REQUIRE(morph_before > 0.9f);
+			REQUIRE(morph < 0.1f);
+		}
+		before = need;
+	}
+	CHECK(grass_lod_segments(before.segments) == 1);
+	CHECK(before.blades < 4.0f);
+}
+
+TEST_CASE("lod: what the tile shows is whole at both ends and rises with what it needs") {
+	for (const float hash : { 0.0f, 0.3f, 0.999f }) {
+		CHECK(grass_lod_shown(64.0f, hash) == 64.0f);
+		CHECK(grass_lod_shown(1.0f, hash) == 1.0f);
+		float before = 1.0f;
+		for (float blades = 1.0f; blades <= 64.0f; blades += 0.125f) {
+			const float shown = grass_lod_shown(blades, hash);
+			CHECK(shown >= before);
+			CHECK(std::abs(shown - blades) <= 0.5f);
+			before = shown;
+		}
+	}
+}
+
+TEST_CASE("lod: without a least width and an error it is switched off") {
+	LodParams params;
+	params.far = 1e30f;
+	params.pixels_min = params.error = 0.0f;
+	const LodNeed need = need_at(params, 5000.0f);
+	CHECK(need.blades == 64.0f);
+	CHECK(grass_lod_segments(need.segments) == 15);
+}
+
+TEST_CASE("lod: the camera that needs most counts") {
+	LodNeed both = need_at(LodParams(), 80.0f);
+	both.add(LodParams(), BLADE, 3.0f, 0.05f, 3.0f * PIXEL_SLOPE);
+	both.add(LodParams(), BLADE, 40.0f, 0.05f, 40.0f * PIXEL_SLOPE);
+	CHECK(both.blades == need_at(LodParams(), 3.0f).blades);
+	CHECK(both.segments == need_at(LodParams(), 3.0f).segments);
 }
 
 TEST_CASE("lod: parameters are mended") {
 	const float nan = std::numeric_limits<float>::quiet_NaN();
 	const LodParams params = LodParams{ nan, -1.0f, nan, -5.0f }.sanitised();
-	CHECK(params.near == 0.0f);
 	CHECK(params.far == 0.001f);
-	CHECK(params.fine == 0.0f);
-	CHECK(params.medium == 0.0f);
-	CHECK(LodParams{ 0.0f, 1.0f, 9.0f, 3.0f }.sanitised().medium == 9.0f);
+	CHECK(params.error == 0.0f);
+	CHECK(params.pixels_min == 0.0f);
+	CHECK(params.shadow_coarseness == 1.0f);
 }
 
 TEST_CASE("lod: a tile is seen in front of the camera, not behind, beside, beyond it") {
 	const Frustum frustum = make_frustum({ 0.0f, 1.0f, 10.0f }, 0.1f, 100.0f);
-	CHECK(grass_tile_visible(frustum, { 0.0f, 0.5f, 0.0f }, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 0.5f, 11.0f }, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 0.5f, -91.0f }, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, { 11.0f, 0.5f, 0.0f }, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, { -11.0f, 0.5f, 0.0f }, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 30.0f, 0.0f }, TILE, 0.0f));
+	CHECK(grass_tile_visible(frustum, { 0.0f, 0.5f, 0.0f }, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 0.5f, 11.0f }, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 0.5f, -91.0f }, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, { 11.0f, 0.5f, 0.0f }, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, { -11.0f, 0.5f, 0.0f }, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, { 0.0f, 30.0f, 0.0f }, TILE, 0.0f, NO_FALL));
 }
 
 TEST_CASE("lod: the box's size and the margin count") {
 	const Frustum frustum = make_frustum({ 0.0f, 1.0f, 10.0f }, 0.1f, 100.0f);
 	const Eigen::Vector3f beside(10.4f, 0.5f, 0.0f); // its inner edge at x = 10.15, the view's at 10.25
-	CHECK(grass_tile_visible(frustum, beside, TILE, 0.0f));
-	CHECK_FALSE(grass_tile_visible(frustum, beside, Eigen::Vector3f::Zero(), 0.0f));
+	CHECK(grass_tile_visible(frustum, beside, TILE, 0.0f, NO_FALL));
+	CHECK_FALSE(grass_tile_visible(frustum, beside, Eigen::Vector3f::Zero(), 0.0f, NO_FALL));
 	const Eigen::Vector3f behind(0.0f, 0.5f, 12.0f);
-	CHECK_FALSE(grass_tile_visible(frustum, behind, TILE, 1.5f));
-	CHECK(grass_tile_visible(frustum, behind, TILE, 2.0f));
+	CHECK_FALSE(grass_tile_visible(frustum, behind, TILE, 1.5f, NO_FALL));
+	CHECK(grass_tile_visible(frustum, behind, TILE, 2.0f, NO_FALL));
 }
 
 TEST_CASE("lod: no box with a corner in the view is ever left out") {
@@ -141,7 +215,7 @@ TEST_CASE("lod: no box with a corner in the view is ever left out") {
 				return p_plane.head<3>().dot(point) <= p_plane.w();
 			});
 		}
-		const bool visible = grass_tile_visible(frustum, centre, TILE, 0.0f);
+		const bool visible = grass_tile_visible(frustum, centre, TILE, 0.0f, NO_FALL);
 		seen += has_corner ? 1 : 0;
 		missed += has_corner && !visible ? 1 : 0;
 		left_out += visible ? 0 : 1;
@@ -159,16 +233,56 @@ TEST_CASE("lod: the shaders' twin gives the same") {
 	for (size_t i = 0; i < 6; i++) {
 		planes[i] = { { frustum[i].x(), frustum[i].y(), frustum[i].z() }, frustum[i].w() };
 	}
-	int differing = 0;
+	int differing = 0, seen = 0, seen_by_shadow = 0;
 	for (int i = 0; i < 20000; i++) {
-		const Eigen::Vector3f centre(place(random), 0.5f, place(random));
-		const float distance = distance_of(random), margin = distance * 0.02f;
-		const float blades = grass_lod_blades(distance, 0.05f, 100.0f);
-		differing += std::abs(blades - twin::grass_lod_blades(distance, 0.05f, 100.0f)) < 1e-4f ? 0 : 1;
-		differing += grass_lod_level(blades, distance, 8.0f, 20.0f) == twin::grass_lod_level(blades, distance, 8.0f, 20.0f) ? 0 : 1;
+		const Eigen::Vector3f centre(place(random), 0.5f, place(random)), fall(0.2f * place(random), -1.0f, 0.2f * place(random));
+		const float distance = distance_of(random), margin = distance * 0.02f, hash = distance / 150.0f;
+		const float blades = std::min(grass_lod_blades(distance, 0.05f, 100.0f), grass_lod_blades_of_width(0.015f, 0.002f * distance));
+		const float needed = grass_lod_needed(0.5f, 0.002f * distance), shown = grass_lod_shown(blades, hash);
+		const int segments = grass_lod_segments(needed);
+		const float differences[] = { grass_lod_blades(distance, 0.05f, 100.0f) - twin::grass_lod_blades(distance, 0.05f, 100.0f),
+			grass_lod_blades_of_width(0.015f, 0.002f * distance) - twin::grass_lod_blades_of_width(0.015f, 0.002f * distance),
+			needed - twin::grass_lod_needed(0.5f, 0.002f * distance), shown - twin::grass_lod_shown(blades, hash),
+			grass_lod_morph(needed, segments) - twin::grass_lod_morph(needed, segments) };
+		for (const float difference : differences) {
+			differing += std::abs(difference) < 1e-4f ? 0 : 1;
+		}
+		differing += segments == twin::grass_lod_segments(needed) ? 0 : 1;
+		const int level = grass_lod_level(shown, segments, 0, GRASS_LOD_LEVELS);
+		differing += level == twin::grass_lod_level(shown, segments, 0, GRASS_LOD_LEVELS) ? 0 : 1;
 		const twin::vec3 twin_centre = { centre.x(), centre.y(), centre.z() }, twin_half = { TILE.x(), TILE.y(), TILE.z() };
-		const bool twin_visible = twin::grass_tile_visible(planes, twin_centre, twin_half, margin);
-		differing += grass_tile_visible(frustum, centre, TILE, margin) == twin_visible ? 0 : 1;
+		const twin::vec3 twin_fall = { fall.x(), fall.y(), fall.z() };
+		const bool visible = grass_tile_visible(frustum, centre, TILE, margin, fall);
+		differing += visible == twin::grass_tile_visible(planes, twin_centre, twin_half, margin, twin_fall) ? 0 : 1;
+		seen += grass_tile_visible(frustum, centre, TILE, margin, NO_FALL) ? 1 : 0;
+		seen_by_shadow += visible ? 1 : 0;
 	}
 	CHECK(differing == 0);
+	CHECK(seen_by_shadow > seen);
+}
+
+TEST_CASE("lod: no tile whose shadow falls into the view is left out") {
+	const Frustum frustum = make_frustum({ 3.0f, 1.7f, 4.0f }, 0.05f, 60.0f);
+	const Eigen::Vector3f fall(4.0f, -1.0f, -6.0f);
+	std::mt19937 random(5);
+	std::uniform_real_distribution<float> place(-30.0f, 30.0f), share(0.0f, 1.0f), across(-1.0f, 1.0f);
+	int falls_in = 0, missed = 0, left_out = 0;
+	for (int i = 0; i < 20000; i++) {
+		const Eigen::Vector3f centre(place(random), 0.5f, place(random));
+		const bool visible = grass_tile_visible(frustum, centre, TILE, 0.0f, fall);
+		bool shades = false;
+		for (int ray = 0; ray < 20; ray++) {
+			const Eigen::Vector3f offset(across(random), across(random), across(random));
+			const Eigen::Vector3f point = centre + offset.cwiseProduct(TILE) + share(random) * fall;
+			shades = shades || std::all_of(frustum.begin(), frustum.end(), [&](const Eigen::Vector4f &p_plane) {
+				return p_plane.head<3>().dot(point) <= p_plane.w();
+			});
+		}
+		falls_in += shades ? 1 : 0;
+		missed += shades && !visible ? 1 : 0;
+		left_out += visible ? 0 : 1;
+	}
+	CHECK(missed == 0);
+	CHECK(falls_in > 1000);
+	CHECK(left_out > 5000);
 }

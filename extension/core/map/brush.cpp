@@ -189,6 +189,7 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 		}
 	}
 	std::set<MapKey> changed;
+	Eigen::Array2i low_edit = last + 1, high_edit = first;
 	for (const Edit &edit : edits) {
 		bool written = true;
 		for (int c = 0; c < info.components && written; c++) {
@@ -198,9 +199,15 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 		if (written) {
 			result.amount += (double(edit.after[0]) - edit.before[0]) * info.unit * size * size;
 			changed.insert(key_of(dab.channel(), edit.i, edit.j));
+			low_edit = low_edit.min(Eigen::Array2i(edit.i, edit.j));
+			high_edit = high_edit.max(Eigen::Array2i(edit.i + 1, edit.j + 1));
 		}
 	}
 	result.changed.assign(changed.begin(), changed.end());
+	if (!changed.empty()) {
+		result.min = low_edit.cast<double>() * size;
+		result.max = high_edit.cast<double>() * size;
+	}
 	return result;
 }
 

@@ -62,10 +62,13 @@ func test_shadow_margin_draws_more() -> void:
 	camera.fov = 15.0
 	look(Vector3(0, 3, 0), Vector3.ZERO)
 	await drawn()
-	var without: int = field.get_statistics().drawn_tiles
+	var without: int = field.get_statistics().shadow_tiles
+	var seen_tiles: int = field.get_statistics().drawn_tiles
+	assert_eq(without, seen_tiles, "no light, no margin: what is seen casts")
 	field.shadow_margin = 1.0
 	await drawn()
-	assert_greater(field.get_statistics().drawn_tiles, without)
+	assert_greater(field.get_statistics().shadow_tiles, without)
+	assert_eq(field.get_statistics().drawn_tiles, seen_tiles, "not in the picture")
 
 
 func test_nothing_changes_nothing_is_done() -> void:
@@ -101,7 +104,7 @@ func test_a_still_body_uploads_little() -> void:
 
 
 func test_less_is_drawn_far_away() -> void:
-	var field := add_seen_field({lod_fine = 2.0, lod_medium = 5.0, lod_far = 40.0})
+	var field := add_seen_field({pixels_min = 0.1, lod_error = 0.1, lod_far = 40.0})
 	var last_triangles := INF
 	var last_blades := INF
 	for distance: float in [0.6, 3.5, 9.0, 26.0, 60.0]:

@@ -201,3 +201,47 @@ func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:
 	print("    the last 10 of %d ticks moved blades by %.3f mm, one by %.3f mm" % [poses.size(), 1e3 * way, 1e3 * step])
 	assert_less(way, 1e-3, "metres")
 	assert_less(step, 1e-3, "metres")
+
+
+## Hills, cuts, combing and wear: growth travels to the GPU when tiles wake and when the map changes below them.
+func test_a_map_is_simulated_alike() -> void:
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	var heights := Image.create_empty(8, 8, false, Image.FORMAT_RF)
+	for x in 8:
+		for z in 8:
+			heights.set_pixel(x, z, Color(0.2 * x, 0, 0))
+	map.set_ground(heights, Rect2(-4, -4, 8, 8))
+	var brush := GrassBrush.new()
+	brush.strength = 1.0
+	brush.radius = 1.0
+	brush.tool = GrassBrush.TOOL_COMB
+	map.stroke(brush, Vector2(-1, 0), Vector2(1, 0))
+	if not await add_pair({map = map, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
+		return
+	var tile := gpu.get_tile_at(PLACE)
+	assert_eq(difference([tile, Vector2i(1, 6)]), 0.0, "at rest")
+	var ground := gpu.get_knots(tile, 0)[0].y
+	assert_greater(ground, 0.5, "metres, up the hill")
+	var body := add_held_body(ball(0.2), PLACE + Vector3(0, ground, 0))
+	await seen()
+	var bent := difference([tile])
+	var bends: Array[Vector3] = []
+	await ticks(10)
+	for field: GrassField in [cpu, gpu]:
+		bends.append(field.bend_at(PLACE))
+	print("    parity on a hill: %s of a blade's length; bend CPU %s, GPU %s" % [String.num_scientific(bent), bends[0], bends[1]])
+	assert_less(bent, MANY_STEPS)
+	assert_greater(bends[0].length(), 0.05)
+	assert_near(bends[1], bends[0], 0.05)
+	body.free()
+	brush.tool = GrassBrush.TOOL_CUT
+	brush.cut_height = 0.1
+	brush.radius = 2.0
+	map.stroke(brush, Vector2(0, 0), Vector2(0, 0))
+	await ticks(200)
+	var cut := difference([tile])
+	print("    parity after a cut under an awake tile: %s of a blade's length" % String.num_scientific(cut))
+	assert_true(gpu.is_tile_awake(tile))
+	assert_less(cut, MANY_STEPS)
+	assert_less(gpu.get_knots(tile, 5)[0].distance_to(gpu.get_knots(tile, 5)[15]), 0.11)

@@ -47,10 +47,10 @@ func _write(path: String, bytes: PackedByteArray) -> void:
 func test_strokes_change_the_map_and_say_how_much() -> void:
 	var map := GrassMap.new()
 	var changes: Array = []
-	map.chunks_changed.connect(func(chunks: Array[Vector2i]) -> void: changes.append(chunks))
+	map.chunks_changed.connect(func(chunks: Array[Vector2i], region: Rect2) -> void: changes.append([chunks, region]))
 	var brush := _brush(GrassBrush.TOOL_PAINT, 10.0, {hardness = 1.0})
 	assert_near(map.stroke(brush, Vector2(32, 32), Vector2(32, 32)), PI * 100.0, 3.0)
-	assert_eq(changes, [[Vector2i(0, 0)] as Array[Vector2i]])
+	assert_eq(changes, [[[Vector2i(0, 0)] as Array[Vector2i], Rect2(22, 22, 20, 20)]])
 	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(32, 32)), 1.0)
 	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(32, 43)), 0.0)
 	assert_eq(map.stroke(brush, Vector2(32, 32), Vector2(32, 32)), 0.0, "painted already")

@@ -4,10 +4,10 @@ extends "res://tests/field_case.gd"
 
 const UNITS: Dictionary[String, String] = {
 	size = "m", density = "blades/m²", clump_size = "m", natural_frequency = "Hz", sleep_motion = "mm", sleep_delay = "s", settle_time = "s",
-	wind_speed = "m/s", wind_direction = "°", pool_tiles = "tiles", lod_far = "m", lod_fine = "m", lod_medium = "m", shadow_margin = "m",
+	wind_speed = "m/s", wind_direction = "°", pool_tiles = "tiles", lod_far = "m", lod_error = "px", shadow_distance = "m", shadow_margin = "m",
 }
 const BAD: Array[float] = [NAN, INF, -INF, 0.0, -1.0, 1e30]
-const GROUPS: Array[String] = ["Field", "Clumps", "Simulation", "Wind", "Look", "Level of Detail", "Debug"]
+const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "Look", "Level of Detail", "Debug"]
 
 
 ## The properties of the class itself that are stored in a scene.

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The map as a field shows it: for each chunk one layer of texels that say what grows there, put together from all
+// channels, with a border of one texel so that a layer is sampled by itself. What is drawn are textures of these bytes;
+// the simulation samples the very same ones.
+#pragma once
+
+#include "core/map/growth.h"
+#include "core/map/paint_map.h"
+#include "core/tile_grid.h"
+
+#include <vector>
+
+namespace grass {
+
+// A rectangle of places, metres.
+struct MapRegion {
+	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero();
+	static MapRegion of_chunk(const MapKey &p_key);
+	static MapRegion of_grid(const TileGrid &p_grid); // the whole field
+	MapRegion grown(double p_metres) const;
+	MapRegion joined(const MapRegion &p_other) const;
+};
+
+struct MapLayer {
+	static constexpr int FINE = GRASS_FINE_TEXELS + 2, COARSE = GRASS_COARSE_TEXELS + 2; // texels along a side
+	std::vector<uint8_t> growth; // FINE^2 x (density, height, cut, wear)
+	std::vector<uint8_t> form; // COARSE^2 x (lean x, z, normal x, z), codes of their channels
+	std::vector<float> ground; // COARSE^2, metres
+	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue, strength)
+};
+
+class MapLayers {
+public:
+	// The chunks under a field, all without a layer. p_tallest: metres, of its longest blade. Uncut grass counts as cut at
+	// this length: what is blended between it and a cut beside it then changes where blades are.
+	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
+	// Brings the layers in p_region up to date. Returns which of them changed, rising. Chunks get layers as they come.
+	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
+
+	int get_count() const { return int(_layers.size()); }
+	const MapLayer &get_layer(int p_layer) const { return _layers[size_t(p_layer)]; }
+	bool is_full() const { return _is_full; } // chunks were left out
+	float get_base_density() const { return _base_density; }
+
+	// The chunks under the field: the first one, how many along x and z, and each one's layer or GRASS_NO_LAYER, row by row.
+	MapKey get_first() const { return _first; }
+	int get_width() const { return _width; }
+	int get_depth() const { return _depth; }
+	const std::vector<float> &get_pages() const { return _pages; }
+
+	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
+
+	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
+	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
+
+private:
+	MapKey _first;
+	int _width = 0, _depth = 0;
+	bool _is_full = false;
+	int32_t _uncut = MAP_UNCUT_CODE; // code of cuts that cut nothing
+	float _base_density = 0.0f;
+	std::vector<float> _pages;
+	std::vector<MapLayer> _layers;
+};
+
+} // namespace grass

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What the map says about each tile as a whole: whether anything stands there, and between which heights its ground lies.
+// Culling and the waking of tiles ask it; only fields with a map have one.
+#pragma once
+
+#include "core/map/map_layers.h"
+
+namespace grass {
+
+class TileCover {
+public:
+	// The ground under a tile, metres above the field. Bare: nothing stands there; low > high.
+	struct Tile {
+		float low = 1.0f, high = -1.0f;
+		bool is_bare() const { return low > high; }
+		bool operator==(const Tile &) const = default;
+	};
+
+	// All tiles, bare.
+	void reset(const TileGrid &p_grid);
+	// Asks the layers about the tiles that p_region concerns; returns those.
+	TileRange update(const MapLayers &p_layers, const MapRegion &p_region);
+
+	const Tile &get(int p_x, int p_z) const { return _tiles[size_t(_grid.get_index(p_x, p_z))]; }
+	std::span<const Tile> get_tiles() const { return _tiles; } // by index
+	int get_bare_count() const { return _bare; }
+	float get_low() const { return _low; } // of all ground seen since reset
+	float get_high() const { return _high; }
+	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
+
+private:
+	Tile find(const MapLayers &p_layers, int p_x, int p_z) const;
+
+	TileGrid _grid;
+	std::vector<Tile> _tiles;
+	int _bare = 0;
+	float _low = 0.0f, _high = 0.0f;
+};
+
+} // namespace grass

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "draw/map_textures.h"
+
+#include "convert.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <bit>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr const char *NAMES[] = { "map_growth", "map_form", "map_ground", "map_tint" };
+constexpr int FIRST_ROOM = 4; // layers
+
+Ref<Image> make_image(int p_side, Image::Format p_format, PackedByteArray p_bytes) {
+	if (p_bytes.is_empty()) {
+		p_bytes.resize(int64_t(p_side) * p_side * 4);
+	}
+	return Image::create_from_data(p_side, p_side, false, p_format, p_bytes);
+}
+
+} // namespace
+
+// All kinds have 4 bytes a texel. p_layer null: room for a layer to come.
+Ref<Image> MapTextures::image_of(const MapLayer *p_layer, Kind p_kind) const {
+	const int side = p_kind == GROWTH ? MapLayer::FINE : MapLayer::COARSE;
+	if (p_kind == GROUND) {
+		return make_image(side, Image::FORMAT_RF, p_layer ? to_bytes(std::span<const float>(p_layer->ground)) : PackedByteArray());
+	}
+	PackedByteArray bytes;
+	if (p_layer) {
+		bytes = to_bytes(std::span<const uint8_t>(p_kind == GROWTH ? p_layer->growth : (p_kind == FORM ? p_layer->form : p_layer->tint)));
+	}
+	return make_image(side, Image::FORMAT_RGBA8, bytes);
+}
+
+void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_changed, const SetUniform &p_set) {
+	const bool grows = p_layers.get_count() > _room || _room == 0;
+	if (grows) {
+		_room = std::max(FIRST_ROOM, std::min(int(std::bit_ceil(unsigned(p_layers.get_count()))), GRASS_MAX_LAYERS));
+	}
+	for (int kind = 0; kind < KINDS; kind++) {
+		Ref<Texture2DArray> &array = _arrays[size_t(kind)];
+		if (grows) {
+			const Ref<Image> empty = image_of(nullptr, Kind(kind));
+			TypedArray<Ref<Image>> images;
+			for (int layer = 0; layer < _room; layer++) {
+				images.push_back(layer < p_layers.get_count() ? image_of(&p_layers.get_layer(layer), Kind(kind)) : empty);
+				_uploaded += empty->get_data_size();
+			}
+			array.instantiate();
+			array->create_from_images(images);
+			p_set(NAMES[kind], array);
+			continue;
+		}
+		for (const int layer : p_changed) {
+			const Ref<Image> image = image_of(&p_layers.get_layer(layer), Kind(kind));
+			array->update_layer(image, layer);
+			_uploaded += image->get_data_size();
+		}
+	}
+	if (_pages.is_null() || _uploaded_pages != p_layers.get_pages()) {
+		_uploaded_pages = p_layers.get_pages();
+		const PackedByteArray bytes = to_bytes(std::span<const float>(_uploaded_pages));
+		_pages = ImageTexture::create_from_image(
+				Image::create_from_data(p_layers.get_width(), p_layers.get_depth(), false, Image::FORMAT_RF, bytes));
+		_uploaded += bytes.size();
+		p_set("map_pages", _pages);
+		p_set("map_origin", Vector2(p_layers.get_first().x, p_layers.get_first().z));
+	}
+}
+
+int64_t MapTextures::get_memory_usage() const {
+	constexpr int64_t LAYER = 4 * (int64_t(MapLayer::FINE) * MapLayer::FINE + 3 * int64_t(MapLayer::COARSE) * MapLayer::COARSE);
+	return _room * LAYER + int64_t(_uploaded_pages.size()) * 4;
+}
+
+void MapTextures::free() {
+	*this = MapTextures();
+}
+
+} // namespace grass

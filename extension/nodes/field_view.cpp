@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_view.h"
+
+#include "convert.h"
+#include "nodes/scene_watch.h"
+
+#include <godot_cpp/classes/sub_viewport.hpp>
+#include <godot_cpp/classes/sub_viewport_container.hpp>
+#include <godot_cpp/classes/viewport_texture.hpp>
+#include <godot_cpp/classes/window.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Whether a viewport's picture is drawn at all. Where only the renderer knows, it counts as drawn.
+bool is_drawn(Viewport *p_viewport) {
+	if (p_viewport->is_3d_disabled()) {
+		return false;
+	}
+	if (const Window *window = Object::cast_to<Window>(p_viewport)) {
+		return window->is_visible();
+	}
+	if (const SubViewport *sub = Object::cast_to<SubViewport>(p_viewport)) {
+		const SubViewport::UpdateMode mode = sub->get_update_mode();
+		const SubViewportContainer *container = Object::cast_to<SubViewportContainer>(sub->get_parent());
+		const bool hidden = mode == SubViewport::UPDATE_WHEN_VISIBLE && container != nullptr && !container->is_visible_in_tree();
+		return mode != SubViewport::UPDATE_DISABLED && !hidden;
+	}
+	return true;
+}
+
+// Metres in a pixel: p_camera.pixel + p_camera.pixel_slope * distance.
+void set_pixel(const Camera3D *p_camera, Viewport *p_viewport, ViewCamera &r_camera) {
+	const Vector2 size = p_viewport->get_texture()->get_size() * p_viewport->get_scaling_3d_scale();
+	const real_t pixels = std::max(p_camera->get_keep_aspect_mode() == Camera3D::KEEP_WIDTH ? size.x : size.y, real_t(1));
+	switch (p_camera->get_projection()) {
+		case Camera3D::PROJECTION_ORTHOGONAL:
+			r_camera.pixel = float(p_camera->get_size() / pixels);
+			break;
+		case Camera3D::PROJECTION_FRUSTUM:
+			r_camera.pixel_slope = float(p_camera->get_size() / p_camera->get_near() / pixels);
+			break;
+		default:
+			r_camera.pixel_slope = float(2.0 * std::tan(0.5 * Math::deg_to_rad(double(p_camera->get_fov()))) / pixels);
+	}
+}
+
+ViewCamera view_camera(const Camera3D *p_camera, Viewport *p_viewport, const Eigen::Affine3d &p_field) {
+	ViewCamera view;
+	const TypedArray<Plane> planes = p_camera->get_frustum();
+	for (int i = 0; i < 6 && i < planes.size(); i++) {
+		const Eigen::Vector4d plane = to_eigen(Plane(planes[i]));
+		const Eigen::Vector3d normal = plane.head<3>();
+		view.planes[size_t(i)].head<3>() = (p_field.linear().transpose() * normal).cast<float>();
+		view.planes[size_t(i)].w() = float(plane.w() - normal.dot(p_field.translation()));
+	}
+	view.eye = (p_field.inverse(Eigen::Isometry) * to_eigen(p_camera->get_camera_transform().origin)).cast<float>();
+	view.near = float(p_camera->get_near());
+	set_pixel(p_camera, p_viewport, view);
+	return view;
+}
+
+} // namespace
+
+std::vector<ViewCamera> find_cameras(Node3D *p_node, const Eigen::Affine3d &p_field) {
+	SceneWatch::get_singleton()->start(p_node);
+	std::vector<ViewCamera> views;
+	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
+		Viewport *viewport = camera->get_viewport();
+		// Not is_current(): the editor's cameras, and those of the scene that is edited, answer it otherwise.
+		if (viewport != nullptr && viewport->get_camera_3d() == camera && camera->get_world_3d() == p_node->get_world_3d() &&
+				is_drawn(viewport)) {
+			views.push_back(view_camera(camera, viewport, p_field));
+		}
+	}
+	return views;
+}
+
+std::vector<Eigen::Vector3f> find_falls(Node3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
+	SceneWatch::get_singleton()->start(p_node);
+	std::vector<Eigen::Vector3f> falls;
+	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
+		if (!sun->has_shadow() || !sun->is_visible_in_tree() || sun->get_world_3d() != p_node->get_world_3d() ||
+				falls.size() == GRASS_MAX_SUNS) {
+			continue;
+		}
+		const Eigen::Vector3d shining = to_eigen(-sun->get_global_transform().basis.get_column(2));
+		const Eigen::Vector3d down = (p_field.linear().transpose() * shining).normalized();
+		if (down.allFinite() && down.y() < 0.0) { // from below, the ground is in the way
+			falls.push_back((std::min(p_height / -down.y(), p_farthest) * down).cast<float>());
+		}
+	}
+	return falls;
+}
+
+} // namespace grass

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// What a game asks of the grass and does to it. Places are global; what is done is kept in the field's map.
+#include "nodes/grass_field.h"
+
+#include "convert.h"
+#include "core/map/mow.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// The map keeps wear every 0.5 m: a smaller disc can lie between all of them. Metres.
+constexpr double SMALLEST_TRAMPLE = 0.36;
+
+} // namespace
+
+// The place in field space. False outside of the field, and where there is none yet.
+bool GrassField::find_place(const Vector3 &p_global, Eigen::Vector3d &r_place) {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
+	build();
+	if (!_backend || !p_global.is_finite()) {
+		return false;
+	}
+	update_map();
+	r_place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global);
+	const TilePlace tile = _setup.grid.get_place(r_place);
+	return r_place.allFinite() && _setup.grid.has_tile(tile.x, tile.z);
+}
+
+Growth GrassField::growth_at(const Eigen::Vector3d &p_place) const {
+	Growth here;
+	here.density = 1.0f;
+	return _field_map ? _field_map->get_layers().sample({ float(p_place.x()), float(p_place.z()) }, _setup.follow_slope) : here;
+}
+
+GrassKind GrassField::grass_kind() const {
+	const double tile = _setup.grid.get_tile_size();
+	return { _setup.patch->mean_height, _setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile) };
+}
+
+bool GrassField::is_grass_at(const Vector3 &p_global_position) {
+	return density_at(p_global_position) > 0.0;
+}
+
+double GrassField::density_at(const Vector3 &p_global_position) {
+	Eigen::Vector3d place;
+	return find_place(p_global_position, place) ? double(growth_at(place).density) : 0.0;
+}
+
+double GrassField::height_at(const Vector3 &p_global_position) {
+	Eigen::Vector3d place;
+	if (!find_place(p_global_position, place)) {
+		return 0.0;
+	}
+	const Growth here = growth_at(place);
+	const double clump = clump_at(Eigen::Vector2f(float(place.x()), float(place.z())), _setup.clump).height;
+	return here.density > 0.0f ? std::min(_setup.patch->mean_height * clump * here.height, double(here.cut)) : 0.0;
+}
+
+Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
+	Eigen::Vector3d place;
+	if (!find_place(p_global_position, place) || growth_at(place).density <= 0.0f) {
+		return Vector3();
+	}
+	const TilePlace tile = _setup.grid.get_place(place);
+	const Eigen::Vector3d bend = _tiles.get_bend(_setup.grid.get_index(tile.x, tile.z)).cast<double>();
+	return field_transform().basis.xform(to_godot(bend));
+}
+
+// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did.
+GrassMap *GrassField::find_map(const char *p_method) {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
+	if (_map.is_null()) {
+		Ref<GrassMap> map;
+		map.instantiate();
+		map->set_base_density(1.0);
+		set_map(map);
+	}
+	build();
+	return _map.ptr();
+}
+
+// p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region.
+bool GrassField::find_region(
+		const char *p_method, const Ref<Shape3D> &p_shape, const Transform3D &p_transform, std::optional<Footprint> &r_footprint) const {
+	if (p_shape.is_null()) {
+		return true;
+	}
+	ColliderShape shape;
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, vformat("%s: %s() needs a transform of finite numbers.", label(), p_method));
+	ERR_FAIL_COND_V_MSG(!pose_shape(p_shape, to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_transform), shape), false,
+			vformat("%s: %s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", label(), p_method,
+					p_shape->get_class()));
+	r_footprint.emplace(shape);
+	return true;
+}
+
+MowRegion GrassField::mow_region(const std::optional<Footprint> &p_footprint) const {
+	return { p_footprint ? &*p_footprint : nullptr, MapRegion::of_grid(_setup.grid) };
+}
+
+Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	Dictionary result;
+	result["area"] = 0.0;
+	result["volume"] = 0.0;
+	result["blades"] = 0;
+	std::optional<Footprint> footprint;
+	ERR_FAIL_COND_V_MSG(p_shape.is_null(), result, message("cut() needs a shape."));
+	GrassMap *map = find_map("cut");
+	if (map == nullptr || !_backend || !find_region("cut", p_shape, p_transform, footprint)) {
+		return result;
+	}
+	const CutResult cut = map->change([&](PaintMap &r_map) { return cut_grass(r_map, *footprint, grass_kind()); });
+	result["area"] = cut.area;
+	result["volume"] = cut.volume;
+	result["blades"] = int64_t(std::llround(cut.blades));
+	return result;
+}
+
+double GrassField::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	std::optional<Footprint> footprint;
+	build();
+	if (_map.is_null() || !_backend || !find_region("get_mown_share", p_shape, p_transform, footprint)) {
+		return 0.0;
+	}
+	return mown_share(_map->get_map(), mow_region(footprint), grass_kind());
+}
+
+void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
+			message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
+	std::optional<Footprint> footprint;
+	build();
+	if (_map.is_valid() && _backend && find_region("regrow", p_shape, p_transform, footprint)) {
+		_map->change([&](PaintMap &r_map) { return regrow_grass(r_map, mow_region(footprint), grass_kind(), p_height, p_wear); });
+	}
+}
+
+double GrassField::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GrassMap *map = find_map("paint");
+	if (map == nullptr) {
+		return 0.0;
+	}
+	const Transform3D to_field = field_transform().affine_inverse();
+	const Vector3 from = to_field.xform(p_from), to = to_field.xform(p_to);
+	return map->stroke(p_brush, Vector2(from.x, from.z), Vector2(to.x, to.z));
+}
+
+double GrassField::trample(const Vector3 &p_global_position, double p_radius, double p_amount) {
+	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite() || !(p_radius > 0.0), 0.0,
+			message("trample() needs a position, a radius in metres above 0, and how much of the way to bare ground it goes, 0 to 1."));
+	GrassMap *map = find_map("trample");
+	if (map == nullptr) {
+		return 0.0;
+	}
+	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
+	const Eigen::Vector2d centre(place.x(), place.z());
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	brush.strength = p_amount;
+	return map->apply(MapShape::stroke(centre, centre, std::max(p_radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
+}
+
+void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
+	ERR_FAIL_COND_MSG(p_node == nullptr || p_shape.is_null(), message("register_collider() needs a node and its shape."));
+	ERR_FAIL_COND_MSG(!_node_colliders.add(p_node, p_shape),
+			vformat("%s: a %s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", label(), p_shape->get_class()));
+}
+
+void GrassField::unregister_collider(Node3D *p_node) {
+	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs the node."));
+	_node_colliders.remove(p_node);
+}
+
+// What time heals in a tick.
+void GrassField::recover(double p_delta) {
+	const RecoveryRates rates{ param(PARAM_WEAR_RECOVERY) / 60.0, 1e-3 * param(PARAM_REGROWTH) / 60.0 };
+	if (_map.is_valid() && !rates.is_none()) {
+		_map->change([&](PaintMap &r_map) { return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta); });
+	}
+}
+
+// Tells of bodies that met grass in this tick and did not in the one before, and the other way round. Last in a tick: who
+// listens may change the field.
+void GrassField::tell_of_bodies() {
+	std::vector<uint64_t> in_grass;
+	for (size_t i = 0; i < _colliders.size(); i++) {
+		if (_colliders[i].owner != 0 && _tiles.has_met_grass(i)) {
+			in_grass.push_back(_colliders[i].owner);
+		}
+	}
+	std::sort(in_grass.begin(), in_grass.end());
+	in_grass.erase(std::unique(in_grass.begin(), in_grass.end()), in_grass.end());
+	in_grass.swap(_in_grass); // now those of the tick before
+	const std::vector<uint64_t> now = _in_grass;
+	const auto tell = [this](const char *p_signal, const std::vector<uint64_t> &p_ids, const std::vector<uint64_t> &p_others) {
+		for (const uint64_t id : p_ids) {
+			Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id));
+			if (body != nullptr && !std::binary_search(p_others.begin(), p_others.end(), id)) {
+				emit_signal(p_signal, body);
+			}
+		}
+	};
+	tell("body_exited_grass", in_grass, now);
+	tell("body_entered_grass", now, in_grass);
+}
+
+} // namespace grass

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/node_colliders.h"
+
+#include "convert.h"
+
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Of an ordinary body's friction, as the tracker takes it.
+constexpr double FRICTION = 0.5;
+// A node that covers more in one tick was put there: the grass between is not swept. Metres. Smaller: what is fast misses
+// grass. Larger: a teleport mows.
+constexpr double TELEPORT_DISTANCE = 4.0;
+
+} // namespace
+
+bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape) {
+	Entry entry;
+	entry.node_id = p_node->get_instance_id();
+	entry.shape = p_shape;
+	read_shape(p_shape->get_rid(), entry.tracked);
+	if (entry.tracked.usable) {
+		_entries.push_back(entry);
+	}
+	return entry.tracked.usable;
+}
+
+void NodeColliders::remove(const Node3D *p_node) {
+	const uint64_t id = p_node->get_instance_id();
+	_entries.erase(
+			std::remove_if(_entries.begin(), _entries.end(), [id](const Entry &p_entry) { return p_entry.node_id == id; }), _entries.end());
+}
+
+void NodeColliders::collect(const Transform3D &p_field, std::vector<ColliderShape> &r_colliders) {
+	if (_entries.empty()) {
+		return;
+	}
+	const Eigen::Affine3d field_from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+	for (size_t i = 0; i < _entries.size();) {
+		Entry &entry = _entries[i];
+		const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(entry.node_id));
+		if (node == nullptr) { // freed
+			_entries.erase(_entries.begin() + std::ptrdiff_t(i));
+			continue;
+		}
+		i++;
+		read_shape(entry.shape->get_rid(), entry.tracked);
+		if (!node->is_inside_tree() || !entry.tracked.usable) {
+			entry.has_before = false;
+			continue;
+		}
+		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.tracked.offset;
+		if (!entry.has_before || (now.translation() - entry.before.translation()).norm() > TELEPORT_DISTANCE) {
+			entry.before = now;
+			entry.has_before = true;
+		}
+		ColliderShape collider = entry.tracked.shape;
+		scale_shape(collider, now.linear());
+		collider.friction = FRICTION;
+		collider.owner = entry.node_id;
+		collider.set_poses(entry.before, now);
+		r_colliders.push_back(collider);
+		entry.before = now;
+	}
+}
+
+bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape) {
+	TrackedShape tracked;
+	read_shape(p_shape->get_rid(), tracked);
+	if (tracked.usable) {
+		const Eigen::Affine3d pose = p_pose * tracked.offset;
+		r_shape = tracked.shape;
+		scale_shape(r_shape, pose.linear());
+		r_shape.set_poses(pose, pose);
+	}
+	return tracked.usable;
+}
+
+} // namespace grass

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Nodes without physics that bend grass all the same, since a game registered them with a shape.
+#pragma once
+
+#include "nodes/body_tracker.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/shape3d.hpp>
+
+namespace grass {
+
+class NodeColliders {
+public:
+	// False, and nothing is added, if the shape is none that bends grass.
+	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
+	void remove(const godot::Node3D *p_node); // with all its shapes
+	// Appends every shape, posed in the field's space. p_field: the field's transform (orthonormal).
+	void collect(const godot::Transform3D &p_field, std::vector<ColliderShape> &r_colliders);
+	bool is_empty() const { return _entries.empty(); }
+
+private:
+	struct Entry {
+		uint64_t node_id;
+		godot::Ref<godot::Shape3D> shape;
+		TrackedShape tracked;
+		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // of the shape, in field space
+		bool has_before = false;
+	};
+	std::vector<Entry> _entries; // in the order in which they came
+};
+
+// A shape as the solver takes it, at a place in the field's space (scale counts, shear does not). False if it is none that
+// bends grass.
+bool pose_shape(const godot::Ref<godot::Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape);
+
+} // namespace grass

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Which cameras and directional lights there are in the scene tree. Kept by the tree's signals, once for all fields: to look for
+// them in every frame would cost with the number of nodes.
+#pragma once
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/directional_light3d.hpp>
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/object.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace grass {
+
+class SceneWatch : public godot::Object {
+	GDCLASS(SceneWatch, godot::Object)
+
+public:
+	// One for the process; made on first use, freed when the extension is unloaded.
+	static SceneWatch *get_singleton();
+	static void free_singleton();
+
+	// From here on the lists hold; nodes that p_inside's tree has already are found. Cheap when it is so already.
+	void start(godot::Node *p_inside);
+
+	// All in the tree, in the order in which they came.
+	const std::vector<godot::Camera3D *> &get_cameras() const { return _cameras; }
+	const std::vector<godot::DirectionalLight3D *> &get_suns() const { return _suns; }
+
+protected:
+	static void _bind_methods() {}
+
+private:
+	void _added(godot::Node *p_node);
+	void _removed(godot::Node *p_node);
+
+	static SceneWatch *_singleton;
+	uint64_t _tree = 0; // instance id of the tree that is watched
+	std::vector<godot::Camera3D *> _cameras;
+	std::vector<godot::DirectionalLight3D *> _suns;
+};
+
+} // namespace grass

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+## Level of detail without a pop: a slow flight over a field is compared, frame by frame, with the same flight at full detail.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(192, 108)
+const BLOCK := 12 # pixels a side: a jump of one tile is lost in the mean of a whole picture, not in that of a block
+const STEPS := 24
+const STEP := 0.002 # metres a frame
+const FULL := {pixels_min = 0.0, lod_error = 0.0, lod_far = 10000.0}
+const LIMIT := 1.5 # of the difference at full detail
+
+
+func before() -> void:
+	open_view(SIZE, 4) # single pixels of thin blades flicker, which would hide a jump
+	add_light()
+
+
+## Mean difference of two pictures, and the greatest mean of a block, 0..1.
+func change(a: Image, b: Image) -> Vector2:
+	var blocks := SIZE / BLOCK
+	a.convert(Image.FORMAT_RGB8)
+	b.convert(Image.FORMAT_RGB8)
+	var sums := PackedFloat32Array()
+	sums.resize(blocks.x * blocks.y)
+	var one := a.get_data()
+	var other := b.get_data()
+	for y in SIZE.y:
+		for x in SIZE.x:
+			var at := 3 * (x + SIZE.x * y)
+			sums[x / BLOCK + blocks.x * (y / BLOCK)] += absf(one[at] - other[at]) + absf(one[at + 1] - other[at + 1]) + absf(one[at + 2] - other[at + 2])
+	var sum := 0.0
+	var most := 0.0
+	for block in sums:
+		sum += block
+		most = maxf(most, block)
+	return Vector2(sum / (SIZE.x * SIZE.y), most / (BLOCK * BLOCK)) / (3.0 * 255.0)
+
+
+## Changes from frame to frame of a flight over `field`. `at_half` is called in the middle of it.
+func fly(at_half := Callable()) -> PackedVector2Array:
+	var changes := PackedVector2Array()
+	var last: Image = null
+	for i in STEPS + 1:
+		look(Vector3(0.3, 0.9, 4.4 - STEP * i), Vector3(0.2, 0.0, 1.2 - STEP * i))
+		if i == STEPS / 2 and at_half.is_valid():
+			at_half.call()
+		if i == 0:
+			await frames(3)
+		var now := await next_picture()
+		if last:
+			changes.append(change(last, now))
+		last = now
+	return changes
+
+
+func greatest(changes: PackedVector2Array) -> Vector2:
+	var most := Vector2.ZERO
+	for one in changes:
+		most = most.max(one)
+	return most
+
+
+func test_a_slow_flight_shows_no_jump() -> void:
+	var field := add_seen_field({size = Vector2(8, 8)})
+	var coarse := await fly()
+	var drawn_coarse: int = field.get_statistics().drawn_triangles
+	var jumping := await fly(func() -> void: field.pixels_min = 3.0)
+	for property: String in FULL:
+		field.set(property, FULL[property])
+	var full := await fly()
+	await drawn()
+	var most := greatest(full)
+	print("    greatest change: full detail %.4f (block %.4f), with level of detail %.4f (%.4f), %d of %d triangles; with a jump %.4f (%.4f)" % [
+			most.x, most.y, greatest(coarse).x, greatest(coarse).y, drawn_coarse, field.get_statistics().drawn_triangles, greatest(jumping).x, greatest(jumping).y])
+	assert_less(drawn_coarse, field.get_statistics().drawn_triangles / 4.0, "there is a level of detail to be seen")
+	for i in full.size():
+		assert_less(coarse[i].x, LIMIT * full[i].x, "frame %d" % i)
+		assert_less(coarse[i].y, LIMIT * most.y, "a block of frame %d" % i)
+	assert_greater(greatest(jumping).x, LIMIT * most.x, "a jump would be seen")
+
+
+## Blades that are fewer and wider cover as much: the ground shows through as much as at full detail.
+func test_thinned_grass_covers_as_much() -> void:
+	var field := add_seen_field({size = Vector2(8, 8), ground = false})
+	for view: Array in [[Vector3(0, 1.2, 3.8), Vector3(0, 0, 0)], [Vector3(0, 5, 0.1), Vector3(0, 0, 0)]]:
+		for property: String in FULL:
+			field.set(property, FULL[property])
+		look(view[0], view[1])
+		await drawn()
+		var full := share_of(await picture(), is_green)
+		for property: String in FULL:
+			field.set(property, ClassDB.class_get_property_default_value("GrassField", property))
+		await drawn()
+		var thinned := share_of(await picture(), is_green)
+		print("    from %s: %.3f green at full detail, %.3f with %d of %d blades" % [view[0], full, thinned, field.get_statistics().drawn_blades, field.get_blade_count()])
+		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+## What a field with a map looks like: grass where it was painted, on hills, cut and tinted; both backends alike.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(480, 270)
+const PICTURES := "user://pictures/" # looked at by people
+
+
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	DirAccess.make_dir_recursive_absolute(PICTURES)
+
+
+func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:
+	var made := GrassBrush.new()
+	made.tool = tool
+	made.radius = radius
+	made.strength = 1.0
+	made.hardness = 1.0
+	for property: String in properties:
+		made.set(property, properties[property])
+	return made
+
+
+func full_map() -> GrassMap:
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	return map
+
+
+## Hills, a path that is trampled bare, a mown square, a red patch, and grass combed aside.
+func meadow() -> GrassMap:
+	var map := full_map()
+	var hills := FastNoiseLite.new()
+	hills.frequency = 0.06
+	var heights := Image.create_empty(32, 32, false, Image.FORMAT_RF)
+	for x in 32:
+		for z in 32:
+			heights.set_pixel(x, z, Color(1.5 * hills.get_noise_2d(x, z), 0, 0))
+	map.set_ground(heights, Rect2(-16, -16, 32, 32))
+	map.stroke(brush(GrassBrush.TOOL_FLATTEN, 0.8), Vector2(-9, -6), Vector2(9, 2))
+	map.stroke(brush(GrassBrush.TOOL_CUT, 1.5, {cut_height = 0.08}), Vector2(-3, 4), Vector2(0, 4))
+	map.stroke(brush(GrassBrush.TOOL_TINT, 2.5, {color = Color(0.8, 0.1, 0.1)}), Vector2(4, 5), Vector2(4, 5))
+	map.stroke(brush(GrassBrush.TOOL_COMB, 2.0), Vector2(-6, 1), Vector2(-5, 1))
+	return map
+
+
+func save(image: Image, name: String) -> void:
+	image.save_png(PICTURES + name + ".png")
+	print("    %s" % ProjectSettings.globalize_path(PICTURES + name + ".png"))
+
+
+func test_both_backends_draw_the_map_alike() -> void:
+	var field := add_seen_field({map = meadow(), size = Vector2(18, 18)})
+	look(Vector3(0, 4.5, 12), Vector3(0, 0, 1))
+	await drawn()
+	var gpu := await picture()
+	save(gpu, "map_gpu")
+	field.backend = GrassField.BACKEND_CPU
+	await drawn()
+	var cpu := await picture()
+	save(cpu, "map_cpu")
+	var off := difference(gpu, cpu)
+	print("    GPU against CPU backend: mean difference %.5f" % off.y)
+	assert_less(off.y, 0.003)
+	assert_greater(share_of(gpu, is_red), 0.01, "the tint is seen")
+
+
+func test_only_painted_tiles_are_drawn() -> void:
+	var field := add_seen_field({map = GrassMap.new(), size = Vector2(8, 8), ground = true})
+	look(Vector3(0, 8, 0), Vector3.ZERO)
+	var sky := await picture()
+	await drawn()
+	assert_eq(field.get_statistics().drawn_tiles, 0)
+	assert_less(difference(await picture(), sky).x, 0.01, "no soil either")
+	field.map.stroke(brush(GrassBrush.TOOL_PAINT, 1.5), Vector2(2, 0), Vector2(2, 0))
+	await drawn()
+	var painted := await picture()
+	assert_eq(field.get_statistics().drawn_tiles, field.get_statistics().tiles - field.get_statistics().bare_tiles)
+	var right := painted.get_region(Rect2i(SIZE.x / 2, 0, SIZE.x / 2, SIZE.y))
+	var left := painted.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
+	assert_greater(share_of(right, is_green), 0.05)
+	assert_eq(share_of(left, is_green), 0.0)
+	if field.get_statistics().backend == "GPU": # the CPU chooses anew in every frame
+		var culls: int = field.get_statistics().culls
+		await drawn()
+		assert_eq(field.get_statistics().culls, culls, "nothing changed, nothing culled")
+
+
+func test_a_hill_is_culled_where_it_stands() -> void:
+	var map := full_map()
+	var heights := Image.create_empty(4, 4, false, Image.FORMAT_RF)
+	heights.fill(Color(30, 0, 0))
+	map.set_ground(heights, Rect2(-8, -8, 16, 16))
+	var field := add_seen_field({map = map, size = Vector2(4, 4)})
+	look(Vector3(0, 31.5, 3.5), Vector3(0, 30, 0))
+	await drawn()
+	assert_greater(field.get_statistics().drawn_tiles, 20)
+	assert_greater(share_of(await picture(), is_green), 0.1)
+	look(Vector3(0, 1.5, 3.5), Vector3(0, 0, 0))
+	await drawn()
+	assert_eq(field.get_statistics().drawn_tiles, 0)
+	assert_less(share_of(await picture(), is_green), 0.001)
+
+
+func test_an_awake_tile_with_a_map_is_drawn_as_it_was_asleep() -> void:
+	var field := add_seen_field({map = meadow(), sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 5.0})
+	field.map.set_ground(Image.create_empty(2, 2, false, Image.FORMAT_RF), Rect2(-16, -16, 32, 32))
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
+	await drawn()
+	var asleep := await picture()
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	add_shape(body, ball(0.05))
+	body.position = Vector3(0, 0.6, 0.5)
+	viewport.add_child(body)
+	for i in 30: # down to the tips, then away
+		body.position.y -= 0.01
+		await ticks(1)
+		if field.get_awake_tile_count() > 0:
+			break
+	body.position.y = 5.0
+	await ticks(3)
+	if not assert_greater(field.get_awake_tile_count(), 0):
+		return
+	assert_less(difference(asleep, await picture()).y, 5e-4)

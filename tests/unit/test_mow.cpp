@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/mow.h"
+
+#include "core/map/recovery.h"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+using namespace grass;
+
+namespace {
+
+constexpr GrassKind KIND{ 0.4, 0.9, 256.0 };
+
+ColliderShape solid(int p_type, const Eigen::Vector3d &p_size, const Eigen::Vector3d &p_place,
+		const Eigen::Vector3d &p_turn = Eigen::Vector3d::Zero()) {
+	ColliderShape shape;
+	shape.type = p_type;
+	shape.size = p_size;
+	shape.now.position = p_place;
+	if (p_turn.norm() > 0.0) {
+		shape.now.rotation = Quaternion(Eigen::AngleAxisd(p_turn.norm(), p_turn.normalized()));
+	}
+	return shape;
+}
+
+// A box's faces as a hull.
+ColliderShape hull(const Eigen::Vector3d &p_half, const Eigen::Vector3d &p_place) {
+	ColliderShape shape = solid(GRASS_HULL, p_half, p_place);
+	for (int axis = 0; axis < 3; axis++) {
+		for (const float side : { 1.0f, -1.0f }) {
+			Eigen::Vector4f plane = Eigen::Vector4f::Zero();
+			plane[axis] = side;
+			plane.w() = float(p_half[axis]);
+			shape.planes.push_back(plane);
+		}
+	}
+	return shape;
+}
+
+PaintMap meadow() {
+	PaintMap map;
+	map.set_base_density(1.0);
+	return map;
+}
+
+MowRegion square(double p_half) {
+	return { nullptr, { { -p_half, -p_half }, { p_half, p_half } } };
+}
+
+} // namespace
+
+TEST_CASE("footprint: the underside of every shape") {
+	const auto low = [](const ColliderShape &p_shape, double p_x, double p_z) { return Footprint(p_shape).get_span({ p_x, p_z })->low; };
+	CHECK(low(solid(GRASS_SPHERE, { 2, 0, 0 }, { 1, 5, 0 }), 1.0, 0.0) == doctest::Approx(3.0));
+	CHECK(low(solid(GRASS_SPHERE, { 2, 0, 0 }, { 1, 5, 0 }), 2.0, 0.0) == doctest::Approx(5.0 - std::sqrt(3.0)));
+	CHECK(low(solid(GRASS_BOX, { 1, 0.5, 2 }, { 0, 1, 0 }), 0.9, 1.9) == doctest::Approx(0.5));
+	CHECK(low(hull({ 1, 0.5, 2 }, { 0, 1, 0 }), -0.9, 1.9) == doctest::Approx(0.5));
+	CHECK(low(solid(GRASS_CYLINDER, { 1, 0.5, 0 }, { 0, 1, 0 }), 0.0, 0.9) == doctest::Approx(0.5));
+	CHECK(low(solid(GRASS_CAPSULE, { 1, 2, 0 }, { 0, 4, 0 }), 0.0, 0.0) == doctest::Approx(1.0));
+	const Eigen::Vector3d lying(std::numbers::pi / 2, 0, 0); // along z
+	CHECK(low(solid(GRASS_CAPSULE, { 1, 2, 0 }, { 0, 4, 0 }, lying), 0.0, 1.5) == doctest::Approx(3.0));
+	CHECK(low(solid(GRASS_CYLINDER, { 1, 2, 0 }, { 0, 4, 0 }, lying), 0.5, 1.9) == doctest::Approx(4.0 - std::sqrt(0.75)));
+	const Eigen::Vector3d on_edge(0, 0, std::numbers::pi / 4);
+	CHECK(low(solid(GRASS_BOX, { 1, 1, 1 }, { 0, 4, 0 }, on_edge), 0.0, 0.0) == doctest::Approx(4.0 - std::sqrt(2.0)));
+	CHECK_FALSE(Footprint(solid(GRASS_SPHERE, { 2, 0, 0 }, { 0, 5, 0 })).get_span({ 1.9, 1.9 }).has_value());
+	CHECK_FALSE(Footprint(solid(GRASS_BOX, { 1, 1, 1 }, { std::nan(""), 5, 0 })).get_span({ 0, 0 }).has_value());
+	CHECK(Footprint(solid(99, { 1, 1, 1 }, { 0, 0, 0 })).is_empty());
+}
+
+TEST_CASE("cut_grass: a deck of 2 m x 1 m at 10 cm leaves 10 cm, and says what fell") {
+	PaintMap map = meadow();
+	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }));
+	const CutResult result = cut_grass(map, deck, KIND);
+	CHECK(result.area == doctest::Approx(2.0));
+	CHECK(result.volume == doctest::Approx(2.0 * 0.3));
+	CHECK(result.blades == doctest::Approx(512.0));
+	CHECK(result.changed.size() == 4);
+	CHECK(standing_height(map, KIND, 0, 0) == doctest::Approx(0.1));
+	CHECK(standing_height(map, KIND, 2, 0) == doctest::Approx(0.4));
+	CHECK(cut_grass(map, deck, KIND).area == 0.0);
+	CHECK(cut_grass(map, deck, KIND).changed.empty());
+	CHECK(mown_share(map, square(2.0), KIND) == doctest::Approx(2.0 / 16.0));
+	CHECK(mown_share(map, { &deck, {} }, KIND) == 1.0);
+}
+
+TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") {
+	PaintMap map = meadow();
+	const MapShape everywhere = MapShape::stroke({ 0, 0 }, { 0, 0 }, 5.0, 1.0, Falloff::LINEAR);
+	Brush brush;
+	brush.tool = MapTool::DENSITY;
+	brush.target = 0.5;
+	apply_brush(map, everywhere, brush);
+	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 })), KIND).area == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 3.0, 2 })), KIND).area == 0.0);
+	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, -3.0, 2 })), KIND).area == 0.0);
+	const CutResult above = cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.6, 2 })), KIND);
+	CHECK(above.area == 0.0); // higher than the grass stands on average: only tall blades lose their tips
+	brush.tool = MapTool::ERASE;
+	apply_brush(map, everywhere, brush);
+	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.15, -2 })), KIND).area == 0.0);
+	CHECK(mown_share(map, square(1.0), KIND) == 0.0);
+}
+
+TEST_CASE("cut_grass: a sword cuts, however thin") {
+	PaintMap map = meadow();
+	const CutResult result = cut_grass(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })), KIND);
+	CHECK(result.area == doctest::Approx(0.25));
+	CHECK(map.get_code(MAP_CUT, 0, 0, 0) == 18);
+}
+
+TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves the rest alone") {
+	PaintMap map = meadow();
+	cut_grass(map, Footprint(solid(GRASS_BOX, { 2, 0.1, 2 }, { 0, 0.2, 0 })), KIND);
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	brush.target = 0.8;
+	apply_brush(map, MapShape::stroke({ 0, 0 }, { 0, 0 }, 3.0, 1.0, Falloff::LINEAR), brush);
+	regrow_grass(map, square(1.0), KIND, 0.05, 0.3);
+	CHECK(map.get_code(MAP_CUT, 0, 0, 0) == 15);
+	CHECK(map.get_code(MAP_CUT, 0, 3, 0) == 10);
+	CHECK(map.sample(MAP_WEAR, 0, { 0.25, 0.25 }) == doctest::Approx(0.5).epsilon(0.01));
+	CHECK(map.sample(MAP_WEAR, 0, { 2.25, 0.25 }) == doctest::Approx(0.8).epsilon(0.01));
+	regrow_grass(map, square(100.0), KIND, 2.0, 5.0);
+	map.compact();
+	CHECK(map.is_empty());
+	CHECK(regrow_grass(map, square(100.0), KIND, std::nan(""), std::nan("")).changed.empty());
+}
+
+TEST_CASE("recovery: time heals at the rate it is told, however many chunks there are, and one chunk a step") {
+	PaintMap map = meadow();
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	for (int n = -2; n < 2; n++) {
+		const Eigen::Vector2d place(64.0 * n + 30.0, 10.0);
+		apply_brush(map, MapShape::stroke(place, place, 2.0, 1.0, Falloff::LINEAR), brush);
+	}
+	Recovery recovery;
+	const MapRegion field{ { -128, -64 }, { 64, 64 } }; // without the fourth chunk
+	const RecoveryRates rates{ 0.1, 0.0 };
+	for (int step = 0; step < 300; step++) {
+		CHECK(recovery.step(map, field, KIND, rates, 1.0 / 60.0).changed.size() <= 1);
+	}
+	for (int n = -2; n < 1; n++) {
+		CHECK(std::abs(map.sample(MAP_WEAR, 0, { 64.0 * n + 30.0, 10.0 }) - 0.5) < 0.02);
+	}
+	CHECK(map.sample(MAP_WEAR, 0, { 64.0 + 30.0, 10.0 }) == 1.0);
+	apply_brush(map, MapShape::stroke({ -10, -10 }, { -10, -10 }, 2.0, 1.0, Falloff::LINEAR), brush);
+	for (int step = 0; step < 8; step++) {
+		recovery.step(map, field, KIND, rates, 1.0 / 60.0);
+	}
+	CHECK(map.sample(MAP_WEAR, 0, { -10.0, -10.0 }) > 0.97); // does not pay for the time before it was trampled
+	CHECK(recovery.step(map, field, KIND, {}, 1.0).changed.empty());
+	CHECK(recovery.step(map, field, KIND, rates, std::nan("")).changed.empty());
+}
