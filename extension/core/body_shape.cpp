@@ -116,6 +116,12 @@ Bounds ColliderShape::get_swept_bounds() const {
 	return { (a.min.cwiseMin(b.min).array() - arc).matrix(), (a.max.cwiseMax(b.max).array() + arc).matrix() };
 }
 
+bool ColliderShape::has_moved() const {
+	constexpr double STILL_DISTANCE = 1e-5, STILL_ANGLE = 1e-4; // metres, radians
+	return (now.position - before.position).norm() > STILL_DISTANCE ||
+			1.0 - std::abs(before.rotation.dot(now.rotation)) > STILL_ANGLE * STILL_ANGLE / 8.0; // 1 - cos(angle / 2)
+}
+
 GrassCollider ColliderShape::pack(const TileGrid &p_grid, int p_first_plane) const {
 	const TilePlace place = p_grid.get_place(now.position);
 	const bool is_hull = type == GRASS_HULL;

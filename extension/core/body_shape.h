@@ -53,6 +53,9 @@ struct ColliderShape {
 	// A box around everything that it passes on its way from before to now, both ends included. Field space.
 	Bounds get_swept_bounds() const;
 
+	// By more than a body trembles that lies still: 0.01 mm or 0.1 mrad in the step.
+	bool has_moved() const;
+
 	// As the shaders take it, relative to the tile that its centre is over. p_first_plane: where a hull's planes begin in
 	// StepInput::planes.
 	GrassCollider pack(const TileGrid &p_grid, int p_first_plane) const;

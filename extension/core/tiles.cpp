@@ -63,6 +63,7 @@ void TileManager::set_params(const TileParams &p_params) {
 
 void TileManager::reset() {
 	_time = 0.0;
+	_has_passed_unseen = false;
 	_awake.assign(size_t(_params.pool_size), {});
 	_free.reset(_params.pool_size, true);
 	_used.reset(_params.pool_size, false);
@@ -119,10 +120,11 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		const TileRange range = shrink(_ranges[i], std::min(most, capacity - int64_t(_touches.size())), centre.x, centre.z);
 		_statistics.capped += uint64_t(_ranges[i].count() - range.count());
 		_statistics.looked_at += uint64_t(range.count());
+		const bool moves = range.count() > 0 && p_colliders[i].has_moved();
 		for (int z = range.z_begin; z < range.z_end; z++) {
 			for (int x = range.x_begin; x < range.x_end; x++) {
 				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
-					touch(_grid.get_index(x, z), uint32_t(i));
+					touch(_grid.get_index(x, z), uint32_t(i), moves);
 					_has_met[i] = 1;
 				}
 			}
@@ -138,10 +140,12 @@ TileRange TileManager::find_range(const Bounds &p_swept) const {
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);
 }
 
-void TileManager::touch(int p_tile, uint32_t p_collider) {
+void TileManager::touch(int p_tile, uint32_t p_collider, bool p_moves) {
 	const int slot = _slot_of_tile.find(p_tile);
 	if (slot != TileMap::NONE) {
-		_awake[size_t(slot)].is_touched = true;
+		Awake &awake = _awake[size_t(slot)];
+		awake.is_touched = true;
+		awake.is_stirred = awake.is_stirred || p_moves;
 		_touches.push_back({ slot, p_collider });
 		return;
 	}
@@ -178,7 +182,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	awake.tile = { x, z, p_tile, p_slot };
 	awake.start = grass_tile_start(uint32_t(x), uint32_t(z), _params.seed);
 	awake.woken_step = _step_number;
-	awake.is_fresh = awake.is_touched = true; // touched: deactivate_tiles() sets the timestamps
+	awake.is_fresh = awake.is_touched = awake.is_stirred = true; // touched: deactivate_tiles() sets the timestamps
 	_slot_of_tile.insert(p_tile, p_slot);
 	_used.insert(p_slot);
 	_statistics.woken++;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/body_shape.h"
+#include "core/lod.h"
 #include "core/slot_set.h"
 #include "core/solver_params.h"
 #include "core/step.h"
@@ -54,11 +55,13 @@ struct TileParams {
 // now: after the last update. The rest counts since the last reset.
 struct TileStatistics {
 	int awake = 0; // now: tiles that have a slot
+	int simulated = 0; // now: those of them that this step moves
 	int settling = 0; // now: those of them that are on the way back to rest
 	int colliders = 0; // now: that touch an awake tile
 	int list_entries = 0; // now: sum over the tiles of their objects
 	int high_water = 0; // most tiles ever awake at once
-	uint64_t tile_steps = 0; // awake tiles, summed over the steps
+	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
+	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
@@ -83,13 +86,24 @@ public:
 	// Forgets all awake tiles and counts, without records: the backend empties its tile table too.
 	void reset();
 
+	// What is seen of the field from now on: tiles within one of the frustums (field space), or within p_margin metres of
+	// it. Out of view a tile is simulated only while something moves in it; it goes on where it stopped, or is at rest
+	// by then. Before the first call, and after see_all(), everything is seen.
+	void see(std::span<const Frustum> p_frustums, float p_margin);
+	void see_all() { _sees_all = true; }
+	bool is_field_seen() const; // any of its tiles, or what stands on them
+	// The ground changed under these tiles: the next step moves those that are awake, even out of view.
+	void stir(const TileRange &p_tiles);
+	// p_delta seconds have passed in which nobody saw any of it and update() was not called.
+	void pass_unseen(double p_delta);
+
 	// One step of p_delta seconds (not finite or negative: 0). Mends p_colliders, see ColliderShape::sanitise(). The
 	// same calls make the same records, bit for bit. What the getters below return holds until the next call.
 	void update(double p_delta, std::span<ColliderShape> p_colliders);
 	// Of the last update, 0 before the first; never falls, not even by reset().
 	uint64_t get_step_number() const { return _step_number; }
 
-	// Retired tiles first, then the live ones by rising slot. A slot can be in both parts: given away at once.
+	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
 	std::span<const GrassSlot> get_slots() const { return _records; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders; }
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
@@ -131,7 +145,10 @@ private:
 		float energy = NO_ENERGY; // since the last touch
 		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
 		float blend = 0.0f; // of this step's record; 1: at rest after it
+		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
 		bool is_settling = false;
+		bool is_unseen = false; // in this step: not simulated
+		bool is_stirred = false; // in this step; false between steps
 		bool is_fresh = false, is_touched = false; // in this step; false between steps
 		uint32_t list_count = 0; // objects in this step; 0 between steps
 		uint32_t list_next = 0; // entry of the collider list to write next
@@ -146,7 +163,7 @@ private:
 	void begin_step();
 	void find_touched_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
-	void touch(int p_tile, uint32_t p_collider);
+	void touch(int p_tile, uint32_t p_collider, bool p_moves);
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
@@ -160,6 +177,11 @@ private:
 	void settle(Awake &r_awake, double p_delta) const;
 	void retire(int p_slot);
 
+	bool is_seen(const Awake &p_awake) const;
+	bool is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, double p_half_z) const;
+	bool is_idle(const Awake &p_awake) const;
+	bool is_past(const Awake &p_awake) const;
+
 	void count_touches(std::span<const ColliderShape> p_colliders);
 	void pack_collider(const ColliderShape &p_collider);
 	void write_records();
@@ -168,6 +190,10 @@ private:
 	TileGrid _grid;
 	TileParams _params;
 	std::shared_ptr<const TileBounds> _bounds;
+	bool _sees_all = true;
+	bool _has_passed_unseen = false; // since the last step
+	std::vector<Frustum> _frustums;
+	float _margin = 0.0f; // metres
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
 

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Drops the touches of tiles that got no slot, counts the others by slot, and packs the objects in use.
+// Drops the touches of tiles that got no slot or are not simulated, counts the others by slot, and packs the objects in use.
 void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
@@ -14,7 +14,7 @@ void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	for (const Touch &touch : _touches) { // rising by collider
 		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
-		if (slot != SlotSet::NONE) {
+		if (slot != SlotSet::NONE && !_awake[size_t(slot)].is_unseen) {
 			if (touch.collider != last) {
 				last = touch.collider;
 				pack_collider(p_colliders[last]);
@@ -37,22 +37,27 @@ void TileManager::pack_collider(const ColliderShape &p_collider) {
 
 // One pass over the awake tiles, which also readies them for the next step: they are many, and lie far apart in memory.
 void TileManager::write_records() {
-	_statistics.awake = _statistics.settling = 0;
+	_statistics.awake = _statistics.simulated = _statistics.settling = 0;
 	uint32_t entries = 0;
 	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
 		Awake &awake = _awake[size_t(slot)];
-		const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
-				(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
-		_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
 		_statistics.awake++;
+		if (awake.is_unseen) {
+			_statistics.unseen_steps++;
+		} else {
+			const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
+					(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
+			_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
+			_statistics.simulated++;
+		}
 		_statistics.settling += awake.is_settling ? 1 : 0;
 		awake.list_next = entries;
 		entries += awake.list_count;
 		awake.list_count = 0;
-		awake.is_fresh = awake.is_touched = false;
+		awake.is_fresh = awake.is_touched = awake.is_stirred = false;
 	}
+	_statistics.tile_steps += uint64_t(_statistics.simulated);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
-	_statistics.tile_steps += uint64_t(_statistics.awake);
 }
 
 // Each tile's objects, in the order in which they were given.

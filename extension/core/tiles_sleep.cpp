@@ -43,17 +43,25 @@ void TileManager::deactivate_tiles(double p_delta) {
 		Awake &awake = _awake[size_t(slot)];
 		if (awake.is_touched) {
 			keep_awake(awake);
-		} else if (awake.blend >= 1.0f) {
+		}
+		awake.is_unseen = is_idle(awake) && !is_seen(awake);
+		if (awake.is_touched) {
+			continue;
+		}
+		awake.blend = (awake.is_unseen || _has_passed_unseen) && is_past(awake) ? 1.0f : awake.blend;
+		if (awake.blend >= 1.0f) {
 			retire(slot);
 			_free.insert(slot);
-		} else if (should_settle(awake)) {
+		} else if (!awake.is_unseen && should_settle(awake)) {
 			settle(awake, p_delta);
 		}
 	}
+	_has_passed_unseen = false;
 }
 
 void TileManager::keep_awake(Awake &r_awake) const {
 	r_awake.touched = _time;
+	r_awake.stirred = r_awake.is_stirred ? _time : r_awake.stirred;
 	r_awake.touched_step = _step_number;
 	r_awake.calm_since = NEVER;
 	r_awake.energy = NO_ENERGY;
@@ -64,6 +72,16 @@ void TileManager::keep_awake(Awake &r_awake) const {
 bool TileManager::is_calm(const Awake &p_awake) const {
 	return _params.sleep_mode == SleepMode::ENERGY && p_awake.energy <= float(_params.sleep_energy) &&
 			_time - p_awake.calm_since >= CALM_TIME;
+}
+
+// No object has moved in it for a while.
+bool TileManager::is_idle(const Awake &p_awake) const {
+	return !p_awake.is_stirred && _time - p_awake.stirred >= CALM_TIME;
+}
+
+// Would be at rest by now, for all that anybody can tell who did not see it.
+bool TileManager::is_past(const Awake &p_awake) const {
+	return p_awake.is_settling || is_calm(p_awake) || _time - p_awake.touched >= _params.sleep_delay + _params.settle_time;
 }
 
 bool TileManager::should_settle(const Awake &p_awake) const {

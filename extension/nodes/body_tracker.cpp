@@ -304,6 +304,13 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 	r_colliders.resize(_written);
 }
 
+void BodyTracker::forget_motion() {
+	_has_field_before = false;
+	for (auto &[id, body] : _bodies) {
+		body.has_before = false;
+	}
+}
+
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(const Body &p_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	for (const TrackedShape &shape : p_body.shapes) {

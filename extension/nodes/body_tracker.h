@@ -55,6 +55,8 @@ public:
 	// Writes every shape that may touch grass in this tick, posed in the field's space, over what r_colliders held.
 	// p_field: the field's transform (orthonormal); p_delta: seconds since the last call.
 	void collect(const godot::Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders);
+	// Time has passed without collect(): where bodies were before is no motion.
+	void forget_motion();
 
 	const TrackerStatistics &get_statistics() const { return _statistics; }
 	int64_t body_count() const;

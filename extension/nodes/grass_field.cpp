@@ -18,6 +18,14 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+// Grass this far outside of the view counts as seen: a camera that turns finds it as it should be. Metres. Smaller: bodies
+// push into the grass before one's eyes when the camera turns fast. Larger: more is simulated that nobody sees.
+constexpr float VIEW_MARGIN = 3.0f;
+
+} // namespace
+
 GrassField::GrassField() {
 	for (size_t i = 0; i < _params.size(); i++) {
 		_params[i] = FIELD_PARAMS[i].tunable.initial;
@@ -142,8 +150,19 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	CpuClock clock;
 	recover(p_delta);
+	if (!_is_seen && !is_listened_to()) {
+		_unseen_time += p_delta;
+		_unseen_ticks++;
+		return; // nobody would know
+	}
+	CpuClock clock;
+	if (_unseen_time > 0.0) {
+		_tracker.forget_motion();
+		_node_colliders.forget_motion();
+		_tiles.pass_unseen(_unseen_time);
+		_unseen_time = 0.0;
+	}
 	update_map();
 	const Transform3D transform = field_transform();
 	const double height = _setup.blade_length();
@@ -154,6 +173,7 @@ void GrassField::physics_tick(double p_delta) {
 	_node_colliders.collect(transform, _colliders);
 	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
+	_tiles.stir(_regrown);
 	_tiles.update(p_delta, _colliders);
 	_tiles_ms = clock.lap();
 	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
@@ -184,7 +204,6 @@ void GrassField::frame(double p_delta) {
 	}
 	if (param(PARAM_WIND_SPEED) > 0.0) {
 		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
-		set_wind_clock();
 	}
 }
 
@@ -203,19 +222,53 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	update_map();
 	follow();
-	choose_view();
+	const bool was_seen = _is_seen;
+	const FieldView view = find_view();
+	_is_seen = look(view);
+	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
+		_backend->draw(view);
+	}
+	if (_is_seen && param(PARAM_WIND_SPEED) > 0.0) {
+		set_wind_clock();
+		_wind_updates++;
+	}
 	_frame_ms = clock.lap();
 }
 
-void GrassField::choose_view() {
+// Whether a script wants to know of bodies in the grass, seen or not.
+bool GrassField::is_listened_to() const {
+	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
+}
+
+// Tells the tiles what is seen; whether any of them is, or throws a shadow that is. A world without a camera is looked at
+// in ways that are not known here: by scripts, by tests.
+bool GrassField::look(const FieldView &p_view) {
+	if (p_view.cameras.empty() && is_visible_in_tree()) {
+		_tiles.see_all();
+		return true;
+	}
+	std::vector<Frustum> frustums;
+	for (const ViewCamera &camera : p_view.cameras) {
+		frustums.push_back(camera.planes);
+	}
+	float margin = std::max(VIEW_MARGIN, p_view.shadow_margin);
+	for (const Eigen::Vector3f &fall : p_view.falls) {
+		margin = std::max(margin, fall.norm());
+	}
+	_tiles.see(frustums, margin);
+	return _tiles.is_field_seen();
+}
+
+// From all cameras; from none if it is hidden.
+FieldView GrassField::find_view() {
+	FieldView view;
 	if (!is_visible_in_tree()) {
-		return;
+		return view;
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
-	FieldView view;
 	view.cameras = find_cameras(this, field);
 	if (view.cameras.empty()) {
-		return;
+		return view;
 	}
 	view.lod.far = float(param(PARAM_LOD_FAR));
 	view.lod.error = float(param(PARAM_LOD_ERROR));
@@ -227,7 +280,7 @@ void GrassField::choose_view() {
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
 		view.falls = find_falls(this, field, _setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
 	}
-	_backend->draw(view);
+	return view;
 }
 
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {

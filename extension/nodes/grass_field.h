@@ -130,7 +130,9 @@ private:
 	void frame(double p_delta);
 	void follow();
 	void _before_draw();
-	void choose_view();
+	FieldView find_view();
+	bool look(const FieldView &p_view);
+	bool is_listened_to() const;
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
 	// grass_field_map.cpp
@@ -177,6 +179,9 @@ private:
 
 	bool _dirty = false; // the backend must be made again
 	int64_t _builds = 0; // backends made
+	bool _is_seen = true; // by a camera, in the last frame; where no frames are drawn, always
+	double _unseen_time = 0.0; // seconds since it was, as far as ticks were left out
+	int64_t _unseen_ticks = 0, _wind_updates = 0; // ticks left out; frames in which the wind's clock went to the materials
 	bool _is_watched = false; // somebody reads the monitors of times
 	WindClock _wind_clock;
 	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field.

@@ -103,7 +103,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 		case MONITOR_AWAKE_TILES:
 			return double(now["awake_tiles"]);
 		case MONITOR_SIMULATED_BLADES:
-			return double(now["awake_tiles"]) * GRASS_BLADES_PER_TILE;
+			return _is_seen ? double(_tiles.get_statistics().simulated) * GRASS_BLADES_PER_TILE : 0.0;
 		case MONITOR_DRAWN_BLADES:
 			return double(now["drawn_blades"]);
 		case MONITOR_DRAWN_TRIANGLES:
@@ -140,6 +140,9 @@ Dictionary GrassField::get_statistics() const {
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
+	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
+	result["unseen_ticks"] = _unseen_ticks;
+	result["wind_updates"] = _wind_updates;
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);

@@ -71,6 +71,12 @@ void NodeColliders::collect(const Transform3D &p_field, std::vector<ColliderShap
 	}
 }
 
+void NodeColliders::forget_motion() {
+	for (Entry &entry : _entries) {
+		entry.has_before = false;
+	}
+}
+
 bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape) {
 	TrackedShape tracked;
 	read_shape(p_shape->get_rid(), tracked);

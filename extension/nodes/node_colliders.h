@@ -16,6 +16,7 @@ public:
 	void remove(const godot::Node3D *p_node); // with all its shapes
 	// Appends every shape, posed in the field's space. p_field: the field's transform (orthonormal).
 	void collect(const godot::Transform3D &p_field, std::vector<ColliderShape> &r_colliders);
+	void forget_motion(); // see BodyTracker
 	bool is_empty() const { return _entries.empty(); }
 
 private:

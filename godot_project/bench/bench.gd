@@ -87,7 +87,8 @@ func _write(p_path: String, p_rows: Array[PackedStringArray]) -> void:
 	if file == null:
 		push_error("Bench: cannot write %s (%s)." % [p_path, error_string(FileAccess.get_open_error())])
 		return
-	file.store_line("# %s, %s, Godot %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(), Engine.get_version_info().string])
+	file.store_line("# %s, %s, Godot %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(),
+			Engine.get_version_info().string, OS.get_processor_name()])
 	for row in p_rows:
 		file.store_csv_line(row)
 		print(", ".join(row))

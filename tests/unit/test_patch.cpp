@@ -148,6 +148,52 @@ TEST_CASE("patch: any run of blades is an even sample of the tile") {
 	}
 }
 
+TEST_CASE("patch: the blades that a thinned tile keeps are an even sample, however few") {
+	const Patch patch = generate_patch({});
+	int runs = 0;
+	double deviations = 0.0; // of the share of roots in a half of the tile, over what chance gives
+	double worst_spacing = 2.0;
+	for (int count = 2; count <= GRASS_BLADES_PER_TILE; count++) {
+		double spacings = 0.0;
+		int starts = 0;
+		for (int start = 0; start < GRASS_START_COUNT * GRASS_START_STRIDE; start += 25 * GRASS_START_STRIDE) {
+			int left = 0, near = 0;
+			for (int i = 0; i < count; i++) {
+				const Eigen::Vector4f root = texel(patch, start + i, 0);
+				left += root.x() < 0.5f;
+				near += root.y() < 0.5f;
+			}
+			deviations += (std::pow(left - 0.5 * count, 2) + std::pow(near - 0.5 * count, 2)) / (0.25 * count);
+			runs += 2;
+			spacings += spacing(patch, start, count);
+			starts++;
+		}
+		worst_spacing = std::min(worst_spacing, spacings / starts);
+	}
+	CAPTURE(worst_spacing);
+	CHECK(deviations / runs < 0.25); // 1: random
+	CHECK(worst_spacing > 1.35);
+}
+
+TEST_CASE("patch: the blades that thinned tiles keep are as long and as wide as all") {
+	const Patch patch = generate_patch({});
+	for (const int count : { 1, 2, 4, 8, 16, 32 }) {
+		double width = 0.0, length = 0.0;
+		for (int tile = 0; tile < GRASS_START_COUNT; tile++) {
+			for (int i = 0; i < count; i++) {
+				const int blade = tile * GRASS_START_STRIDE + i;
+				width += texel(patch, blade, 0).w();
+				for (int k = 1; k < GRASS_KNOTS; k++) {
+					length += (knot(patch, blade, k) - knot(patch, blade, k - 1)).norm();
+				}
+			}
+		}
+		CAPTURE(count);
+		CHECK(width / (count * GRASS_START_COUNT) == doctest::Approx(patch.mean_width).epsilon(0.02));
+		CHECK(length / (count * GRASS_START_COUNT) == doctest::Approx(patch.mean_length).epsilon(0.02));
+	}
+}
+
 TEST_CASE("patch: blades lean every way, and every type is there by its weight") {
 	const Patch patch = generate_patch({});
 	int quadrants[4] = {};

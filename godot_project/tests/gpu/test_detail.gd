@@ -94,3 +94,28 @@ func test_thinned_grass_covers_as_much() -> void:
 		var thinned := share_of(await picture(), is_green)
 		print("    from %s: %.3f green at full detail, %.3f with %d of %d blades" % [view[0], full, thinned, field.get_statistics().drawn_blades, field.get_blade_count()])
 		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])
+
+
+## One tile from the side, ever fewer of its blades: each shrinks before it is gone.
+func test_blades_fade_by_shrinking() -> void:
+	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 0.8
+	look(Vector3(0, 0.35, 3), Vector3(0, 0.35, 0))
+	field.hide()
+	var empty := await picture()
+	field.show()
+	var covered := PackedFloat32Array() # in units of a blade's contrast to the sky
+	for i in 25:
+		var share := (14.0 - 0.25 * i) / 64.0
+		field.lod_far = 7.0 * (3.0 - camera.near) / (8.0 * (1.0 - share)) # [Eq L1]
+		covered.append(difference(await picture(), empty).y)
+	var blade := 0.0 # the most that a whole blade covers
+	var step := 0.0 # the most that a quarter of one does
+	for i in range(4, covered.size()):
+		blade = maxf(blade, covered[i - 4] - covered[i])
+		step = maxf(step, covered[i - 1] - covered[i])
+		assert_true(covered[i] < covered[i - 1] + 1e-4, "step %d: no blade grows" % i)
+	print("    14 blades cover %.4f, 8 %.4f; a whole one up to %.4f, a quarter up to %.4f" % [covered[0], covered[24], blade, step])
+	assert_less(covered[24], 0.8 * covered[0], "blades have gone")
+	assert_less(step, 0.65 * blade, "a quarter of a blade")
