@@ -6,6 +6,7 @@
 #include "class_docs.gen.h"
 #include "draw/patch_texture.h"
 #include "draw/shared_shader.h"
+#include "editor/grass_editor_plugin.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_brush.h"
@@ -16,6 +17,7 @@
 #include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
+#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/godot.hpp>
 
 using namespace godot;
@@ -36,6 +38,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
+		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
+		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
 		for (const std::string_view &text : grass::CLASS_DOCS) {
 			gdextension_interface::editor_help_load_xml_from_utf8_chars_and_len(text.data(), int64_t(text.size()));
 		}

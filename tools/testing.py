@@ -3,6 +3,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 from dataclasses import dataclass, field
 
@@ -11,11 +12,12 @@ from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
-LAYERS = (*PROGRAMS, "headless", "gpu")
+LAYERS = (*PROGRAMS, "headless", "gpu", "editor")
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
 PROGRAM_LIMIT = 900  # seconds
 ENGINE_LIMIT = 2400  # seconds
+EDITED = BUILD / "editor/project" # the copy of the project that the editor may change; its pictures lie beside it
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
 
@@ -123,9 +125,9 @@ class Reports:
 		return self.tally
 
 
-def in_engine(layer, command, environment, only, title=""):
+def in_engine(layer, command, environment, only, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT):
 	reports = Reports(layer, bool(only), title)
-	arguments = ["--path", str(PROJECT), "--fixed-fps", "60", "res://tests/runner.tscn", "--", f"--layer={layer}"]
+	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
 	try:
@@ -150,9 +152,24 @@ def gpu(only):
 	return tally
 
 
+def copy_project():
+	"""The project once more, with the plugin that runs the tests in the editor."""
+	shutil.rmtree(EDITED, ignore_errors=True)
+	shutil.copytree(PROJECT, EDITED, symlinks=True)
+	with open(EDITED / "project.godot", "a") as file:
+		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # what the editor opens at first
+		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
+
+
+def editor(only):
+	copy_project()
+	with engine.window(size="1280x720", software=True) as (command, environment):
+		return in_engine("editor", command, environment, only, start=("--editor",), project=EDITED)
+
+
 def run(layers=LAYERS, only=""):
 	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
-	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if "gpu" in layers else []
+	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if {"gpu", "editor"} & set(layers) else []
 	machine.ensure(*machine.BUILDING, *on_screen)
 	targets = {layer: layer if layer in PROGRAMS else "extension" for layer in layers}
 	build.scons(*sorted(set(targets.values())))
@@ -161,7 +178,7 @@ def run(layers=LAYERS, only=""):
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu}[layer](only)
+		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu, "editor": editor}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

@@ -13,6 +13,7 @@
 #include "nodes/field_params.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
+#include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -95,6 +96,7 @@ public:
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
+	godot::Transform3D field_transform() const; // global, without scale
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
 
 	// grass_field_game.cpp: what a game asks of the grass and does to it. Places are global.
@@ -110,6 +112,11 @@ public:
 	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
+
+	// grass_field_ground.cpp: reads the shape of the ground into the map, over a rectangle of places (field space, x and z in
+	// metres) or, where that is empty, over the whole field. At how many places, one a metre, there is ground.
+	int64_t bake_ground(const godot::Rect2 &p_region = godot::Rect2(), int64_t p_mask = GroundRays::ALL_LAYERS);
+	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 	godot::AABB _get_aabb() const override;
@@ -142,6 +149,9 @@ private:
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
 	double ground_range() const;
+	// grass_field_ground.cpp
+	MapRegion bake_region(const godot::Rect2 &p_region) const;
+	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
 	// grass_field_game.cpp
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
 	Growth growth_at(const Eigen::Vector3d &p_place) const;
@@ -156,7 +166,6 @@ private:
 	void set_all_uniforms();
 	void set_wind_uniforms();
 	void set_wind_clock();
-	godot::Transform3D field_transform() const; // global, without scale
 	std::shared_ptr<const Patch> find_patch() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;

@@ -274,6 +274,9 @@ void GrassField::_bind_methods() {
 			DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
 	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassField::paint);
 	ClassDB::bind_method(D_METHOD("trample", "global_position", "radius", "amount"), &GrassField::trample);
+	ClassDB::bind_method(
+			D_METHOD("bake_ground", "region", "mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
+	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
 	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));

@@ -5,6 +5,7 @@
 ## it with all its children. Optional: `func before()` and `func after()`, which may await as well. A failed check is
 ## noted and the test goes on; where that makes no sense, `if not assert_...(): return`.
 ## An error that the engine or a script reports while a test runs fails it, unless the test expects it (expect_error).
+@tool
 extends Node3D
 
 var failures: Array[String] = []

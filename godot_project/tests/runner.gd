@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 ## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
-## (or gpu), optionally with `--only=PART` of a test's name. `./grass test` does that and adds up the layers.
+## (or gpu), optionally with `--only=PART` of a test's name. `./grass test` does that and adds up the layers. The layer
+## `editor` runs inside the editor: res://tests/editor/driver.gd puts this scene into it.
 ##
 ## Finds res://tests/LAYER/test_*.gd. For tools/testing.py, which also knows what had not run if the engine dies, it
 ## prints a line `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
+@tool
 extends Node
 
 const TIME_LIMIT := 180.0 # seconds; a test that takes longer is taken for hung
@@ -40,6 +42,8 @@ var _done := false
 
 
 func _ready() -> void:
+	if Engine.is_editor_hint() and _argument("layer", "") != "editor":
+		return # somebody looks at the scene
 	OS.add_logger(_listener)
 	var plan := _plan(_argument("layer", "headless"), _argument("only", ""))
 	for test: Dictionary in plan:

@@ -95,6 +95,31 @@ TEST_CASE("map_layers: only what changed is put together again, and only changed
 	}
 }
 
+TEST_CASE("map_layers: a tint blends into no tint without a trace of white") {
+	PaintMap map;
+	Brush tint;
+	tint.tool = MapTool::TINT;
+	tint.color = { 1.0, 0.4, 0.0 };
+	apply_brush(map, MapShape::stroke({ 0, 0 }, { 0, 0 }, 6.0, 0.2, Falloff::LINEAR), tint);
+	MapLayers layers;
+	layers.reset(GRID);
+	layers.update(map, { { -20, -20 }, { 20, 20 } });
+	int tinted = 0, weak = 0;
+	for (int layer = 0; layer < layers.get_count(); layer++) {
+		const std::vector<uint8_t> &texels = layers.get_layer(layer).tint;
+		for (size_t t = 0; t < texels.size(); t += 4) { // any mean of texels has the colour that each of them has
+			const double strength = texels[t + 3];
+			CHECK(std::abs(texels[t] - strength) <= 1.0);
+			CHECK(std::abs(texels[t + 1] - 0.4 * strength) <= 1.0);
+			CHECK(texels[t + 2] == 0);
+			tinted += strength > 0.0 ? 1 : 0;
+			weak += strength > 0.0 && strength < 128.0 ? 1 : 0;
+		}
+	}
+	CHECK(tinted > 80);
+	CHECK(weak > 20);
+}
+
 TEST_CASE("growth: wear presses the grass and thins it out until it is gone [Eq M1]") {
 	PaintMap map;
 	map.set_base_density(1.0);

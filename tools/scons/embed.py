@@ -3,7 +3,7 @@
 
 Compute passes become SPIR-V (a mistake in one fails the build), the blade shader becomes one text with its shared
 files inlined (the engine would follow includes only one level deep), class documentation becomes the texts that the
-editor's help loads.
+editor's help loads, icons of the editor's tools become SVG texts.
 """
 
 import pathlib
@@ -99,6 +99,13 @@ def docs_header(target, source, env):
 	count = len(source)
 	body = f"inline constexpr std::array<std::string_view, {count}> CLASS_DOCS = {{{texts}}};\n"
 	return write_header(target, source, ["#include <array>\n#include <string_view>\n\nnamespace grass {\n", body], "grass")
+
+
+def icons_header(target, source, env):
+	"""SCons action: SVG files -> `grass::icon::NAME`, texts."""
+	lines = ["\nnamespace grass::icon {\n"]
+	lines += [f"inline constexpr char {constant_name(node, '')}[] = {literal(pathlib.Path(str(node)).read_text())};\n" for node in source]
+	return write_header(target, source, lines, "grass::icon")
 
 
 def write_header(target, source, lines, namespace="grass::shader"):

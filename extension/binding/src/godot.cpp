@@ -2,6 +2,7 @@
 // The library's entry: looks the engine's functions up, or says why it cannot.
 #include <godot_cpp/godot.hpp>
 
+#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/engine_class.hpp>
 #include <godot_cpp/core/version.hpp>
@@ -122,6 +123,7 @@ void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
 	if (terminator) {
 		terminator(static_cast<ModuleInitializationLevel>(p_level));
 	}
+	EditorPlugins::deinitialize(p_level);
 	ClassDB::deinitialize(p_level);
 	if (p_level == GDEXTENSION_INITIALIZATION_CORE) {
 		internal::free_singletons();

@@ -78,7 +78,9 @@ private:
 		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
 		for (int c = 0; c < 4; c++) {
 			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? _lean.code(c, i, j) : _normal.code(c - 2, i, j)));
-			put(r_layer.tint[p_texel * 4 + size_t(c)], uint8_t(_tint.code(c, i, j)));
+			// By its strength, so that a colour that does not show has no part in what its neighbours blend to.
+			const double strength = c < 3 ? _tint.value(3, i, j) : 1.0;
+			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
 		}
 		put(r_layer.ground[p_texel], float(_ground.value(0, i, j)));
 	}

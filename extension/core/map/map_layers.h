@@ -26,7 +26,7 @@ struct MapLayer {
 	std::vector<uint8_t> growth; // FINE^2 x (density, height, cut, wear)
 	std::vector<uint8_t> form; // COARSE^2 x (lean x, z, normal x, z), codes of their channels
 	std::vector<float> ground; // COARSE^2, metres
-	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue, strength)
+	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
 };
 
 class MapLayers {

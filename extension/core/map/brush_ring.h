@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The ring that shows on the ground where a brush will act.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+// p_count places evenly around a circle, from +x towards +z.
+std::vector<Eigen::Vector2d> circle_places(const Eigen::Vector2d &p_centre, double p_radius, int p_count);
+
+// A closed band along a loop of points, that looks p_width wide everywhere: p_width is in units of the distance from the
+// eye, so 2 * tan(fov / 2) / height makes it one pixel. Triangles, three vertices each, six a point. Where the loop
+// runs towards the eye or stands still, the band has no width.
+std::vector<Eigen::Vector3d> ring_band(std::span<const Eigen::Vector3d> p_loop, const Eigen::Vector3d &p_eye, double p_width);
+
+} // namespace grass

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Heights of a surface that is made of triangles, at the centres of the texels of a map's ground: what lay_ground() asks
+// for, of terrain whose triangles are known.
+#pragma once
+
+#include "core/map/map_layers.h"
+
+#include <vector>
+
+namespace grass {
+
+class HeightSheet {
+public:
+	// For lay_ground() over p_region.
+	explicit HeightSheet(const MapRegion &p_region);
+
+	// Corners in field space, metres. Of triangles above each other the highest counts. Those that are not finite, and those
+	// that stand upright, add nothing.
+	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
+
+	// Metres above the field; NaN where no triangle lies, and outside of the region.
+	double at(const Eigen::Vector2d &p_place) const;
+
+private:
+	Eigen::Array2d texel_at(const Eigen::Vector2d &p_place) const; // from the first one; whole numbers are centres
+
+	Eigen::Array2d _first; // centre of the first texel, metres
+	int _width = 0, _depth = 0;
+	std::vector<double> _heights; // row by row along x
+};
+
+} // namespace grass

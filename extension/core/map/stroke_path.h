@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The way of a brush over the ground, as steps of even length: what a stroke leaves does not depend on how fast the
+// cursor moves, nor on how often the editor hears of it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace grass {
+
+struct StrokeStep {
+	Eigen::Vector2d from, to; // metres
+};
+
+class StrokePath {
+public:
+	static constexpr double SPACING = 0.25; // of the radius: eight steps overlap at each place
+	static constexpr int MAX_STEPS = 64; // a move; beyond, steps grow longer instead of more
+
+	// The step at the place where the stroke begins.
+	StrokeStep begin(const Eigen::Vector2d &p_place);
+	// The steps towards a place, for a brush of that radius, metres. What is left over counts with the next move.
+	// Places that are not finite make no step.
+	std::vector<StrokeStep> move(const Eigen::Vector2d &p_place, double p_radius);
+
+private:
+	Eigen::Vector2d _last = Eigen::Vector2d::Zero(); // end of the last step
+};
+
+} // namespace grass

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The brush's tools and numbers, in the 3D editor's menu bar while a GrassField is selected. Edits a GrassBrush; who paints
+// with it is the plugin.
+#pragma once
+
+#include "nodes/grass_brush.h"
+
+#include <godot_cpp/classes/button.hpp>
+#include <godot_cpp/classes/color_picker_button.hpp>
+#include <godot_cpp/classes/editor_spin_slider.hpp>
+#include <godot_cpp/classes/h_flow_container.hpp>
+#include <godot_cpp/classes/menu_button.hpp>
+#include <godot_cpp/classes/option_button.hpp>
+#include <godot_cpp/classes/popup_panel.hpp>
+
+#include <array>
+#include <vector>
+
+namespace grass {
+
+class BrushToolbar : public godot::HFlowContainer {
+	GDCLASS(BrushToolbar, godot::HFlowContainer)
+
+public:
+	// The numbers that keys and the wheel change.
+	enum Number {
+		NUMBER_RADIUS,
+		NUMBER_HARDNESS,
+		NUMBER_STRENGTH,
+		NUMBER_TARGET, // of the tool
+	};
+	enum MenuItem {
+		MENU_BARE,
+		MENU_FULL,
+		MENU_CLEAR,
+		MENU_FOLLOW,
+	};
+
+	BrushToolbar();
+
+	godot::Ref<GrassBrush> get_brush() const { return _brush; }
+	bool has_tool() const { return _has_tool; }
+	bool follows_ground() const; // painting bakes the ground under the brush
+	void put_tool_down(); // nothing is painted until another is chosen
+	void nudge(Number p_number, int p_notches);
+	godot::Color get_tool_color() const; // for the ring
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	struct Slider {
+		BrushParamId param;
+		godot::EditorSpinSlider *slider;
+	};
+
+	void add_tools();
+	void add_numbers();
+	void add_limits();
+	void add_bake();
+	void add_menu();
+	godot::EditorSpinSlider *add_slider(
+			godot::Node *p_parent, const Tunable &p_tunable, const char *p_label, const char *p_tooltip, double p_width);
+	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width);
+	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
+	void load_icons();
+	void fit(); // one row where the window has room beside its docks, else as many as it takes
+	void show_brush(); // the brush's properties, in the controls
+	void _tool_toggled(bool p_pressed);
+	void _number_changed(double p_value);
+	void _color_changed(const godot::Color &p_color);
+	void _channel_selected(int64_t p_index);
+	void _limits_pressed();
+	void _bake_pressed();
+	void _menu_pressed(int64_t p_item);
+
+	godot::Ref<GrassBrush> _brush;
+	std::vector<godot::Button *> _tools; // in the order of TOOLS
+	std::vector<Slider> _sliders;
+	godot::EditorSpinSlider *_species = nullptr;
+	godot::ColorPickerButton *_color = nullptr;
+	godot::OptionButton *_channel = nullptr;
+	godot::Button *_limits = nullptr, *_bake = nullptr;
+	godot::PopupPanel *_limits_panel = nullptr;
+	godot::MenuButton *_menu = nullptr;
+	bool _has_tool = false, _showing = false;
+};
+
+} // namespace grass

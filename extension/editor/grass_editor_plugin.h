@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField is selected. There from the moment
+// the library is; nothing to enable.
+#pragma once
+
+#include "editor/brush_toolbar.h"
+#include "editor/paint_stroke.h"
+#include "editor/ring_view.h"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/editor_plugin.hpp>
+#include <godot_cpp/classes/input_event.hpp>
+#include <godot_cpp/classes/input_event_key.hpp>
+#include <godot_cpp/classes/input_event_mouse_button.hpp>
+#include <godot_cpp/classes/input_event_mouse_motion.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+namespace grass {
+
+class GrassEditorPlugin : public godot::EditorPlugin {
+	GDCLASS(GrassEditorPlugin, godot::EditorPlugin)
+
+public:
+	godot::String _get_plugin_name() const override { return "GrassField"; }
+	void _enter_tree() override;
+	void _exit_tree() override;
+	bool _handles(godot::Object *p_object) const override;
+	void _edit(godot::Object *p_object) override;
+	void _make_visible(bool p_visible) override;
+	// The editor puts the scene aside, or saves it: the stroke ends, and is written into that scene's history.
+	godot::Dictionary _get_state() const override;
+	void _apply_changes() override { finish_stroke(); }
+	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
+
+	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
+	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown.
+	godot::Dictionary get_statistics() const;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	GrassField *find_field() const;
+	int32_t key_input(const godot::Ref<godot::InputEventKey> &p_key);
+	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
+	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
+	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
+	void finish_stroke();
+	void put_down(); // ends the stroke, hides the ring
+	template <typename F> void change_map(const char *p_name, F &&p_change);
+	void _tool_changed();
+	void _bake_pressed();
+	void _menu_pressed(int64_t p_item);
+
+	BrushToolbar *_toolbar = nullptr;
+	uint64_t _field_id = 0; // of the selected field; 0: none
+	PaintStroke _stroke;
+	RingView _ring;
+	double _event_us = 0.0;
+};
+
+} // namespace grass

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Where the cursor meets the ground: on whatever body of the physics lies there and does not move about, else on the
+// field's own plane.
+#pragma once
+
+#include "nodes/grass_field.h"
+
+#include <Eigen/Core>
+
+#include <godot_cpp/classes/camera3d.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+struct GroundPoint {
+	Eigen::Vector3d position; // field space, metres
+	bool on_body = false; // else on the field's plane
+
+	Eigen::Vector2d place() const { return { position.x(), position.z() }; }
+};
+
+// p_mouse: in the 3D editor's viewport, as its input events have it. Nothing where the ray meets neither the field nor a
+// body within p_margin metres of it.
+std::optional<GroundPoint> pick_ground(
+		const GrassField *p_field, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
+
+// How far up and down the ground is looked for around a cursor: it may be as steep as 60 degrees. Metres.
+inline double ground_reach(double p_radius) {
+	return 2.0 * p_radius + 1.0;
+}
+
+// Points of the ground at places around p_centre, no further than p_radius from it; field space. Where there is no body
+// near, level with the centre.
+std::vector<Eigen::Vector3d> drape(
+		const GrassField *p_field, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius);
+
+} // namespace grass

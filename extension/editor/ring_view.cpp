@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "editor/ring_view.h"
+
+#include "convert.h"
+#include "core/map/brush_ring.h"
+#include "draw/shared_shader.h"
+#include "render_shaders.gen.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/mesh.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/viewport.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/packed_color_array.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr int POINTS = 64; // of a ring
+constexpr double OUTER_PIXELS = 3.0, INNER_PIXELS = 1.5; // wide
+constexpr float INNER_ALPHA = 0.6f;
+constexpr uint32_t TOOL_LAYER = 1 << 24; // seen by the 3D editor's own cameras only
+
+// Width of a pixel and the eye, such that width times distance from the eye is what a pixel covers.
+struct Sight {
+	Eigen::Vector3d eye; // field space
+	double pixel;
+};
+
+Sight sight_of(const Camera3D *p_camera, const Eigen::Isometry3d &p_field, const Eigen::Vector3d &p_centre) {
+	const double height = std::max(1.0, double(p_camera->get_viewport()->get_visible_rect().size.y));
+	const double scale = EditorInterface::get_singleton()->get_editor_scale();
+	if (p_camera->get_projection() == Camera3D::PROJECTION_ORTHOGONAL) { // an eye so far away that all is equally far
+		const double far = 1e4 * p_camera->get_size();
+		const Eigen::Vector3d back = p_field.linear().transpose() * to_eigen(p_camera->get_camera_transform().basis.get_column(2));
+		return { p_centre + far * back, scale * p_camera->get_size() / (height * far) };
+	}
+	const Eigen::Vector3d eye = p_field.inverse() * to_eigen(p_camera->get_camera_transform().origin);
+	return { eye, scale * 2.0 * std::tan(0.5 * Math::deg_to_rad(double(p_camera->get_fov()))) / height };
+}
+
+} // namespace
+
+void RingView::create() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	_mesh = server->mesh_create();
+	_instance = server->instance_create();
+	server->instance_set_base(_instance, _mesh);
+	server->instance_set_layer_mask(_instance, TOOL_LAYER);
+	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	_material.instantiate();
+	_material->set_shader(shared_shader(shader::BRUSH_RING_GDSHADER));
+	server->instance_geometry_set_material_override(_instance, _material->get_rid());
+}
+
+void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const GroundPoint &p_centre, double p_radius, double p_hardness,
+		const Color &p_color) {
+	if (!_instance.is_valid()) {
+		create();
+	}
+	const Transform3D transform = p_field->field_transform();
+	const Sight sight = sight_of(p_camera, Eigen::Isometry3d(to_eigen(transform).matrix()), p_centre.position);
+	const Color color = p_color.srgb_to_linear();
+	PackedVector3Array vertices;
+	PackedColorArray colors;
+	const auto add_ring = [&](double p_ring_radius, double p_pixels, float p_alpha) {
+		const std::vector<Eigen::Vector2d> places = circle_places(p_centre.place(), p_ring_radius, POINTS);
+		const std::vector<Eigen::Vector3d> loop = drape(p_field, p_centre, places, p_radius);
+		for (const Eigen::Vector3d &vertex : ring_band(loop, sight.eye, p_pixels * sight.pixel)) {
+			vertices.push_back(to_godot(Eigen::Vector3d(vertex - p_centre.position)));
+			colors.push_back(Color(color.r, color.g, color.b, p_alpha));
+		}
+	};
+	add_ring(p_radius, OUTER_PIXELS, 1.0f);
+	if (p_hardness > 0.0 && p_hardness < 1.0) {
+		add_ring(p_radius * p_hardness, INNER_PIXELS, INNER_ALPHA);
+	}
+	Array arrays;
+	arrays.resize(Mesh::ARRAY_MAX);
+	arrays[Mesh::ARRAY_VERTEX] = vertices;
+	arrays[Mesh::ARRAY_COLOR] = colors;
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->mesh_clear(_mesh);
+	server->mesh_add_surface_from_arrays(_mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
+	server->instance_set_scenario(_instance, p_field->get_world_3d()->get_scenario());
+	server->instance_set_transform(_instance, transform.translated_local(to_godot(p_centre.position)));
+	server->instance_set_visible(_instance, true);
+	_shown = true;
+}
+
+void RingView::hide() {
+	if (_shown) {
+		RenderingServer::get_singleton()->instance_set_visible(_instance, false);
+		RenderingServer::get_singleton()->instance_set_scenario(_instance, RID()); // that world may go
+	}
+	_shown = false;
+}
+
+void RingView::free() {
+	if (_instance.is_valid()) {
+		RenderingServer::get_singleton()->free_rid(_instance);
+		RenderingServer::get_singleton()->free_rid(_mesh);
+	}
+	_instance = _mesh = RID();
+	_material.unref();
+	_shown = false;
+}
+
+} // namespace grass

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The ground as the physics has it: rays that meet whatever stands still.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
+#include <godot_cpp/classes/physics_ray_query_parameters3d.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/rid.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <optional>
+
+namespace grass {
+
+class GroundRays {
+public:
+	static constexpr int64_t ALL_LAYERS = 0xFFFFFFFF;
+
+	// p_field: global, without scale. p_mask: physics layers that are ground.
+	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
+
+	bool is_usable() const { return _space != nullptr; }
+	// The first body on the way that does not move about; field space, metres.
+	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
+	// Height of the highest ground at a place between two heights; NaN where there is none. Metres above the field.
+	double height_at(const Eigen::Vector2d &p_place, double p_low, double p_high);
+
+private:
+	godot::PhysicsDirectSpaceState3D *_space = nullptr;
+	Eigen::Isometry3d _field, _to_field;
+	godot::Ref<godot::PhysicsRayQueryParameters3D> _query;
+	godot::TypedArray<godot::RID> _passed; // bodies that move about, met so far
+};
+
+} // namespace grass

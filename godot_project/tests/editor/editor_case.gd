@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+## A test that paints in the editor as a person does: with the mouse and the keys.
+@tool
+extends "res://tests/case.gd"
+
+const SCENE := "res://tests/editor/hills.tscn"
+const SAVED := "res://tests/editor/painted.tscn" # the copy that tests paint on
+
+var field: GrassField
+var toolbar: Control
+var plugin: Node
+
+
+func before() -> void:
+	DirAccess.copy_absolute(SCENE, SAVED)
+	await open(SAVED)
+	reset_brush()
+
+
+## As every test finds it, whatever others did.
+func reset_brush() -> void:
+	set_number("Radius", 1.0)
+	set_number("Strength", 0.5)
+	set_number("Hardness", 0.5)
+	set_number("Target", 1.0)
+	set_limit("SlopeMax", 90.0)
+	set_limit("HeightMin", -16384.0)
+
+
+func after() -> void:
+	EditorInterface.save_scene() # nothing must ask whether to save when the next test opens its scene
+	await frames(2)
+
+
+## Opens a scene in the 3D view and selects its field.
+func open(path: String) -> void:
+	EditorInterface.set_main_screen_editor("3D")
+	if EditorInterface.get_edited_scene_root() and EditorInterface.get_edited_scene_root().scene_file_path == path:
+		EditorInterface.reload_scene_from_path(path)
+	else:
+		EditorInterface.open_scene_from_path(path)
+	await frames(4)
+	plugin = get_tree().root.find_children("*", "GrassEditorPlugin", true, false)[0]
+	toolbar = get_tree().root.find_child("GrassBrushToolbar", true, false)
+	field = EditorInterface.get_edited_scene_root().get_node("Field")
+	await select(field)
+
+
+func select(node: Node) -> void:
+	EditorInterface.get_selection().clear()
+	if node:
+		EditorInterface.edit_node(node)
+		EditorInterface.get_selection().add_node(node)
+	await frames(3)
+
+
+func view() -> Control:
+	return EditorInterface.get_editor_viewport_3d(0).get_parent()
+
+
+## Where a point of the world is on the screen.
+func at(point: Vector3) -> Vector2:
+	return view().get_global_transform() * EditorInterface.get_editor_viewport_3d(0).get_camera_3d().unproject_position(point)
+
+
+func send(event: InputEvent) -> void:
+	get_tree().root.push_input(event, true)
+	await frames(1)
+
+
+func move(to: Vector2, held := 0, modifiers := 0) -> void:
+	var event := InputEventMouseMotion.new()
+	event.position = to
+	event.global_position = to
+	event.button_mask = held
+	_hold(event, modifiers)
+	await send(event)
+
+
+func button(index: MouseButton, pressed: bool, where: Vector2, modifiers := 0) -> void:
+	var event := InputEventMouseButton.new()
+	event.button_index = index
+	event.pressed = pressed
+	event.position = where
+	event.global_position = where
+	event.button_mask = MOUSE_BUTTON_MASK_LEFT if index == MOUSE_BUTTON_LEFT and pressed else 0
+	_hold(event, modifiers)
+	await send(event)
+
+
+func key(code: Key, modifiers := 0) -> void:
+	for pressed: bool in [true, false]:
+		var event := InputEventKey.new()
+		event.keycode = code
+		event.physical_keycode = code
+		event.pressed = pressed
+		_hold(event, modifiers)
+		await send(event)
+
+
+func click(control: Control) -> void:
+	var middle := control.get_global_rect().get_center()
+	await move(middle)
+	await button(MOUSE_BUTTON_LEFT, true, middle)
+	await button(MOUSE_BUTTON_LEFT, false, middle)
+
+
+## Takes up a tool by its button.
+func take(tool_name: String) -> void:
+	var chosen: Button = toolbar.get_node(tool_name)
+	if not chosen.button_pressed:
+		await click(chosen)
+
+
+## A stroke from one point of the world to another, and further, with the left button.
+func stroke(points: Array, modifiers := 0) -> void:
+	await move(at(points[0]))
+	await button(MOUSE_BUTTON_LEFT, true, at(points[0]), modifiers)
+	for i in range(1, points.size()):
+		await move(at(points[i]), MOUSE_BUTTON_MASK_LEFT, modifiers)
+	await button(MOUSE_BUTTON_LEFT, false, at(points[-1]), modifiers)
+
+
+func press_and_move() -> void:
+	var from := at(Vector3(-1, 0, 0))
+	await move(from)
+	await button(MOUSE_BUTTON_LEFT, true, from)
+	await move(at(Vector3(0, 0, 0)), MOUSE_BUTTON_MASK_LEFT)
+	assert_true(plugin.get_statistics().active)
+
+
+## Sets a number of the brush by its slider.
+func set_number(slider: String, value: float) -> void:
+	(toolbar.get_node(slider) as Range).value = value
+	assert_near(number(slider), value, 1e-6, slider)
+
+
+func set_limit(slider: String, value: float) -> void:
+	(toolbar.get_node("Limits").find_child(slider, true, false) as Range).value = value
+
+
+func number(slider: String) -> float:
+	return (toolbar.get_node(slider) as Range).value
+
+
+func channel(of: GrassMap.Channel) -> float:
+	return field.map.sample(of, Vector2(0, 0), 3 if of == GrassMap.CHANNEL_TINT else 0) if field.map else -1.0
+
+
+func camera_transform() -> Transform3D:
+	return EditorInterface.get_editor_viewport_3d(0).get_camera_3d().global_transform
+
+
+func density(x: float, z: float) -> float:
+	return field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(x, z)) if field.map else -1.0
+
+
+func undo() -> void:
+	await key(KEY_Z, KEY_MASK_CTRL)
+
+
+func redo() -> void:
+	await key(KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
+
+
+## Writes what the editor shows, beside the test's copy of the project.
+func shoot(picture: String) -> void:
+	await frames(3)
+	await RenderingServer.frame_post_draw
+	get_tree().root.get_texture().get_image().save_png(ProjectSettings.globalize_path("res://").path_join("../%s.png" % picture))
+
+
+func _hold(event: InputEventWithModifiers, modifiers: int) -> void:
+	event.shift_pressed = modifiers & KEY_MASK_SHIFT
+	event.ctrl_pressed = modifiers & KEY_MASK_CTRL
+	event.alt_pressed = modifiers & KEY_MASK_ALT

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+## The picture in docs/painting.md: toolbar, ring and strokes on a meadow that rises. Written beside the test's copy of the
+## project as painting.png; what can be told without eyes is checked.
+@tool
+extends "res://tests/editor/editor_case.gd"
+
+const SIDE := 24 # metres
+
+
+func before() -> void:
+	ResourceSaver.save(meadow(), SAVED)
+	await open(SAVED)
+	reset_brush()
+
+
+static func height(x: float, z: float) -> float:
+	return 1.6 * smoothstep(1.0, -8.0, z) + 0.25 * sin(0.7 * x) * smoothstep(1.0, -4.0, z)
+
+
+func meadow() -> PackedScene:
+	var root := Node3D.new()
+	root.name = "Meadow"
+	var heights := PackedFloat32Array()
+	var surface := SurfaceTool.new()
+	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
+	for z in SIDE + 1:
+		for x in SIDE + 1:
+			var place := Vector3(x - 0.5 * SIDE, 0, z - 0.5 * SIDE)
+			place.y = height(place.x, place.z)
+			heights.append(place.y)
+			surface.add_vertex(place)
+	for z in SIDE:
+		for x in SIDE:
+			for corner: int in [0, 1, SIDE + 1, 1, SIDE + 2, SIDE + 1]:
+				surface.add_index(z * (SIDE + 1) + x + corner)
+	surface.generate_normals()
+	var soil := StandardMaterial3D.new()
+	soil.albedo_color = Color(0.3, 0.26, 0.17)
+	var terrain := MeshInstance3D.new()
+	terrain.name = "Terrain"
+	terrain.mesh = surface.commit()
+	terrain.material_override = soil
+	root.add_child(terrain)
+	var body := StaticBody3D.new()
+	body.name = "Ground"
+	body.visible = false # its lines would cross the picture
+	root.add_child(body)
+	var shape := HeightMapShape3D.new()
+	shape.map_width = SIDE + 1
+	shape.map_depth = SIDE + 1
+	shape.map_data = heights
+	var node := CollisionShape3D.new()
+	node.shape = shape
+	body.add_child(node)
+	var field := GrassField.new()
+	field.name = "Field"
+	field.size = Vector2(16, 16)
+	field.density = 16.0 # while it is painted
+	field.position = Vector3(0, 0, -4)
+	root.add_child(field)
+	for child: Node in [terrain, body, node, field]:
+		child.owner = root
+	var scene := PackedScene.new()
+	scene.pack(root)
+	root.free()
+	return scene
+
+
+func on(x: float, z: float) -> Vector3:
+	return Vector3(x, height(x, z), z)
+
+
+func test_toolbar_ring_and_strokes() -> void:
+	await click(toolbar.get_node("Bake"))
+	await move(at(on(0, 0)))
+	await key(KEY_V) # the mode without arrows at the node
+	await take("Erase")
+	for number: Array in [["Radius", 0.5], ["Strength", 0.6], ["Hardness", 0.6]]:
+		(toolbar.get_node(number[0]) as Range).value = number[1]
+	await stroke([on(1.4, 0.4), on(0.9, -0.8), on(1.2, -2), on(2, -3.5), on(2.2, -5), on(1.4, -6.5)])
+	await take("Tint")
+	(toolbar.get_node("Radius") as Range).value = 0.9
+	(toolbar.get_node("Color") as ColorPickerButton).color = Color(0.95, 0.7, 0.25)
+	(toolbar.get_node("Color") as ColorPickerButton).color_changed.emit(Color(0.95, 0.7, 0.25))
+	await stroke([on(-3, -4), on(-1.6, -3.6), on(-0.9, -2.6)])
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.2, 2)), 0.0, 0.1, "the path")
+	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, -3.5)), height(0.5, -7.5), 0.05, "the hill")
+	await move(at(on(-0.9, -2.2)))
+	assert_true(plugin.get_statistics().ring)
+	field.density = 144.0
+	await shoot("painting")
