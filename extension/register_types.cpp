@@ -10,7 +10,9 @@
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_brush.h"
+#include "nodes/grass_exclusion_3d.h"
 #include "nodes/grass_field.h"
+#include "nodes/grass_fill_rule.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
@@ -33,7 +35,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassPatch);
 		GDREGISTER_CLASS(grass::GrassBrush);
 		GDREGISTER_CLASS(grass::GrassMapSnapshot);
+		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
+		GDREGISTER_CLASS(grass::GrassExclusion3D);
 		GDREGISTER_CLASS(grass::GrassField);
 		grass::register_map_files();
 	}

@@ -91,8 +91,9 @@ void GrassField::build() {
 	if (!_dirty || !is_inside_tree()) {
 		return;
 	}
-	_dirty = false;
 	CpuClock clock;
+	start_fill();
+	_dirty = false;
 	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
@@ -199,6 +200,7 @@ void GrassField::step(double p_delta) {
 
 void GrassField::frame(double p_delta) {
 	build();
+	update_fill();
 	if (!_backend) {
 		return;
 	}

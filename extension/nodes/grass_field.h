@@ -5,18 +5,21 @@
 
 #include "backend/backend.h"
 #include "core/map/field_map.h"
+#include "core/map/live_fill.h"
 #include "core/tiles.h"
 #include "draw/ground.h"
 #include "draw/map_textures.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_monitors.h"
 #include "nodes/field_params.h"
+#include "nodes/fill_gatherer.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
 #include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
@@ -57,6 +60,13 @@ public:
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _map; }
+	// grass_field_fill.cpp
+	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
+	godot::Ref<GrassFillRule> get_fill_rule() const { return _fill.rule; }
+	void set_fill_live(bool p_live);
+	bool is_fill_live() const { return _fill.is_live; }
+	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass that came
+	godot::Callable get_fill_button() const;
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
@@ -124,8 +134,25 @@ public:
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
+	void _validate_property(godot::PropertyInfo &p_property) const;
 
 private:
+	// A rule that keeps the map filled.
+	struct FieldFill {
+		godot::Ref<GrassFillRule> rule;
+		bool is_live = true;
+		LiveFill state; // not set: nothing filled yet
+		FillGatherer gatherer;
+		bool has_changed = false; // the rule, since it was looked at
+		bool is_filling = false; // the map changes by the field's own doing
+		uint64_t revision = 0; // of the exclusion nodes, when looked at
+		bool has_finished = false; // to be told
+		uint64_t replacements = 0; // of the map's contents, as far as known
+		double base_density = 0.0; // of the map, as far as known
+		int frames_to_look = 0;
+		int64_t cells = 0; // texels that rules were asked about, in all
+	};
+
 	// grass_field.cpp: the field's life and its ticks
 	void enter();
 	void leave();
@@ -152,7 +179,16 @@ private:
 	// grass_field_ground.cpp
 	MapRegion bake_region(const godot::Rect2 &p_region) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
+	// grass_field_fill.cpp
+	void _fill_rule_changed();
+	void look_at_rule();
+	void start_fill();
+	void update_fill();
+	void touch_fill(const godot::TypedArray<godot::Vector2i> &p_chunks);
+	template <typename F> FillResult change_map(F &&p_change);
+	void _fill_pressed();
 	// grass_field_game.cpp
+	void make_map();
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
 	Growth growth_at(const Eigen::Vector3d &p_place) const;
 	GrassKind grass_kind() const;
@@ -211,6 +247,7 @@ private:
 	NodeColliders _node_colliders;
 	std::vector<uint64_t> _in_grass; // instance ids of the bodies that met grass in the last tick, rising
 	Recovery _recovery;
+	FieldFill _fill;
 	std::vector<ColliderShape> _colliders;
 };
 

@@ -78,13 +78,17 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 GrassMap *GrassField::find_map(const char *p_method) {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
 	if (_map.is_null()) {
-		Ref<GrassMap> map;
-		map.instantiate();
-		map->set_base_density(1.0);
-		set_map(map);
+		make_map();
 	}
 	build();
 	return _map.ptr();
+}
+
+void GrassField::make_map() {
+	Ref<GrassMap> map;
+	map.instantiate();
+	map->set_base_density(1.0);
+	set_map(map);
 }
 
 // p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region.

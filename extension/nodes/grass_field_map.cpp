@@ -17,6 +17,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	}
 	_map = p_map;
 	_recovery.reset();
+	_fill.state = LiveFill();
 	if (_map.is_valid()) {
 		_map->connect("chunks_changed", changed);
 	}
@@ -25,10 +26,11 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 
 // However often the map changes, it is looked at once, at the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
-	(void)p_chunks; // the region is closer
+	touch_fill(p_chunks);
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	_changed_region = _map_has_changed ? _changed_region.joined(region) : region;
 	_map_has_changed = true;
+	set_uniform("map_base_density", _map->get_base_density()); // else an idle editor would not draw the change: nothing asks it to
 }
 
 // Before the backend is made.

@@ -223,6 +223,11 @@ void GrassField::_bind_methods() {
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
 	ADD_GROUP("Map", "");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "fill_rule", PROPERTY_HINT_RESOURCE_TYPE, "GrassFillRule"), set_fill_rule, get_fill_rule);
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "fill_live"), set_fill_live, is_fill_live);
+	ClassDB::bind_method(D_METHOD("_get_fill_button"), &GrassField::get_fill_button);
+	ADD_PROPERTY(PropertyInfo(Variant::CALLABLE, "fill_now", PROPERTY_HINT_TOOL_BUTTON, "Fill Now,Bucket", PROPERTY_USAGE_EDITOR), "",
+			"_get_fill_button");
 	add_numbers("Map");
 	ADD_GROUP("Clumps", "");
 	add_numbers("Clumps");
@@ -279,6 +284,8 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
+	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
+	ADD_SIGNAL(MethodInfo("fill_finished"));
 	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 

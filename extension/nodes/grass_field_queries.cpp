@@ -137,6 +137,8 @@ Dictionary GrassField::get_statistics() const {
 	result["blades"] = get_blade_count();
 	result["bare_tiles"] = _field_map ? int64_t(_field_map->get_cover()->get_bare_count()) : int64_t(0);
 	result["map_bytes"] = _map_textures.get_uploaded_bytes();
+	result["fill_cells"] = _fill.cells;
+	result["fill_waiting"] = _fill.state.get_waiting();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -208,6 +210,11 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
 		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
 						   "use several fields.");
+	}
+	if (_fill.rule.is_valid() && _fill.rule->asks_ground() && (_map.is_null() || !_map->get_map().uses(MAP_GROUND))) {
+		warnings.push_back(
+				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
+				"height.");
 	}
 	return warnings;
 }

@@ -2,6 +2,7 @@
 ## GPU time of a drawn frame against the number of blades, from eye level and from above, with and without shadows.
 extends Node3D
 
+const FrameTimer := preload("res://bench/frame_timer.gd")
 const FILE := "draw.csv"
 const FRAMES := 24 # measured, after as many to warm up
 
@@ -38,12 +39,7 @@ func _measure(p_view: String, p_side: float, p_shadows: bool, p_msaa: int, p_fra
 	_field.size = Vector2.ONE * maxf(p_side, 1.0)
 	_sun.shadow_enabled = p_shadows
 	get_viewport().msaa_3d = p_msaa as Viewport.MSAA
-	if p_view == "above":
-		_camera.position = Vector3(0.0, 0.6 * p_side, 0.35 * p_side)
-		_camera.look_at(Vector3.ZERO)
-	else:
-		_camera.position = Vector3(0.0, 1.7, 0.45 * p_side)
-		_camera.rotation = Vector3(-0.12, 0.0, 0.0)
+	FrameTimer.look(_camera, p_view, p_side)
 	var times: Array[float] = []
 	for frame in 2 * p_frames + 4:
 		_camera.position.y += 1e-4 # a still picture would not be culled again

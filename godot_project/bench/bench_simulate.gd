@@ -3,6 +3,7 @@
 ## tile below it is awake and has one object.
 extends Node3D
 
+const Scenery := preload("res://bench/scenery.gd")
 const FILE := "simulate.csv"
 const TICKS := 60
 
@@ -20,14 +21,8 @@ func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 	var field := GrassField.new()
 	field.size = Vector2(64.0, 64.0)
 	field.measure_time = true
-	var body := AnimatableBody3D.new()
-	var shape := CollisionShape3D.new()
-	shape.shape = BoxShape3D.new()
-	shape.shape.size = Vector3(p_side, 0.2, p_side)
-	body.add_child(shape)
-	body.position.y = 0.45
 	add_child(field)
-	add_child(body)
+	var body := Scenery.add_lid(self, p_side)
 	var simulate: Array[float] = []
 	var management: Array[float] = []
 	var uploaded := 0

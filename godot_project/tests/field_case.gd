@@ -49,6 +49,25 @@ func ball(radius: float) -> SphereShape3D:
 	return shape
 
 
+## A map on which grass stands everywhere.
+func full_map() -> GrassMap:
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	return map
+
+
+## A brush of full strength, hard to its edge.
+func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:
+	var made := GrassBrush.new()
+	made.tool = tool
+	made.radius = radius
+	made.strength = 1.0
+	made.hardness = 1.0
+	for property: String in properties:
+		made.set(property, properties[property])
+	return made
+
+
 ## Ticks until a body that was just put somewhere has been seen and its grass simulated once.
 func seen() -> void:
 	await ticks(3)
@@ -62,6 +81,14 @@ func awake_tiles(field: GrassField) -> Array[Vector2i]:
 			if field.is_tile_awake(Vector2i(x, z)):
 				awake.append(Vector2i(x, z))
 	return awake
+
+
+## Metres along a blade of `knots`, those of a whole tile.
+func length_of(knots: PackedVector3Array, blade: int) -> float:
+	var length := 0.0
+	for knot in KNOTS - 1:
+		length += knots[blade * KNOTS + knot].distance_to(knots[blade * KNOTS + knot + 1])
+	return length
 
 
 ## Knots of all blades of `tile`, one after the other.

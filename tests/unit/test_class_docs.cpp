@@ -2,6 +2,7 @@
 // The class reference says what the code does: every number is described, with the default that stands beside its code.
 #include "class_docs.gen.h"
 #include "core/map/brush_params.h"
+#include "core/map/fill_params.h"
 #include "nodes/field_params.h"
 
 #include <doctest/doctest.h>
@@ -73,5 +74,11 @@ TEST_CASE("class docs: every number of a GrassPatch is described, with its defau
 TEST_CASE("class docs: every number of a GrassBrush is described, with its default") {
 	for (const Tunable &tunable : BRUSH_PARAMS) {
 		check(docs_of("GrassBrush"), tunable);
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassFillRule is described, with its default") {
+	for (const Tunable &tunable : FILL_PARAMS) {
+		check(docs_of("GrassFillRule"), tunable);
 	}
 }

@@ -129,6 +129,10 @@ MapRegion MapRegion::grown(double p_metres) const {
 	return { min.array() - p_metres, max.array() + p_metres };
 }
 
+MapRegion MapRegion::shared(const MapRegion &p_other) const {
+	return { min.cwiseMax(p_other.min), max.cwiseMin(p_other.max) };
+}
+
 MapRegion MapRegion::joined(const MapRegion &p_other) const {
 	return { min.cwiseMin(p_other.min), max.cwiseMax(p_other.max) };
 }

@@ -19,6 +19,8 @@ struct MapRegion {
 	static MapRegion of_grid(const TileGrid &p_grid); // the whole field
 	MapRegion grown(double p_metres) const;
 	MapRegion joined(const MapRegion &p_other) const;
+	MapRegion shared(const MapRegion &p_other) const; // min > max along an axis: nothing
+	bool operator==(const MapRegion &) const = default;
 };
 
 struct MapLayer {

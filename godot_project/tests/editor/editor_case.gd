@@ -54,6 +54,14 @@ func select(node: Node) -> void:
 	await frames(3)
 
 
+## Until the editor has nothing left to draw.
+func idle() -> void:
+	var drawn := -1
+	while drawn != Engine.get_frames_drawn():
+		drawn = Engine.get_frames_drawn()
+		await frames(10)
+
+
 func view() -> Control:
 	return EditorInterface.get_editor_viewport_3d(0).get_parent()
 

@@ -79,6 +79,17 @@ func test_grass_comes_and_goes_under_the_brush() -> void:
 	assert_eq(field.get_statistics().bare_tiles, all)
 
 
+func test_what_a_script_paints_is_drawn_in_an_idle_editor() -> void:
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
+	await idle()
+	var bare: int = field.get_statistics().bare_tiles
+	var brush := GrassBrush.new()
+	for i in 8:
+		field.map.stroke(brush, Vector2(-1, 0), Vector2(1, 0))
+	await frames(2)
+	assert_less(field.get_statistics().bare_tiles, bare)
+
+
 func test_keys_and_wheel_change_the_brush() -> void:
 	await take("Height")
 	var middle := at(Vector3.ZERO)

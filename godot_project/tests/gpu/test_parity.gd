@@ -205,18 +205,13 @@ func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:
 
 ## Hills, cuts, combing and wear: growth travels to the GPU when tiles wake and when the map changes below them.
 func test_a_map_is_simulated_alike() -> void:
-	var map := GrassMap.new()
-	map.base_density = 1.0
+	var map := full_map()
 	var heights := Image.create_empty(8, 8, false, Image.FORMAT_RF)
 	for x in 8:
 		for z in 8:
 			heights.set_pixel(x, z, Color(0.2 * x, 0, 0))
 	map.set_ground(heights, Rect2(-4, -4, 8, 8))
-	var brush := GrassBrush.new()
-	brush.strength = 1.0
-	brush.radius = 1.0
-	brush.tool = GrassBrush.TOOL_COMB
-	map.stroke(brush, Vector2(-1, 0), Vector2(1, 0))
+	map.stroke(brush(GrassBrush.TOOL_COMB, 1.0), Vector2(-1, 0), Vector2(1, 0))
 	if not await add_pair({map = map, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
 	var tile := gpu.get_tile_at(PLACE)
@@ -235,10 +230,7 @@ func test_a_map_is_simulated_alike() -> void:
 	assert_greater(bends[0].length(), 0.05)
 	assert_near(bends[1], bends[0], 0.05)
 	body.free()
-	brush.tool = GrassBrush.TOOL_CUT
-	brush.cut_height = 0.1
-	brush.radius = 2.0
-	map.stroke(brush, Vector2(0, 0), Vector2(0, 0))
+	map.stroke(brush(GrassBrush.TOOL_CUT, 2.0, { cut_height = 0.1 }), Vector2(0, 0), Vector2(0, 0))
 	await ticks(200)
 	var cut := difference([tile])
 	print("    parity after a cut under an awake tile: %s of a blade's length" % String.num_scientific(cut))

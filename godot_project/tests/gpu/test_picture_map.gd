@@ -12,23 +12,6 @@ func before() -> void:
 	DirAccess.make_dir_recursive_absolute(PICTURES)
 
 
-func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:
-	var made := GrassBrush.new()
-	made.tool = tool
-	made.radius = radius
-	made.strength = 1.0
-	made.hardness = 1.0
-	for property: String in properties:
-		made.set(property, properties[property])
-	return made
-
-
-func full_map() -> GrassMap:
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	return map
-
-
 ## Hills, a path that is trampled bare, a mown square, a red patch, and grass combed aside.
 func meadow() -> GrassMap:
 	var map := full_map()

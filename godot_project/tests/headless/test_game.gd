@@ -13,21 +13,6 @@ func after() -> void:
 	DirAccess.remove_absolute(FILE)
 
 
-func full_map() -> GrassMap:
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	return map
-
-
-func brush(tool: GrassBrush.Tool, radius: float) -> GrassBrush:
-	var made := GrassBrush.new()
-	made.tool = tool
-	made.radius = radius
-	made.strength = 1.0
-	made.hardness = 1.0
-	return made
-
-
 func box(size: Vector3) -> BoxShape3D:
 	var shape := BoxShape3D.new()
 	shape.size = size
@@ -40,12 +25,9 @@ func at(place: Vector3) -> Transform3D:
 
 func lengths(field: GrassField, tile: Vector2i) -> Array[float]:
 	var all: Array[float] = []
+	var knots := tile_knots(field, tile)
 	for blade in BLADES:
-		var knots := field.get_knots(tile, blade)
-		var length := 0.0
-		for knot in KNOTS - 1:
-			length += knots[knot].distance_to(knots[knot + 1])
-		all.append(length)
+		all.append(length_of(knots, blade))
 	return all
 
 

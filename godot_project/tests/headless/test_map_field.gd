@@ -5,24 +5,6 @@ extends "res://tests/field_case.gd"
 const SLOPE := 0.5 # metres up for each metre along x
 
 
-func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush:
-	var made := GrassBrush.new()
-	made.tool = tool
-	made.radius = radius
-	made.strength = 1.0
-	made.hardness = 1.0
-	for property: String in properties:
-		made.set(property, properties[property])
-	return made
-
-
-## A map on which grass stands everywhere.
-func full_map() -> GrassMap:
-	var map := GrassMap.new()
-	map.base_density = 1.0
-	return map
-
-
 func hill() -> GrassMap:
 	var map := full_map()
 	var heights := Image.create_empty(64, 64, false, Image.FORMAT_RF)
@@ -31,13 +13,6 @@ func hill() -> GrassMap:
 			heights.set_pixel(x, z, Color(SLOPE * (x - 31.5), 0, 0))
 	assert_true(map.set_ground(heights, Rect2(-32, -32, 64, 64)))
 	return map
-
-
-func length_of(knots: PackedVector3Array, blade: int) -> float:
-	var length := 0.0
-	for knot in KNOTS - 1:
-		length += knots[blade * KNOTS + knot].distance_to(knots[blade * KNOTS + knot + 1])
-	return length
 
 
 func longest(field: GrassField, tile: Vector2i) -> float:
