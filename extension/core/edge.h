@@ -11,6 +11,8 @@ namespace grass {
 inline constexpr int EDGE_ROUNDS = 4;
 // Nearer to its ends than this, shares of the edge, the knots stand for it.
 inline constexpr float EDGE_END = 1e-3f;
+// Faces whose mixture is shorter than this face away from each other: what the edge pierces between them its knots stand for, too.
+inline constexpr float EDGE_FLAT = 1e-3f;
 
 // The deepest point of an edge, and the face there.
 template <class T> struct Edge {
@@ -65,11 +67,12 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 		const T slope = select(is_open, rise - fall, one);
 		const T share = minimum(maximum((low.distance - high.distance) / slope, zero), one);
 		const Vec3<T> normal = low.normal * (rise / slope) - high.normal * (fall / slope);
-		const T size = maximum(length(normal), T(1e-6f));
+		const T found_size = length(normal);
+		const T size = maximum(found_size, T(EDGE_FLAT));
 		const T bound = (low.distance + fall * share) / size;
 		edge.face.normal = select(is_open, normal * (one / size), edge.face.normal);
 		edge.face.distance = select(is_open, select(nearest < p_reach, bound, maximum(bound, p_reach)), edge.face.distance);
-		edge.share = select(is_open, share, edge.share);
+		edge.share = select(is_open, select(found_size < T(EDGE_FLAT), zero, share), edge.share);
 		is_open = is_open & (bound < p_reach);
 		if (i == EDGE_ROUNDS || !any(is_open)) {
 			return edge;
@@ -85,6 +88,7 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 		fall = select(is_low, change, fall);
 		rise = select(is_high, change, rise);
 		edge.face = { select(is_level, face.normal, edge.face.normal), select(is_level, face.distance, edge.face.distance) };
+		edge.share = select(is_level, share, edge.share);
 		is_open = is_open & !is_level;
 	}
 }

@@ -94,6 +94,31 @@ TEST_CASE("The deepest point of an edge and the face there are those of a fine s
 	}
 }
 
+TEST_CASE("An edge that pierces a plate between faces that face away from each other is met by its knots alone; other normals are unit "
+		  "ones") {
+	for (const float half : { 1e-2f, 1e-3f, 1e-5f }) {
+		CAPTURE(half);
+		BladeScene scene;
+		scene.add(GRASS_BOX, Eigen::Vector3f::Zero(), { 0.2f, half, 0.2f });
+		const TileCollider plate = scene.tile_colliders()[0];
+		std::mt19937 random(5);
+		std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+		int between = 0;
+		for (int i = 0; i < 4000; i++) {
+			const Vec3<float> a{ 0.3f * uniform(random), 0.03f, 0.3f * uniform(random) };
+			const Vec3<float> b{ a.x + 0.03f * uniform(random), -0.03f, a.z + 0.03f * uniform(random) };
+			const Edge<float> edge = find_edge(plate, a, b, 1.0f);
+			if (is_between_knots(edge)) {
+				between++;
+				REQUIRE(length(edge.face.normal) == doctest::Approx(1.0f).epsilon(1e-5));
+			}
+		}
+		CHECK(between > 10);
+		const Vec3<float> above{ 0.0f, 0.03f, 0.0f }, below{ 0.01f, -0.03f, 0.0f };
+		CHECK_FALSE(is_between_knots(find_edge(plate, above, below, 1.0f)));
+	}
+}
+
 TEST_CASE_TEMPLATE(
 		"A stick of 5 mm radius, a rod, a lath and a crate's edge cut no edge by 1e-4 m and no knot by 1e-4 m, at any speed, and "
 		"blades come back",
