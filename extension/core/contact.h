@@ -28,7 +28,7 @@ template <class T> struct DeepestContact {
 
 // The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
 template <class T>
-GRASS_APART Contact<T> find_edge_contact(
+GRASS_INLINE Contact<T> find_edge_contact(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
@@ -66,7 +66,8 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 				continue;
 			}
 			T share(0.0f);
-			const Contact<T> edge_contact = find_edge_contact(collider, p_blade, k, p_terms.friction, share);
+			const Contact<T> edge_contact =
+					apart([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
 			const auto is_edge = is_cut & (edge_contact.depth > deepest.contact.depth);
 			deepest.contact.direction = select(is_edge, edge_contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_edge, edge_contact.depth, deepest.contact.depth);
@@ -131,7 +132,7 @@ GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> 
 
 // [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
 template <class T>
-GRASS_APART Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
+GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
 		const Vec3<T> &p_segment, const T &p_length) {
 	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
 	const T reach = T(p_collider.bound) + p_length * T(0.5f);
@@ -169,7 +170,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 				segment = select(face.distance < T(0.0f), placed, segment);
 			}
 		}
-		segment = push_edge_out(collider, turn, p_parent, parent, segment, p_length);
+		segment = apart([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
 	}
 	return segment;
 }

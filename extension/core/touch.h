@@ -67,7 +67,7 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 // [Eq 33] The deepest touch of the edge from knot p_knot - 1 to p_knot, where that is between them; r_share: where. The edge's knots
 // were at p_from_a and p_from_b at the start of the step.
 template <class T>
-GRASS_APART Touch<T> find_edge_touch(
+GRASS_INLINE Touch<T> find_edge_touch(
 		const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b, int p_knot, T &r_share) {
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
 	const T l = p_blade.lengths[p_knot - 1];
