@@ -16,6 +16,7 @@
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_species.h"
 #include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
@@ -33,6 +34,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
+		GDREGISTER_CLASS(grass::GrassSpecies);
 		GDREGISTER_CLASS(grass::GrassBrush);
 		GDREGISTER_CLASS(grass::GrassMapSnapshot);
 		GDREGISTER_CLASS(grass::GrassFillRule);

@@ -28,7 +28,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
-		_materials(p_setup.is_mapped),
+		_materials(shader_features(p_setup)),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
@@ -175,7 +175,7 @@ void CpuBackend::update_pool_texture() {
 	}
 	_pool_rows = std::max(rows, _pool_rows);
 	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
-	for (int slot = _changed_slots.find(0); slot != SlotSet::NONE; slot = _changed_slots.find(slot + 1)) {
+	for (const int slot : _changed_slots) {
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
 	_changed_slots.reset(_setup.pool_tiles, false);

@@ -43,8 +43,8 @@ template <class Body> __attribute__((noinline)) GRASS_WIDE auto run_apart_wide(c
 }
 #endif
 
-// Runs p_body in a function of its own: what few blades need would push the others' vectors out of their registers, and take minutes to compile
-// in one function with the rest. It returns no single vector, which the two instruction sets would pass in different ways.
+// Runs p_body in a function of its own: what few blades need would push the others' vectors out of their registers, and take minutes to
+// compile in one function with the rest. It returns no single vector, which the two instruction sets would pass in different ways.
 template <class Body> GRASS_INLINE auto apart(const Body &p_body) {
 #if defined(GRASS_HAS_WIDE)
 	return is_wide() ? run_apart_wide(p_body) : run_apart(p_body);

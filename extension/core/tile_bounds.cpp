@@ -15,6 +15,18 @@ struct TileBounds::Blade {
 	float x, z;
 };
 
+// p_taller: factor on the blade's length; p_chord: how far it is tilted, shares of a knot's distance from the root.
+void TileBounds::extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord) {
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];
+		const Eigen::Vector3f knot =
+				p_taller * Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+		const float lean = p_chord * knot.norm();
+		r_box = { std::min(r_box.min_x, knot.x() - lean), std::max(r_box.max_x, knot.x() + lean), std::min(r_box.min_z, knot.z() - lean),
+			std::max(r_box.max_z, knot.z() + lean), std::max(r_box.height, knot.y() + lean) };
+	}
+}
+
 TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed) :
 		_grid(p_grid), _seed(p_seed) {
 	if (p_patch.is_empty()) {
@@ -28,17 +40,12 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 
 	auto blades = std::make_shared<std::vector<Blade>>(GRASS_PATCH_BLADES);
 	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {
-		const auto half = [&](int p_knot, int p_component) {
-			return half_to_float(p_patch.texels[Patch::texel_index(b, p_knot) + size_t(p_component)]);
-		};
 		Box box{ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-		for (int k = 1; k < GRASS_KNOTS; k++) {
-			const Eigen::Vector3f knot = taller * Eigen::Vector3f(half(k, 0), half(k, 1), half(k, 2));
-			const float lean = chord * knot.norm();
-			box = { std::min(box.min_x, knot.x() - lean), std::max(box.max_x, knot.x() + lean), std::min(box.min_z, knot.z() - lean),
-				std::max(box.max_z, knot.z() + lean), std::max(box.height, knot.y() + lean) };
+		for (int species = 0; species < p_patch.species; species++) { // whichever it will be
+			extend(box, p_patch, species * GRASS_PATCH_BLADES + b, taller, chord);
 		}
-		(*blades)[size_t(b)] = { box, half(0, 0), half(0, 1) };
+		const uint16_t *root = &p_patch.texels[Patch::texel_index(b, 0)];
+		(*blades)[size_t(b)] = { box, half_to_float(root[0]), half_to_float(root[1]) };
 	}
 	_blades = blades;
 	find_boxes();

@@ -48,6 +48,7 @@ private:
 		}
 	};
 
+	static void extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord);
 	void find_boxes();
 
 	TileGrid _grid;

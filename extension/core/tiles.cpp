@@ -163,7 +163,7 @@ void TileManager::activate_tiles() {
 	for (const int tile : _to_activate) {
 		int slot = _free.take_lowest();
 		if (slot == SlotSet::NONE) {
-			slot = take_calmest_slot();
+			slot = take_calmest_slot(_to_activate.size() - _given_slots.size());
 		}
 		_given_slots.push_back(slot);
 		_place_of_tile.erase(tile);
@@ -189,39 +189,39 @@ void TileManager::activate(int p_slot, int p_tile) {
 }
 
 // The slot of the calmest tile that no object touches in this step, retired; NONE if all are touched: two tiles under
-// objects would otherwise take the slot from each other in every step.
-int TileManager::take_calmest_slot() {
-	const auto is_less = [this](int p_a, int p_b) { return is_calmer(p_b, p_a); };
+// objects would otherwise take the slot from each other in every step. p_wanted: how many slots are asked for in this
+// step from now on.
+int TileManager::take_calmest_slot(size_t p_wanted) {
 	if (!_yielding_known) {
 		_yielding_known = true;
-		_yielding.clear();
-		for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-			if (!_awake[size_t(slot)].is_touched) {
-				_yielding.push_back(slot);
-			}
-		}
-		std::make_heap(_yielding.begin(), _yielding.end(), is_less);
+		find_yielding(p_wanted);
 	}
 	if (_yielding.empty()) {
 		return SlotSet::NONE;
 	}
-	std::pop_heap(_yielding.begin(), _yielding.end(), is_less);
-	const int slot = _yielding.back();
+	const int slot = _yielding.back().slot;
 	_yielding.pop_back();
 	retire(slot);
 	return slot;
 }
 
-// Settling tiles before others, then by energy where it was reported, then by who was touched longest ago.
-bool TileManager::is_calmer(int p_slot, int p_other) const {
-	const Awake &a = _awake[size_t(p_slot)], &b = _awake[size_t(p_other)];
-	if (a.is_settling != b.is_settling) {
-		return a.is_settling;
+// The calmest p_wanted tiles, calmest last.
+void TileManager::find_yielding(size_t p_wanted) {
+	_yielding.resize(size_t(_params.pool_size));
+	size_t count = 0;
+	for (const int slot : _used) {
+		const Awake &awake = _awake[size_t(slot)];
+		_yielding[count] = { awake.touched, awake.energy, slot, awake.is_settling };
+		count += awake.is_touched ? 0 : 1; // no jump: it could not be foreseen
 	}
-	if (a.energy != b.energy) {
-		return a.energy < b.energy;
+	_yielding.resize(count);
+	const auto is_calmer = [](const Yielding &p_a, const Yielding &p_b) { return p_a.is_calmer(p_b); };
+	if (p_wanted < _yielding.size()) {
+		std::nth_element(_yielding.begin(), _yielding.begin() + std::ptrdiff_t(p_wanted), _yielding.end(), is_calmer);
+		_yielding.resize(p_wanted);
 	}
-	return a.touched != b.touched ? a.touched < b.touched : p_slot < p_other;
+	std::sort(_yielding.begin(), _yielding.end(), is_calmer);
+	std::reverse(_yielding.begin(), _yielding.end());
 }
 
 int TileManager::get_tile_of(int p_slot) const {

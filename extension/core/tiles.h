@@ -46,7 +46,7 @@ struct TileParams {
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
-	bool is_mapped = false; // A map says how the blades grow: StepInput::growth.
+	bool is_mapped = false; // StepInput::growth says how the blades grow.
 
 	// The same within limits; NaN becomes the default.
 	TileParams sanitised() const;
@@ -134,30 +134,51 @@ private:
 	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
 	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-	// An awake tile.
-	struct Awake {
-		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
-		uint32_t start = 0; // first blade in the patch
+	// An awake tile. What every pass over them needs stands first, in one line of the cache.
+	struct alignas(64) Awake {
 		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
-		uint64_t touched_step = 0, woken_step = 0; // numbers of that step, and of the one in which it woke
-		double calm_since = NEVER; // timestamp
-		double settle_left = 0.0; // seconds to rest, while settling
-		float energy = NO_ENERGY; // since the last touch
-		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-		float blend = 0.0f; // of this step's record; 1: at rest after it
 		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
+		double calm_since = NEVER; // timestamp
+		uint64_t touched_step = 0; // number of the step of `touched`
+		double settle_left = 0.0; // seconds to rest, while settling
+		float blend = 0.0f; // of this step's record; 1: at rest after it
+		float energy = NO_ENERGY; // since the last touch
+		uint32_t list_count = 0; // objects in this step; 0 between steps
+		uint32_t list_next = 0; // entry of the collider list to write next
 		bool is_settling = false;
 		bool is_unseen = false; // in this step: not simulated
 		bool is_stirred = false; // in this step; false between steps
 		bool is_fresh = false, is_touched = false; // in this step; false between steps
-		uint32_t list_count = 0; // objects in this step; 0 between steps
-		uint32_t list_next = 0; // entry of the collider list to write next
+
+		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
+		uint32_t start = 0; // first blade in the patch
+		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+		uint64_t woken_step = 0; // number of the step in which it woke
 	};
 
 	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
 	struct Touch {
 		int slot; // ~place while the tile has none
 		uint32_t collider;
+	};
+
+	// A tile that may give way.
+	struct Yielding {
+		double touched;
+		float energy;
+		int slot;
+		bool is_settling;
+
+		// Settling tiles before others, then by energy where it was reported, then by who was touched longest ago.
+		bool is_calmer(const Yielding &p_other) const {
+			if (is_settling != p_other.is_settling) {
+				return is_settling;
+			}
+			if (energy != p_other.energy) {
+				return energy < p_other.energy;
+			}
+			return touched != p_other.touched ? touched < p_other.touched : slot < p_other.slot;
+		}
 	};
 
 	void begin_step();
@@ -167,8 +188,8 @@ private:
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
-	int take_calmest_slot();
-	bool is_calmer(int p_slot, int p_other) const;
+	int take_calmest_slot(size_t p_wanted);
+	void find_yielding(size_t p_wanted);
 
 	void deactivate_tiles(double p_delta);
 	void keep_awake(Awake &r_awake) const;
@@ -209,7 +230,7 @@ private:
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;
-	std::vector<int> _yielding; // slots that may give way: a heap, calmest on top
+	std::vector<Yielding> _yielding; // calmest last
 	bool _yielding_known = false;
 
 	std::vector<GrassSlot> _records;

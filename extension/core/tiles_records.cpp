@@ -39,7 +39,7 @@ void TileManager::pack_collider(const ColliderShape &p_collider) {
 void TileManager::write_records() {
 	_statistics.awake = _statistics.simulated = _statistics.settling = 0;
 	uint32_t entries = 0;
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+	for (const int slot : _used) {
 		Awake &awake = _awake[size_t(slot)];
 		_statistics.awake++;
 		if (awake.is_unseen) {

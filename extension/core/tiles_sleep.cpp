@@ -20,7 +20,10 @@ constexpr double LONGEST_AWAKE = 10.0;
 } // namespace
 
 void TileManager::report_energy(const EnergyReport &p_report) {
-	for (int slot = _used.find(0); slot != SlotSet::NONE && size_t(slot) < p_report.energies.size(); slot = _used.find(slot + 1)) {
+	for (const int slot : _used) {
+		if (size_t(slot) >= p_report.energies.size()) {
+			break;
+		}
 		Awake &awake = _awake[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
 		if (p_report.step >= awake.woken_step && size_t(slot) < p_report.bends.size() && p_report.bends[size_t(slot)].allFinite()) {
@@ -39,7 +42,7 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 }
 
 void TileManager::deactivate_tiles(double p_delta) {
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+	for (const int slot : _used) {
 		Awake &awake = _awake[size_t(slot)];
 		if (awake.is_touched) {
 			keep_awake(awake);

@@ -69,7 +69,7 @@ private:
 		uint64_t state_id = 0; // of the server's object that tells where it is: gone when the body is
 		godot::PhysicsDirectBodyState3D *state = nullptr;
 		// As it was when it was last looked at.
-		std::vector<TrackedShape> shapes;
+		std::vector<TrackedShape> shapes; // none while it is ground
 		bool is_static = false; // ground, while it stands still
 		bool is_driven = false; // moves as its velocity says
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
@@ -89,8 +89,9 @@ private:
 	};
 
 	bool find_state(Body &r_body);
-	void look(Body &r_body);
-	void look_at_shapes(Body &r_body, const godot::CollisionObject3D *p_node, bool &r_changed);
+	bool look(Body &r_body) const;
+	void look_at_shapes(Body &r_body);
+	bool read_shapes(Body &r_body);
 	Eigen::Affine3d pose_of(Body &r_body, const FieldPose &p_field);
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
 	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const;

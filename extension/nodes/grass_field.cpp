@@ -103,11 +103,14 @@ void GrassField::build() {
 	_setup.seed = uint32_t(_seed);
 	_setup.is_mapped = _map.is_valid();
 	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	build_species();
 	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
-			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
+			before.follow_slope == _setup.follow_slope;
 	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
 						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	build_map();
+	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, _field_map.get());
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -192,6 +195,7 @@ void GrassField::step(double p_delta) {
 	input.planes = _tiles.get_planes();
 	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
+	input.species = species_steps();
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
@@ -303,18 +307,11 @@ Transform3D GrassField::field_transform() const {
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
 }
 
-// A field without a patch of its own shares one with all others.
 std::shared_ptr<const Patch> GrassField::find_patch() const {
-	static std::weak_ptr<const Patch> shared;
-	if (_patch.is_valid()) {
-		return const_cast<GrassPatch *>(_patch.ptr())->get_patch();
+	if (!_species.empty()) {
+		return join_species();
 	}
-	std::shared_ptr<const Patch> patch = shared.lock();
-	if (!patch) {
-		patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-		shared = patch;
-	}
-	return patch;
+	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
 }
 
 TileParams GrassField::tile_params() const {
@@ -322,12 +319,12 @@ TileParams GrassField::tile_params() const {
 	params.pool_size = int(_pool_tiles);
 	params.sleep_mode = grass::SleepMode(_sleep_mode);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
-	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
+	params.sleep_energy = calm_energy();
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
-	params.is_mapped = _field_map != nullptr;
+	params.is_mapped = _blades.is_told();
 	params.seed = _setup.seed;
 	return params;
 }

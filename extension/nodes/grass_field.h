@@ -4,6 +4,7 @@
 #pragma once
 
 #include "backend/backend.h"
+#include "core/map/field_blades.h"
 #include "core/map/field_map.h"
 #include "core/map/live_fill.h"
 #include "core/tiles.h"
@@ -15,6 +16,7 @@
 #include "nodes/fill_gatherer.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_species.h"
 #include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
 
@@ -60,6 +62,8 @@ public:
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _map; }
+	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: the field's own patch and properties
+	godot::TypedArray<GrassSpecies> get_species() const;
 	// grass_field_fill.cpp
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
 	godot::Ref<GrassFillRule> get_fill_rule() const { return _fill.rule; }
@@ -103,6 +107,7 @@ public:
 	int64_t get_awake_tile_count() const;
 	// Global positions of a blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
+	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
@@ -176,6 +181,20 @@ private:
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
 	double ground_range() const;
+	// grass_field_species.cpp
+	void _species_changed();
+	std::vector<godot::Ref<GrassSpecies>> used_species() const;
+	std::vector<SpeciesParams> species_mix() const;
+	std::vector<std::shared_ptr<const Patch>> species_patches() const;
+	std::shared_ptr<const Patch> join_species() const;
+	void build_species();
+	std::span<const GrassStep> species_steps();
+	double calm_energy() const;
+	std::array<float, GRASS_MAX_SPECIES> shares_at(const Eigen::Vector2f &p_place) const;
+	double mean_height_at(const Eigen::Vector3d &p_place) const;
+	RecoveryRates recovery_rates() const;
+	void set_species_uniforms();
+	void warn_of_species(godot::PackedStringArray &r_warnings) const;
 	// grass_field_ground.cpp
 	MapRegion bake_region(const godot::Rect2 &p_region) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
@@ -212,6 +231,7 @@ private:
 
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
+	std::vector<godot::Ref<GrassSpecies>> _species; // may hold empty ones
 	godot::Ref<GrassMap> _map;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
@@ -236,6 +256,12 @@ private:
 	Ground _ground;
 	std::shared_ptr<TileBounds> _bounds;
 	std::unique_ptr<FieldMap> _field_map; // null: no map
+	FieldBlades _blades;
+	std::vector<SpeciesParams> _mix; // that _setup.species was made of
+	std::vector<GrassStep> _species_steps; // of this tick
+	mutable std::shared_ptr<const Patch> _joined; // of the species' patches and shares
+	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
+	mutable std::vector<double> _joined_shares;
 	MapTextures _map_textures;
 	bool _map_has_changed = false;
 	MapRegion _changed_region; // where

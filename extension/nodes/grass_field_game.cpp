@@ -61,7 +61,7 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	}
 	const Growth here = growth_at(place);
 	const double clump = clump_at(Eigen::Vector2f(float(place.x()), float(place.z())), _setup.clump).height;
-	return here.density > 0.0f ? std::min(_setup.patch->mean_height * clump * here.height, double(here.cut)) : 0.0;
+	return here.density > 0.0f ? std::min(mean_height_at(place) * clump * here.height, double(here.cut)) : 0.0;
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
@@ -185,9 +185,12 @@ void GrassField::unregister_collider(Node3D *p_node) {
 
 // What time heals in a tick.
 void GrassField::recover(double p_delta) {
-	const RecoveryRates rates{ param(PARAM_WEAR_RECOVERY) / 60.0, 1e-3 * param(PARAM_REGROWTH) / 60.0 };
+	const RecoveryRates rates = recovery_rates();
 	if (_map.is_valid() && !rates.is_none()) {
-		_map->change([&](PaintMap &r_map) { return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta); });
+		const SharesAt shares = [this](const Eigen::Vector2d &p_place) { return shares_at(p_place.cast<float>()); };
+		_map->change([&](PaintMap &r_map) {
+			return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta, _setup.species ? shares : nullptr);
+		});
 	}
 }
 

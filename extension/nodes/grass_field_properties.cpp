@@ -179,6 +179,7 @@ void GrassField::set_all_uniforms() {
 		set_uniform(FIELD_COLORS[i].name, _colors[i]);
 	}
 	set_wind_uniforms();
+	set_species_uniforms();
 }
 
 SolverParams GrassField::solver_params() const {
@@ -220,6 +221,9 @@ void GrassField::_bind_methods() {
 	BIND_PROPERTY(PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
 	add_numbers("Field");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch);
+	BIND_PROPERTY(PropertyInfo(Variant::ARRAY, "species", PROPERTY_HINT_TYPE_STRING,
+						  vformat("%d/%d:GrassSpecies", Variant::OBJECT, PROPERTY_HINT_RESOURCE_TYPE)),
+			set_species, get_species);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
 	ADD_GROUP("Map", "");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
@@ -264,6 +268,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_tile_awake", "tile"), &GrassField::is_tile_awake);
 	ClassDB::bind_method(D_METHOD("get_awake_tile_count"), &GrassField::get_awake_tile_count);
 	ClassDB::bind_method(D_METHOD("get_knots", "tile", "blade"), &GrassField::get_knots);
+	ClassDB::bind_method(D_METHOD("get_blade_species", "tile", "blade"), &GrassField::get_blade_species);
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);

@@ -3,9 +3,6 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
-#include "core/blade.h"
-#include "core/half.h"
-#include "core/hash.h"
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
 
@@ -55,29 +52,18 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 			!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
 	const TileGrid &grid = _setup.grid;
-	const int blade = int(grass_tile_start(uint32_t(p_tile.x), uint32_t(p_tile.y), _setup.seed)) + int(p_blade);
-	const auto texel = [&](int p_knot) {
-		const uint16_t *half = &_setup.patch->texels[Patch::texel_index(blade, p_knot)];
-		return Eigen::Vector3f(half_to_float(half[0]), half_to_float(half[1]), half_to_float(half[2]));
-	};
-	const Eigen::Vector2f in_tile = texel(0).head<2>();
-	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile,
-			Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
-	FieldMap::BladePose pose{ clump_at(place, _setup.clump) };
-	if (_field_map) {
-		pose = _field_map->get_pose(p_tile.x, p_tile.y, blade);
-	}
+	const FieldBlades::Pose pose = _blades.get_pose(p_tile.x, p_tile.y, int(p_blade));
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
 		simulated = _backend->read_knots(slot, int(p_blade));
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
-	const Eigen::Vector2d offset = (in_tile.cast<double>().array() - 0.5) * grid.get_tile_size();
+	const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * grid.get_tile_size();
 	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, pose.clump) : simulated[size_t(knot)];
+		const Eigen::Vector3f in_blade = at_rest ? _blades.get_rest_knot(pose, knot) : simulated[size_t(knot)];
 		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
 	}
 	return result;
@@ -192,6 +178,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (find_patch()->is_empty()) {
 		warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
 	}
+	warn_of_species(warnings);
 	if (is_inside_tree()) {
 		const Transform3D transform = get_global_transform();
 		if (!transform.is_finite()) {

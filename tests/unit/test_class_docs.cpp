@@ -4,6 +4,7 @@
 #include "core/map/brush_params.h"
 #include "core/map/fill_params.h"
 #include "nodes/field_params.h"
+#include "nodes/species_params.h"
 
 #include <doctest/doctest.h>
 
@@ -59,6 +60,16 @@ TEST_CASE("class docs: every number of a GrassField is described, with its defau
 	for (const NamedColor &color : FIELD_COLORS) {
 		INFO("colour ", color.name);
 		CHECK_FALSE(member_of(docs_of("GrassField"), color.name).empty());
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassSpecies is described, with its default") {
+	for (const Tunable &tunable : SPECIES_PARAMS) {
+		check(docs_of("GrassSpecies"), tunable);
+	}
+	for (const NamedColor &color : SPECIES_COLORS) {
+		INFO("colour ", color.name);
+		CHECK_FALSE(member_of(docs_of("GrassSpecies"), color.name).empty());
 	}
 }
 

@@ -128,6 +128,62 @@ TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves
 	CHECK(regrow_grass(map, square(100.0), KIND, std::nan(""), std::nan("")).changed.empty());
 }
 
+TEST_CASE("recovery: each species at its own rate, and where they mix, each by its share") {
+	PaintMap map = meadow();
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	apply_brush(map, MapShape::stroke({ 4, 10 }, { 60, 10 }, 3.0, 1.0, Falloff::LINEAR), brush);
+	Recovery recovery;
+	const RecoveryRates rates{ { 0.02, 0.0, 0.1 }, 0.0 }; // a second
+	const SharesAt shares = [](const Eigen::Vector2d &p_place) -> std::array<float, GRASS_MAX_SPECIES> {
+		const float third = std::clamp(float(p_place.x() - 30.0) / 20.0f, 0.0f, 1.0f); // none up to 30 m, alone from 50 m on
+		return { p_place.x() < 15.0 ? 0.0f : 1.0f - third, p_place.x() < 15.0 ? 1.0f : 0.0f, third };
+	};
+	const auto worn = [&](double p_x) { return map.sample(MAP_WEAR, 0, { p_x, 10.25 }); };
+	CHECK(worn(40.25) == 1.0);
+	for (int step = 0; step < 300; step++) { // 5 s
+		recovery.step(map, square(64.0).rectangle, KIND, rates, 1.0 / 60.0, shares);
+	}
+	CHECK(worn(10.25) == 1.0);
+	CHECK(std::abs(worn(25.25) - 0.9) < 0.01);
+	CHECK(std::abs(worn(40.25) - (1.0 - 5.0 * (0.02 + 0.08 * 10.5 / 20.0))) < 0.01);
+	CHECK(std::abs(worn(55.25) - 0.5) < 0.01);
+	for (int step = 0; step < 300; step++) { // nothing is lost in small steps: not even half a code a step
+		recovery.step(map, square(64.0).rectangle, KIND, { { 0.06, 0.06, 0.06 }, 0.0 }, 1.0 / 60.0, shares);
+	}
+	CHECK(std::abs(worn(10.25) - 0.7) < 0.01);
+	CHECK(std::abs(worn(25.25) - 0.6) < 0.01);
+	CHECK(std::abs(worn(55.25) - 0.2) < 0.01);
+	CHECK(RecoveryRates{}.is_none());
+	CHECK_FALSE(RecoveryRates{ { 0.0, 0.1 }, 0.0 }.is_none());
+}
+
+TEST_CASE("recovery: species are asked for where grass is trampled only, once a metre, and once a code") {
+	PaintMap map = meadow();
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	apply_brush(map, MapShape::stroke({ 10, 10 }, { 10, 10 }, 2.0, 1.0, Falloff::LINEAR), brush);
+	int worn = 0, asked = 0; // square metres
+	for (int j = 0; j < 128; j += 2) {
+		for (int i = 0; i < 128; i += 2) {
+			const auto is_worn = [&](int p_i, int p_j) { return map.get_code(MAP_WEAR, 0, i + p_i, j + p_j) > 0; };
+			worn += is_worn(0, 0) || is_worn(0, 1) || is_worn(1, 0) || is_worn(1, 1) ? 1 : 0;
+		}
+	}
+	const SharesAt shares = [&](const Eigen::Vector2d &) -> std::array<float, GRASS_MAX_SPECIES> {
+		asked++;
+		return { 0.5f, 0.5f };
+	};
+	Recovery recovery;
+	const double code = info_of(MAP_WEAR).unit;
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.25, shares); // the chunk gets known
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.25, shares); // half a code
+	CHECK(asked == 0);
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.5, shares);
+	CHECK(asked == worn);
+	CHECK(worn > 8);
+}
+
 TEST_CASE("recovery: time heals at the rate it is told, however many chunks there are, and one chunk a step") {
 	PaintMap map = meadow();
 	Brush brush;
@@ -138,7 +194,7 @@ TEST_CASE("recovery: time heals at the rate it is told, however many chunks ther
 	}
 	Recovery recovery;
 	const MapRegion field{ { -128, -64 }, { 64, 64 } }; // without the fourth chunk
-	const RecoveryRates rates{ 0.1, 0.0 };
+	const RecoveryRates rates{ { 0.1 }, 0.0 };
 	for (int step = 0; step < 300; step++) {
 		CHECK(recovery.step(map, field, KIND, rates, 1.0 / 60.0).changed.size() <= 1);
 	}

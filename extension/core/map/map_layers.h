@@ -29,6 +29,7 @@ struct MapLayer {
 	std::vector<uint8_t> form; // COARSE^2 x (lean x, z, normal x, z), codes of their channels
 	std::vector<float> ground; // COARSE^2, metres
 	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
+	std::vector<uint8_t> species; // COARSE^2: 0 as they are mixed, n: species n - 1 only
 };
 
 class MapLayers {
@@ -54,6 +55,8 @@ public:
 
 	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
 	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
+	// What was painted into a texel, counted from the map's origin: 0 nothing, n: species n - 1.
+	int get_species(int p_texel_x, int p_texel_z) const;
 
 private:
 	MapKey _first;

@@ -161,16 +161,21 @@ double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassK
 }
 
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear) {
+	const WearAt everywhere = [p_wear](const Eigen::Vector2d &) { return p_wear; };
+	return regrow_grass(r_map, p_region, p_kind, p_height, p_wear > 0.0 ? everywhere : nullptr);
+}
+
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear) {
 	BrushResult result;
 	const TexelBlock block = block_of(p_region);
 	const auto codes = [](MapChannel p_channel, double p_value) {
 		return std::isnan(p_value) ? 0 : int32_t(std::clamp(std::round(p_value / info_of(p_channel).unit), 0.0, 255.0));
 	};
-	const int32_t longer = codes(MAP_CUT, p_height), healed = codes(MAP_WEAR, p_wear);
+	const int32_t longer = codes(MAP_CUT, p_height);
 	Writer writer(r_map, result);
 	for (const MapKey &key : r_map.get_keys()) {
 		const MapChunk *chunk = r_map.find(key);
-		const bool has_cuts = longer > 0 && chunk->channels[MAP_CUT], has_wear = healed > 0 && chunk->channels[MAP_WEAR];
+		const bool has_cuts = longer > 0 && chunk->channels[MAP_CUT], has_wear = p_wear && chunk->channels[MAP_WEAR];
 		const Eigen::Array2i corner = Eigen::Array2i(key.x, key.z) * SIDE;
 		if (!has_cuts && !has_wear) {
 			continue;
@@ -184,8 +189,8 @@ BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const Grass
 				const bool is_grown = info_of(MAP_CUT).value(cut + longer) >= p_kind.tallest;
 				writer.write(MAP_CUT, p_i, p_j, is_grown ? MAP_UNCUT_CODE : std::min(cut + longer, MAP_UNCUT_CODE));
 			}
-			if (has_wear) {
-				writer.write(MAP_WEAR, p_i, p_j, std::max(wear - healed, 0));
+			if (has_wear && wear > 0) {
+				writer.write(MAP_WEAR, p_i, p_j, std::max(wear - codes(MAP_WEAR, p_wear(centre_of(p_i, p_j))), 0));
 			}
 		});
 	}

@@ -6,6 +6,8 @@
 #include "core/map/footprint.h"
 #include "core/map/map_layers.h"
 
+#include <functional>
+
 namespace grass {
 
 // What one texel's worth of grass is, where nothing was painted or cut.
@@ -40,5 +42,8 @@ double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassK
 // Lets cut grass in the region grow by p_height metres, and takes p_wear from its wear. Cuts that cut nothing any more are
 // forgotten. Looks only at chunks that hold cuts or wear. Its amount is the cuts': metres times m^2.
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear);
+// The same with a wear that differs from place to place (metres). Only texels that are worn are asked for; null: none of it goes.
+using WearAt = std::function<double(const Eigen::Vector2d &p_place)>;
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear);
 
 } // namespace grass
