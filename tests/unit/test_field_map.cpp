@@ -276,14 +276,15 @@ TEST_CASE("field_map: an awake blade that is cut keeps its shape and its speed, 
 	PaintMap map;
 	map.set_base_density(1.0);
 	lay_slope(map);
-	FieldMap field(GRID, shared_patch(), ClumpParams(), 1.0f);
+	FieldMap field(GRID, TALLEST, 1.0f);
 	field.update(map, field.get_region());
+	const FieldBlades blades(GRID, shared_patch(), ClumpParams(), 0, nullptr, &field);
 	CpuPool pool(shared_patch(), 4);
 	GrassSlot slot = slot_of(50, 30);
 	StepInput input;
 	input.step.field = { float(GRID.get_tile_size()), float(GRID.get_tiles_x()), float(GRID.get_tiles_z()), float(GRASS_KNOTS) };
 	input.slots = { &slot, 1 };
-	SlotGrowth growth = field.grow(slot);
+	SlotGrowth growth = blades.grow(slot);
 	input.growth = { &growth, 1 };
 	pool.step(input);
 
@@ -301,7 +302,7 @@ TEST_CASE("field_map: an awake blade that is cut keeps its shape and its speed, 
 	paint(map, MapTool::CUT, 0.1, disc(5.0, -5.0, 6.0));
 	field.update(map, field.get_region());
 	slot.list.w = GRASS_SLOT_MAPPED;
-	growth = field.grow(slot);
+	growth = blades.grow(slot);
 	pool.step(input); // no time passes
 	int cut = 0;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
