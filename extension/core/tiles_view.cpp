@@ -35,8 +35,9 @@ void TileManager::stir(const TileRange &p_tiles) {
 		return;
 	}
 	for (const int slot : _used) {
-		Awake &awake = _awake[size_t(slot)];
-		awake.is_stirred = awake.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
+		const Awake &awake = _awake[size_t(slot)];
+		Mark &mark = _marks[size_t(slot)];
+		mark.is_stirred = mark.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
 	}
 }
 
