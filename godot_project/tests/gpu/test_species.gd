@@ -272,7 +272,9 @@ func test_flowers_bend_with_their_blades() -> void:
 	print("    %d of %d flowers moved by 0.2 m and more" % [moved.size(), rest.size()])
 	assert_greater(moved.size(), 10)
 	assert_greater(_share_of_flowers(image, moved), 0.9)
-	assert_less(_share_of_flowers(image, left), 0.5)
+	var stayed := _share_of_flowers(image, left)
+	print("    flowers where they are now %.3f, where they were %.3f" % [_share_of_flowers(image, moved), stayed])
+	assert_less(stayed, 0.5)
 	body.free()
 	violet.card_share = 0.25
 	await drawn()
@@ -304,7 +306,11 @@ func _tips(field: GrassField) -> PackedVector3Array:
 func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
 	var flowers := 0
 	for tip in tips:
-		flowers += int(is_violet(image.get_pixelv(Vector2i(camera.unproject_position(tip)))))
+		var at := Vector2i(camera.unproject_position(tip))
+		var is_seen := false # a blade may cross it
+		for off: Vector2i in [Vector2i.ZERO, Vector2i(2, 0), Vector2i(-2, 0), Vector2i(0, 2), Vector2i(0, -2)]:
+			is_seen = is_seen or is_violet(image.get_pixelv(at + off))
+		flowers += int(is_seen)
 	return float(flowers) / tips.size()
 
 
