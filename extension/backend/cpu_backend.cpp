@@ -133,11 +133,12 @@ void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
 	LodNeed seen, casting;
 	for (const ViewCamera &camera : p_view.cameras) {
 		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
+		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all alike
 		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
-			seen.add(p_view.lod, size, distance, camera.near, pixel);
+			seen.add(p_view.lod, size, lod_distance, camera.near, pixel);
 		}
 		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
-			casting.add(p_view.lod, size, distance, camera.near, pixel * p_view.lod.shadow_coarseness);
+			casting.add(p_view.lod, size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
 		}
 	}
 	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS, _statistics.drawn_blades);

@@ -316,6 +316,10 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 	r_colliders.resize(_written);
 }
 
+void BodyTracker::forget_left() {
+	std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
+}
+
 void BodyTracker::forget_motion() {
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {

@@ -58,6 +58,9 @@ public:
 	// Time has passed without collect(): where bodies were before is no motion.
 	void forget_motion();
 
+	// Instead of collect(), where nobody wants to know: bodies that left are not kept.
+	void forget_left();
+
 	const TrackerStatistics &get_statistics() const { return _statistics; }
 	int64_t body_count() const;
 
@@ -110,7 +113,7 @@ private:
 };
 
 // Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
-// (planes, rays, ground meshes).
+// (planes, rays, height maps).
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
 // Takes the scale of p_basis into the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);

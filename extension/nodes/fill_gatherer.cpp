@@ -42,7 +42,8 @@ FillObstacle obstacle_of(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_p
 		return FillObstacle::mesh(std::move(corners), p_height);
 	}
 	TrackedShape tracked;
-	if (!read_shape(shape, tracked)) { // ground, rays
+	read_shape(shape, tracked);
+	if (!tracked.usable) { // ground, rays
 		return FillObstacle::line({});
 	}
 	return FillObstacle::solid(tracked.shape, p_pose * tracked.offset, p_height);

@@ -75,7 +75,7 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
-	_in_grass.clear();
+	tell_of_leaving();
 	_field_map.reset();
 	_map_textures.free();
 	_tiles.reset();
@@ -155,9 +155,13 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	recover(p_delta);
+	if (!_backend) { // a listener of the map did that
+		return;
+	}
 	if (!_is_seen && !is_listened_to()) {
 		_unseen_time += p_delta;
 		_unseen_ticks++;
+		_tracker.forget_left();
 		return; // nobody would know
 	}
 	CpuClock clock;
@@ -200,6 +204,7 @@ void GrassField::step(double p_delta) {
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
 	_backend->step(input);
+	request_draw();
 }
 
 void GrassField::frame(double p_delta) {
@@ -210,6 +215,10 @@ void GrassField::frame(double p_delta) {
 	}
 	if (param(PARAM_WIND_SPEED) > 0.0) {
 		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
+		if (_is_seen) { // before drawing begins: what is told in _before_draw() asks for no further frame
+			set_wind_clock();
+			_wind_updates++;
+		}
 	}
 }
 
@@ -234,7 +243,7 @@ void GrassField::_before_draw() {
 	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(view);
 	}
-	if (_is_seen && param(PARAM_WIND_SPEED) > 0.0) {
+	if (_is_seen && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
 		set_wind_clock();
 		_wind_updates++;
 	}

@@ -217,11 +217,14 @@ private:
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
 	void recover(double p_delta);
 	void tell_of_bodies();
+	void tell_of_leaving();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
+	void request_draw();
 	void set_wind_uniforms();
 	void set_wind_clock();
 	std::shared_ptr<const Patch> find_patch() const;
+	TileGrid find_grid() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
 	void update_tiles();

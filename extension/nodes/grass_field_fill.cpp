@@ -7,6 +7,7 @@
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/undo_redo.hpp>
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -48,6 +49,9 @@ void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
 
 void GrassField::set_fill_live(bool p_live) {
 	_fill.is_live = p_live;
+	if (!p_live && _fill.state.is_set() && Engine::get_singleton()->is_editor_hint()) {
+		EditorInterface::get_singleton()->set_object_edited(_map.ptr(), true); // what is filled is saved with it from now on
+	}
 	_fill.state = LiveFill(); // without it the map keeps what is filled
 	notify_property_list_changed();
 }
@@ -91,7 +95,7 @@ void GrassField::start_fill() {
 
 void GrassField::update_fill() {
 	start_fill();
-	if (_fill.rule.is_null() || !_fill.state.is_set()) {
+	if (_fill.rule.is_null() || !_fill.state.is_set() || !_map->is_readable()) {
 		return;
 	}
 	if (_fill.has_changed || _fill.revision != GrassExclusion3D::get_revision() || --_fill.frames_to_look <= 0) {
@@ -162,6 +166,7 @@ void GrassField::_fill_pressed() {
 	history->add_do_method(_map.ptr(), "restore_snapshot", _map->take_snapshot());
 	history->add_undo_method(_map.ptr(), "restore_snapshot", before);
 	history->commit_action(false); // done already
+	EditorInterface::get_singleton()->set_object_edited(_map.ptr(), true);
 }
 
 Callable GrassField::get_fill_button() const {

@@ -30,7 +30,7 @@ void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	_changed_region = _map_has_changed ? _changed_region.joined(region) : region;
 	_map_has_changed = true;
-	set_uniform("map_base_density", _map->get_base_density()); // else an idle editor would not draw the change: nothing asks it to
+	request_draw();
 }
 
 // Before the backend is made.

@@ -52,6 +52,7 @@ void GrassField::set_simulated(bool p_simulated) {
 	if (_simulated != p_simulated) {
 		_simulated = p_simulated;
 		request_rebuild(); // tiles that were awake go back to rest
+		tell_of_leaving();
 	}
 }
 
@@ -117,6 +118,7 @@ void GrassField::set_param(int p_param, double p_value) {
 			set_wind_uniforms();
 			break;
 		case Effect::VIEW:
+			request_draw();
 			break;
 	}
 }
@@ -150,6 +152,11 @@ void GrassField::set_uniform(const StringName &p_name, const Variant &p_value) {
 	}
 }
 
+// An idle editor, and a game in low processor mode, draw only once the rendering server was told something.
+void GrassField::request_draw() {
+	set_uniform("tile_size", _setup.grid.get_tile_size());
+}
+
 void GrassField::set_wind_uniforms() {
 	const double angle = Math::deg_to_rad(param(PARAM_WIND_DIRECTION)), speed = param(PARAM_WIND_SPEED);
 	set_uniform("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
@@ -169,6 +176,7 @@ void GrassField::set_all_uniforms() {
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
 	set_uniform("debug_view", int64_t(_debug_view));
+	set_uniform("follow_slope", _setup.follow_slope);
 	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {

@@ -18,8 +18,13 @@ Vector2i GrassField::get_tiles() const {
 	return _backend ? Vector2i(_setup.grid.get_tiles_x(), _setup.grid.get_tiles_z()) : Vector2i();
 }
 
+// As properties say, also before build() makes it so.
+TileGrid GrassField::find_grid() const {
+	return _dirty ? TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)) : _setup.grid;
+}
+
 double GrassField::get_tile_size() const {
-	return TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).get_tile_size();
+	return find_grid().get_tile_size();
 }
 
 Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
@@ -28,17 +33,18 @@ Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
 	if (!place.allFinite()) {
 		return Vector2i(-1, -1);
 	}
-	const TilePlace tile = _setup.grid.get_place(place);
-	return _setup.grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
+	const TileGrid grid = find_grid();
+	const TilePlace tile = grid.get_place(place);
+	return grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
 }
 
 Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
-	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * _setup.grid.get_centre(p_tile.x, p_tile.y)));
+	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * find_grid().get_centre(p_tile.x, p_tile.y)));
 }
 
 bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
-	return _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
+	return !_dirty && _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
 }
 
 int64_t GrassField::get_awake_tile_count() const {

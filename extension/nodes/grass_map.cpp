@@ -45,6 +45,7 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
 	if (!p_changed.empty()) {
+		const Ref<GrassMap> keep(this); // who listens may let go of it
 		emit_signal("chunks_changed", to_chunks(p_changed), p_region);
 		emit_changed();
 	}
@@ -61,6 +62,7 @@ void GrassMap::tell(const BrushResult &p_result) {
 
 void GrassMap::tell_everywhere(const std::vector<MapKey> &p_changed) {
 	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
+	const Ref<GrassMap> keep(this);
 	emit_signal("chunks_changed", to_chunks(p_changed), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
 	emit_changed();
 }

@@ -63,6 +63,7 @@ public:
 	int64_t get_memory_usage() const { return int64_t(_map.get_memory_usage()); } // bytes
 
 	const PaintMap &get_map() const { return _map; }
+	bool is_readable() const { return _unread.is_empty(); } // else nothing can be changed
 	// How often its contents were replaced: a snapshot, data, clear().
 	uint64_t get_replacements() const { return _replacements; }
 	// Replaces the map by what the bytes hold, "" or the reason why not, and then nothing has changed.

@@ -203,6 +203,8 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	const BrushResult erased = paint(map, MapTool::ERASE, 0.0, disc(5.0, 5.0, 9.0));
 	field.update(map, { erased.min, erased.max });
 	CHECK(cover.get_bare_count() == 6400);
+	CHECK(cover.get_low() == 0.0f);
+	CHECK(cover.get_high() == 0.0f);
 }
 
 TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is") {

@@ -45,6 +45,10 @@ PaintMap meadow() {
 	return map;
 }
 
+CutResult cut(PaintMap &r_map, const Footprint &p_footprint) {
+	return cut_grass(r_map, { &p_footprint }, KIND);
+}
+
 MowRegion square(double p_half) {
 	return { nullptr, { { -p_half, -p_half }, { p_half, p_half } } };
 }
@@ -72,17 +76,17 @@ TEST_CASE("footprint: the underside of every shape") {
 TEST_CASE("cut_grass: a deck of 2 m x 1 m at 10 cm leaves 10 cm, and says what fell") {
 	PaintMap map = meadow();
 	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }));
-	const CutResult result = cut_grass(map, deck, KIND);
+	const CutResult result = cut(map, deck);
 	CHECK(result.area == doctest::Approx(2.0));
 	CHECK(result.volume == doctest::Approx(2.0 * 0.3));
 	CHECK(result.blades == doctest::Approx(512.0));
 	CHECK(result.changed.size() == 4);
 	CHECK(standing_height(map, KIND, 0, 0) == doctest::Approx(0.1));
 	CHECK(standing_height(map, KIND, 2, 0) == doctest::Approx(0.4));
-	CHECK(cut_grass(map, deck, KIND).area == 0.0);
-	CHECK(cut_grass(map, deck, KIND).changed.empty());
+	CHECK(cut(map, deck).area == 0.0);
+	CHECK(cut(map, deck).changed.empty());
 	CHECK(mown_share(map, square(2.0), KIND) == doctest::Approx(2.0 / 16.0));
-	CHECK(mown_share(map, { &deck, {} }, KIND) == 1.0);
+	CHECK(mown_share(map, { &deck }, KIND) == 1.0);
 }
 
 TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") {
@@ -92,27 +96,38 @@ TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") 
 	brush.tool = MapTool::DENSITY;
 	brush.target = 0.5;
 	apply_brush(map, everywhere, brush);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 })), KIND).area == doctest::Approx(1.0).epsilon(0.01));
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 3.0, 2 })), KIND).area == 0.0);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, -3.0, 2 })), KIND).area == 0.0);
-	const CutResult above = cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.6, 2 })), KIND);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }))).area == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 3.0, 2 }))).area == 0.0);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, -3.0, 2 }))).area == 0.0);
+	const CutResult above = cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.6, 2 })));
 	CHECK(above.area == 0.0); // higher than the grass stands on average: only tall blades lose their tips
 	brush.tool = MapTool::ERASE;
 	apply_brush(map, everywhere, brush);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.15, -2 })), KIND).area == 0.0);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.15, -2 }))).area == 0.0);
 	CHECK(mown_share(map, square(1.0), KIND) == 0.0);
+}
+
+TEST_CASE("cut_grass and mown_share: a deck over the border acts within it") {
+	PaintMap map = meadow();
+	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 4, 0.2, 0 })); // half of it beyond x = 4
+	const MowRegion field{ &deck, square(4.0).rectangle };
+	CHECK(cut_grass(map, field, KIND).area == doctest::Approx(1.0));
+	CHECK(map.get_code(MAP_CUT, 0, 8, 0) == MAP_UNCUT_CODE);
+	CHECK(mown_share(map, field, KIND) == 1.0);
+	const Footprint outside(solid(GRASS_BOX, { 0.1, 0.1, 0.1 }, { 4.3, 0.2, 0 }));
+	CHECK(cut_grass(map, { &outside, field.rectangle }, KIND).changed.empty());
 }
 
 TEST_CASE("cut_grass: a sword cuts, however thin") {
 	PaintMap map = meadow();
-	const CutResult result = cut_grass(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })), KIND);
+	const CutResult result = cut(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })));
 	CHECK(result.area == doctest::Approx(0.25));
 	CHECK(map.get_code(MAP_CUT, 0, 0, 0) == 18);
 }
 
 TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves the rest alone") {
 	PaintMap map = meadow();
-	cut_grass(map, Footprint(solid(GRASS_BOX, { 2, 0.1, 2 }, { 0, 0.2, 0 })), KIND);
+	cut(map, Footprint(solid(GRASS_BOX, { 2, 0.1, 2 }, { 0, 0.2, 0 })));
 	Brush brush;
 	brush.tool = MapTool::FLATTEN;
 	brush.target = 0.8;

@@ -26,15 +26,15 @@ struct CutResult : BrushResult {
 	double blades = 0.0; // that became shorter
 };
 
-// Cuts what stands in the shape: every blade ends at the shape's underside. A shape that covers no texel's centre (they lie
-// 0.5 m apart) cuts the texel below its middle.
-CutResult cut_grass(PaintMap &r_map, const Footprint &p_footprint, const GrassKind &p_kind);
-
-// A region: a shape's footprint or, if null, a rectangle.
+// A rectangle or, if there is one, the part of a shape's footprint within it.
 struct MowRegion {
 	const Footprint *footprint = nullptr;
-	MapRegion rectangle;
+	MapRegion rectangle{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // everything
 };
+
+// Cuts what stands in the region's shape: every blade ends at its underside. A shape that covers no texel's centre (they lie
+// 0.5 m apart) cuts the texel below its middle.
+CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind);
 
 // Share of the region's grass, weighed by density, that stands lower than it would without cuts; 0 where nothing grows.
 double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassKind &p_kind);
