@@ -10,7 +10,9 @@
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace godot;
 
@@ -18,9 +20,11 @@ namespace grass {
 
 namespace {
 
-// Frames from one look at the bodies to the next; what is the same in two of them has come to rest. More: the grass follows
-// later. Less: a scene of thousands of bodies makes the editor slow.
-constexpr int FRAMES_BETWEEN_LOOKS = 15;
+// Frames of a round, in which each body is looked at once; what is the same in two of them has come to rest. More: the grass
+// follows later. Less: a scene of thousands of bodies makes the editor slow.
+constexpr int FRAMES_A_ROUND = 15;
+// Rounds from one search for new bodies to the next. More: one that is added and moved at once is not noticed.
+constexpr int ROUNDS_A_SEARCH = 8;
 // Rays a frame, about: those of one chunk, some milliseconds. More: the editor stutters.
 constexpr int64_t RAYS_A_FRAME = 4096;
 // What moves over less than this is followed everywhere; else only in chunks that have ground: of a large field that
@@ -36,12 +40,12 @@ bool has_ground(const GrassField &p_field) {
 	return p_field.get_map().is_valid() && (p_field.get_map()->get_map().uses(MAP_GROUND) || size.x * size.y <= LARGEST_REGION);
 }
 
-std::vector<GrassField *> find_fields(Node *p_root) {
-	std::vector<GrassField *> fields;
+std::vector<uint64_t> ids_of_fields(Node *p_root) {
+	std::vector<uint64_t> fields;
 	const auto add = [&](Object *p_node) {
-		GrassField *field = Object::cast_to<GrassField>(p_node);
+		const GrassField *field = Object::cast_to<GrassField>(p_node);
 		if (field != nullptr && has_ground(*field)) {
-			fields.push_back(field);
+			fields.push_back(field->get_instance_id());
 		}
 	};
 	add(p_root);
@@ -88,19 +92,22 @@ bool is_stood_on(const GrassField &p_field, const Eigen::AlignedBox3d &p_box) {
 
 void GroundWatch::forget() {
 	_root_id = 0;
+	_field_ids.clear();
 	_bodies.clear();
 	_poses.clear();
 	_pieces.clear();
-	_frames_to_look = 0;
+	_next_body = 0;
+	_frames_left = _rounds_left = 0;
 }
 
 void GroundWatch::update(Node *p_root) {
-	if (--_frames_to_look <= 0) {
-		CpuClock clock;
-		look(p_root);
-		_look_us = 1000.0 * clock.lap();
-		_frames_to_look = FRAMES_BETWEEN_LOOKS;
+	CpuClock clock;
+	if (--_frames_left <= 0) {
+		_look_us = 0.0;
+		_frames_left = begin_round(p_root) ? FRAMES_A_ROUND : 2 * FRAMES_A_ROUND;
 	}
+	look(_bodies.size() / FRAMES_A_ROUND + 1);
+	_look_us = std::max(_look_us, 1000.0 * clock.lap());
 	for (int64_t rays = 0; !_pieces.empty() && rays < RAYS_A_FRAME;) {
 		const Piece piece = _pieces.front();
 		_pieces.pop_front();
@@ -109,8 +116,11 @@ void GroundWatch::update(Node *p_root) {
 }
 
 void GroundWatch::finish(Node *p_root) {
-	look(p_root);
-	look(p_root); // what moved rests now
+	for (int round = 0; round < 2; round++) { // what moved rests now
+		if (begin_round(p_root)) {
+			look(_bodies.size());
+		}
+	}
 	while (!_pieces.empty()) {
 		const Piece piece = _pieces.front();
 		_pieces.pop_front();
@@ -118,27 +128,61 @@ void GroundWatch::finish(Node *p_root) {
 	}
 }
 
-void GroundWatch::look(Node *p_root) {
-	_fields = p_root == nullptr ? std::vector<GrassField *>() : find_fields(p_root);
-	if (_fields.empty()) {
+// False where nothing is to be watched.
+bool GroundWatch::begin_round(Node *p_root) {
+	_field_ids = p_root == nullptr ? std::vector<uint64_t>() : ids_of_fields(p_root);
+	if (_field_ids.empty()) {
 		forget();
-		return;
+		return false;
 	}
 	const bool is_first = _root_id != p_root->get_instance_id();
 	if (is_first) {
+		const std::vector<uint64_t> ids = _field_ids;
 		forget();
+		_field_ids = ids;
 		_root_id = p_root->get_instance_id();
 	}
-	look_at_fields(is_first);
-	look_at_bodies(p_root, is_first);
+	look_at_fields();
+	_next_body = 0;
+	if (--_rounds_left <= 0) {
+		_rounds_left = ROUNDS_A_SEARCH;
+		for (const uint64_t id : find_ground_bodies(p_root)) {
+			Watched<GroundBody> &body = _bodies[id];
+			if (is_first) {
+				body.baked = body.last = read_ground_body(Object::cast_to<Node3D>(ObjectDB::get_instance(id)), GroundBody());
+			}
+		}
+	}
+	return true;
 }
 
-void GroundWatch::look_at_fields(bool p_is_first) {
-	for (const GrassField *field : _fields) {
+// At the next p_count bodies of this round.
+void GroundWatch::look(size_t p_count) {
+	auto entry = _bodies.lower_bound(_next_body);
+	for (; entry != _bodies.end() && p_count > 0; p_count--) {
+		look_at_body(entry->first, entry->second);
+		const bool is_gone = ObjectDB::get_instance(entry->first) == nullptr && entry->second.baked.shapes.empty();
+		entry = is_gone ? _bodies.erase(entry) : std::next(entry);
+	}
+	_next_body = entry == _bodies.end() ? std::numeric_limits<uint64_t>::max() : entry->first;
+}
+
+void GroundWatch::look_at_body(uint64_t p_id, Watched<GroundBody> &r_body) {
+	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
+	// One that was taken out of the scene may come back by the history.
+	const GroundBody now = node == nullptr ? GroundBody() : read_ground_body(node, r_body.last);
+	if (r_body.last == now && !(r_body.baked == now)) {
+		add_body(r_body, now);
+	}
+	r_body.last = now;
+}
+
+void GroundWatch::look_at_fields() {
+	for (const GrassField *field : find_fields()) {
 		const bool is_new = _poses.find(field->get_instance_id()) == _poses.end();
 		Watched<Transform3D> &pose = _poses[field->get_instance_id()];
 		const Transform3D now = field->field_transform();
-		if (p_is_first || is_new) {
+		if (is_new) {
 			pose.baked = now;
 		} else if (pose.last == now && pose.baked != now) {
 			add_pieces(*field, region_of(*field), {});
@@ -148,30 +192,21 @@ void GroundWatch::look_at_fields(bool p_is_first) {
 	}
 }
 
-void GroundWatch::look_at_bodies(Node *p_root, bool p_is_first) {
-	for (const uint64_t id : find_ground_bodies(p_root)) {
-		_bodies[id];
-	}
-	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
-		const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(entry->first));
-		Watched<GroundBody> &body = entry->second;
-		// One that was taken out of the scene may come back by the history.
-		const GroundBody now = node == nullptr ? GroundBody() : read_ground_body(node, body.last);
-		if (p_is_first) {
-			body.baked = now;
-		} else if (body.last == now && !(body.baked == now)) {
-			add_body(body, now);
+std::vector<const GrassField *> GroundWatch::find_fields() const {
+	std::vector<const GrassField *> fields;
+	for (const uint64_t id : _field_ids) {
+		const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(id));
+		if (field != nullptr && field->is_inside_tree() && has_ground(*field)) {
+			fields.push_back(field);
 		}
-		body.last = now;
-		const bool is_gone = node == nullptr && body.baked == now;
-		entry = is_gone ? _bodies.erase(entry) : std::next(entry);
 	}
+	return fields;
 }
 
 void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now) {
 	const Eigen::AlignedBox3d before = r_body.baked.get_box(), now = p_now.get_box();
 	r_body.baked = p_now;
-	for (const GrassField *field : _fields) {
+	for (const GrassField *field : find_fields()) {
 		const Eigen::Affine3d to_field = to_eigen(field->field_transform()).inverse(Eigen::Isometry);
 		const Eigen::AlignedBox3d left = before.isEmpty() ? before : before.transformed(to_field);
 		r_body.is_ground = r_body.is_ground || (!left.isEmpty() && is_stood_on(*field, left));

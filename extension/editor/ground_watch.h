@@ -22,7 +22,7 @@ public:
 
 	int64_t get_rays() const { return _rays; } // cast so far
 	int64_t get_waiting() const { return int64_t(_pieces.size()); }
-	double get_look_us() const { return _look_us; } // CPU time of the last look at the scene, microseconds
+	double get_look_us() const { return _look_us; } // CPU time of looking, the longest frame of this round, microseconds
 
 private:
 	// Something that moves: as it was at the last look, and as it was when the ground was baked by it.
@@ -37,19 +37,22 @@ private:
 		Eigen::AlignedBox3d left;
 	};
 
-	void look(godot::Node *p_root);
-	void look_at_bodies(godot::Node *p_root, bool p_is_first);
-	void look_at_fields(bool p_is_first);
+	bool begin_round(godot::Node *p_root);
+	void look(size_t p_count);
+	void look_at_body(uint64_t p_id, Watched<GroundBody> &r_body);
+	void look_at_fields();
+	std::vector<const GrassField *> find_fields() const;
 	void add_body(Watched<GroundBody> &r_body, const GroundBody &p_now);
 	void add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left);
 	int64_t bake(const Piece &p_piece);
 
 	uint64_t _root_id = 0; // of the scene that is watched; 0: none, since no field of it has ground
-	std::vector<GrassField *> _fields; // of this look
+	std::vector<uint64_t> _field_ids; // that have ground
 	std::map<uint64_t, Watched<GroundBody>> _bodies; // by the node's id
 	std::map<uint64_t, Watched<godot::Transform3D>> _poses; // of fields, by id
 	std::deque<Piece> _pieces;
-	int _frames_to_look = 0;
+	uint64_t _next_body = 0; // id, at which this round goes on
+	int _frames_left = 0, _rounds_left = 0; // to the next round; to the next search for bodies
 	int64_t _rays = 0;
 	double _look_us = 0.0;
 };

@@ -141,7 +141,7 @@ func test_a_look_at_a_large_scene() -> void:
 			node.add_child(shape)
 	field.get_parent().add_child(many)
 	await settled()
-	print("1,000 static bodies among 6,000 nodes: a look takes %.0f us" % plugin.get_statistics().watch_us)
+	print("1,000 static bodies among 6,000 nodes: looking takes %.0f us in the longest frame" % plugin.get_statistics().watch_us)
 	assert_near(ground(FLOOR), FLOOR_HEIGHT, 0.1)
 	many.free()
 	await settled()
