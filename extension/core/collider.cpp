@@ -51,6 +51,13 @@ void measure(int p_shape, const Vec3<float> &p_size, float &r_bound, float &r_th
 
 } // namespace
 
+bool is_sharp(const GrassCollider &p_collider, float p_segment) {
+	constexpr float STRETCH = 1.1f;
+	float bound = 0.0f, thin = 0.0f, blunt = 0.0f;
+	measure(p_collider.anchor.z, xyz(p_collider.size), bound, thin, blunt);
+	return !(blunt > STRETCH * p_segment);
+}
+
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider) {
 	const float sum = total(p_collider.position) + total(p_collider.rotation) + total(p_collider.position_before) +

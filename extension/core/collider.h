@@ -36,6 +36,9 @@ struct TileCollider {
 	std::span<const Eigen::Vector4f> planes; // hulls
 };
 
+// Whether a blade with segments of p_segment metres can cut the collider where no knot of it shows that, however far a solve stretches it.
+bool is_sharp(const GrassCollider &p_collider, float p_segment);
+
 // p_collider for the tile at (p_tile_x, p_tile_z). False if a number in it is not finite or a plane is missing.
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);

@@ -2,6 +2,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "core/collider.h"
 #include "core/cpu_clock.h"
 #include "gpu/render_queue.h"
 
@@ -55,7 +56,7 @@ private:
 
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+StepRecords::StepRecords(const StepInput &p_input, float p_segment) : number(p_input.number), step(p_input.step) {
 	CpuClock clock;
 	slots.assign(p_input.slots.begin(), p_input.slots.end());
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
@@ -63,6 +64,17 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
 	growth.assign(p_input.growth.begin(), p_input.growth.end());
 	species.assign(p_input.species.begin(), p_input.species.end());
+	std::vector<bool> sharp;
+	for (const GrassCollider &collider : colliders) {
+		sharp.push_back(is_sharp(collider, p_segment));
+	}
+	for (GrassSlot &slot : slots) {
+		const auto begin = collider_list.begin() + slot.list.y, end = begin + slot.list.z;
+		if (std::any_of(begin, end, [&](uint32_t p_collider) { return p_collider >= sharp.size() || sharp[p_collider]; })) {
+			slot.list.w |= GRASS_SLOT_EDGES;
+			sharp_slots++;
+		}
+	}
 	copy_ms = clock.lap();
 }
 
@@ -100,8 +112,10 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	state.instantiate();
 	_sampler = device->sampler_create(state);
 
-	_simulate.create(
-			_has_species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV, "GrassField simulate");
+	using Code = std::span<const uint32_t>;
+	_simulate.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV), "GrassField simulate");
+	_simulate_edges.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV),
+			"GrassField simulate edges");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
 	std::lock_guard lock(_report->mutex);
@@ -120,20 +134,24 @@ void GpuField::set_tiles(int64_t p_tiles) {
 		return;
 	}
 	_table.allocate(room * 4);
-	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	}
 }
 
 void GpuField::bind_simulate(const RID &p_patch) {
-	_simulate.bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
-	_simulate.bind_buffer(GRASS_BINDING_KNOTS_BEFORE, _knots_before.rid());
-	_simulate.bind_sampled(GRASS_BINDING_PATCH, _sampler, p_patch);
-	_simulate.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
-	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
-	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
-	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
-	if (_has_species) {
-		_simulate.bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
-		_simulate.bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
+		pass->bind_buffer(GRASS_BINDING_KNOTS_BEFORE, _knots_before.rid());
+		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, p_patch);
+		pass->bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
+		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
+		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+		pass->bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
+		if (_has_species) {
+			pass->bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
+			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+		}
 	}
 }
 
@@ -159,15 +177,23 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_has_species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
-	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
-	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
-	_simulate.bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
-	_simulate.bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
+	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
+		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
+		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
+		pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
+	}
 	{
 		Stopwatch watch(p_measure, "GrassField simulate");
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		_simulate.dispatch(list, record_bytes(p_records.step), uint32_t(p_records.slots.size()));
+		const uint32_t slots = uint32_t(p_records.slots.size()), sharp = uint32_t(p_records.sharp_slots);
+		if (sharp < slots) { // each tile is one of the passes'; the other leaves it at once
+			_simulate.dispatch(list, record_bytes(p_records.step), slots);
+		}
+		if (sharp > 0) {
+			_simulate_edges.dispatch(list, record_bytes(p_records.step), slots);
+		}
 		device->compute_list_end();
 	}
 	const double upload_ms = clock.lap();
@@ -180,6 +206,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
+		statistics.edge_tile_steps += p_records.sharp_slots;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
@@ -343,6 +370,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	}
 	_pool_texture = _sampler = RID();
 	_simulate.free();
+	_simulate_edges.free();
 	_cull.free();
 	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
 				 &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {

@@ -22,9 +22,11 @@ struct StepRecords {
 	std::vector<SlotGrowth> growth;
 	std::vector<GrassStep> species;
 	GrassStep step;
+	int sharp_slots = 0; // with GRASS_SLOT_EDGES
 	double copy_ms; // CPU time of this copy
 
-	explicit StepRecords(const StepInput &p_input);
+	// p_segment: of the longest blade, metres.
+	StepRecords(const StepInput &p_input, float p_segment);
 };
 
 // The records of one drawn frame.
@@ -97,7 +99,7 @@ private:
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler;
 	godot::Ref<godot::Texture2DRD> _pool;
-	GpuPass _simulate, _cull;
+	GpuPass _simulate, _simulate_edges, _cull; // of tiles without and with GRASS_SLOT_EDGES
 };
 
 } // namespace grass

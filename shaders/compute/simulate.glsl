@@ -4,6 +4,12 @@
 // records. Twin of core/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
+#pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
+#pragma variant GRASS_SPECIES_EDGES
+#ifdef GRASS_SPECIES_EDGES
+#define GRASS_SPECIES
+#define GRASS_EDGES
+#endif
 
 #include "constants.inc"
 #include "structs.inc"
@@ -255,6 +261,16 @@ void main() {
 	step = field_step;
 #endif
 	slot = slots[gl_WorkGroupID.x];
+#ifndef GRASS_EVERY_SLOT
+#ifdef GRASS_EDGES
+	const bool takes_edges = true;
+#else
+	const bool takes_edges = false;
+#endif
+	if (((slot.list.w & GRASS_SLOT_EDGES) != 0u) != takes_edges) {
+		return; // the other variant's
+	}
+#endif
 	uint blade = gl_LocalInvocationID.x;
 	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
 	if (blade == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {

@@ -78,9 +78,10 @@ def compute_header(target, source, env):
 
 
 def bench_shader(target, source, env):
-	"""SCons action: a compute pass -> SPIR-V for another number of knots."""
+	"""SCons action: a compute pass -> SPIR-V for another number of knots, with all that it can do."""
+	defines = (f"GRASS_KNOTS={env['KNOTS']}", "GRASS_EDGES", "GRASS_EVERY_SLOT")
 	try:
-		compile_shader(source[0], env["SHADER_PATH"], env["GLSLANG"], pathlib.Path(str(target[0])), f"GRASS_KNOTS={env['KNOTS']}")
+		compile_shader(source[0], env["SHADER_PATH"], env["GLSLANG"], pathlib.Path(str(target[0])), *defines)
 	except RuntimeError as error:
 		print(f"{source[0]}: the shader does not compile:\n{error}")
 		return 1

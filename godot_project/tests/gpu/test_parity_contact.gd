@@ -8,6 +8,7 @@ const OVER_THE_GRASS := 0.75 # metres
 const CREEPING := 0.002 # metres a tick
 const THIN := 0.005 # metres, half of what is thinner than a segment
 const HALF_STICK := 0.6 # metres
+const UNDER_A_BALL := 1e-3 # of a blade's length, after ten steps
 const SKIN := 0.005 # metres, more than knots feel a surface from
 
 
@@ -169,3 +170,22 @@ func test_bent_alike_under_a_moving_body() -> void:
 	print("    mean bend under a moving ball: CPU %.3f mm, GPU %.3f mm" % [bends[0], bends[1]])
 	assert_greater(bends[0], 10.0)
 	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
+
+
+## Tiles under what is round and large are left to the pass that knows no edges, and bend as on the CPU all the same.
+func test_edges_are_asked_only_near_what_is_sharp() -> void:
+	if not await add_pair():
+		return
+	var body := add_held_body(ball(1.0), PLACE + Vector3(0, 1.2, 0))
+	await ticks(10)
+	assert_greater(gpu.get_awake_tile_count(), 0)
+	assert_eq(gpu.get_statistics().edge_tile_steps, 0)
+	var off := difference([gpu.get_tile_at(PLACE)])
+	print("    parity under a ball of 1 m, without edges: %s of a blade's length" % String.num_scientific(off))
+	assert_less(off, UNDER_A_BALL)
+	body.free()
+	var box := BoxShape3D.new()
+	box.size = Vector3(0.5, 0.2, 0.5)
+	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
+	await ticks(5)
+	assert_greater(gpu.get_statistics().edge_tile_steps, 0)
