@@ -10,10 +10,13 @@
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_brush.h"
+#include "nodes/grass_exclusion_3d.h"
 #include "nodes/grass_field.h"
+#include "nodes/grass_fill_rule.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_species.h"
 #include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
@@ -31,9 +34,12 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapLoader);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassMapSaver);
 		GDREGISTER_CLASS(grass::GrassPatch);
+		GDREGISTER_CLASS(grass::GrassSpecies);
 		GDREGISTER_CLASS(grass::GrassBrush);
 		GDREGISTER_CLASS(grass::GrassMapSnapshot);
+		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
+		GDREGISTER_CLASS(grass::GrassExclusion3D);
 		GDREGISTER_CLASS(grass::GrassField);
 		grass::register_map_files();
 	}

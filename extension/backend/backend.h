@@ -7,6 +7,7 @@
 #include "core/lod.h"
 #include "core/map/tile_cover.h"
 #include "core/patch.h"
+#include "core/species.h"
 #include "core/step.h"
 #include "core/tile_grid.h"
 
@@ -33,6 +34,7 @@ struct FieldSetup {
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map says what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
+	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
 
 	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }

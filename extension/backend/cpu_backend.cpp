@@ -28,7 +28,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
-		_materials(p_setup.is_mapped),
+		_materials(shader_features(p_setup)),
 		_patch_texture(make_patch_texture(*p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
@@ -133,11 +133,12 @@ void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
 	LodNeed seen, casting;
 	for (const ViewCamera &camera : p_view.cameras) {
 		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
+		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all alike
 		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
-			seen.add(p_view.lod, size, distance, camera.near, pixel);
+			seen.add(p_view.lod, size, lod_distance, camera.near, pixel);
 		}
 		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
-			casting.add(p_view.lod, size, distance, camera.near, pixel * p_view.lod.shadow_coarseness);
+			casting.add(p_view.lod, size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
 		}
 	}
 	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS, _statistics.drawn_blades);
@@ -175,7 +176,7 @@ void CpuBackend::update_pool_texture() {
 	}
 	_pool_rows = std::max(rows, _pool_rows);
 	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
-	for (int slot = _changed_slots.find(0); slot != SlotSet::NONE; slot = _changed_slots.find(slot + 1)) {
+	for (const int slot : _changed_slots) {
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
 	_changed_slots.reset(_setup.pool_tiles, false);

@@ -166,4 +166,37 @@ Patch generate_patch(const PatchParams &p_params) {
 	return patch;
 }
 
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares) {
+	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });
+	if (found == p_patches.end()) {
+		Patch empty = generate_patch({});
+		empty.texels.assign(empty.texels.size() * p_patches.size(), 0);
+		empty.species = int(p_patches.size());
+		empty.empty_because = p_patches.empty() ? "there is no species" : p_patches.front()->empty_because;
+		return empty;
+	}
+	const Patch &first = **found;
+	Patch joined;
+	joined.species = int(p_patches.size());
+	for (size_t s = 0; s < p_patches.size(); s++) {
+		const Patch &own = p_patches[s]->is_empty() ? first : *p_patches[s];
+		joined.texels.insert(joined.texels.end(), own.texels.begin(), own.texels.end());
+		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
+			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
+			const uint16_t *place = &first.texels[Patch::texel_index(blade, 0)];
+			root[0] = place[0];
+			root[1] = place[1];
+			root[3] = p_patches[s]->is_empty() ? 0 : root[3];
+		}
+		const float share = float(p_shares[s]);
+		joined.max_length = std::max(joined.max_length, own.max_length);
+		joined.max_reach = std::max(joined.max_reach, own.max_reach);
+		joined.max_height = std::max(joined.max_height, own.max_height);
+		joined.mean_height += share * own.mean_height;
+		joined.mean_length += share * own.mean_length;
+		joined.mean_width += share * own.mean_width;
+	}
+	return joined;
+}
+
 } // namespace grass

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/blade_types.h"
@@ -46,7 +48,8 @@ struct Patch {
 	static constexpr int WIDTH = GRASS_KNOTS * GRASS_PATCH_BLADES_PER_ROW; // texels
 	static constexpr int HEIGHT = GRASS_PATCH_BLADES / GRASS_PATCH_BLADES_PER_ROW;
 
-	std::vector<uint16_t> texels; // 16-bit floats, 4 a texel, WIDTH x HEIGHT row by row; zeros if empty
+	std::vector<uint16_t> texels; // 16-bit floats, 4 a texel, WIDTH x HEIGHT row by row for each species; zeros if empty
+	int species = 1; // whose blades stand one below the other
 	const char *empty_because = nullptr; // why there are no blades, for a warning; nullptr if there are
 	float max_length = 0.0f; // metres, along the blade
 	float max_reach = 0.0f; // metres, horizontally from the root
@@ -55,7 +58,7 @@ struct Patch {
 	float mean_length = 0.0f, mean_width = 0.0f; // metres: along the blade, full width at the root
 
 	bool is_empty() const { return empty_because != nullptr; }
-	// First of the four halves of knot p_knot of blade p_blade.
+	// First of the four halves of knot p_knot of blade p_blade; the blades of species s begin at GRASS_PATCH_BLADES s.
 	static size_t texel_index(int p_blade, int p_knot) {
 		const size_t row = size_t(p_blade / GRASS_PATCH_BLADES_PER_ROW), column = size_t(p_blade % GRASS_PATCH_BLADES_PER_ROW);
 		return ((row * GRASS_KNOTS + size_t(p_knot)) * GRASS_PATCH_BLADES_PER_ROW + column) * 4;
@@ -64,5 +67,9 @@ struct Patch {
 
 // The same bits for the same parameters, on every machine.
 Patch generate_patch(const PatchParams &p_params);
+
+// The patches of several species as one. Blade b of each stands where blade b of the first one does, so that a root is known
+// before its species is. p_shares: of the species, for what is a mean. Species without blades get some of no width.
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares);
 
 } // namespace grass

@@ -14,15 +14,15 @@ namespace {
 
 constexpr int BLADES = GRASS_BLADES_PER_TILE;
 
-float step_state(
-		TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, Precision p_precision) {
+float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders,
+		Precision p_precision) {
 	switch (p_precision) {
 		case Precision::SCALAR_FLOAT:
-			return step_scalar_float(r_state, p_step, p_blend, p_colliders);
+			return step_scalar_float(r_state, p_steps, p_blend, p_colliders);
 		case Precision::SCALAR_DOUBLE:
-			return step_scalar_double(r_state, p_step, p_blend, p_colliders);
+			return step_scalar_double(r_state, p_steps, p_blend, p_colliders);
 		default:
-			return step_lanes(r_state, p_step, p_blend, p_colliders);
+			return step_lanes(r_state, p_steps, p_blend, p_colliders);
 	}
 }
 
@@ -86,13 +86,14 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 	_simulated_blades += int64_t(awake.size()) * BLADES;
 }
 
-// The rest pose: the patch's, grown by the clump at the root, or as a map says (p_growth).
+// The rest pose: the patch's, grown by the clump at the root, or as a map and species say (p_growth).
 void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
 	const ClumpParams params{ p_step.clump.x, p_step.clump.y, p_step.clump.z, p_step.clump.w };
 	for (int b = 0; b < BLADES; b++) {
-		const int blade = int(p_slot.list.x) + b;
+		state.species[b] = p_growth ? std::min(p_growth->species[size_t(b)], uint8_t(_patch->species - 1)) : uint8_t(0);
+		const int blade = int(p_slot.list.x) + b + GRASS_PATCH_BLADES * int(state.species[b]);
 		const auto texel = [&](int p_knot) {
 			const uint16_t *halves = &_patch->texels[Patch::texel_index(blade, p_knot)];
 			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
@@ -150,7 +151,9 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	}
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
-	_energy[slot] = step_state(*_slots[slot], p_input.step, blend, colliders, p_precision);
+	const std::span<const GrassStep> steps =
+			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
+	_energy[slot] = step_state(*_slots[slot], steps, blend, colliders, p_precision);
 	_bends[slot] = bend_of(*_slots[slot]);
 }
 

@@ -49,6 +49,33 @@ public:
 		return int(word * 64) + std::countr_zero(bits);
 	}
 
+	// All slots, rising: `for (const int slot : set)`. The one at hand may be taken out meanwhile.
+	class Iterator {
+	public:
+		Iterator(const uint64_t *p_word, const uint64_t *p_end) : _begin(p_word), _word(p_word), _end(p_end) { skip_empty(); }
+		int operator*() const { return int(_word - _begin) * 64 + std::countr_zero(_bits); }
+		void operator++() {
+			_bits &= _bits - 1;
+			if (_bits == 0) {
+				_word++;
+				skip_empty();
+			}
+		}
+		bool operator!=(const Iterator &) const { return _word != _end; }
+
+	private:
+		void skip_empty() {
+			while (_word != _end && (_bits = *_word) == 0) {
+				_word++;
+			}
+		}
+
+		const uint64_t *_begin, *_word, *_end;
+		uint64_t _bits = 0; // of the word, from the slot at hand on
+	};
+	Iterator begin() const { return { _words.data(), _words.data() + _words.size() }; }
+	Iterator end() const { return { _words.data() + _words.size(), _words.data() + _words.size() }; }
+
 	// Takes the lowest slot out of the set, or returns NONE.
 	int take_lowest() {
 		const int slot = find(0);

@@ -41,12 +41,13 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 }
 
 // [Eq 19] Half the speed squared and the pull to rest, the mean of the free knots: J per kg of blade.
-template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const GrassStep &p_step) {
+template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
-		sum = sum + dot(moved, moved) * T(p_step.energy.x) + dot(away, away) * (T(p_step.energy.y) + T(p_step.energy.z) * T(root_share(k)));
+		sum = sum + dot(moved, moved) * p_terms.energy_of_speed +
+				dot(away, away) * (p_terms.energy_at_tip + p_terms.energy_at_root * T(root_share(k)));
 	}
 	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }

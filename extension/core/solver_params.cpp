@@ -75,14 +75,24 @@ double SolverParams::energy_within(double p_distance) const {
 }
 
 GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
+	const bool passes = p_delta > 0.0 && std::isfinite(p_delta);
+	if (passes) {
+		const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
+		_delta_before = _last > 0.0 ? _last : h;
+		_delta = _last = h;
+	} else {
+		_delta = 0.0;
+	}
+	return repeat(p_params);
+}
+
+GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	const SolverParams params = p_params.sanitised();
 	GrassStep step;
-	if (!(p_delta > 0.0) || !std::isfinite(p_delta)) {
+	if (_delta <= 0.0) {
 		return step;
 	}
-	const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
-	const double g = _delta_before > 0.0 ? _delta_before : h;
-	_delta_before = h;
+	const double h = _delta, g = _delta_before;
 
 	const double swing = TURN * params.natural_frequency, damping = params.damping_ratio * swing;
 	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.

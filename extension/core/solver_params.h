@@ -59,10 +59,14 @@ class StepClock {
 public:
 	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
 	GrassStep advance(const SolverParams &p_params, double p_delta);
-	void reset() { _delta_before = 0.0; }
+	// The step of the last advance(), for blades with other parameters.
+	GrassStep repeat(const SolverParams &p_params) const;
+	void reset() { *this = StepClock(); }
 
 private:
-	double _delta_before = 0.0; // seconds; 0: there was none
+	double _delta = 0.0; // of the last advance(), seconds; 0: no time passed in it
+	double _delta_before = 0.0; // of the step before that one; its own where there was none
+	double _last = 0.0; // of the last one in which time passed; 0: there was none
 };
 
 } // namespace grass

@@ -11,10 +11,12 @@
 
 namespace grass {
 
-// How the blades of an awake tile grow, where a map decides it. Made when the tile wakes, and when the map changes below it.
+// How the blades of an awake tile grow, where a map or a mix of species decides it. Made when the tile wakes, and when the map
+// changes below it.
 struct SlotGrowth {
 	int slot = GRASS_NO_SLOT;
 	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
+	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // which blades of the patch they are
 };
 
 // Views only: the arrays belong to TileManager and hold until its next update().
@@ -25,7 +27,8 @@ struct StepInput {
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
-	std::span<const SlotGrowth> growth = {}; // Of fields with a map: every fresh slot, and those below which it changed.
+	std::span<const SlotGrowth> growth = {}; // Of fields with a map or species: every fresh slot, and those below which it changed.
+	std::span<const GrassStep> species = {}; // Of fields with species: `step` as each of them takes it.
 };
 
 // What the blades of each slot still moved by after a step, as the backend reports it, late as it may be.

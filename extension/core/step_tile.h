@@ -56,11 +56,39 @@ GRASS_INLINE float largest(const Lanes &p_value) {
 	return most;
 }
 
+// One number of each lane's own species. p_species: of the first lane's blade.
 template <class T>
-GRASS_INLINE float step_tile(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
-	const StepTerms<T> terms = make_terms<T>(p_step, p_blend, p_colliders);
+GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
+	alignas(32) float own[LANE_COUNT<T>];
+	for (int lane = 0; lane < LANE_COUNT<T>; lane++) {
+		own[lane] = p_steps[p_species[lane]].*p_of.*p_part;
+	}
+	return load<T>(own);
+}
+
+// What species differ in.
+template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::span<const GrassStep> p_steps, const uint8_t *p_species) {
+	const auto own = [&](vec4 GrassStep::*p_of, float vec4::*p_part) { return own_number<T>(p_steps, p_species, p_part, p_of); };
+	r_terms.keep = own(&GrassStep::motion, &vec4::x);
+	r_terms.pull = own(&GrassStep::motion, &vec4::y);
+	r_terms.pull_root = own(&GrassStep::motion, &vec4::z);
+	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
+	r_terms.bending = own(&GrassStep::chain, &vec4::z);
+	r_terms.drag = own(&GrassStep::chain, &vec4::w);
+	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
+	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
+	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);
+}
+
+template <class T>
+GRASS_INLINE float step_tile(
+		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
+	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders);
 	float liveliest = 0.0f;
 	for (int first = 0; first < GRASS_BLADES_PER_TILE; first += LANE_COUNT<T>) {
+		if (p_steps.size() > 1) {
+			take_species(terms, p_steps, &r_state.species[first]);
+		}
 		Blade<T> blade;
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			blade.rest[k] = load_knot<T>(r_state.rest, k, first);
@@ -78,7 +106,7 @@ GRASS_INLINE float step_tile(TileState &r_state, const GrassStep &p_step, float 
 			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
 			store(blade.twist[k - 1], &r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
-		liveliest = std::max(liveliest, largest(measure_energy(blade, p_step)));
+		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
 	}
 	return liveliest;
 }

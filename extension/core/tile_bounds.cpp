@@ -15,6 +15,18 @@ struct TileBounds::Blade {
 	float x, z;
 };
 
+// p_taller: factor on the blade's length; p_chord: how far it is tilted, shares of a knot's distance from the root.
+void TileBounds::extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord) {
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];
+		const Eigen::Vector3f knot =
+				p_taller * Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+		const float lean = p_chord * knot.norm();
+		r_box = { std::min(r_box.min_x, knot.x() - lean), std::max(r_box.max_x, knot.x() + lean), std::min(r_box.min_z, knot.z() - lean),
+			std::max(r_box.max_z, knot.z() + lean), std::max(r_box.height, knot.y() + lean) };
+	}
+}
+
 TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed) :
 		_grid(p_grid), _seed(p_seed) {
 	if (p_patch.is_empty()) {
@@ -28,17 +40,12 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 
 	auto blades = std::make_shared<std::vector<Blade>>(GRASS_PATCH_BLADES);
 	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {
-		const auto half = [&](int p_knot, int p_component) {
-			return half_to_float(p_patch.texels[Patch::texel_index(b, p_knot) + size_t(p_component)]);
-		};
 		Box box{ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-		for (int k = 1; k < GRASS_KNOTS; k++) {
-			const Eigen::Vector3f knot = taller * Eigen::Vector3f(half(k, 0), half(k, 1), half(k, 2));
-			const float lean = chord * knot.norm();
-			box = { std::min(box.min_x, knot.x() - lean), std::max(box.max_x, knot.x() + lean), std::min(box.min_z, knot.z() - lean),
-				std::max(box.max_z, knot.z() + lean), std::max(box.height, knot.y() + lean) };
+		for (int species = 0; species < p_patch.species; species++) { // whichever it will be
+			extend(box, p_patch, species * GRASS_PATCH_BLADES + b, taller, chord);
 		}
-		(*blades)[size_t(b)] = { box, half(0, 0), half(0, 1) };
+		const uint16_t *root = &p_patch.texels[Patch::texel_index(b, 0)];
+		(*blades)[size_t(b)] = { box, half_to_float(root[0]), half_to_float(root[1]) };
 	}
 	_blades = blades;
 	find_boxes();
@@ -68,9 +75,6 @@ void TileBounds::find_boxes() {
 				std::max(all.height, blade.box.height) };
 		}
 		_boxes.push_back(all);
-		_inner = start == 0 ? all
-							: Box{ std::max(all.min_x, _inner.min_x), std::min(all.max_x, _inner.max_x), std::max(all.min_z, _inner.min_z),
-								  std::min(all.max_z, _inner.max_z), std::min(all.height, _inner.height) };
 		_reach = std::max({ _reach, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
 		_height = std::max(_height, double(all.height));
 	}
@@ -81,20 +85,33 @@ size_t TileBounds::get_memory_usage() const {
 }
 
 bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
+	int x;
+	return find_met(p_x, p_x + 1, p_z, p_bounds, &x) > 0;
+}
+
+// Without jumps: whether a tile is met cannot be foreseen.
+int TileBounds::find_met(int p_begin, int p_end, int p_z, const Bounds &p_bounds, int *r_x) const {
 	if (_boxes.empty()) {
-		return false;
+		return 0;
 	}
-	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
-	if (ground.is_bare() || p_bounds.max.y() < double(ground.low)) {
-		return false;
+	const TileGrid grid = _grid; // copies: they are the same for all tiles, which r_x would have to prove
+	const TileCover *cover = _cover.get();
+	const Box *boxes = _boxes.data();
+	const uint32_t seed = _seed;
+	const double lean = _lean;
+	int count = 0;
+	for (int x = p_begin; x < p_end; x++) {
+		const TileCover::Tile ground = cover != nullptr ? cover->get(x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
+		// Rounded once, after the difference: a few nanometres, on any field.
+		const Eigen::Vector3d centre = grid.get_centre(x, p_z);
+		const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
+			float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };
+		const float bottom = float(p_bounds.min.y() - lean - double(ground.high));
+		const Box &blades = boxes[grass_tile_start(uint32_t(x), uint32_t(p_z), seed) / GRASS_START_STRIDE];
+		r_x[count] = x;
+		count += int(blades.meets(box, bottom)) & int(!ground.is_bare()) & int(p_bounds.max.y() >= double(ground.low));
 	}
-	// Rounded once, after the difference: a few nanometres, on any field.
-	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	const Box box{ float(p_bounds.min.x() - centre.x() - _lean), float(p_bounds.max.x() - centre.x() + _lean),
-		float(p_bounds.min.z() - centre.z() - _lean), float(p_bounds.max.z() - centre.z() + _lean), 0.0f };
-	const float bottom = float(p_bounds.min.y() - _lean - double(ground.high));
-	return _inner.meets(box, bottom) ||
-			_boxes[grass_tile_start(uint32_t(p_x), uint32_t(p_z), _seed) / GRASS_START_STRIDE].meets(box, bottom);
+	return count;
 }
 
 } // namespace grass

@@ -23,6 +23,8 @@ public:
 
 	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
+	// The same for tiles p_begin <= x < p_end of row p_z: writes x of those that are met to r_x, which has room for all; how many.
+	int find_met(int p_begin, int p_end, int p_z, const Bounds &p_bounds, int *r_x) const;
 	// The ground that the tiles stand on, and those that are bare; null: all stand on level ground. p_lean: metres by which
 	// blades lean farther on slopes.
 	void set_cover(std::shared_ptr<const TileCover> p_cover, double p_lean) {
@@ -48,13 +50,13 @@ private:
 		}
 	};
 
+	static void extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord);
 	void find_boxes();
 
 	TileGrid _grid;
 	uint32_t _seed = 0;
 	std::shared_ptr<const std::vector<Blade>> _blades; // of the patch
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
-	Box _inner{}; // what all of them share: most tiles under a body are told by it
 	double _reach = 0.0, _height = 0.0;
 	double _lean = 0.0;
 	std::shared_ptr<const TileCover> _cover;

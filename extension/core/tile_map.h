@@ -34,7 +34,7 @@ public:
 		}
 		// Whoever was pushed past the hole moves back into it, so that no search stops short of him.
 		for (uint32_t i = (hole + 1) & _mask; _places[i].tile != NONE; i = (i + 1) & _mask) {
-			const uint32_t home = grass_hash(uint32_t(_places[i].tile)) & _mask;
+			const uint32_t home = home_of(_places[i].tile);
 			if (((i - home) & _mask) >= ((i - hole) & _mask)) {
 				_places[hole] = _places[i];
 				hole = i;
@@ -46,14 +46,18 @@ public:
 	size_t get_memory_usage() const { return _places.capacity() * sizeof(Place); } // Bytes.
 
 private:
+	static constexpr uint32_t ROW = 8;
 	struct Place {
 		int tile = NONE;
 		int value = NONE;
 	};
 
+	// Eight neighbours in a row share a line of the cache: bodies touch tiles row by row.
+	uint32_t home_of(int p_tile) const { return (grass_hash(uint32_t(p_tile) / ROW) * ROW + uint32_t(p_tile) % ROW) & _mask; }
+
 	// Where the tile is, or the empty place where it belongs.
 	uint32_t seek(int p_tile) const {
-		uint32_t i = grass_hash(uint32_t(p_tile)) & _mask;
+		uint32_t i = home_of(p_tile);
 		while (_places[i].tile != p_tile && _places[i].tile != NONE) {
 			i = (i + 1) & _mask;
 		}

@@ -17,11 +17,13 @@ struct alignas(32) TileState {
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
 	float twist[GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // of the joint below each knot, radians
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
+	uint8_t species[GRASS_BLADES_PER_TILE];
 };
 
-// One step of all blades of a tile; the energy of the liveliest, [Eq 19]. The colliders are those of this tile.
-float step_lanes(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
-float step_scalar_float(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
-float step_scalar_double(TileState &r_state, const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders);
+// One step of all blades of a tile; the energy of the liveliest, [Eq 19]. p_steps: one for all blades, or one for each species.
+// The colliders are those of this tile.
+float step_lanes(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
+float step_scalar_float(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
+float step_scalar_double(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 
 } // namespace grass

@@ -3,6 +3,7 @@
 #include "core/tiles.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace grass {
 
@@ -65,6 +66,7 @@ void TileManager::reset() {
 	_time = 0.0;
 	_has_passed_unseen = false;
 	_awake.assign(size_t(_params.pool_size), {});
+	_marks.assign(size_t(_params.pool_size), {});
 	_free.reset(_params.pool_size, true);
 	_used.reset(_params.pool_size, false);
 	_slot_of_tile.reserve(_params.pool_size);
@@ -120,16 +122,28 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		const TileRange range = shrink(_ranges[i], std::min(most, capacity - int64_t(_touches.size())), centre.x, centre.z);
 		_statistics.capped += uint64_t(_ranges[i].count() - range.count());
 		_statistics.looked_at += uint64_t(range.count());
-		const bool moves = range.count() > 0 && p_colliders[i].has_moved();
-		for (int z = range.z_begin; z < range.z_end; z++) {
-			for (int x = range.x_begin; x < range.x_end; x++) {
-				if (!_bounds || _bounds->meets(x, z, _swept[i])) {
-					touch(_grid.get_index(x, z), uint32_t(i), moves);
-					_has_met[i] = 1;
-				}
-			}
+		if (range.count() > 0) {
+			_has_met[i] = touch_range(range, _swept[i], uint32_t(i), p_colliders[i].has_moved()) ? 1 : 0;
 		}
 	}
+}
+
+// Touches the tiles of the range whose blades' box the collider's meets; whether there is any.
+bool TileManager::touch_range(const TileRange &p_range, const Bounds &p_swept, uint32_t p_collider, bool p_moves) {
+	const size_t before = _touches.size();
+	_met.resize(size_t(p_range.width()));
+	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
+		int count = p_range.width();
+		if (_bounds) {
+			count = _bounds->find_met(p_range.x_begin, p_range.x_end, z, p_swept, _met.data());
+		} else {
+			std::iota(_met.begin(), _met.end(), p_range.x_begin);
+		}
+		for (int n = 0; n < count; n++) {
+			touch(_grid.get_index(_met[size_t(n)], z), p_collider, p_moves);
+		}
+	}
+	return _touches.size() > before;
 }
 
 // The tiles whose box could meet the collider's: squares grown by the farthest reach, lowest ground to highest tip.
@@ -143,9 +157,9 @@ TileRange TileManager::find_range(const Bounds &p_swept) const {
 void TileManager::touch(int p_tile, uint32_t p_collider, bool p_moves) {
 	const int slot = _slot_of_tile.find(p_tile);
 	if (slot != TileMap::NONE) {
-		Awake &awake = _awake[size_t(slot)];
-		awake.is_touched = true;
-		awake.is_stirred = awake.is_stirred || p_moves;
+		Mark &mark = _marks[size_t(slot)];
+		mark.is_touched = true;
+		mark.is_stirred = mark.is_stirred || p_moves;
 		_touches.push_back({ slot, p_collider });
 		return;
 	}
@@ -163,7 +177,7 @@ void TileManager::activate_tiles() {
 	for (const int tile : _to_activate) {
 		int slot = _free.take_lowest();
 		if (slot == SlotSet::NONE) {
-			slot = take_calmest_slot();
+			slot = take_calmest_slot(_to_activate.size() - _given_slots.size());
 		}
 		_given_slots.push_back(slot);
 		_place_of_tile.erase(tile);
@@ -182,46 +196,47 @@ void TileManager::activate(int p_slot, int p_tile) {
 	awake.tile = { x, z, p_tile, p_slot };
 	awake.start = grass_tile_start(uint32_t(x), uint32_t(z), _params.seed);
 	awake.woken_step = _step_number;
-	awake.is_fresh = awake.is_touched = awake.is_stirred = true; // touched: deactivate_tiles() sets the timestamps
+	Mark &mark = _marks[size_t(p_slot)];
+	mark.is_fresh = mark.is_touched = mark.is_stirred = true; // touched: deactivate_tiles() sets the timestamps
 	_slot_of_tile.insert(p_tile, p_slot);
 	_used.insert(p_slot);
 	_statistics.woken++;
 }
 
 // The slot of the calmest tile that no object touches in this step, retired; NONE if all are touched: two tiles under
-// objects would otherwise take the slot from each other in every step.
-int TileManager::take_calmest_slot() {
-	const auto is_less = [this](int p_a, int p_b) { return is_calmer(p_b, p_a); };
+// objects would otherwise take the slot from each other in every step. p_wanted: how many slots are asked for in this
+// step from now on.
+int TileManager::take_calmest_slot(size_t p_wanted) {
 	if (!_yielding_known) {
 		_yielding_known = true;
-		_yielding.clear();
-		for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-			if (!_awake[size_t(slot)].is_touched) {
-				_yielding.push_back(slot);
-			}
-		}
-		std::make_heap(_yielding.begin(), _yielding.end(), is_less);
+		find_yielding(p_wanted);
 	}
 	if (_yielding.empty()) {
 		return SlotSet::NONE;
 	}
-	std::pop_heap(_yielding.begin(), _yielding.end(), is_less);
-	const int slot = _yielding.back();
+	const int slot = _yielding.back().slot;
 	_yielding.pop_back();
 	retire(slot);
 	return slot;
 }
 
-// Settling tiles before others, then by energy where it was reported, then by who was touched longest ago.
-bool TileManager::is_calmer(int p_slot, int p_other) const {
-	const Awake &a = _awake[size_t(p_slot)], &b = _awake[size_t(p_other)];
-	if (a.is_settling != b.is_settling) {
-		return a.is_settling;
+// The calmest p_wanted tiles, calmest last.
+void TileManager::find_yielding(size_t p_wanted) {
+	_yielding.resize(size_t(_params.pool_size));
+	size_t count = 0;
+	for (const int slot : _used) {
+		const Awake &awake = _awake[size_t(slot)];
+		_yielding[count] = { awake.touched, awake.energy, slot, awake.is_settling };
+		count += _marks[size_t(slot)].is_touched ? 0 : 1; // no jump: it could not be foreseen
 	}
-	if (a.energy != b.energy) {
-		return a.energy < b.energy;
+	_yielding.resize(count);
+	const auto is_calmer = [](const Yielding &p_a, const Yielding &p_b) { return p_a.is_calmer(p_b); };
+	if (p_wanted < _yielding.size()) {
+		std::nth_element(_yielding.begin(), _yielding.begin() + std::ptrdiff_t(p_wanted), _yielding.end(), is_calmer);
+		_yielding.resize(p_wanted);
 	}
-	return a.touched != b.touched ? a.touched < b.touched : p_slot < p_other;
+	std::sort(_yielding.begin(), _yielding.end(), is_calmer);
+	std::reverse(_yielding.begin(), _yielding.end());
 }
 
 int TileManager::get_tile_of(int p_slot) const {
@@ -244,8 +259,8 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
-	return bytes(_awake) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() + bytes(_ranges) +
-			bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_to_activate) + bytes(_given_slots) +
+	return bytes(_awake) + bytes(_marks) + _free.get_memory_usage() + _used.get_memory_usage() + _slot_of_tile.get_memory_usage() +
+			bytes(_ranges) + bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_met) + bytes(_to_activate) + bytes(_given_slots) +
 			_place_of_tile.get_memory_usage() + bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) +
 			bytes(_planes);
 }

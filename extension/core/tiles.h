@@ -46,7 +46,7 @@ struct TileParams {
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
-	bool is_mapped = false; // A map says how the blades grow: StepInput::growth.
+	bool is_mapped = false; // StepInput::growth says how the blades grow.
 
 	// The same within limits; NaN becomes the default.
 	TileParams sanitised() const;
@@ -138,20 +138,23 @@ private:
 	struct Awake {
 		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
 		uint32_t start = 0; // first blade in the patch
+		float blend = 0.0f; // of this step's record; 1: at rest after it
 		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
-		uint64_t touched_step = 0, woken_step = 0; // numbers of that step, and of the one in which it woke
+		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
 		double calm_since = NEVER; // timestamp
+		uint64_t touched_step = 0, woken_step = 0; // numbers of the step of `touched`, and of the one in which it woke
 		double settle_left = 0.0; // seconds to rest, while settling
 		float energy = NO_ENERGY; // since the last touch
 		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-		float blend = 0.0f; // of this step's record; 1: at rest after it
-		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
 		bool is_settling = false;
-		bool is_unseen = false; // in this step: not simulated
-		bool is_stirred = false; // in this step; false between steps
-		bool is_fresh = false, is_touched = false; // in this step; false between steps
-		uint32_t list_count = 0; // objects in this step; 0 between steps
+	};
+
+	// What a step notes of an awake tile: apart from the rest, so that what objects touch here and there stays in the cache.
+	struct Mark {
+		uint32_t list_count = 0; // objects
 		uint32_t list_next = 0; // entry of the collider list to write next
+		bool is_touched = false, is_stirred = false, is_fresh = false; // by an object; by one that moves; awake since this step
+		bool is_unseen = false; // not simulated
 	};
 
 	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
@@ -160,18 +163,38 @@ private:
 		uint32_t collider;
 	};
 
+	// A tile that may give way.
+	struct Yielding {
+		double touched;
+		float energy;
+		int slot;
+		bool is_settling;
+
+		// Settling tiles before others, then by energy where it was reported, then by who was touched longest ago.
+		bool is_calmer(const Yielding &p_other) const {
+			if (is_settling != p_other.is_settling) {
+				return is_settling;
+			}
+			if (energy != p_other.energy) {
+				return energy < p_other.energy;
+			}
+			return touched != p_other.touched ? touched < p_other.touched : slot < p_other.slot;
+		}
+	};
+
 	void begin_step();
 	void find_touched_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
+	bool touch_range(const TileRange &p_range, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
 	void touch(int p_tile, uint32_t p_collider, bool p_moves);
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
-	int take_calmest_slot();
-	bool is_calmer(int p_slot, int p_other) const;
+	int take_calmest_slot(size_t p_wanted);
+	void find_yielding(size_t p_wanted);
 
 	void deactivate_tiles(double p_delta);
-	void keep_awake(Awake &r_awake) const;
+	void keep_awake(Awake &r_awake, bool p_is_stirred) const;
 	bool is_calm(const Awake &p_awake) const;
 	bool should_settle(const Awake &p_awake) const;
 	void settle(Awake &r_awake, double p_delta) const;
@@ -179,7 +202,6 @@ private:
 
 	bool is_seen(const Awake &p_awake) const;
 	bool is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, double p_half_z) const;
-	bool is_idle(const Awake &p_awake) const;
 	bool is_past(const Awake &p_awake) const;
 
 	void count_touches(std::span<const ColliderShape> p_colliders);
@@ -199,6 +221,7 @@ private:
 
 	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
 	std::vector<Awake> _awake;
+	std::vector<Mark> _marks; // cleared after each step
 	SlotSet _free, _used;
 	TileMap _slot_of_tile;
 
@@ -206,10 +229,11 @@ private:
 	std::vector<TileRange> _ranges;
 	std::vector<Bounds> _swept; // of the colliders
 	std::vector<uint8_t> _has_met; // of the colliders: grass
+	std::vector<int> _met; // x of the tiles of a row
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;
-	std::vector<int> _yielding; // slots that may give way: a heap, calmest on top
+	std::vector<Yielding> _yielding; // calmest last
 	bool _yielding_known = false;
 
 	std::vector<GrassSlot> _records;

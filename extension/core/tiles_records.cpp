@@ -14,12 +14,12 @@ void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	for (const Touch &touch : _touches) { // rising by collider
 		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
-		if (slot != SlotSet::NONE && !_awake[size_t(slot)].is_unseen) {
+		if (slot != SlotSet::NONE && !_marks[size_t(slot)].is_unseen) {
 			if (touch.collider != last) {
 				last = touch.collider;
 				pack_collider(p_colliders[last]);
 			}
-			_awake[size_t(slot)].list_count++;
+			_marks[size_t(slot)].list_count++;
 			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
 		}
 	}
@@ -39,22 +39,23 @@ void TileManager::pack_collider(const ColliderShape &p_collider) {
 void TileManager::write_records() {
 	_statistics.awake = _statistics.simulated = _statistics.settling = 0;
 	uint32_t entries = 0;
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		Awake &awake = _awake[size_t(slot)];
+	for (const int slot : _used) {
+		const Awake &awake = _awake[size_t(slot)];
+		Mark &mark = _marks[size_t(slot)];
 		_statistics.awake++;
-		if (awake.is_unseen) {
+		if (mark.is_unseen) {
 			_statistics.unseen_steps++;
 		} else {
-			const uint32_t flags = (awake.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
+			const uint32_t flags = (mark.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
 					(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
-			_records.push_back({ awake.tile, { awake.start, entries, awake.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
+			_records.push_back({ awake.tile, { awake.start, entries, mark.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
 			_statistics.simulated++;
 		}
 		_statistics.settling += awake.is_settling ? 1 : 0;
-		awake.list_next = entries;
-		entries += awake.list_count;
-		awake.list_count = 0;
-		awake.is_fresh = awake.is_touched = awake.is_stirred = false;
+		const uint32_t count = mark.list_count;
+		mark = {};
+		mark.list_next = entries;
+		entries += count;
 	}
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
@@ -64,7 +65,7 @@ void TileManager::write_records() {
 void TileManager::write_list() {
 	_collider_list.resize(_touches.size());
 	for (const Touch &touch : _touches) {
-		_collider_list[_awake[size_t(touch.slot)].list_next++] = touch.collider;
+		_collider_list[_marks[size_t(touch.slot)].list_next++] = touch.collider;
 	}
 }
 

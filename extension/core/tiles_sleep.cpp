@@ -20,7 +20,10 @@ constexpr double LONGEST_AWAKE = 10.0;
 } // namespace
 
 void TileManager::report_energy(const EnergyReport &p_report) {
-	for (int slot = _used.find(0); slot != SlotSet::NONE && size_t(slot) < p_report.energies.size(); slot = _used.find(slot + 1)) {
+	for (const int slot : _used) {
+		if (size_t(slot) >= p_report.energies.size()) {
+			break;
+		}
 		Awake &awake = _awake[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
 		if (p_report.step >= awake.woken_step && size_t(slot) < p_report.bends.size() && p_report.bends[size_t(slot)].allFinite()) {
@@ -39,29 +42,31 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 }
 
 void TileManager::deactivate_tiles(double p_delta) {
-	for (int slot = _used.find(0); slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
+	for (const int slot : _used) {
 		Awake &awake = _awake[size_t(slot)];
-		if (awake.is_touched) {
-			keep_awake(awake);
+		Mark &mark = _marks[size_t(slot)];
+		if (mark.is_touched) {
+			keep_awake(awake, mark.is_stirred);
 		}
-		awake.is_unseen = is_idle(awake) && !is_seen(awake);
-		if (awake.is_touched) {
+		const bool is_idle = !mark.is_stirred && _time - awake.stirred >= CALM_TIME; // no object has moved in it for a while
+		mark.is_unseen = is_idle && !is_seen(awake);
+		if (mark.is_touched) {
 			continue;
 		}
-		awake.blend = (awake.is_unseen || _has_passed_unseen) && is_past(awake) ? 1.0f : awake.blend;
+		awake.blend = (mark.is_unseen || _has_passed_unseen) && is_past(awake) ? 1.0f : awake.blend;
 		if (awake.blend >= 1.0f) {
 			retire(slot);
 			_free.insert(slot);
-		} else if (!awake.is_unseen && should_settle(awake)) {
+		} else if (!mark.is_unseen && should_settle(awake)) {
 			settle(awake, p_delta);
 		}
 	}
 	_has_passed_unseen = false;
 }
 
-void TileManager::keep_awake(Awake &r_awake) const {
+void TileManager::keep_awake(Awake &r_awake, bool p_is_stirred) const {
 	r_awake.touched = _time;
-	r_awake.stirred = r_awake.is_stirred ? _time : r_awake.stirred;
+	r_awake.stirred = p_is_stirred ? _time : r_awake.stirred;
 	r_awake.touched_step = _step_number;
 	r_awake.calm_since = NEVER;
 	r_awake.energy = NO_ENERGY;
@@ -72,11 +77,6 @@ void TileManager::keep_awake(Awake &r_awake) const {
 bool TileManager::is_calm(const Awake &p_awake) const {
 	return _params.sleep_mode == SleepMode::ENERGY && p_awake.energy <= float(_params.sleep_energy) &&
 			_time - p_awake.calm_since >= CALM_TIME;
-}
-
-// No object has moved in it for a while.
-bool TileManager::is_idle(const Awake &p_awake) const {
-	return !p_awake.is_stirred && _time - p_awake.stirred >= CALM_TIME;
 }
 
 // Would be at rest by now, for all that anybody can tell who did not see it.
@@ -115,6 +115,7 @@ void TileManager::retire(int p_slot) {
 	_slot_of_tile.erase(awake.tile.z);
 	_used.erase(p_slot);
 	awake = {};
+	_marks[size_t(p_slot)] = {};
 }
 
 } // namespace grass

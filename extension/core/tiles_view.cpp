@@ -31,9 +31,13 @@ bool TileManager::is_field_seen() const {
 }
 
 void TileManager::stir(const TileRange &p_tiles) {
-	for (int slot = p_tiles.count() > 0 ? _used.find(0) : SlotSet::NONE; slot != SlotSet::NONE; slot = _used.find(slot + 1)) {
-		Awake &awake = _awake[size_t(slot)];
-		awake.is_stirred = awake.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
+	if (p_tiles.count() == 0) {
+		return;
+	}
+	for (const int slot : _used) {
+		const Awake &awake = _awake[size_t(slot)];
+		Mark &mark = _marks[size_t(slot)];
+		mark.is_stirred = mark.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
 	}
 }
 

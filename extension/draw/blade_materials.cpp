@@ -9,13 +9,13 @@ using namespace godot;
 
 namespace grass {
 
-BladeMaterials::BladeMaterials(bool p_mapped) {
+BladeMaterials::BladeMaterials(int p_features) {
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		const bool first = level == 0 || level == GRASS_LOD_LEVELS;
 		if (first || lod_segments(level) != lod_segments(level - 1)) {
 			Ref<ShaderMaterial> material;
 			material.instantiate();
-			material->set_shader(shared_shader(level < GRASS_LOD_LEVELS ? shader::BLADE_GDSHADER : shader::SHADOW_GDSHADER, p_mapped));
+			material->set_shader(shared_shader(level < GRASS_LOD_LEVELS ? shader::BLADE_GDSHADER : shader::SHADOW_GDSHADER, p_features));
 			material->set_shader_parameter("segments", lod_segments(level));
 			_materials.push_back(material);
 		}

@@ -14,8 +14,7 @@ namespace grass {
 
 class BladeMaterials {
 public:
-	// p_mapped: for fields with a map.
-	explicit BladeMaterials(bool p_mapped);
+	explicit BladeMaterials(int p_features); // ShaderFeature
 
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
 	// Sets a uniform in all of them; a shader ignores what it has not.

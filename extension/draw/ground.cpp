@@ -35,7 +35,7 @@ void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
 	_material.instantiate();
-	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, p_mapped));
+	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
 	_mesh.instantiate();
 	_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);

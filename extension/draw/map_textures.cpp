@@ -14,23 +14,26 @@ namespace grass {
 
 namespace {
 
-constexpr const char *NAMES[] = { "map_growth", "map_form", "map_ground", "map_tint" };
+constexpr const char *NAMES[] = { "map_growth", "map_form", "map_ground", "map_tint", "map_species" };
 constexpr int FIRST_ROOM = 4; // layers
 
 Ref<Image> make_image(int p_side, Image::Format p_format, PackedByteArray p_bytes) {
 	if (p_bytes.is_empty()) {
-		p_bytes.resize(int64_t(p_side) * p_side * 4);
+		p_bytes.resize(int64_t(p_side) * p_side * (p_format == Image::FORMAT_R8 ? 1 : 4));
 	}
 	return Image::create_from_data(p_side, p_side, false, p_format, p_bytes);
 }
 
 } // namespace
 
-// All kinds have 4 bytes a texel. p_layer null: room for a layer to come.
+// p_layer null: room for a layer to come.
 Ref<Image> MapTextures::image_of(const MapLayer *p_layer, Kind p_kind) const {
 	const int side = p_kind == GROWTH ? MapLayer::FINE : MapLayer::COARSE;
 	if (p_kind == GROUND) {
 		return make_image(side, Image::FORMAT_RF, p_layer ? to_bytes(std::span<const float>(p_layer->ground)) : PackedByteArray());
+	}
+	if (p_kind == SPECIES) {
+		return make_image(side, Image::FORMAT_R8, p_layer ? to_bytes(std::span<const uint8_t>(p_layer->species)) : PackedByteArray());
 	}
 	PackedByteArray bytes;
 	if (p_layer) {
@@ -39,12 +42,13 @@ Ref<Image> MapTextures::image_of(const MapLayer *p_layer, Kind p_kind) const {
 	return make_image(side, Image::FORMAT_RGBA8, bytes);
 }
 
-void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_changed, const SetUniform &p_set) {
+void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_changed, bool p_species, const SetUniform &p_set) {
+	_kinds = p_species ? KINDS : int(SPECIES);
 	const bool grows = p_layers.get_count() > _room || _room == 0;
 	if (grows) {
 		_room = std::max(FIRST_ROOM, std::min(int(std::bit_ceil(unsigned(p_layers.get_count()))), GRASS_MAX_LAYERS));
 	}
-	for (int kind = 0; kind < KINDS; kind++) {
+	for (int kind = 0; kind < _kinds; kind++) {
 		Ref<Texture2DArray> &array = _arrays[size_t(kind)];
 		if (grows) {
 			const Ref<Image> empty = image_of(nullptr, Kind(kind));
@@ -77,7 +81,8 @@ void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_ch
 
 int64_t MapTextures::get_memory_usage() const {
 	constexpr int64_t LAYER = 4 * (int64_t(MapLayer::FINE) * MapLayer::FINE + 3 * int64_t(MapLayer::COARSE) * MapLayer::COARSE);
-	return _room * LAYER + int64_t(_uploaded_pages.size()) * 4;
+	constexpr int64_t SPECIES_LAYER = int64_t(MapLayer::COARSE) * MapLayer::COARSE;
+	return _room * (LAYER + (_kinds == KINDS ? SPECIES_LAYER : 0)) + int64_t(_uploaded_pages.size()) * 4;
 }
 
 void MapTextures::free() {

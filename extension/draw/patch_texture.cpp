@@ -2,6 +2,7 @@
 #include "draw/patch_texture.h"
 
 #include "convert.h"
+#include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/image.hpp>
 
@@ -10,8 +11,8 @@ using namespace godot;
 namespace grass {
 
 Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
-	return ImageTexture::create_from_image(Image::create_from_data(
-			Patch::WIDTH, Patch::HEIGHT, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
+	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT * p_patch.species, false,
+			Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
 }
 
 namespace {
@@ -44,6 +45,10 @@ Ref<ImageTexture> lattice_texture() {
 
 void free_shared_textures() {
 	shared_lattice.unref();
+}
+
+int shader_features(const FieldSetup &p_setup) {
+	return (p_setup.is_mapped ? SHADER_MAP : 0) | (p_setup.species ? SHADER_SPECIES : 0);
 }
 
 AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover) {

@@ -8,13 +8,16 @@
 
 namespace grass {
 
-// RGBA16F, Patch::WIDTH x Patch::HEIGHT, without mipmaps.
+// RGBA16F, Patch::WIDTH x Patch::HEIGHT for each species, without mipmaps.
 godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
 
 // RGBA8, GRASS_LATTICE_CELLS a side: the numbers that [Eq B1] blends, for the shaders that draw. One for all
 // fields, made when first asked for and kept until the extension ends.
 godot::Ref<godot::ImageTexture> lattice_texture();
 void free_shared_textures();
+
+// What the shaders of the field's blades must know of: ShaderFeature.
+int shader_features(const FieldSetup &p_setup);
 
 // Box around all blades of the field at rest and in wind, field space, metres. p_cover: null on level ground.
 godot::AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover = nullptr);

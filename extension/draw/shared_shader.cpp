@@ -8,15 +8,17 @@ using namespace godot;
 namespace grass {
 
 namespace {
-std::map<std::pair<const char *, bool>, Ref<Shader>> shaders; // by the address of their code, and whether for a map
+std::map<std::pair<const char *, int>, Ref<Shader>> shaders; // by the address of their code, and their features
 } // namespace
 
-Ref<Shader> shared_shader(const char *p_code, bool p_mapped) {
-	Ref<Shader> &shader = shaders[{ p_code, p_mapped }];
+Ref<Shader> shared_shader(const char *p_code, int p_features) {
+	Ref<Shader> &shader = shaders[{ p_code, p_features }];
 	if (shader.is_null()) {
 		shader.instantiate();
-		const String code = String::utf8(p_code);
-		shader->set_code(p_mapped ? code.replace("shader_type spatial;", "shader_type spatial;\n#define GRASS_MAP") : code);
+		String head = "shader_type spatial;";
+		head += p_features & SHADER_MAP ? "\n#define GRASS_MAP" : "";
+		head += p_features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
+		shader->set_code(String::utf8(p_code).replace("shader_type spatial;", head));
 	}
 	return shader;
 }

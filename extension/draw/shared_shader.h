@@ -7,9 +7,14 @@
 
 namespace grass {
 
-// The shader of p_code (UTF-8, a string literal), made when it is first asked for and kept. p_mapped: with GRASS_MAP
-// defined, for fields with a map.
-godot::Ref<godot::Shader> shared_shader(const char *p_code, bool p_mapped = false);
+// What a field has that a shader must know of: each is a define in its code.
+enum ShaderFeature {
+	SHADER_MAP = 1, // GRASS_MAP
+	SHADER_SPECIES = 2, // GRASS_SPECIES
+};
+
+// The shader of p_code (UTF-8, a string literal) with p_features, made when it is first asked for and kept.
+godot::Ref<godot::Shader> shared_shader(const char *p_code, int p_features = 0);
 // For when the library is unloaded.
 void free_shared_shaders();
 

@@ -94,6 +94,7 @@ void PaintStroke::bake(const StrokeStep &p_step) {
 	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - reach, _level + reach); };
 	const LaidGround laid = _map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
 	_costs.rays += laid.asked;
+	_changed = _changed || !laid.changed.empty();
 }
 
 void PaintStroke::step(const StrokeStep &p_step, const StrokeKeys &p_keys) {

@@ -62,7 +62,7 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
-		_materials(p_setup.is_mapped),
+		_materials(shader_features(p_setup)),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {

@@ -62,6 +62,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
 	growth.assign(p_input.growth.begin(), p_input.growth.end());
+	species.assign(p_input.species.begin(), p_input.species.end());
 	copy_ms = clock.lap();
 }
 
@@ -75,9 +76,14 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
 	_energy.allocate(_slots * int64_t(sizeof(vec4)));
 	_is_mapped = p_setup.is_mapped;
+	_has_species = p_setup.species != nullptr;
 	set_tiles(_tiles);
 	_counts.allocate(COUNTS * 4);
-	_growth.allocate(_is_mapped ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	_growth.allocate(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	if (_has_species) {
+		_blade_species.allocate(_slots * int64_t(sizeof(SlotGrowth::species)));
+		_species_steps.allocate(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
+	}
 
 	Ref<RDTextureFormat> format;
 	format.instantiate();
@@ -94,7 +100,8 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	state.instantiate();
 	_sampler = device->sampler_create(state);
 
-	_simulate.create(shader::SIMULATE_SPIRV, "GrassField simulate");
+	_simulate.create(
+			_has_species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV, "GrassField simulate");
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
 	std::lock_guard lock(_report->mutex);
@@ -124,6 +131,10 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	_simulate.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 	_simulate.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 	_simulate.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
+	if (_has_species) {
+		_simulate.bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
+		_simulate.bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+	}
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
@@ -141,6 +152,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
 	for (const SlotGrowth &growth : p_records.growth) {
 		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+		if (_has_species) {
+			uploaded += _blade_species.write(growth.slot * int64_t(sizeof(growth.species)), std::span<const uint8_t>(growth.species));
+		}
+	}
+	if (_has_species) {
+		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
 	_simulate.bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 	_simulate.bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
@@ -328,7 +345,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_simulate.free();
 	_cull.free();
 	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
-				 &_cover, &_view, &_cameras, &_counts }) {
+				 &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
@@ -337,7 +354,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
 	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
-				 &_growth, &_cover, &_view, &_cameras, &_counts }) {
+				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

@@ -20,6 +20,7 @@ struct StepRecords {
 	std::vector<uint32_t> collider_list;
 	std::vector<Eigen::Vector4f> planes;
 	std::vector<SlotGrowth> growth;
+	std::vector<GrassStep> species;
 	GrassStep step;
 	double copy_ms; // CPU time of this copy
 
@@ -86,6 +87,9 @@ private:
 	// stand, read by cull. Fields without a map have none (16 bytes).
 	GpuBuffer _growth, _cover;
 	bool _is_mapped = false;
+	// The same for fields with species: which species the blades of each slot are; and, every step, the step as each takes it.
+	GpuBuffer _blade_species, _species_steps;
+	bool _has_species = false;
 	// Written every frame, read by cull.
 	GpuBuffer _view, _cameras;
 	// Written and read by cull, one frame.

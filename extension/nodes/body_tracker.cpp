@@ -163,32 +163,38 @@ bool BodyTracker::find_state(Body &r_body) {
 	return ObjectDB::get_instance(r_body.state_id) != nullptr;
 }
 
-// Notices what changes seldom: shapes, friction, mode.
-void BodyTracker::look(Body &r_body) {
+// Notices now and then what kind of body it is. True when it is time to look at its shapes, too.
+bool BodyTracker::look(Body &r_body) const {
 	if (r_body.next_look-- > 0) {
-		return;
+		return false;
 	}
-	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
+	const Object *node = ObjectDB::get_instance(r_body.instance_id);
 	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
 	r_body.is_driven = is_driven_by_velocity(mode);
 	// A frozen RigidBody3D is no ground.
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC && !(node != nullptr && node->is_class("RigidBody3D"));
-	bool has_changed = false;
-	look_at_shapes(r_body, node, has_changed);
-	has_changed = has_changed && r_body.has_before; // else it was just found
-	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
 	// Bodies that came together are not looked at together.
 	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
-	r_body.next_look = r_body.lively_looks > 0 ? 0 : LOOK_EVERY - 1 + phase;
+	r_body.next_look = LOOK_EVERY - 1 + phase;
+	return true;
 }
 
-void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, bool &r_changed) {
+// Notices changes of shapes and friction.
+void BodyTracker::look_at_shapes(Body &r_body) {
+	const bool was_known = !r_body.shapes.empty();
+	const bool has_changed = read_shapes(r_body) && was_known;
+	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
+	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
+}
+
+bool BodyTracker::read_shapes(Body &r_body) {
+	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
 	const double friction =
 			std::clamp(BLADE_FRICTION * double(server->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION)), 0.0, 1.0);
-	const std::vector<bool> disabled = p_node == nullptr ? std::vector<bool>(size_t(count), false) : find_disabled(p_node, count);
-	r_changed = r_changed || size_t(count) != r_body.shapes.size();
+	const std::vector<bool> disabled = node == nullptr ? std::vector<bool>(size_t(count), false) : find_disabled(node, count);
+	bool has_changed = size_t(count) != r_body.shapes.size();
 	r_body.shapes.resize(size_t(count));
 	for (int32_t index = 0; index < count; index++) {
 		TrackedShape &shape = r_body.shapes[size_t(index)];
@@ -199,7 +205,7 @@ void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, 
 		if (is_same) {
 			continue;
 		}
-		r_changed = true;
+		has_changed = true;
 		shape.transform = transform;
 		shape.enabled = !disabled[size_t(index)];
 		shape.local = to_eigen(transform) * shape.offset;
@@ -207,6 +213,7 @@ void BodyTracker::look_at_shapes(Body &r_body, const CollisionObject3D *p_node, 
 		scale_shape(shape.collider, shape.local.linear());
 		shape.collider.friction = friction;
 	}
+	return has_changed;
 }
 
 // In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
@@ -290,18 +297,27 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		}
 		++entry;
 		_statistics.body_reads++;
-		look(body);
+		const bool is_due = look(body);
 		const Eigen::Affine3d now = pose_of(body, field);
 		const bool is_carried =
 				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
 		const bool ground = is_ground(body, body.state->get_transform(), is_carried);
 		judge_motion(body, now, p_delta);
-		if (!ground) {
+		if (ground) {
+			body.shapes.clear(); // nobody asks for them, and a terrain's are large
+		} else {
+			if (is_due || body.shapes.empty()) {
+				look_at_shapes(body);
+			}
 			write_shapes(body, now, r_colliders);
 		}
 		body.before = now;
 	}
 	r_colliders.resize(_written);
+}
+
+void BodyTracker::forget_left() {
+	std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
 }
 
 void BodyTracker::forget_motion() {

@@ -58,6 +58,9 @@ public:
 	// Time has passed without collect(): where bodies were before is no motion.
 	void forget_motion();
 
+	// Instead of collect(), where nobody wants to know: bodies that left are not kept.
+	void forget_left();
+
 	const TrackerStatistics &get_statistics() const { return _statistics; }
 	int64_t body_count() const;
 
@@ -69,7 +72,7 @@ private:
 		uint64_t state_id = 0; // of the server's object that tells where it is: gone when the body is
 		godot::PhysicsDirectBodyState3D *state = nullptr;
 		// As it was when it was last looked at.
-		std::vector<TrackedShape> shapes;
+		std::vector<TrackedShape> shapes; // none while it is ground
 		bool is_static = false; // ground, while it stands still
 		bool is_driven = false; // moves as its velocity says
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
@@ -89,8 +92,9 @@ private:
 	};
 
 	bool find_state(Body &r_body);
-	void look(Body &r_body);
-	void look_at_shapes(Body &r_body, const godot::CollisionObject3D *p_node, bool &r_changed);
+	bool look(Body &r_body) const;
+	void look_at_shapes(Body &r_body);
+	bool read_shapes(Body &r_body);
 	Eigen::Affine3d pose_of(Body &r_body, const FieldPose &p_field);
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
 	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const;
@@ -109,7 +113,7 @@ private:
 };
 
 // Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
-// (planes, rays, ground meshes).
+// (planes, rays, height maps).
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
 // Takes the scale of p_basis into the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);

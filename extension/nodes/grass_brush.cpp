@@ -37,6 +37,7 @@ void GrassBrush::set_species(int64_t p_species) {
 
 void GrassBrush::set_channel(int64_t p_channel) {
 	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), "GrassBrush: no such channel. Use one of GrassMap's CHANNEL_* constants.");
+	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, "GrassBrush: smooth the density: what hands painted follows.");
 	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends, "GrassBrush: species cannot be smoothed, they are numbers without a middle.");
 	_channel = p_channel;
 	emit_changed();

@@ -75,7 +75,7 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
-	_in_grass.clear();
+	tell_of_leaving();
 	_field_map.reset();
 	_map_textures.free();
 	_tiles.reset();
@@ -91,8 +91,9 @@ void GrassField::build() {
 	if (!_dirty || !is_inside_tree()) {
 		return;
 	}
-	_dirty = false;
 	CpuClock clock;
+	start_fill();
+	_dirty = false;
 	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
@@ -102,11 +103,14 @@ void GrassField::build() {
 	_setup.seed = uint32_t(_seed);
 	_setup.is_mapped = _map.is_valid();
 	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	build_species();
 	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
-			before.is_mapped == _setup.is_mapped && before.follow_slope == _setup.follow_slope;
+			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
+			before.follow_slope == _setup.follow_slope;
 	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
 						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	build_map();
+	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, _field_map.get());
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
@@ -151,9 +155,13 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	recover(p_delta);
+	if (!_backend) { // a listener of the map did that
+		return;
+	}
 	if (!_is_seen && !is_listened_to()) {
 		_unseen_time += p_delta;
 		_unseen_ticks++;
+		_tracker.forget_left();
 		return; // nobody would know
 	}
 	CpuClock clock;
@@ -191,19 +199,26 @@ void GrassField::step(double p_delta) {
 	input.planes = _tiles.get_planes();
 	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
+	input.species = species_steps();
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
 	_backend->step(input);
+	request_draw();
 }
 
 void GrassField::frame(double p_delta) {
 	build();
+	update_fill();
 	if (!_backend) {
 		return;
 	}
 	if (param(PARAM_WIND_SPEED) > 0.0) {
 		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
+		if (_is_seen) { // before drawing begins: what is told in _before_draw() asks for no further frame
+			set_wind_clock();
+			_wind_updates++;
+		}
 	}
 }
 
@@ -228,7 +243,7 @@ void GrassField::_before_draw() {
 	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(view);
 	}
-	if (_is_seen && param(PARAM_WIND_SPEED) > 0.0) {
+	if (_is_seen && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
 		set_wind_clock();
 		_wind_updates++;
 	}
@@ -301,18 +316,11 @@ Transform3D GrassField::field_transform() const {
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
 }
 
-// A field without a patch of its own shares one with all others.
 std::shared_ptr<const Patch> GrassField::find_patch() const {
-	static std::weak_ptr<const Patch> shared;
-	if (_patch.is_valid()) {
-		return const_cast<GrassPatch *>(_patch.ptr())->get_patch();
+	if (!_species.empty()) {
+		return join_species();
 	}
-	std::shared_ptr<const Patch> patch = shared.lock();
-	if (!patch) {
-		patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-		shared = patch;
-	}
-	return patch;
+	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
 }
 
 TileParams GrassField::tile_params() const {
@@ -320,12 +328,12 @@ TileParams GrassField::tile_params() const {
 	params.pool_size = int(_pool_tiles);
 	params.sleep_mode = grass::SleepMode(_sleep_mode);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
-	params.sleep_energy = solver_params().energy_within(1e-3 * param(PARAM_SLEEP_MOTION));
+	params.sleep_energy = calm_energy();
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
-	params.is_mapped = _field_map != nullptr;
+	params.is_mapped = _blades.is_told();
 	params.seed = _setup.seed;
 	return params;
 }

@@ -4,19 +4,24 @@
 #pragma once
 
 #include "backend/backend.h"
+#include "core/map/field_blades.h"
 #include "core/map/field_map.h"
+#include "core/map/live_fill.h"
 #include "core/tiles.h"
 #include "draw/ground.h"
 #include "draw/map_textures.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_monitors.h"
 #include "nodes/field_params.h"
+#include "nodes/fill_gatherer.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_species.h"
 #include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
@@ -57,6 +62,15 @@ public:
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _map; }
+	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: the field's own patch and properties
+	godot::TypedArray<GrassSpecies> get_species() const;
+	// grass_field_fill.cpp
+	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
+	godot::Ref<GrassFillRule> get_fill_rule() const { return _fill.rule; }
+	void set_fill_live(bool p_live);
+	bool is_fill_live() const { return _fill.is_live; }
+	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass that came
+	godot::Callable get_fill_button() const;
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _seed; }
 	void set_simulated(bool p_simulated);
@@ -93,6 +107,7 @@ public:
 	int64_t get_awake_tile_count() const;
 	// Global positions of a blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
+	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
 	godot::Dictionary get_statistics() const;
@@ -124,8 +139,25 @@ public:
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
+	void _validate_property(godot::PropertyInfo &p_property) const;
 
 private:
+	// A rule that keeps the map filled.
+	struct FieldFill {
+		godot::Ref<GrassFillRule> rule;
+		bool is_live = true;
+		LiveFill state; // not set: nothing filled yet
+		FillGatherer gatherer;
+		bool has_changed = false; // the rule, since it was looked at
+		bool is_filling = false; // the map changes by the field's own doing
+		uint64_t revision = 0; // of the exclusion nodes, when looked at
+		bool has_finished = false; // to be told
+		uint64_t replacements = 0; // of the map's contents, as far as known
+		double base_density = 0.0; // of the map, as far as known
+		int frames_to_look = 0;
+		int64_t cells = 0; // texels that rules were asked about, in all
+	};
+
 	// grass_field.cpp: the field's life and its ticks
 	void enter();
 	void leave();
@@ -149,10 +181,33 @@ private:
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
 	double ground_range() const;
+	// grass_field_species.cpp
+	void _species_changed();
+	std::vector<godot::Ref<GrassSpecies>> used_species() const;
+	std::vector<SpeciesParams> species_mix() const;
+	std::vector<std::shared_ptr<const Patch>> species_patches() const;
+	std::shared_ptr<const Patch> join_species() const;
+	void build_species();
+	std::span<const GrassStep> species_steps();
+	double calm_energy() const;
+	std::array<float, GRASS_MAX_SPECIES> shares_at(const Eigen::Vector2f &p_place) const;
+	double mean_height_at(const Eigen::Vector3d &p_place) const;
+	RecoveryRates recovery_rates() const;
+	void set_species_uniforms();
+	void warn_of_species(godot::PackedStringArray &r_warnings) const;
 	// grass_field_ground.cpp
 	MapRegion bake_region(const godot::Rect2 &p_region) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
+	// grass_field_fill.cpp
+	void _fill_rule_changed();
+	void look_at_rule();
+	void start_fill();
+	void update_fill();
+	void touch_fill(const godot::TypedArray<godot::Vector2i> &p_chunks);
+	template <typename F> FillResult change_map(F &&p_change);
+	void _fill_pressed();
 	// grass_field_game.cpp
+	void make_map();
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
 	Growth growth_at(const Eigen::Vector3d &p_place) const;
 	GrassKind grass_kind() const;
@@ -162,11 +217,14 @@ private:
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
 	void recover(double p_delta);
 	void tell_of_bodies();
+	void tell_of_leaving();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_all_uniforms();
+	void request_draw();
 	void set_wind_uniforms();
 	void set_wind_clock();
 	std::shared_ptr<const Patch> find_patch() const;
+	TileGrid find_grid() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
 	void update_tiles();
@@ -176,6 +234,7 @@ private:
 
 	godot::Vector2 _size{ 32, 32 };
 	godot::Ref<GrassPatch> _patch;
+	std::vector<godot::Ref<GrassSpecies>> _species; // may hold empty ones
 	godot::Ref<GrassMap> _map;
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
@@ -200,6 +259,12 @@ private:
 	Ground _ground;
 	std::shared_ptr<TileBounds> _bounds;
 	std::unique_ptr<FieldMap> _field_map; // null: no map
+	FieldBlades _blades;
+	std::vector<SpeciesParams> _mix; // that _setup.species was made of
+	std::vector<GrassStep> _species_steps; // of this tick
+	mutable std::shared_ptr<const Patch> _joined; // of the species' patches and shares
+	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
+	mutable std::vector<double> _joined_shares;
 	MapTextures _map_textures;
 	bool _map_has_changed = false;
 	MapRegion _changed_region; // where
@@ -211,6 +276,7 @@ private:
 	NodeColliders _node_colliders;
 	std::vector<uint64_t> _in_grass; // instance ids of the bodies that met grass in the last tick, rising
 	Recovery _recovery;
+	FieldFill _fill;
 	std::vector<ColliderShape> _colliders;
 };
 

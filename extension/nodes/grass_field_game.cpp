@@ -61,7 +61,7 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	}
 	const Growth here = growth_at(place);
 	const double clump = clump_at(Eigen::Vector2f(float(place.x()), float(place.z())), _setup.clump).height;
-	return here.density > 0.0f ? std::min(_setup.patch->mean_height * clump * here.height, double(here.cut)) : 0.0;
+	return here.density > 0.0f ? std::min(mean_height_at(place) * clump * here.height, double(here.cut)) : 0.0;
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
@@ -78,13 +78,17 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 GrassMap *GrassField::find_map(const char *p_method) {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
 	if (_map.is_null()) {
-		Ref<GrassMap> map;
-		map.instantiate();
-		map->set_base_density(1.0);
-		set_map(map);
+		make_map();
 	}
 	build();
 	return _map.ptr();
+}
+
+void GrassField::make_map() {
+	Ref<GrassMap> map;
+	map.instantiate();
+	map->set_base_density(1.0);
+	set_map(map);
 }
 
 // p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region.
@@ -117,7 +121,7 @@ Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	if (map == nullptr || !_backend || !find_region("cut", p_shape, p_transform, footprint)) {
 		return result;
 	}
-	const CutResult cut = map->change([&](PaintMap &r_map) { return cut_grass(r_map, *footprint, grass_kind()); });
+	const CutResult cut = map->change([&](PaintMap &r_map) { return cut_grass(r_map, mow_region(footprint), grass_kind()); });
 	result["area"] = cut.area;
 	result["volume"] = cut.volume;
 	result["blades"] = int64_t(std::llround(cut.blades));
@@ -162,6 +166,9 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 	}
 	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
 	const Eigen::Vector2d centre(place.x(), place.z());
+	if (!MapRegion::of_grid(_setup.grid).grown(p_radius).contains(centre)) {
+		return 0.0;
+	}
 	Brush brush;
 	brush.tool = MapTool::FLATTEN;
 	brush.strength = p_amount;
@@ -181,9 +188,12 @@ void GrassField::unregister_collider(Node3D *p_node) {
 
 // What time heals in a tick.
 void GrassField::recover(double p_delta) {
-	const RecoveryRates rates{ param(PARAM_WEAR_RECOVERY) / 60.0, 1e-3 * param(PARAM_REGROWTH) / 60.0 };
-	if (_map.is_valid() && !rates.is_none()) {
-		_map->change([&](PaintMap &r_map) { return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta); });
+	const RecoveryRates rates = recovery_rates();
+	if (_map.is_valid() && _map->is_readable() && !rates.is_none()) {
+		const SharesAt shares = [this](const Eigen::Vector2d &p_place) { return shares_at(p_place.cast<float>()); };
+		_map->change([&](PaintMap &r_map) {
+			return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta, _setup.species ? shares : nullptr);
+		});
 	}
 }
 
@@ -210,6 +220,17 @@ void GrassField::tell_of_bodies() {
 	};
 	tell("body_exited_grass", in_grass, now);
 	tell("body_entered_grass", now, in_grass);
+}
+
+// Where the grass goes, nobody is in it any more.
+void GrassField::tell_of_leaving() {
+	std::vector<uint64_t> bodies;
+	bodies.swap(_in_grass);
+	for (const uint64_t id : bodies) {
+		if (Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id))) {
+			emit_signal("body_exited_grass", body);
+		}
+	}
 }
 
 } // namespace grass

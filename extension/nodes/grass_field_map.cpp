@@ -17,6 +17,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	}
 	_map = p_map;
 	_recovery.reset();
+	_fill.state = LiveFill();
 	if (_map.is_valid()) {
 		_map->connect("chunks_changed", changed);
 	}
@@ -25,11 +26,11 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 
 // However often the map changes, it is looked at once, at the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
-	(void)p_chunks; // the region is closer
+	touch_fill(p_chunks);
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	_changed_region = _map_has_changed ? _changed_region.joined(region) : region;
 	_map_has_changed = true;
-	set_uniform("map_base_density", _map->get_base_density()); // else an idle editor would not draw the change: nothing asks it to
+	request_draw();
 }
 
 // Before the backend is made.
@@ -39,7 +40,7 @@ void GrassField::build_map() {
 	_regrown = {};
 	_bounds->set_cover(nullptr, 0.0);
 	if (_setup.is_mapped && !_setup.patch->is_empty()) {
-		_field_map = std::make_unique<FieldMap>(_setup.grid, _setup.patch, _setup.clump, _setup.follow_slope);
+		_field_map = std::make_unique<FieldMap>(_setup.grid, _setup.blade_length(), _setup.follow_slope);
 		_changed_region = _field_map->get_region();
 		_map_has_changed = true;
 		_bounds->set_cover(_field_map->get_cover(), slope_lean(_setup.follow_slope) * _setup.blade_length());
@@ -55,7 +56,7 @@ void GrassField::update_map() {
 	const FieldMap::Changes changes = _field_map->update(_map->get_map(), _changed_region);
 	_regrown = _regrown.count() > 0 ? _regrown.joined(changes.tiles) : changes.tiles;
 	const auto set = [this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); };
-	_map_textures.update(_field_map->get_layers(), changes.layers, set);
+	_map_textures.update(_field_map->get_layers(), changes.layers, _setup.species != nullptr, set);
 	set_uniform("map_base_density", _map->get_base_density());
 	_backend->set_cover(_field_map->get_cover(), changes.tiles);
 	_tiles.set_params(tile_params()); // lowest and highest ground
@@ -70,11 +71,11 @@ void GrassField::update_map() {
 // How the blades grow of tiles that woke in this tick, and of those awake below which the map changed.
 std::span<const SlotGrowth> GrassField::grow_tiles() {
 	_growth.clear();
-	if (_field_map) {
+	if (_blades.is_told()) {
 		for (const GrassSlot &slot : _tiles.get_slots()) {
 			const bool is_retired = slot.list.w & GRASS_SLOT_RETIRED, is_fresh = slot.list.w & GRASS_SLOT_FRESH;
 			if (!is_retired && (is_fresh || _regrown.has(slot.tile.x, slot.tile.y))) {
-				_growth.push_back(_field_map->grow(slot));
+				_growth.push_back(_blades.grow(slot));
 			}
 		}
 		_regrown = {};

@@ -52,6 +52,7 @@ void GrassField::set_simulated(bool p_simulated) {
 	if (_simulated != p_simulated) {
 		_simulated = p_simulated;
 		request_rebuild(); // tiles that were awake go back to rest
+		tell_of_leaving();
 	}
 }
 
@@ -117,6 +118,7 @@ void GrassField::set_param(int p_param, double p_value) {
 			set_wind_uniforms();
 			break;
 		case Effect::VIEW:
+			request_draw();
 			break;
 	}
 }
@@ -150,6 +152,11 @@ void GrassField::set_uniform(const StringName &p_name, const Variant &p_value) {
 	}
 }
 
+// An idle editor, and a game in low processor mode, draw only once the rendering server was told something.
+void GrassField::request_draw() {
+	set_uniform("tile_size", _setup.grid.get_tile_size());
+}
+
 void GrassField::set_wind_uniforms() {
 	const double angle = Math::deg_to_rad(param(PARAM_WIND_DIRECTION)), speed = param(PARAM_WIND_SPEED);
 	set_uniform("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
@@ -169,6 +176,7 @@ void GrassField::set_all_uniforms() {
 	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
 	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
 	set_uniform("debug_view", int64_t(_debug_view));
+	set_uniform("follow_slope", _setup.follow_slope);
 	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
@@ -179,6 +187,7 @@ void GrassField::set_all_uniforms() {
 		set_uniform(FIELD_COLORS[i].name, _colors[i]);
 	}
 	set_wind_uniforms();
+	set_species_uniforms();
 }
 
 SolverParams GrassField::solver_params() const {
@@ -220,9 +229,17 @@ void GrassField::_bind_methods() {
 	BIND_PROPERTY(PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
 	add_numbers("Field");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch);
+	BIND_PROPERTY(PropertyInfo(Variant::ARRAY, "species", PROPERTY_HINT_TYPE_STRING,
+						  vformat("%d/%d:GrassSpecies", Variant::OBJECT, PROPERTY_HINT_RESOURCE_TYPE)),
+			set_species, get_species);
 	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
 	ADD_GROUP("Map", "");
 	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "fill_rule", PROPERTY_HINT_RESOURCE_TYPE, "GrassFillRule"), set_fill_rule, get_fill_rule);
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "fill_live"), set_fill_live, is_fill_live);
+	ClassDB::bind_method(D_METHOD("_get_fill_button"), &GrassField::get_fill_button);
+	ADD_PROPERTY(PropertyInfo(Variant::CALLABLE, "fill_now", PROPERTY_HINT_TOOL_BUTTON, "Fill Now,Bucket", PROPERTY_USAGE_EDITOR), "",
+			"_get_fill_button");
 	add_numbers("Map");
 	ADD_GROUP("Clumps", "");
 	add_numbers("Clumps");
@@ -259,6 +276,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_tile_awake", "tile"), &GrassField::is_tile_awake);
 	ClassDB::bind_method(D_METHOD("get_awake_tile_count"), &GrassField::get_awake_tile_count);
 	ClassDB::bind_method(D_METHOD("get_knots", "tile", "blade"), &GrassField::get_knots);
+	ClassDB::bind_method(D_METHOD("get_blade_species", "tile", "blade"), &GrassField::get_blade_species);
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
@@ -279,6 +297,8 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
+	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
+	ADD_SIGNAL(MethodInfo("fill_finished"));
 	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 

@@ -3,9 +3,6 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
-#include "core/blade.h"
-#include "core/half.h"
-#include "core/hash.h"
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
 
@@ -21,8 +18,13 @@ Vector2i GrassField::get_tiles() const {
 	return _backend ? Vector2i(_setup.grid.get_tiles_x(), _setup.grid.get_tiles_z()) : Vector2i();
 }
 
+// As properties say, also before build() makes it so.
+TileGrid GrassField::find_grid() const {
+	return _dirty ? TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)) : _setup.grid;
+}
+
 double GrassField::get_tile_size() const {
-	return TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).get_tile_size();
+	return find_grid().get_tile_size();
 }
 
 Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
@@ -31,17 +33,18 @@ Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
 	if (!place.allFinite()) {
 		return Vector2i(-1, -1);
 	}
-	const TilePlace tile = _setup.grid.get_place(place);
-	return _setup.grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
+	const TileGrid grid = find_grid();
+	const TilePlace tile = grid.get_place(place);
+	return grid.has_tile(tile.x, tile.z) ? Vector2i(tile.x, tile.z) : Vector2i(-1, -1);
 }
 
 Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
-	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * _setup.grid.get_centre(p_tile.x, p_tile.y)));
+	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * find_grid().get_centre(p_tile.x, p_tile.y)));
 }
 
 bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
-	return _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
+	return !_dirty && _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
 }
 
 int64_t GrassField::get_awake_tile_count() const {
@@ -55,29 +58,18 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 			!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
 	const TileGrid &grid = _setup.grid;
-	const int blade = int(grass_tile_start(uint32_t(p_tile.x), uint32_t(p_tile.y), _setup.seed)) + int(p_blade);
-	const auto texel = [&](int p_knot) {
-		const uint16_t *half = &_setup.patch->texels[Patch::texel_index(blade, p_knot)];
-		return Eigen::Vector3f(half_to_float(half[0]), half_to_float(half[1]), half_to_float(half[2]));
-	};
-	const Eigen::Vector2f in_tile = texel(0).head<2>();
-	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile.x), float(p_tile.y)), in_tile,
-			Eigen::Vector2f(float(grid.get_tiles_x()), float(grid.get_tiles_z())), float(grid.get_tile_size()));
-	FieldMap::BladePose pose{ clump_at(place, _setup.clump) };
-	if (_field_map) {
-		pose = _field_map->get_pose(p_tile.x, p_tile.y, blade);
-	}
+	const FieldBlades::Pose pose = _blades.get_pose(p_tile.x, p_tile.y, int(p_blade));
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
 		simulated = _backend->read_knots(slot, int(p_blade));
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
-	const Eigen::Vector2d offset = (in_tile.cast<double>().array() - 0.5) * grid.get_tile_size();
+	const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * grid.get_tile_size();
 	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? rest_knot(texel(knot), knot, pose.clump) : simulated[size_t(knot)];
+		const Eigen::Vector3f in_blade = at_rest ? _blades.get_rest_knot(pose, knot) : simulated[size_t(knot)];
 		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
 	}
 	return result;
@@ -137,6 +129,8 @@ Dictionary GrassField::get_statistics() const {
 	result["blades"] = get_blade_count();
 	result["bare_tiles"] = _field_map ? int64_t(_field_map->get_cover()->get_bare_count()) : int64_t(0);
 	result["map_bytes"] = _map_textures.get_uploaded_bytes();
+	result["fill_cells"] = _fill.cells;
+	result["fill_waiting"] = _fill.state.get_waiting();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -190,6 +184,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (find_patch()->is_empty()) {
 		warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
 	}
+	warn_of_species(warnings);
 	if (is_inside_tree()) {
 		const Transform3D transform = get_global_transform();
 		if (!transform.is_finite()) {
@@ -208,6 +203,11 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
 		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
 						   "use several fields.");
+	}
+	if (_fill.rule.is_valid() && _fill.rule->asks_ground() && (_map.is_null() || !_map->get_map().uses(MAP_GROUND))) {
+		warnings.push_back(
+				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
+				"height.");
 	}
 	return warnings;
 }

@@ -11,6 +11,18 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+TypedArray<Vector2i> to_chunks(const std::vector<MapKey> &p_keys) {
+	TypedArray<Vector2i> chunks;
+	for (const MapKey &key : p_keys) {
+		chunks.push_back(Vector2i(key.x, key.z));
+	}
+	return chunks;
+}
+
+} // namespace
+
 String GrassMap::label() const {
 	return get_path().is_empty() ? String("GrassMap") : vformat("GrassMap '%s'", get_path());
 }
@@ -32,15 +44,11 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 }
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
-	if (p_changed.empty()) {
-		return;
+	if (!p_changed.empty()) {
+		const Ref<GrassMap> keep(this); // who listens may let go of it
+		emit_signal("chunks_changed", to_chunks(p_changed), p_region);
+		emit_changed();
 	}
-	TypedArray<Vector2i> chunks;
-	for (const MapKey &key : p_changed) {
-		chunks.push_back(Vector2i(key.x, key.z));
-	}
-	emit_signal("chunks_changed", chunks, p_region);
-	emit_changed();
 }
 
 void GrassMap::tell(const BrushResult &p_result) {
@@ -52,10 +60,10 @@ void GrassMap::tell(const BrushResult &p_result) {
 	tell(p_result.changed, Rect2(to_godot(p_result.min), to_godot(size)));
 }
 
-// Everywhere.
-void GrassMap::tell_all() {
+void GrassMap::tell_everywhere(const std::vector<MapKey> &p_changed) {
 	constexpr real_t REACH = real_t(PaintMap::REACH * MAP_CHUNK_SIZE);
-	emit_signal("chunks_changed", get_chunks(), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
+	const Ref<GrassMap> keep(this);
+	emit_signal("chunks_changed", to_chunks(p_changed), Rect2(-REACH, -REACH, 2 * REACH, 2 * REACH));
 	emit_changed();
 }
 
@@ -63,7 +71,7 @@ void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
 	if (is_usable()) {
 		_map.set_base_density(checked(BASE_DENSITY, p_density, label()));
-		tell_all();
+		tell_everywhere(_map.get_keys());
 	}
 }
 
@@ -74,11 +82,7 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 		return String(reason.c_str());
 	}
 	_unread.clear();
-	if (before.get_base_density() != _map.get_base_density()) {
-		tell_all();
-	} else {
-		tell(_map.compare(before));
-	}
+	tell_of_replacing(before);
 	return String();
 }
 
@@ -136,6 +140,15 @@ double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_com
 	return _map.sample(MapChannel(p_channel), int(p_component), to_eigen(p_place));
 }
 
+double GrassMap::fill(const Ref<GrassFillRule> &p_rule, const Rect2 &p_region) {
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), 0.0,
+			vformat("%s: fill() needs a region with a width and a depth, in metres.", label()));
+	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	const FillRule rule = p_rule.is_valid() ? p_rule->get_rule(region) : FillRule();
+	const FillRule *asked = p_rule.is_valid() ? &rule : nullptr;
+	return change([&](PaintMap &r_map) { return grass::fill(r_map, chunks_in(region), region, asked, {}); }).amount;
+}
+
 Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
@@ -146,14 +159,19 @@ Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
 	if (is_usable()) {
-		const std::vector<MapKey> changed = _map.compare(p_snapshot->map);
-		const bool is_everywhere = _map.get_base_density() != p_snapshot->map.get_base_density();
+		const PaintMap before = _map;
 		_map = p_snapshot->map;
-		if (is_everywhere) {
-			tell_all();
-		} else {
-			tell(changed);
-		}
+		tell_of_replacing(before);
+	}
+}
+
+void GrassMap::tell_of_replacing(const PaintMap &p_before) {
+	const std::vector<MapKey> changed = _map.compare(p_before);
+	_replacements++;
+	if (_map.get_base_density() != p_before.get_base_density()) {
+		tell_everywhere(changed);
+	} else {
+		tell(changed);
 	}
 }
 
@@ -161,15 +179,12 @@ void GrassMap::clear() {
 	const std::vector<MapKey> changed = _map.get_keys();
 	_unread.clear();
 	_map.clear();
+	_replacements++;
 	tell(changed);
 }
 
 TypedArray<Vector2i> GrassMap::get_chunks() const {
-	TypedArray<Vector2i> chunks;
-	for (const auto &[key, chunk] : _map.get_chunks()) {
-		chunks.push_back(Vector2i(key.x, key.z));
-	}
-	return chunks;
+	return to_chunks(_map.get_keys());
 }
 
 void GrassMap::_bind_methods() {
@@ -180,6 +195,7 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
 	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
+	ClassDB::bind_method(D_METHOD("fill", "rule", "region"), &GrassMap::fill);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
@@ -203,6 +219,7 @@ void GrassMap::_bind_methods() {
 	BIND_ENUM_CONSTANT(CHANNEL_NORMAL);
 	BIND_ENUM_CONSTANT(CHANNEL_WEAR);
 	BIND_ENUM_CONSTANT(CHANNEL_CUT);
+	BIND_ENUM_CONSTANT(CHANNEL_PAINT);
 }
 
 } // namespace grass

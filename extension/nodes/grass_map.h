@@ -6,6 +6,7 @@
 #include "core/map/brush.h"
 #include "core/map/lay_ground.h"
 #include "nodes/grass_brush.h"
+#include "nodes/grass_fill_rule.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/resource.hpp>
@@ -39,6 +40,7 @@ public:
 		CHANNEL_NORMAL = MAP_NORMAL,
 		CHANNEL_WEAR = MAP_WEAR,
 		CHANNEL_CUT = MAP_CUT,
+		CHANNEL_PAINT = MAP_PAINT,
 	};
 
 	void set_base_density(double p_density);
@@ -51,6 +53,8 @@ public:
 	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const;
 	// The ground's shape, from heights in metres (red channel) over a rectangle of places; false if nothing could be read.
 	bool set_ground(const godot::Ref<godot::Image> &p_heights, const godot::Rect2 &p_region);
+	// By what a rule says without nodes; null: back to the base density. Square metres of full grass that came.
+	double fill(const godot::Ref<GrassFillRule> &p_rule, const godot::Rect2 &p_region);
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
 	void clear();
@@ -59,6 +63,9 @@ public:
 	int64_t get_memory_usage() const { return int64_t(_map.get_memory_usage()); } // bytes
 
 	const PaintMap &get_map() const { return _map; }
+	bool is_readable() const { return _unread.is_empty(); } // else nothing can be changed
+	// How often its contents were replaced: a snapshot, data, clear().
+	uint64_t get_replacements() const { return _replacements; }
 	// Replaces the map by what the bytes hold, "" or the reason why not, and then nothing has changed.
 	godot::String read(const godot::PackedByteArray &p_bytes);
 	// Does it on the map, and tells who listens.
@@ -81,10 +88,12 @@ private:
 	void tell(const BrushResult &p_result);
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);
 	void tell(const std::vector<MapKey> &p_changed); // of whole chunks
-	void tell_all();
+	void tell_of_replacing(const PaintMap &p_before);
+	void tell_everywhere(const std::vector<MapKey> &p_changed); // of the base density, too
 	godot::String label() const; // for messages
 
 	PaintMap _map;
+	uint64_t _replacements = 0;
 	godot::PackedByteArray _unread; // data that could not be read: kept, so that saving does not destroy it
 };
 

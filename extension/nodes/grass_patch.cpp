@@ -66,6 +66,16 @@ std::shared_ptr<const Patch> GrassPatch::get_patch() {
 	return _patch;
 }
 
+std::shared_ptr<const Patch> GrassPatch::get_default() {
+	static std::weak_ptr<const Patch> shared;
+	std::shared_ptr<const Patch> patch = shared.lock();
+	if (!patch) {
+		patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
+		shared = patch;
+	}
+	return patch;
+}
+
 void GrassPatch::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_seed", "seed"), &GrassPatch::set_seed);
 	ClassDB::bind_method(D_METHOD("get_seed"), &GrassPatch::get_seed);

@@ -33,6 +33,8 @@ public:
 
 	// The blades; made when first asked for after a change, and shared by all fields that use this resource.
 	std::shared_ptr<const Patch> get_patch();
+	// Those of a patch that nobody changed, shared by all that have none of their own.
+	static std::shared_ptr<const Patch> get_default();
 
 protected:
 	static void _bind_methods();

@@ -3,6 +3,7 @@
 
 #include "convert.h"
 
+#include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
@@ -80,6 +81,9 @@ void NodeColliders::forget_motion() {
 bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape) {
 	TrackedShape tracked;
 	read_shape(p_shape->get_rid(), tracked);
+	if (tracked.type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON) { // has no inside
+		return false;
+	}
 	if (tracked.usable) {
 		const Eigen::Affine3d pose = p_pose * tracked.offset;
 		r_shape = tracked.shape;

@@ -86,7 +86,7 @@ void convert(TrackedShape &r_tracked) {
 		case PhysicsServer3D::SHAPE_CONCAVE_POLYGON:
 			set_bound(r_tracked, Dictionary(r_tracked.data)["faces"]);
 			break;
-		default: // planes, rays and height maps are ground, not objects
+		default:
 			r_tracked.usable = false;
 	}
 }
@@ -96,7 +96,10 @@ void convert(TrackedShape &r_tracked) {
 bool read_shape(const RID &p_shape, TrackedShape &r_shape) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int64_t type = server->shape_get_type(p_shape);
-	const Variant data = server->shape_get_data(p_shape);
+	// Planes, rays and height maps are ground, not objects; their data may be large.
+	const bool is_object = type >= PhysicsServer3D::SHAPE_SPHERE && type <= PhysicsServer3D::SHAPE_CONCAVE_POLYGON &&
+			type != PhysicsServer3D::SHAPE_HEIGHTMAP;
+	const Variant data = is_object ? server->shape_get_data(p_shape) : Variant();
 	if (type == r_shape.type && data == r_shape.data) {
 		return false;
 	}

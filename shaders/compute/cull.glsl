@@ -103,11 +103,12 @@ vec4 find_needs(vec3 p_middle, vec3 p_half) {
 	vec2 seen = vec2(0.0), casting = vec2(0.0);
 	for (uint i = 0u; i < view.counts.x; i++) {
 		float eye_distance = max(distance(cameras[i].eye.xyz, p_middle), cameras[i].eye.w);
+		float lod_distance = cameras[i].pixel.y > 0.0 ? eye_distance : cameras[i].eye.w; // an orthogonal camera sees all alike
 		if (grass_tile_visible(cameras[i].planes, p_middle, p_half, 0.0, vec3(0.0))) {
-			add_need(seen, cameras[i], eye_distance, 1.0);
+			add_need(seen, cameras[i], lod_distance, 1.0);
 		}
 		if (eye_distance < view.shadow.y && casts_into(cameras[i], p_middle, p_half)) {
-			add_need(casting, cameras[i], eye_distance, view.lod.w);
+			add_need(casting, cameras[i], lod_distance, view.lod.w);
 		}
 	}
 	return vec4(seen, casting);

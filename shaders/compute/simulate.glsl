@@ -3,6 +3,7 @@
 // Simulates the awake tiles for one step: one workgroup a tile, one thread a blade. Dispatched over the GrassSlot
 // records. Twin of core/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
+#pragma variant GRASS_SPECIES // for fields with species
 
 #include "constants.inc"
 #include "structs.inc"
@@ -13,8 +14,15 @@
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
 layout(push_constant, std430) uniform StepBlock {
+#ifdef GRASS_SPECIES
+	GrassStep field_step;
+#else
 	GrassStep step;
+#endif
 };
+#ifdef GRASS_SPECIES
+GrassStep step; // this thread's: as its blade's species takes it
+#endif
 
 // GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
 // and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
@@ -58,11 +66,21 @@ layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffe
 layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
 	int tile_table[];
 };
-// Written by the CPU when a tile of a field with a map wakes, and when the map changes below it; by slot and blade: factor
+// Written by the CPU when a tile of a field with a map or species wakes, and when the map changes below it; by slot and blade: factor
 // on the length; lean x, z; ground under the root, metres.
 layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer GrowthBuffer {
 	vec4 blade_growth[];
 };
+#ifdef GRASS_SPECIES
+// Written with blade_growth; by slot and blade, a byte each: the species.
+layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
+	uint blade_species[];
+};
+// Written by the CPU for this step: the step as each species takes it.
+layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly buffer SpeciesStepBuffer {
+	GrassStep species_steps[];
+};
+#endif
 
 // This thread's blade.
 GrassSlot slot;
@@ -152,8 +170,25 @@ shared uint liveliest; // the bits of a float that is not negative order as the 
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
 
+#ifdef GRASS_SPECIES
+// The blade's species, and its step.
+int find_species(uint p_blade) {
+	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + p_blade;
+	uint species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
+	GrassStep own = species_steps[species];
+	step.motion = own.motion;
+	step.load = own.load;
+	step.chain = own.chain;
+	step.energy = own.energy;
+	return int(species);
+}
+#endif
+
 void find_blade(uint p_blade) {
 	int blade = int(slot.list.x + p_blade);
+#ifdef GRASS_SPECIES
+	blade += GRASS_PATCH_BLADES * find_species(p_blade);
+#endif
 	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
@@ -198,6 +233,9 @@ vec3 measure_bend() {
 }
 
 void main() {
+#ifdef GRASS_SPECIES
+	step = field_step;
+#endif
 	slot = slots[gl_WorkGroupID.x];
 	uint blade = gl_LocalInvocationID.x;
 	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;

@@ -16,7 +16,7 @@
 
 namespace grass::test {
 
-using Step = float (*)(TileState &, const GrassStep &, float, std::span<const TileCollider>);
+using Step = float (*)(TileState &, std::span<const GrassStep>, float, std::span<const TileCollider>);
 inline constexpr Step ALL_STEPS[] = { step_lanes, step_scalar_float, step_scalar_double };
 
 // Both methods, for TEST_CASE_TEMPLATE.
@@ -125,7 +125,7 @@ struct BladeScene {
 
 	void step(double p_delta = 1.0 / 60.0) {
 		const GrassStep step = clock.advance(params, p_delta);
-		energy = step_function(*tile, step, blend, tile_colliders());
+		energy = step_function(*tile, { &step, 1 }, blend, tile_colliders());
 	}
 	void step_for(double p_seconds, double p_rate = 60.0) {
 		for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {

@@ -2,7 +2,9 @@
 // The class reference says what the code does: every number is described, with the default that stands beside its code.
 #include "class_docs.gen.h"
 #include "core/map/brush_params.h"
+#include "core/map/fill_params.h"
 #include "nodes/field_params.h"
+#include "nodes/species_params.h"
 
 #include <doctest/doctest.h>
 
@@ -61,6 +63,16 @@ TEST_CASE("class docs: every number of a GrassField is described, with its defau
 	}
 }
 
+TEST_CASE("class docs: every number of a GrassSpecies is described, with its default") {
+	for (const Tunable &tunable : SPECIES_PARAMS) {
+		check(docs_of("GrassSpecies"), tunable);
+	}
+	for (const NamedColor &color : SPECIES_COLORS) {
+		INFO("colour ", color.name);
+		CHECK_FALSE(member_of(docs_of("GrassSpecies"), color.name).empty());
+	}
+}
+
 TEST_CASE("class docs: every number of a GrassPatch is described, with its default") {
 	for (const Tunable &tunable : { LENGTH_MIN, LENGTH_MAX, WIDTH_MIN, WIDTH_MAX }) {
 		check(docs_of("GrassPatch"), tunable);
@@ -73,5 +85,11 @@ TEST_CASE("class docs: every number of a GrassPatch is described, with its defau
 TEST_CASE("class docs: every number of a GrassBrush is described, with its default") {
 	for (const Tunable &tunable : BRUSH_PARAMS) {
 		check(docs_of("GrassBrush"), tunable);
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassFillRule is described, with its default") {
+	for (const Tunable &tunable : FILL_PARAMS) {
+		check(docs_of("GrassFillRule"), tunable);
 	}
 }

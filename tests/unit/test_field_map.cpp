@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/map/field_map.h"
+#include "core/map/field_blades.h"
 
 #include "core/blade.h"
 #include "core/hash.h"
@@ -22,6 +22,8 @@ std::shared_ptr<const Patch> shared_patch() {
 	static const auto patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
 	return patch;
 }
+
+const double TALLEST = double(shared_patch()->max_length) * CLUMP_TALLEST;
 
 MapShape disc(double p_x, double p_z, double p_radius) {
 	return MapShape::stroke({ p_x, p_z }, { p_x, p_z }, p_radius, 1.0, Falloff::LINEAR);
@@ -175,7 +177,7 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	PaintMap map;
 	paint(map, MapTool::PAINT, 1.0, disc(5.0, 5.0, 6.0));
 	lay_slope(map);
-	FieldMap field(GRID, shared_patch(), ClumpParams(), 0.0f);
+	FieldMap field(GRID, TALLEST, 0.0f);
 	field.update(map, field.get_region());
 	const TileCover &cover = *field.get_cover();
 	int bare = 0;
@@ -201,6 +203,8 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	const BrushResult erased = paint(map, MapTool::ERASE, 0.0, disc(5.0, 5.0, 9.0));
 	field.update(map, { erased.min, erased.max });
 	CHECK(cover.get_bare_count() == 6400);
+	CHECK(cover.get_low() == 0.0f);
+	CHECK(cover.get_high() == 0.0f);
 }
 
 TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is") {
@@ -208,7 +212,7 @@ TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is")
 	map.set_base_density(1.0);
 	lay_slope(map);
 	paint(map, MapTool::ERASE, 0.0, disc(-10.0, 0.0, 3.0));
-	FieldMap field(GRID, shared_patch(), ClumpParams(), 0.25f);
+	FieldMap field(GRID, TALLEST, 0.25f);
 	field.update(map, field.get_region());
 	TileBounds bounds(*shared_patch(), GRID, ClumpParams(), 0);
 	bounds.set_cover(field.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
@@ -230,8 +234,9 @@ TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so aga
 	PaintMap map;
 	map.set_base_density(1.0);
 	lay_slope(map);
-	FieldMap field(GRID, shared_patch(), ClumpParams(), 1.0f);
+	FieldMap field(GRID, TALLEST, 1.0f);
 	field.update(map, field.get_region());
+	const FieldBlades blades(GRID, shared_patch(), ClumpParams(), 0, nullptr, &field);
 	CpuPool pool(shared_patch(), 4);
 	GrassSlot slot = slot_of(50, 30);
 	StepInput input;
@@ -240,11 +245,11 @@ TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so aga
 	input.step.clump = { clump.size, clump.height, clump.lean, clump.tint };
 	input.slots = { &slot, 1 };
 	const auto check = [&] {
-		const SlotGrowth growth = field.grow(slot);
+		const SlotGrowth growth = blades.grow(slot);
 		input.growth = { &growth, 1 };
 		pool.step(input);
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-			const FieldMap::BladePose pose = field.get_pose(50, 30, int(slot.list.x) + b);
+			const FieldBlades::Pose pose = blades.get_pose(50, 30, b);
 			const vec4 &packed = growth.blades[size_t(b)];
 			CHECK(packed == vec4{ pose.clump.height, pose.clump.lean.x(), pose.clump.lean.y(), pose.ground });
 		}
@@ -273,7 +278,7 @@ TEST_CASE("field_map: tiles wake where bodies touch grass on a hill, and nowhere
 	PaintMap map;
 	map.set_base_density(1.0);
 	lay_slope(map);
-	FieldMap field(GRID, shared_patch(), ClumpParams(), 0.25f);
+	FieldMap field(GRID, TALLEST, 0.25f);
 	field.update(map, field.get_region());
 	auto bounds = std::make_shared<TileBounds>(*shared_patch(), GRID, ClumpParams(), 0);
 	bounds->set_cover(field.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);

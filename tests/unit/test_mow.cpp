@@ -45,6 +45,10 @@ PaintMap meadow() {
 	return map;
 }
 
+CutResult cut(PaintMap &r_map, const Footprint &p_footprint) {
+	return cut_grass(r_map, { &p_footprint }, KIND);
+}
+
 MowRegion square(double p_half) {
 	return { nullptr, { { -p_half, -p_half }, { p_half, p_half } } };
 }
@@ -72,17 +76,17 @@ TEST_CASE("footprint: the underside of every shape") {
 TEST_CASE("cut_grass: a deck of 2 m x 1 m at 10 cm leaves 10 cm, and says what fell") {
 	PaintMap map = meadow();
 	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }));
-	const CutResult result = cut_grass(map, deck, KIND);
+	const CutResult result = cut(map, deck);
 	CHECK(result.area == doctest::Approx(2.0));
 	CHECK(result.volume == doctest::Approx(2.0 * 0.3));
 	CHECK(result.blades == doctest::Approx(512.0));
 	CHECK(result.changed.size() == 4);
 	CHECK(standing_height(map, KIND, 0, 0) == doctest::Approx(0.1));
 	CHECK(standing_height(map, KIND, 2, 0) == doctest::Approx(0.4));
-	CHECK(cut_grass(map, deck, KIND).area == 0.0);
-	CHECK(cut_grass(map, deck, KIND).changed.empty());
+	CHECK(cut(map, deck).area == 0.0);
+	CHECK(cut(map, deck).changed.empty());
 	CHECK(mown_share(map, square(2.0), KIND) == doctest::Approx(2.0 / 16.0));
-	CHECK(mown_share(map, { &deck, {} }, KIND) == 1.0);
+	CHECK(mown_share(map, { &deck }, KIND) == 1.0);
 }
 
 TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") {
@@ -92,27 +96,38 @@ TEST_CASE("cut_grass: only grass that stands falls, and only above the ground") 
 	brush.tool = MapTool::DENSITY;
 	brush.target = 0.5;
 	apply_brush(map, everywhere, brush);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 })), KIND).area == doctest::Approx(1.0).epsilon(0.01));
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 3.0, 2 })), KIND).area == 0.0);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, -3.0, 2 })), KIND).area == 0.0);
-	const CutResult above = cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.6, 2 })), KIND);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 }))).area == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 3.0, 2 }))).area == 0.0);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, -3.0, 2 }))).area == 0.0);
+	const CutResult above = cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.6, 2 })));
 	CHECK(above.area == 0.0); // higher than the grass stands on average: only tall blades lose their tips
 	brush.tool = MapTool::ERASE;
 	apply_brush(map, everywhere, brush);
-	CHECK(cut_grass(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.15, -2 })), KIND).area == 0.0);
+	CHECK(cut(map, Footprint(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.15, -2 }))).area == 0.0);
 	CHECK(mown_share(map, square(1.0), KIND) == 0.0);
+}
+
+TEST_CASE("cut_grass and mown_share: a deck over the border acts within it") {
+	PaintMap map = meadow();
+	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 4, 0.2, 0 })); // half of it beyond x = 4
+	const MowRegion field{ &deck, square(4.0).rectangle };
+	CHECK(cut_grass(map, field, KIND).area == doctest::Approx(1.0));
+	CHECK(map.get_code(MAP_CUT, 0, 8, 0) == MAP_UNCUT_CODE);
+	CHECK(mown_share(map, field, KIND) == 1.0);
+	const Footprint outside(solid(GRASS_BOX, { 0.1, 0.1, 0.1 }, { 4.3, 0.2, 0 }));
+	CHECK(cut_grass(map, { &outside, field.rectangle }, KIND).changed.empty());
 }
 
 TEST_CASE("cut_grass: a sword cuts, however thin") {
 	PaintMap map = meadow();
-	const CutResult result = cut_grass(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })), KIND);
+	const CutResult result = cut(map, Footprint(solid(GRASS_BOX, { 0.02, 0.02, 0.1 }, { 0.05, 0.2, 0.1 })));
 	CHECK(result.area == doctest::Approx(0.25));
 	CHECK(map.get_code(MAP_CUT, 0, 0, 0) == 18);
 }
 
 TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves the rest alone") {
 	PaintMap map = meadow();
-	cut_grass(map, Footprint(solid(GRASS_BOX, { 2, 0.1, 2 }, { 0, 0.2, 0 })), KIND);
+	cut(map, Footprint(solid(GRASS_BOX, { 2, 0.1, 2 }, { 0, 0.2, 0 })));
 	Brush brush;
 	brush.tool = MapTool::FLATTEN;
 	brush.target = 0.8;
@@ -128,6 +143,62 @@ TEST_CASE("regrow_grass: grows, heals, forgets cuts that cut nothing, and leaves
 	CHECK(regrow_grass(map, square(100.0), KIND, std::nan(""), std::nan("")).changed.empty());
 }
 
+TEST_CASE("recovery: each species at its own rate, and where they mix, each by its share") {
+	PaintMap map = meadow();
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	apply_brush(map, MapShape::stroke({ 4, 10 }, { 60, 10 }, 3.0, 1.0, Falloff::LINEAR), brush);
+	Recovery recovery;
+	const RecoveryRates rates{ { 0.02, 0.0, 0.1 }, 0.0 }; // a second
+	const SharesAt shares = [](const Eigen::Vector2d &p_place) -> std::array<float, GRASS_MAX_SPECIES> {
+		const float third = std::clamp(float(p_place.x() - 30.0) / 20.0f, 0.0f, 1.0f); // none up to 30 m, alone from 50 m on
+		return { p_place.x() < 15.0 ? 0.0f : 1.0f - third, p_place.x() < 15.0 ? 1.0f : 0.0f, third };
+	};
+	const auto worn = [&](double p_x) { return map.sample(MAP_WEAR, 0, { p_x, 10.25 }); };
+	CHECK(worn(40.25) == 1.0);
+	for (int step = 0; step < 300; step++) { // 5 s
+		recovery.step(map, square(64.0).rectangle, KIND, rates, 1.0 / 60.0, shares);
+	}
+	CHECK(worn(10.25) == 1.0);
+	CHECK(std::abs(worn(25.25) - 0.9) < 0.01);
+	CHECK(std::abs(worn(40.25) - (1.0 - 5.0 * (0.02 + 0.08 * 10.5 / 20.0))) < 0.01);
+	CHECK(std::abs(worn(55.25) - 0.5) < 0.01);
+	for (int step = 0; step < 300; step++) { // nothing is lost in small steps: not even half a code a step
+		recovery.step(map, square(64.0).rectangle, KIND, { { 0.06, 0.06, 0.06 }, 0.0 }, 1.0 / 60.0, shares);
+	}
+	CHECK(std::abs(worn(10.25) - 0.7) < 0.01);
+	CHECK(std::abs(worn(25.25) - 0.6) < 0.01);
+	CHECK(std::abs(worn(55.25) - 0.2) < 0.01);
+	CHECK(RecoveryRates{}.is_none());
+	CHECK_FALSE(RecoveryRates{ { 0.0, 0.1 }, 0.0 }.is_none());
+}
+
+TEST_CASE("recovery: species are asked for where grass is trampled only, once a metre, and once a code") {
+	PaintMap map = meadow();
+	Brush brush;
+	brush.tool = MapTool::FLATTEN;
+	apply_brush(map, MapShape::stroke({ 10, 10 }, { 10, 10 }, 2.0, 1.0, Falloff::LINEAR), brush);
+	int worn = 0, asked = 0; // square metres
+	for (int j = 0; j < 128; j += 2) {
+		for (int i = 0; i < 128; i += 2) {
+			const auto is_worn = [&](int p_i, int p_j) { return map.get_code(MAP_WEAR, 0, i + p_i, j + p_j) > 0; };
+			worn += is_worn(0, 0) || is_worn(0, 1) || is_worn(1, 0) || is_worn(1, 1) ? 1 : 0;
+		}
+	}
+	const SharesAt shares = [&](const Eigen::Vector2d &) -> std::array<float, GRASS_MAX_SPECIES> {
+		asked++;
+		return { 0.5f, 0.5f };
+	};
+	Recovery recovery;
+	const double code = info_of(MAP_WEAR).unit;
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.25, shares); // the chunk gets known
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.25, shares); // half a code
+	CHECK(asked == 0);
+	recovery.step(map, square(64.0).rectangle, KIND, { { code, 0.0 }, 0.0 }, 0.5, shares);
+	CHECK(asked == worn);
+	CHECK(worn > 8);
+}
+
 TEST_CASE("recovery: time heals at the rate it is told, however many chunks there are, and one chunk a step") {
 	PaintMap map = meadow();
 	Brush brush;
@@ -138,7 +209,7 @@ TEST_CASE("recovery: time heals at the rate it is told, however many chunks ther
 	}
 	Recovery recovery;
 	const MapRegion field{ { -128, -64 }, { 64, 64 } }; // without the fourth chunk
-	const RecoveryRates rates{ 0.1, 0.0 };
+	const RecoveryRates rates{ { 0.1 }, 0.0 };
 	for (int step = 0; step < 300; step++) {
 		CHECK(recovery.step(map, field, KIND, rates, 1.0 / 60.0).changed.size() <= 1);
 	}

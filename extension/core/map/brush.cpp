@@ -2,6 +2,7 @@
 #include "core/map/brush.h"
 
 #include "core/hash.h"
+#include "core/map/hand_paint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +15,6 @@ namespace {
 
 using Codes = std::array<int32_t, 4>; // of a texel's components
 
-// p_weight of the way from a code to another; at least one step of the way, so that a weak brush arrives, too.
-int32_t toward(int32_t p_from, int32_t p_to, double p_weight) {
-	const double way = double(p_to) - p_from;
-	const double step = std::round(way * p_weight);
-	if (step == 0.0 && way != 0.0 && p_weight * 255.0 >= 1.0) {
-		return p_from + (way > 0.0 ? 1 : -1);
-	}
-	return p_from + int32_t(step);
-}
-
 // A number of the texel's own, 0 <= h < 1.
 double texel_hash(int p_i, int p_j) {
 	return double(grass_hash(uint32_t(p_i) ^ grass_hash(uint32_t(p_j)))) / 4294967296.0;
@@ -33,7 +24,7 @@ double texel_hash(int p_i, int p_j) {
 class Dab {
 public:
 	Dab(const PaintMap &p_map, const Brush &p_brush) :
-			_brush(p_brush), _channel(channel_of(p_brush)), _info(info_of(_channel)), _texels(p_map, _channel) {
+			_brush(p_brush), _channel(channel_of(p_brush)), _info(info_of(_channel)), _texels(p_map, _channel), _paint(p_map, MAP_PAINT) {
 		const Eigen::Vector2d direction = p_brush.direction.stableNormalized();
 		_target.fill(_info.code(p_brush.target));
 		if (p_brush.tool == MapTool::COMB) {
@@ -57,18 +48,6 @@ public:
 	Codes changed(const Codes &p_now, int p_i, int p_j, double p_weight) {
 		Codes codes = p_now;
 		switch (_brush.tool) {
-			case MapTool::PAINT:
-			case MapTool::FLATTEN:
-				codes[0] = std::max(p_now[0], toward(p_now[0], _target[0], p_weight));
-				break;
-			case MapTool::ERASE:
-				codes[0] = toward(p_now[0], 0, p_weight);
-				break;
-			case MapTool::SMOOTH:
-				for (int c = 0; c < _info.components; c++) {
-					codes[size_t(c)] = smoothed(c, p_i, p_j, p_weight);
-				}
-				break;
 			case MapTool::SPECIES:
 				codes[0] = texel_hash(p_i, p_j) < p_weight ? _target[0] : p_now[0];
 				break;
@@ -87,9 +66,9 @@ public:
 			case MapTool::RECOVER:
 				codes[0] = p_now[0] - grown(p_weight);
 				break;
-			default: // DENSITY, HEIGHT, COMB
+			default:
 				for (int c = 0; c < _info.components; c++) {
-					codes[size_t(c)] = toward(p_now[size_t(c)], _target[size_t(c)], p_weight);
+					codes[size_t(c)] = toward(p_now[size_t(c)], aim(p_now, c, p_i, p_j), p_weight);
 				}
 		}
 		for (int c = 0; c < _info.components; c++) {
@@ -98,18 +77,43 @@ public:
 		return codes;
 	}
 
+	bool paints() const { return _channel == MAP_DENSITY; }
+	HandPaint read_paint(int p_i, int p_j) {
+		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
+	}
+	// The hand holds what the brush did, and what it came upon and left as it is, too.
+	HandPaint painted(const HandPaint &p_paint, const Codes &p_now, int p_i, int p_j, double p_weight) {
+		return paints() ? p_paint.brushed(aim(p_now, 0, p_i, p_j), p_weight) : p_paint;
+	}
+
 	MapChannel channel() const { return _channel; }
 
 private:
-	// Towards the mean of the 3 x 3 texels around, weighed 1 2 1 both ways.
-	int32_t smoothed(int p_component, int p_i, int p_j, double p_weight) {
+	// Where the step goes.
+	int32_t aim(const Codes &p_now, int p_component, int p_i, int p_j) {
+		const size_t c = size_t(p_component);
+		switch (_brush.tool) {
+			case MapTool::PAINT:
+			case MapTool::FLATTEN:
+				return std::max(p_now[c], _target[c]);
+			case MapTool::ERASE:
+				return 0;
+			case MapTool::SMOOTH:
+				return mean(p_component, p_i, p_j);
+			default: // DENSITY, HEIGHT, COMB
+				return _target[c];
+		}
+	}
+
+	// Of the 3 x 3 texels around, weighed 1 2 1 both ways.
+	int32_t mean(int p_component, int p_i, int p_j) {
 		double sum = 0.0;
 		for (int dj = -1; dj <= 1; dj++) {
 			for (int di = -1; di <= 1; di++) {
 				sum += double((2 - std::abs(di)) * (2 - std::abs(dj))) * _texels.code(p_component, p_i + di, p_j + dj);
 			}
 		}
-		return toward(_texels.code(p_component, p_i, p_j), int32_t(std::round(sum / 16.0)), p_weight);
+		return int32_t(std::round(sum / 16.0));
 	}
 
 	int32_t grown(double p_weight) const { return int32_t(std::round(p_weight * (_target[0] - _info.zero))); }
@@ -117,13 +121,14 @@ private:
 	const Brush &_brush;
 	MapChannel _channel;
 	const MapChannelInfo &_info;
-	MapReader _texels;
+	MapReader _texels, _paint;
 	Codes _target{};
 };
 
 struct Edit {
 	int i, j;
 	Codes before, after;
+	HandPaint paint; // of density only
 };
 
 } // namespace
@@ -182,8 +187,9 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 			const double weight = strength * p_shape.get_weight(centre);
 			if (weight > 0.0 && p_brush.limits.allows(ground, normal, centre)) {
 				const Codes now = dab.read(i, j), after = dab.changed(now, i, j, weight);
-				if (after != now) {
-					edits.push_back({ i, j, now, after });
+				const HandPaint paint_now = dab.read_paint(i, j), paint = dab.painted(paint_now, now, i, j, weight);
+				if (after != now || !(paint == paint_now)) {
+					edits.push_back({ i, j, now, after, paint });
 				}
 			}
 		}
@@ -194,6 +200,10 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 		bool written = true;
 		for (int c = 0; c < info.components && written; c++) {
 			written = r_map.set_code(dab.channel(), c, edit.i, edit.j, edit.after[size_t(c)]);
+		}
+		if (written && dab.paints()) {
+			written = r_map.set_code(MAP_PAINT, 0, edit.i, edit.j, edit.paint.density) &&
+					r_map.set_code(MAP_PAINT, 1, edit.i, edit.j, edit.paint.cover);
 		}
 		result.out_of_room = result.out_of_room || !written;
 		if (written) {

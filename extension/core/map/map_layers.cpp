@@ -39,7 +39,8 @@ public:
 			_lean(p_map, MAP_LEAN),
 			_normal(p_map, MAP_NORMAL),
 			_ground(p_map, MAP_GROUND),
-			_tint(p_map, MAP_TINT) {}
+			_tint(p_map, MAP_TINT),
+			_species(p_map, MAP_SPECIES) {}
 
 	bool compose(const MapRegion &p_region, MapLayer &r_layer) {
 		_changed = false;
@@ -83,11 +84,12 @@ private:
 			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
 		}
 		put(r_layer.ground[p_texel], float(_ground.value(0, i, j)));
+		put(r_layer.species[p_texel], uint8_t(_species.code(0, i, j)));
 	}
 
 	MapKey _key;
 	int32_t _uncut;
-	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _tint;
+	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _tint, _species;
 	bool _changed = false;
 };
 
@@ -127,6 +129,10 @@ MapRegion MapRegion::of_grid(const TileGrid &p_grid) {
 
 MapRegion MapRegion::grown(double p_metres) const {
 	return { min.array() - p_metres, max.array() + p_metres };
+}
+
+MapRegion MapRegion::shared(const MapRegion &p_other) const {
+	return { min.cwiseMax(p_other.min), max.cwiseMin(p_other.max) };
 }
 
 MapRegion MapRegion::joined(const MapRegion &p_other) const {
@@ -178,7 +184,7 @@ std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_reg
 				_pages[size_t((z - _first.z) * _width + x - _first.x)] = float(layer);
 				constexpr size_t FINE = size_t(MapLayer::FINE) * MapLayer::FINE, COARSE = size_t(MapLayer::COARSE) * MapLayer::COARSE;
 				_layers.push_back({ std::vector<uint8_t>(FINE * 4), std::vector<uint8_t>(COARSE * 4), std::vector<float>(COARSE),
-						std::vector<uint8_t>(COARSE * 4) });
+						std::vector<uint8_t>(COARSE * 4), std::vector<uint8_t>(COARSE) });
 			}
 			const bool differs =
 					Composer(p_map, key, _uncut).compose(is_new ? MapRegion::of_chunk(key).grown(1.0) : region, _layers[size_t(layer)]);
@@ -189,6 +195,14 @@ std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_reg
 	}
 	std::sort(changed.begin(), changed.end());
 	return changed;
+}
+
+int MapLayers::get_species(int p_texel_x, int p_texel_z) const {
+	static_assert(GRASS_COARSE_TEXELS == 64);
+	const int layer = find({ p_texel_x >> 6, p_texel_z >> 6 });
+	return layer == GRASS_NO_LAYER
+			? 0
+			: _layers[size_t(layer)].species[size_t(((p_texel_z & 63) + 1) * MapLayer::COARSE + (p_texel_x & 63) + 1)];
 }
 
 Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {

@@ -17,8 +17,11 @@ struct MapRegion {
 	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero();
 	static MapRegion of_chunk(const MapKey &p_key);
 	static MapRegion of_grid(const TileGrid &p_grid); // the whole field
+	bool contains(const Eigen::Vector2d &p_place) const { return (p_place.array() >= min.array()).all() && (p_place.array() <= max.array()).all(); }
 	MapRegion grown(double p_metres) const;
 	MapRegion joined(const MapRegion &p_other) const;
+	MapRegion shared(const MapRegion &p_other) const; // min > max along an axis: nothing
+	bool operator==(const MapRegion &) const = default;
 };
 
 struct MapLayer {
@@ -27,6 +30,7 @@ struct MapLayer {
 	std::vector<uint8_t> form; // COARSE^2 x (lean x, z, normal x, z), codes of their channels
 	std::vector<float> ground; // COARSE^2, metres
 	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
+	std::vector<uint8_t> species; // COARSE^2: 0 as they are mixed, n: species n - 1 only
 };
 
 class MapLayers {
@@ -52,6 +56,8 @@ public:
 
 	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
 	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
+	// What was painted into a texel, counted from the map's origin: 0 nothing, n: species n - 1.
+	int get_species(int p_texel_x, int p_texel_z) const;
 
 private:
 	MapKey _first;

@@ -96,11 +96,14 @@ bool is_within(const MowRegion &p_region, int p_i, int p_j) {
 }
 
 TexelBlock block_of(const MowRegion &p_region) {
-	if (p_region.footprint == nullptr) {
-		return texels_within(p_region.rectangle.min, p_region.rectangle.max);
+	MapRegion block = p_region.rectangle;
+	if (p_region.footprint != nullptr) {
+		if (p_region.footprint->is_empty()) {
+			return { Eigen::Array2i::Zero(), Eigen::Array2i::Constant(-1) };
+		}
+		block = block.shared({ p_region.footprint->get_min(), p_region.footprint->get_max() });
 	}
-	return p_region.footprint->is_empty() ? TexelBlock{ Eigen::Array2i::Zero(), Eigen::Array2i::Constant(-1) }
-										  : texels_within(p_region.footprint->get_min(), p_region.footprint->get_max());
+	return texels_within(block.min, block.max);
 }
 
 } // namespace
@@ -109,15 +112,16 @@ double standing_height(const PaintMap &p_map, const GrassKind &p_kind, int p_i, 
 	return Stand(p_map, p_kind).standing(p_i, p_j);
 }
 
-CutResult cut_grass(PaintMap &r_map, const Footprint &p_footprint, const GrassKind &p_kind) {
+CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind) {
 	CutResult result;
-	if (p_footprint.is_empty()) {
+	if (p_region.footprint == nullptr || p_region.footprint->is_empty()) {
 		return result;
 	}
+	const Footprint &footprint = *p_region.footprint;
 	Writer writer(r_map, result);
 	bool covers_any = false;
 	const auto cut = [&](int p_i, int p_j, const Eigen::Vector2d &p_place) {
-		const std::optional<Footprint::Span> span = p_footprint.get_span(p_place);
+		const std::optional<Footprint::Span> span = footprint.get_span(p_place);
 		if (!span) {
 			return;
 		}
@@ -136,11 +140,12 @@ CutResult cut_grass(PaintMap &r_map, const Footprint &p_footprint, const GrassKi
 			result.blades += share * p_kind.per_area;
 		}
 	};
-	visit(texels_within(p_footprint.get_min(), p_footprint.get_max()), [&](int p_i, int p_j) { cut(p_i, p_j, centre_of(p_i, p_j)); });
-	if (!covers_any) {
-		const Eigen::Array2d texel = (p_footprint.get_centre().array() / SIZE).floor();
+	visit(block_of(p_region), [&](int p_i, int p_j) { cut(p_i, p_j, centre_of(p_i, p_j)); });
+	const Eigen::Vector2d middle = footprint.get_centre();
+	if (!covers_any && p_region.rectangle.contains(middle)) {
+		const Eigen::Array2d texel = (middle.array() / SIZE).floor();
 		if ((texel.abs() < PaintMap::REACH * double(SIDE)).all()) {
-			cut(int(texel.x()), int(texel.y()), p_footprint.get_centre());
+			cut(int(texel.x()), int(texel.y()), middle);
 		}
 	}
 	writer.finish();
@@ -161,16 +166,21 @@ double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassK
 }
 
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear) {
+	const WearAt everywhere = [p_wear](const Eigen::Vector2d &) { return p_wear; };
+	return regrow_grass(r_map, p_region, p_kind, p_height, p_wear > 0.0 ? everywhere : nullptr);
+}
+
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear) {
 	BrushResult result;
 	const TexelBlock block = block_of(p_region);
 	const auto codes = [](MapChannel p_channel, double p_value) {
 		return std::isnan(p_value) ? 0 : int32_t(std::clamp(std::round(p_value / info_of(p_channel).unit), 0.0, 255.0));
 	};
-	const int32_t longer = codes(MAP_CUT, p_height), healed = codes(MAP_WEAR, p_wear);
+	const int32_t longer = codes(MAP_CUT, p_height);
 	Writer writer(r_map, result);
 	for (const MapKey &key : r_map.get_keys()) {
 		const MapChunk *chunk = r_map.find(key);
-		const bool has_cuts = longer > 0 && chunk->channels[MAP_CUT], has_wear = healed > 0 && chunk->channels[MAP_WEAR];
+		const bool has_cuts = longer > 0 && chunk->channels[MAP_CUT], has_wear = p_wear && chunk->channels[MAP_WEAR];
 		const Eigen::Array2i corner = Eigen::Array2i(key.x, key.z) * SIDE;
 		if (!has_cuts && !has_wear) {
 			continue;
@@ -184,8 +194,8 @@ BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const Grass
 				const bool is_grown = info_of(MAP_CUT).value(cut + longer) >= p_kind.tallest;
 				writer.write(MAP_CUT, p_i, p_j, is_grown ? MAP_UNCUT_CODE : std::min(cut + longer, MAP_UNCUT_CODE));
 			}
-			if (has_wear) {
-				writer.write(MAP_WEAR, p_i, p_j, std::max(wear - healed, 0));
+			if (has_wear && wear > 0) {
+				writer.write(MAP_WEAR, p_i, p_j, std::max(wear - codes(MAP_WEAR, p_wear(centre_of(p_i, p_j))), 0));
 			}
 		});
 	}

@@ -6,6 +6,8 @@
 #include "core/map/footprint.h"
 #include "core/map/map_layers.h"
 
+#include <functional>
+
 namespace grass {
 
 // What one texel's worth of grass is, where nothing was painted or cut.
@@ -24,15 +26,15 @@ struct CutResult : BrushResult {
 	double blades = 0.0; // that became shorter
 };
 
-// Cuts what stands in the shape: every blade ends at the shape's underside. A shape that covers no texel's centre (they lie
-// 0.5 m apart) cuts the texel below its middle.
-CutResult cut_grass(PaintMap &r_map, const Footprint &p_footprint, const GrassKind &p_kind);
-
-// A region: a shape's footprint or, if null, a rectangle.
+// A rectangle or, if there is one, the part of a shape's footprint within it.
 struct MowRegion {
 	const Footprint *footprint = nullptr;
-	MapRegion rectangle;
+	MapRegion rectangle{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // everything
 };
+
+// Cuts what stands in the region's shape: every blade ends at its underside. A shape that covers no texel's centre (they lie
+// 0.5 m apart) cuts the texel below its middle.
+CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind);
 
 // Share of the region's grass, weighed by density, that stands lower than it would without cuts; 0 where nothing grows.
 double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassKind &p_kind);
@@ -40,5 +42,8 @@ double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassK
 // Lets cut grass in the region grow by p_height metres, and takes p_wear from its wear. Cuts that cut nothing any more are
 // forgotten. Looks only at chunks that hold cuts or wear. Its amount is the cuts': metres times m^2.
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear);
+// The same with a wear that differs from place to place (metres). Only texels that are worn are asked for; null: none of it goes.
+using WearAt = std::function<double(const Eigen::Vector2d &p_place)>;
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear);
 
 } // namespace grass

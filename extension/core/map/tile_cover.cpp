@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace grass {
 
@@ -13,19 +14,31 @@ void TileCover::reset(const TileGrid &p_grid) {
 	_low = _high = 0.0f;
 }
 
+void TileCover::widen(const Tile &p_tile) {
+	if (!p_tile.is_bare()) {
+		_low = std::min(_low, p_tile.low);
+		_high = std::max(_high, p_tile.high);
+	}
+}
+
 TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region) {
 	const MapRegion region = p_region.grown(2.0 * info_of(MAP_HEIGHT).texel_size());
 	const TileRange range = _grid.get_range(region.min.x(), region.max.x(), region.min.y(), region.max.y(), 0.0);
+	bool has_shrunk = false; // the lowest or highest ground may have gone
 	for (int z = range.z_begin; z < range.z_end; z++) {
 		for (int x = range.x_begin; x < range.x_end; x++) {
 			Tile &tile = _tiles[size_t(_grid.get_index(x, z))];
 			_bare -= tile.is_bare() ? 1 : 0;
-			tile = find(p_layers, x, z);
+			const Tile before = std::exchange(tile, find(p_layers, x, z));
+			has_shrunk = has_shrunk || (!before.is_bare() && before != tile && (before.low == _low || before.high == _high));
 			_bare += tile.is_bare() ? 1 : 0;
-			if (!tile.is_bare()) {
-				_low = std::min(_low, tile.low);
-				_high = std::max(_high, tile.high);
-			}
+			widen(tile);
+		}
+	}
+	if (has_shrunk) {
+		_low = _high = 0.0f;
+		for (const Tile &tile : _tiles) {
+			widen(tile);
 		}
 	}
 	return range;

@@ -24,11 +24,12 @@ public:
 	const Tile &get(int p_x, int p_z) const { return _tiles[size_t(_grid.get_index(p_x, p_z))]; }
 	std::span<const Tile> get_tiles() const { return _tiles; } // by index
 	int get_bare_count() const { return _bare; }
-	float get_low() const { return _low; } // of all ground seen since reset
+	float get_low() const { return _low; } // of all ground, and the field's plane
 	float get_high() const { return _high; }
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
+	void widen(const Tile &p_tile);
 	Tile find(const MapLayers &p_layers, int p_x, int p_z) const;
 
 	TileGrid _grid;

@@ -81,6 +81,7 @@ func test_grass_comes_and_goes_under_the_brush() -> void:
 
 func test_what_a_script_paints_is_drawn_in_an_idle_editor() -> void:
 	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
+	field.wind_speed = 0.0
 	await idle()
 	var bare: int = field.get_statistics().bare_tiles
 	var brush := GrassBrush.new()
@@ -88,6 +89,12 @@ func test_what_a_script_paints_is_drawn_in_an_idle_editor() -> void:
 		field.map.stroke(brush, Vector2(-1, 0), Vector2(1, 0))
 	await frames(2)
 	assert_less(field.get_statistics().bare_tiles, bare)
+	await idle()
+	field.wind_speed = 3.0
+	await frames(5)
+	var drawn := Engine.get_frames_drawn()
+	await frames(30)
+	assert_greater(Engine.get_frames_drawn() - drawn, 20, "wind moves it")
 
 
 func test_keys_and_wheel_change_the_brush() -> void:

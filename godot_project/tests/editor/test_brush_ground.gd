@@ -68,6 +68,19 @@ func test_the_button_bakes_the_whole_field() -> void:
 	assert_eq(field.map.data, before, "no ground: nothing changes")
 
 
+func test_a_stroke_that_only_bakes_is_a_step_of_the_history() -> void:
+	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(1)
+	var place := Vector3(-5.05, 1.287, -1)
+	assert_near(ground(place.x, place.z), 1.287, 0.08)
+	(field.get_node("../TiltedFloor") as Node3D).position.y += 0.5
+	await frames(3)
+	await take("Paint") # where all is painted already
+	await stroke([place + Vector3(0, 0.5, 0), place + Vector3(0, 0.5, 0)])
+	assert_near(ground(place.x, place.z), 1.787, 0.08)
+	await undo()
+	assert_near(ground(place.x, place.z), 1.287, 0.08)
+
+
 func test_strokes_keep_to_slopes_and_heights() -> void:
 	var level := Vector3(0, 0, 0)
 	var tilted := Vector3(-5.05, 1.287, -1)

@@ -98,6 +98,11 @@ func test_an_orthogonal_camera_thins_by_its_pixels() -> void:
 	var far: Dictionary = field.get_statistics()
 	assert_greater(float(near.drawn_blades) / near.drawn_tiles, 30.0, "blades a tile, 7 mm a pixel")
 	assert_less(float(far.drawn_blades) / far.drawn_tiles, 12.0, "blades a tile, 83 mm a pixel")
+	camera.size = 0.5
+	look(Vector3(0, 95, 0), Vector3.ZERO)
+	await drawn()
+	var high: Dictionary = field.get_statistics()
+	assert_near(float(high.drawn_blades) / high.drawn_tiles, float(near.drawn_blades) / near.drawn_tiles, 0.5, "however far it stands")
 
 
 ## The sun stands low behind the camera, which stands at the field's end and looks away from it: all that it sees of the

@@ -87,6 +87,16 @@ func test_a_hill_is_culled_where_it_stands() -> void:
 	assert_less(share_of(await picture(), is_green), 0.001)
 
 
+func test_blades_are_drawn_as_they_follow_the_slope() -> void:
+	var field := add_seen_field({map = meadow(), follow_slope = 0.0})
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
+	await drawn()
+	var upright := await picture()
+	field.follow_slope = 1.0
+	await drawn()
+	assert_greater(difference(upright, await picture()).y, 0.01)
+
+
 func test_an_awake_tile_with_a_map_is_drawn_as_it_was_asleep() -> void:
 	var field := add_seen_field({map = meadow(), sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 5.0})
 	field.map.set_ground(Image.create_empty(2, 2, false, Image.FORMAT_RF), Rect2(-16, -16, 32, 32))

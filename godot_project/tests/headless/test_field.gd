@@ -3,6 +3,16 @@
 extends "res://tests/field_case.gd"
 
 
+func test_tiles_are_known_before_the_first_tick() -> void:
+	var field := add_field({size = Vector2(8, 8)})
+	var tile := field.get_tile_at(Vector3(1.3, 0, -2.1))
+	var centre := field.get_tile_center(tile)
+	await ticks(2)
+	assert_eq(field.get_tile_at(Vector3(1.3, 0, -2.1)), tile)
+	assert_eq(field.get_tile_center(tile), centre)
+	assert_near(centre, Vector3(1.3, 0, -2.1), 0.5)
+
+
 func test_grows_from_nothing_but_the_node() -> void:
 	var field := GrassField.new()
 	add_child(field)

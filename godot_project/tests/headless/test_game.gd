@@ -260,6 +260,22 @@ func test_bodies_enter_and_leave_grass() -> void:
 	assert_eq(exited.size(), 1, "who is freed leaves without a word")
 
 
+func test_bodies_leave_grass_that_goes() -> void:
+	var field := add_field({map = full_map()})
+	listen(field)
+	var body := add_held_body(ball(0.2), Vector3(0, 0.2, 0))
+	await ticks(5)
+	assert_eq(entered, [body] as Array[Node])
+	field.simulated = false
+	assert_eq(exited, [body] as Array[Node])
+	field.simulated = true
+	await ticks(5)
+	assert_eq(entered.size(), 2)
+	remove_child(field)
+	assert_eq(exited.size(), 2)
+	field.free()
+
+
 func test_a_listener_may_cut_under_the_body() -> void:
 	var field := add_field()
 	var cuts: Array[Dictionary] = []

@@ -8,7 +8,7 @@ const STATISTICS: Array[String] = [
 	"body_reads", "shape_reads", "tiles_looked_at", "colliders", "list_entries", "bad_colliders", "steps", "simulated_blades", "uploaded_bytes",
 	"culls", "drawn_tiles", "drawn_blades", "drawn_triangles", "shadow_tiles", "shadow_blades", "shadow_triangles",
 	"gather_ms", "tiles_ms", "management_ms", "upload_ms", "frame_ms", "build_ms", "builds", "simulate_ms", "cull_ms", "memory",
-	"unseen_tile_steps", "unseen_ticks", "wind_updates",
+	"unseen_tile_steps", "unseen_ticks", "wind_updates", "fill_cells", "fill_waiting",
 ]
 
 

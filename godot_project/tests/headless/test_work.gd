@@ -40,6 +40,18 @@ func test_shapes_are_looked_at_now_and_then() -> void:
 	assert_eq(after.shape_reads - before.shape_reads, 8 * 80 / 4, "shapes: every fourth")
 
 
+func test_shapes_of_the_ground_are_not_looked_at() -> void:
+	var field := add_field()
+	var ground := add_body(StaticBody3D.new(), BoxShape3D.new(), Vector3(0, 0.2, 0))
+	await ticks(20)
+	assert_eq(field.get_statistics().shape_reads, 0)
+	for i in 10:
+		ground.position.x += 0.05
+		await ticks(1)
+	assert_greater(field.get_statistics().shape_reads, 0, "it moves: an object like others")
+	assert_greater(field.get_awake_tile_count(), 0)
+
+
 func test_nothing_near_looks_at_nothing() -> void:
 	var field := add_field({size = Vector2(500, 500)})
 	await ticks(60)

@@ -41,8 +41,8 @@ public:
 // The tape that step_on_tape writes to or reads from: a step function carries no data of its own.
 inline Tape *tape = nullptr;
 
-inline float step_on_tape(TileState &r_state, const GrassStep &p_step, float, std::span<const TileCollider> p_colliders) {
-	tape->step(r_state, p_step, p_colliders);
+inline float step_on_tape(TileState &r_state, std::span<const GrassStep> p_steps, float, std::span<const TileCollider> p_colliders) {
+	tape->step(r_state, p_steps[0], p_colliders);
 	return 0.0f;
 }
 

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_exclusion_3d.h"
+
+#include "nodes/params.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+#include <algorithm>
+#include <set>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Nodes enter, leave and change on the main thread.
+std::set<GrassExclusion3D *> in_tree;
+uint64_t revision = 0;
+
+const Color COLOR(0.99f, 0.5f, 0.5f);
+
+} // namespace
+
+std::vector<GrassExclusion3D *> GrassExclusion3D::get_all() {
+	std::vector<GrassExclusion3D *> all(in_tree.begin(), in_tree.end());
+	std::sort(all.begin(), all.end(), [](const auto *p_a, const auto *p_b) { return p_a->get_instance_id() < p_b->get_instance_id(); });
+	return all;
+}
+
+uint64_t GrassExclusion3D::get_revision() {
+	return revision;
+}
+
+void GrassExclusion3D::changed() {
+	revision++;
+	update_picture();
+	update_configuration_warnings();
+}
+
+void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {
+	const Callable on_change = callable_mp(this, &GrassExclusion3D::changed);
+	if (_shape.is_valid()) {
+		_shape->disconnect("changed", on_change);
+	}
+	_shape = p_shape;
+	if (_shape.is_valid()) {
+		_shape->connect("changed", on_change);
+	}
+	changed();
+}
+
+void GrassExclusion3D::set_outline(const PackedVector2Array &p_outline) {
+	for (int64_t i = 0; i < p_outline.size(); i++) {
+		ERR_FAIL_COND_MSG(!p_outline[i].is_finite(), "GrassExclusion3D: `outline` must be of finite numbers.");
+	}
+	_outline = p_outline;
+	changed();
+}
+
+void GrassExclusion3D::set_fade(double p_fade) {
+	_fade = checked(FADE, p_fade, "GrassExclusion3D");
+	changed();
+}
+
+void GrassExclusion3D::set_enabled(bool p_enabled) {
+	_enabled = p_enabled;
+	changed();
+}
+
+PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (_shape.is_null() && _outline.size() < 3) {
+		warnings.push_back("This node excludes nothing: set `shape`, or at least three corners as `outline`.");
+	}
+	if (_shape.is_valid()) {
+		const int64_t type = PhysicsServer3D::get_singleton()->shape_get_type(_shape->get_rid());
+		if (type == PhysicsServer3D::SHAPE_HEIGHTMAP || type == PhysicsServer3D::SHAPE_WORLD_BOUNDARY ||
+				type == PhysicsServer3D::SHAPE_SEPARATION_RAY) {
+			warnings.push_back("`shape` is ground or a ray and excludes nothing. Use a box, sphere, capsule, cylinder or polygon.");
+		}
+	}
+	return warnings;
+}
+
+void GrassExclusion3D::_notification(int p_what) {
+	switch (p_what) {
+		case NOTIFICATION_ENTER_WORLD:
+			in_tree.insert(this);
+			set_notify_transform(true);
+			changed();
+			break;
+		case NOTIFICATION_EXIT_WORLD:
+			in_tree.erase(this);
+			revision++;
+			free_picture();
+			break;
+		case NOTIFICATION_TRANSFORM_CHANGED:
+			revision++;
+			if (_instance.is_valid()) {
+				RenderingServer::get_singleton()->instance_set_transform(_instance, get_global_transform());
+			}
+			break;
+		case NOTIFICATION_VISIBILITY_CHANGED:
+			if (_instance.is_valid()) {
+				RenderingServer::get_singleton()->instance_set_visible(_instance, is_visible_in_tree());
+			}
+			break;
+	}
+}
+
+// The outline, closed; the shape's own lines.
+Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
+	if (_shape.is_valid()) {
+		return _shape->get_debug_mesh();
+	}
+	Ref<ArrayMesh> mesh;
+	mesh.instantiate();
+	PackedVector3Array lines;
+	for (int64_t i = 0; i < _outline.size(); i++) {
+		for (const Vector2 &corner : { _outline[i], _outline[(i + 1) % _outline.size()] }) {
+			lines.push_back(Vector3(corner.x, 0, corner.y));
+		}
+	}
+	if (!lines.is_empty()) {
+		Array arrays;
+		arrays.resize(Mesh::ARRAY_MAX);
+		arrays[Mesh::ARRAY_VERTEX] = lines;
+		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_LINES, arrays);
+	}
+	return mesh;
+}
+
+void GrassExclusion3D::update_picture() {
+	if (!Engine::get_singleton()->is_editor_hint() || in_tree.count(this) == 0) {
+		return;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	_picture = make_picture();
+	if (!_instance.is_valid()) {
+		_material.instantiate();
+		_material->set_shading_mode(BaseMaterial3D::SHADING_MODE_UNSHADED);
+		_material->set_albedo(COLOR);
+		_instance = server->instance_create();
+		server->instance_set_scenario(_instance, get_world_3d()->get_scenario());
+		server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+		server->instance_geometry_set_material_override(_instance, _material->get_rid());
+	}
+	server->instance_set_base(_instance, _picture->get_rid());
+	server->instance_set_transform(_instance, get_global_transform());
+	server->instance_set_visible(_instance, is_visible_in_tree());
+}
+
+void GrassExclusion3D::free_picture() {
+	if (_instance.is_valid()) {
+		RenderingServer::get_singleton()->free_rid(_instance);
+		_instance = RID();
+	}
+	_picture.unref();
+	_material.unref();
+}
+
+void GrassExclusion3D::_bind_methods() {
+#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
+	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassExclusion3D::m_setter);                                                       \
+	ClassDB::bind_method(D_METHOD(#m_getter), &GrassExclusion3D::m_getter);                                                                \
+	ADD_PROPERTY(m_info, #m_setter, #m_getter)
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "enabled"), set_enabled, is_enabled);
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "shape", PROPERTY_HINT_RESOURCE_TYPE, "Shape3D"), set_shape, get_shape);
+	BIND_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "outline", PROPERTY_HINT_NONE, "suffix:m"), set_outline, get_outline);
+	BIND_PROPERTY(property_of(FADE), set_fade, get_fade);
+#undef BIND_PROPERTY
+}
+
+} // namespace grass

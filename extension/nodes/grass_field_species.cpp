@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// GrassField's species: from the list of resources to one patch, one mix, the steps of a tick and the look.
+#include "nodes/grass_field.h"
+
+#include "convert.h"
+
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
+	const Callable changed = callable_mp(this, &GrassField::_species_changed);
+	for (const Ref<GrassSpecies> &species : _species) {
+		if (species.is_valid() && species->is_connected("changed", changed)) { // one may be there twice
+			species->disconnect("changed", changed);
+		}
+	}
+	_species.clear();
+	for (int64_t i = 0; i < p_species.size(); i++) {
+		const Ref<GrassSpecies> species = p_species[i];
+		if (species.is_valid() && !species->is_connected("changed", changed)) {
+			species->connect("changed", changed);
+		}
+		_species.push_back(species);
+	}
+	request_rebuild();
+}
+
+TypedArray<GrassSpecies> GrassField::get_species() const {
+	TypedArray<GrassSpecies> species;
+	for (const Ref<GrassSpecies> &one : _species) {
+		species.push_back(one);
+	}
+	return species;
+}
+
+// Colours and frequencies take effect at once; what changes blades makes the field anew.
+void GrassField::_species_changed() {
+	if (_backend && !_dirty && find_patch() == _setup.patch && species_mix() == _mix) {
+		set_species_uniforms();
+		update_tiles();
+	} else {
+		request_rebuild();
+	}
+}
+
+// The species that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
+std::vector<Ref<GrassSpecies>> GrassField::used_species() const {
+	std::vector<Ref<GrassSpecies>> used(_species.begin(), _species.begin() + std::min<size_t>(_species.size(), GRASS_MAX_SPECIES));
+	for (Ref<GrassSpecies> &species : used) {
+		if (species.is_null()) {
+			species.instantiate();
+			species->set_param(SPECIES_PARAM_SHARE, 0.0);
+		}
+	}
+	return used;
+}
+
+std::vector<SpeciesParams> GrassField::species_mix() const {
+	std::vector<SpeciesParams> mix;
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		mix.push_back(species->get_mix());
+	}
+	return mix;
+}
+
+// A species without a patch has the one that fields without a patch have.
+std::vector<std::shared_ptr<const Patch>> GrassField::species_patches() const {
+	std::vector<std::shared_ptr<const Patch>> patches;
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		patches.push_back(species->find_patch());
+	}
+	return patches;
+}
+
+// All species' blades as one patch, the same one until they change.
+std::shared_ptr<const Patch> GrassField::join_species() const {
+	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+	std::vector<double> shares;
+	double total = 0.0;
+	for (const SpeciesParams &mix : species_mix()) {
+		shares.push_back(mix.share);
+		total += mix.share;
+	}
+	for (size_t s = 0; s < shares.size(); s++) {
+		shares[s] = total > 0.0 ? shares[s] / total : (s == 0 ? 1.0 : 0.0);
+	}
+	if (!_joined || _joined_from != patches || _joined_shares != shares) {
+		_joined = std::make_shared<const Patch>(join_patches(patches, shares));
+		_joined_from = patches;
+		_joined_shares = shares;
+	}
+	return _joined;
+}
+
+// Before the backend is made.
+void GrassField::build_species() {
+	_mix = species_mix();
+	_setup.species = _mix.empty() ? nullptr : std::make_shared<const SpeciesMix>(_mix, _setup.grid, _setup.seed);
+}
+
+// The step as each species takes it.
+std::span<const GrassStep> GrassField::species_steps() {
+	_species_steps.clear();
+	const SolverParams field = solver_params();
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		_species_steps.push_back(_clock.repeat(species->get_solver(field)));
+	}
+	return _species_steps;
+}
+
+// Up to here the blades of every species are calm, J/kg.
+double GrassField::calm_energy() const {
+	const double distance = 1e-3 * param(PARAM_SLEEP_MOTION);
+	const SolverParams field = solver_params();
+	double energy = _species.empty() ? field.energy_within(distance) : std::numeric_limits<double>::max();
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		energy = std::min(energy, species->get_solver(field).energy_within(distance));
+	}
+	return energy;
+}
+
+// Only where there are species.
+std::array<float, GRASS_MAX_SPECIES> GrassField::shares_at(const Eigen::Vector2f &p_place) const {
+	return _setup.species->get_shares_at(p_place, _field_map ? &_field_map->get_layers() : nullptr);
+}
+
+// Of the grass around a place, metres, without clump and map.
+double GrassField::mean_height_at(const Eigen::Vector3d &p_place) const {
+	if (!_setup.species) {
+		return _setup.patch->mean_height;
+	}
+	const auto shares = shares_at({ float(p_place.x()), float(p_place.z()) });
+	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+	double height = 0.0;
+	for (size_t s = 0; s < patches.size(); s++) {
+		height += double(shares[s] * patches[s]->mean_height);
+	}
+	return height;
+}
+
+RecoveryRates GrassField::recovery_rates() const {
+	RecoveryRates rates;
+	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
+	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
+	const std::vector<Ref<GrassSpecies>> species = used_species();
+	for (size_t s = 0; s < species.size(); s++) {
+		rates.wear[s] = species[s]->get_wear_recovery() / 60.0;
+	}
+	return rates;
+}
+
+void GrassField::set_species_uniforms() {
+	if (!_setup.species) {
+		return;
+	}
+	PackedInt32Array records;
+	for (const SpeciesRecord &record : _setup.species->get_records()) {
+		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
+			records.push_back(value);
+		}
+	}
+	records.resize(4 * GRASS_MAX_SPECIES);
+	_backend->set_uniform("species_count", _setup.species->get_count());
+	_backend->set_uniform("species_mix", records);
+	_backend->set_uniform("species_texel", _setup.species->get_texel_units());
+	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
+	std::vector<SpeciesLook> looks;
+	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		SpeciesLook look = species->get_look();
+		const float own = patches[looks.size()]->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
+		const float alone = float(species->get_mix().stand_strength);
+		look.canopy_alone = std::max(own, 0.01f);
+		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
+		looks.push_back(look);
+	}
+	_backend->set_uniform("species_look", make_look_texture(looks));
+}
+
+void GrassField::warn_of_species(PackedStringArray &r_warnings) const {
+	if (_species.empty()) {
+		return;
+	}
+	if (_species.size() > GRASS_MAX_SPECIES) {
+		r_warnings.push_back(
+				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
+	}
+	if (_patch.is_valid()) {
+		r_warnings.push_back("`patch` is not used while `species` has entries. Give it to one of the species, or empty one of the two.");
+	}
+	for (size_t i = 0; i < std::min<size_t>(_species.size(), GRASS_MAX_SPECIES); i++) {
+		if (_species[i].is_null()) {
+			r_warnings.push_back(
+					vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
+		} else if (_species[i]->find_patch()->is_empty()) {
+			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _species[i]->find_patch()->empty_because));
+		}
+	}
+}
+
+int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {
+	ERR_FAIL_COND_V_MSG(!_backend, 0, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	ERR_FAIL_COND_V_MSG(
+			!_setup.grid.has_tile(p_tile.x, p_tile.y), 0, message("there is no such tile. get_tiles() tells how many there are."));
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), 0, message("a tile has 64 blades, 0 to 63."));
+	return _blades.get_pose(p_tile.x, p_tile.y, int(p_blade)).species;
+}
+
+} // namespace grass

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_fill_rule.h"
+
+#include "convert.h"
+#include "nodes/params.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+GrassFillRule::GrassFillRule() {
+	_groups[GROUP_EXCLUSION] = "grass_exclusion";
+}
+
+void GrassFillRule::set_seed(int64_t p_seed) {
+	_rule.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassFillRule"));
+	emit_changed();
+}
+
+void GrassFillRule::set_param(int p_param, double p_value) {
+	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
+	_rule.params[size_t(p_param)] = checked(FILL_PARAMS[size_t(p_param)], p_value, "GrassFillRule");
+	emit_changed();
+}
+
+double GrassFillRule::get_param(int p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(FILL_PARAM_COUNT), 0.0);
+	return _rule.params[size_t(p_param)];
+}
+
+void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
+	const Callable changed = callable_mp(this, &GrassFillRule::_mask_changed);
+	if (_mask.is_valid()) {
+		_mask->disconnect("changed", changed);
+	}
+	_mask = p_mask;
+	if (_mask.is_valid()) {
+		_mask->connect("changed", changed);
+	}
+	_mask_changed();
+}
+
+void GrassFillRule::_mask_changed() {
+	_picture.reset();
+	emit_changed();
+}
+
+void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
+	ERR_FAIL_INDEX_MSG(int(p_channel), 4, "GrassFillRule: `mask_channel` is one of the MASK_* constants.");
+	_mask_channel = p_channel;
+	_mask_changed();
+}
+
+void GrassFillRule::set_mask_invert(bool p_invert) {
+	_rule.inverts_mask = p_invert;
+	emit_changed();
+}
+
+void GrassFillRule::set_mask_region(const Rect2 &p_region) {
+	ERR_FAIL_COND_MSG(!p_region.is_finite(), "GrassFillRule: `mask_region` must be of finite numbers.");
+	_mask_region = p_region.abs();
+	emit_changed();
+}
+
+void GrassFillRule::set_group(int p_group, const StringName &p_name) {
+	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
+	_groups[size_t(p_group)] = p_name;
+	emit_changed();
+}
+
+StringName GrassFillRule::get_group(int p_group) const {
+	ERR_FAIL_INDEX_V(p_group, int(GROUP_COUNT), StringName());
+	return _groups[size_t(p_group)];
+}
+
+// Null where there is no picture: a NoiseTexture2D still makes its own, and tells when it is done.
+std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
+	Ref<Image> image = _mask->get_image();
+	if (image.is_null() || image->is_empty()) {
+		return nullptr;
+	}
+	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, nullptr,
+			vformat("GrassFillRule: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.",
+					_mask->get_path()));
+	image->convert(Image::FORMAT_RGBA8);
+	const PackedByteArray bytes = image->get_data();
+	FillMask mask;
+	mask.width = int(image->get_width());
+	mask.height = int(image->get_height());
+	mask.texels.resize(size_t(mask.width) * size_t(mask.height));
+	for (size_t texel = 0; texel < mask.texels.size(); texel++) { // smaller versions may follow
+		mask.texels[texel] = bytes.ptr()[texel * 4 + size_t(_mask_channel)];
+	}
+	return std::make_shared<const FillMask>(std::move(mask));
+}
+
+FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
+	FillRule rule = _rule;
+	if (_mask.is_valid()) {
+		if (!_picture) {
+			_picture = read_mask();
+		}
+		rule.has_mask = true;
+		rule.mask = _picture;
+		const bool is_everywhere = !_mask_region.has_area();
+		rule.mask_min = is_everywhere ? p_region.min : to_eigen(_mask_region.position);
+		rule.mask_max = is_everywhere ? p_region.max : to_eigen(_mask_region.get_end());
+	}
+	return rule;
+}
+
+void GrassFillRule::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassFillRule::set_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassFillRule::get_param);
+	ClassDB::bind_method(D_METHOD("_set_group", "group", "name"), &GrassFillRule::set_group);
+	ClassDB::bind_method(D_METHOD("_get_group", "group"), &GrassFillRule::get_group);
+#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
+	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassFillRule::m_setter);                                                          \
+	ClassDB::bind_method(D_METHOD(#m_getter), &GrassFillRule::m_getter);                                                                   \
+	ADD_PROPERTY(m_info, #m_setter, #m_getter)
+	const auto add_numbers = [](int p_first, int p_last) {
+		for (int param = p_first; param <= p_last; param++) {
+			ClassDB::add_property("GrassFillRule", property_of(FILL_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
+		}
+	};
+	const auto add_group = [](const char *p_name, Group p_group) {
+		ClassDB::add_property("GrassFillRule", PropertyInfo(Variant::STRING_NAME, p_name), "_set_group", "_get_group", p_group);
+	};
+
+	add_numbers(FILL_DENSITY, FILL_DENSITY);
+	ADD_GROUP("Ground", "");
+	add_numbers(FILL_SLOPE_MIN, FILL_HEIGHT_FADE);
+	ADD_GROUP("Noise", "");
+	add_numbers(FILL_NOISE_COVER, FILL_NOISE_FADE);
+	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
+	ADD_GROUP("Mask", "");
+	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "mask", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_mask, get_mask);
+	BIND_PROPERTY(
+			PropertyInfo(Variant::INT, "mask_channel", PROPERTY_HINT_ENUM, "Red,Green,Blue,Alpha"), set_mask_channel, get_mask_channel);
+	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "mask_invert"), set_mask_invert, is_mask_inverted);
+	BIND_PROPERTY(PropertyInfo(Variant::RECT2, "mask_region", PROPERTY_HINT_NONE, "suffix:m"), set_mask_region, get_mask_region);
+	add_group("mask_group", GROUP_MASK);
+	ADD_GROUP("Distance", "");
+	add_group("distance_group", GROUP_DISTANCE);
+	add_numbers(FILL_DISTANCE, FILL_DISTANCE_FADE);
+	ADD_GROUP("Exclusion", "");
+	add_group("exclusion_group", GROUP_EXCLUSION);
+	add_numbers(FILL_EXCLUSION_HEIGHT, FILL_EXCLUSION_FADE);
+#undef BIND_PROPERTY
+
+	BIND_ENUM_CONSTANT(MASK_RED);
+	BIND_ENUM_CONSTANT(MASK_GREEN);
+	BIND_ENUM_CONSTANT(MASK_BLUE);
+	BIND_ENUM_CONSTANT(MASK_ALPHA);
+}
+
+} // namespace grass

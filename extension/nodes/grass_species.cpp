@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/grass_species.h"
+
+#include "nodes/params.h"
+
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+GrassSpecies::GrassSpecies() {
+	for (size_t i = 0; i < _params.size(); i++) {
+		_params[i] = SPECIES_PARAMS[i].initial;
+	}
+	for (size_t i = 0; i < _colors.size(); i++) {
+		_colors[i] = Color(SPECIES_COLORS[i].red, SPECIES_COLORS[i].green, SPECIES_COLORS[i].blue);
+	}
+}
+
+// What changes in a part changes in the species.
+void GrassSpecies::swap_part(const Ref<Resource> &p_old, const Ref<Resource> &p_new) {
+	const Callable changed = callable_mp(this, &GrassSpecies::_part_changed);
+	if (p_old.is_valid()) {
+		p_old->disconnect("changed", changed);
+	}
+	if (p_new.is_valid()) {
+		p_new->connect("changed", changed);
+	}
+}
+
+void GrassSpecies::set_patch(const Ref<GrassPatch> &p_patch) {
+	swap_part(_patch, p_patch);
+	_patch = p_patch;
+	emit_changed();
+}
+
+void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
+	swap_part(_gradient, p_gradient);
+	_gradient = p_gradient;
+	emit_changed();
+}
+
+void GrassSpecies::set_param(int p_param, double p_value) {
+	ERR_FAIL_INDEX(p_param, int(SPECIES_PARAM_COUNT));
+	_params[size_t(p_param)] = checked(SPECIES_PARAMS[size_t(p_param)], p_value, "GrassSpecies");
+	emit_changed();
+}
+
+double GrassSpecies::get_param(int p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(SPECIES_PARAM_COUNT), 0.0);
+	return _params[size_t(p_param)];
+}
+
+void GrassSpecies::set_color(int p_index, const Color &p_color) {
+	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
+	_colors[size_t(p_index)] = p_color;
+	emit_changed();
+}
+
+Color GrassSpecies::get_color(int p_index) const {
+	ERR_FAIL_INDEX_V(p_index, int(SPECIES_COLOR_COUNT), Color());
+	return _colors[size_t(p_index)];
+}
+
+std::shared_ptr<const Patch> GrassSpecies::find_patch() const {
+	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
+}
+
+SpeciesParams GrassSpecies::get_mix() const {
+	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH) };
+}
+
+SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
+	SolverParams params = p_field;
+	params.natural_frequency = param(SPECIES_PARAM_NATURAL_FREQUENCY);
+	params.damping_ratio = param(SPECIES_PARAM_DAMPING_RATIO);
+	return params;
+}
+
+SpeciesLook GrassSpecies::get_look() const {
+	SpeciesLook look;
+	const Color root = _colors[SPECIES_ROOT_COLOR].srgb_to_linear(), tip = _colors[SPECIES_TIP_COLOR].srgb_to_linear();
+	for (size_t i = 0; i < look.colors.size(); i++) {
+		const float along = float(i) / float(look.colors.size() - 1);
+		look.colors[i] = _gradient.is_valid() ? const_cast<Gradient *>(_gradient.ptr())->sample(along).srgb_to_linear()
+											  : root.lerp(tip, along * along * (3.0f - 2.0f * along));
+	}
+	look.dry_color = _colors[SPECIES_DRY_COLOR].srgb_to_linear();
+	look.dry = float(param(SPECIES_PARAM_DRY));
+	return look;
+}
+
+void GrassSpecies::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassSpecies::set_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassSpecies::get_param);
+	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassSpecies::set_color);
+	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassSpecies::get_color);
+	ClassDB::bind_method(D_METHOD("set_patch", "patch"), &GrassSpecies::set_patch);
+	ClassDB::bind_method(D_METHOD("get_patch"), &GrassSpecies::get_patch);
+	ClassDB::bind_method(D_METHOD("set_gradient", "gradient"), &GrassSpecies::set_gradient);
+	ClassDB::bind_method(D_METHOD("get_gradient"), &GrassSpecies::get_gradient);
+
+	const auto add_numbers = [](int p_first, int p_last) {
+		for (int param = p_first; param <= p_last; param++) {
+			ClassDB::add_property("GrassSpecies", property_of(SPECIES_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
+		}
+	};
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), "set_patch", "get_patch");
+	ADD_GROUP("Mix", "");
+	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_STAND_STRENGTH);
+	ADD_GROUP("Simulation", "");
+	add_numbers(SPECIES_PARAM_NATURAL_FREQUENCY, SPECIES_PARAM_DAMPING_RATIO);
+	ADD_GROUP("Map", "");
+	add_numbers(SPECIES_PARAM_WEAR_RECOVERY, SPECIES_PARAM_WEAR_RECOVERY);
+	ADD_GROUP("Look", "");
+	for (int i = 0; i < SPECIES_COLOR_COUNT; i++) {
+		ClassDB::add_property("GrassSpecies", PropertyInfo(Variant::COLOR, SPECIES_COLORS[size_t(i)].name, PROPERTY_HINT_COLOR_NO_ALPHA),
+				"_set_color", "_get_color", i);
+	}
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "gradient", PROPERTY_HINT_RESOURCE_TYPE, "Gradient"), "set_gradient", "get_gradient");
+	add_numbers(SPECIES_PARAM_DRY, SPECIES_PARAM_DRY);
+}
+
+} // namespace grass

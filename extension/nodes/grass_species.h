@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// GrassSpecies: one of the kinds of plants that a GrassField mixes. Properties only.
+#pragma once
+
+#include "draw/species_look.h"
+#include "nodes/grass_patch.h"
+#include "nodes/species_params.h"
+
+#include <godot_cpp/classes/gradient.hpp>
+#include <godot_cpp/classes/resource.hpp>
+
+namespace grass {
+
+class GrassSpecies : public godot::Resource {
+	GDCLASS(GrassSpecies, godot::Resource)
+
+public:
+	GrassSpecies();
+
+	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
+	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	void set_gradient(const godot::Ref<godot::Gradient> &p_gradient); // null: from root_color to tip_color
+	godot::Ref<godot::Gradient> get_gradient() const { return _gradient; }
+	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
+	void set_param(int p_param, double p_value);
+	double get_param(int p_param) const;
+	void set_color(int p_index, const godot::Color &p_color);
+	godot::Color get_color(int p_index) const;
+
+	std::shared_ptr<const Patch> find_patch() const;
+	SpeciesParams get_mix() const;
+	// p_field: what is not the species' own.
+	SolverParams get_solver(const SolverParams &p_field) const;
+	SpeciesLook get_look() const; // without canopies
+	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
+
+protected:
+	static void _bind_methods();
+
+private:
+	void _part_changed() { emit_changed(); }
+	void swap_part(const godot::Ref<godot::Resource> &p_old, const godot::Ref<godot::Resource> &p_new);
+	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }
+
+	godot::Ref<GrassPatch> _patch;
+	godot::Ref<godot::Gradient> _gradient;
+	std::array<double, SPECIES_PARAM_COUNT> _params;
+	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
+};
+
+} // namespace grass

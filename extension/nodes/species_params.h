@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Every number and colour of a GrassSpecies that a user may set, in the inspector's order.
+#pragma once
+
+#include "core/map/recovery.h"
+#include "core/solver_params.h"
+#include "core/species.h"
+#include "draw/look_params.h"
+
+#include <array>
+
+namespace grass {
+
+enum SpeciesParamId {
+	SPECIES_PARAM_SHARE,
+	SPECIES_PARAM_STAND_SIZE,
+	SPECIES_PARAM_STAND_STRENGTH,
+	SPECIES_PARAM_NATURAL_FREQUENCY,
+	SPECIES_PARAM_DAMPING_RATIO,
+	SPECIES_PARAM_WEAR_RECOVERY,
+	SPECIES_PARAM_DRY,
+	SPECIES_PARAM_COUNT,
+};
+
+inline constexpr std::array<Tunable, SPECIES_PARAM_COUNT> SPECIES_PARAMS = { SPECIES_SHARE, STAND_SIZE, STAND_STRENGTH, NATURAL_FREQUENCY,
+	DAMPING_RATIO, WEAR_RECOVERY, DRY };
+
+enum SpeciesColorId { SPECIES_ROOT_COLOR, SPECIES_TIP_COLOR, SPECIES_DRY_COLOR, SPECIES_COLOR_COUNT };
+
+// A species that is left as it is looks like a field without any.
+inline constexpr std::array<NamedColor, SPECIES_COLOR_COUNT> SPECIES_COLORS = { FIELD_COLORS[0], FIELD_COLORS[1], FIELD_COLORS[3] };
+
+} // namespace grass

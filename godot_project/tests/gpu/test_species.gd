@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+## Species on the GPU: the picture shows each blade as what the simulation takes it for, and both backends agree.
+extends "res://tests/view_case.gd"
+
+const SIDE := 512 # pixels
+const SKY := Color(0.3, 0.4, 0.9) # of view_case.gd
+const PICTURES := "user://pictures/" # looked at by people
+
+
+func before() -> void:
+	open_view(Vector2i(SIDE, SIDE))
+	add_light()
+	DirAccess.make_dir_recursive_absolute(PICTURES)
+
+
+func make(share: float, color: Color, properties := {}) -> GrassSpecies:
+	var species := GrassSpecies.new()
+	species.patch = GrassPatch.new()
+	species.share = share
+	species.root_color = color
+	species.tip_color = color
+	species.dry = 0.0
+	for property: String in properties:
+		if property in species.patch:
+			species.patch.set(property, properties[property])
+		else:
+			species.set(property, properties[property])
+	return species
+
+
+## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
+func add_markers(properties := {}) -> GrassField:
+	var shape := {length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0}
+	var field := add_seen_field({
+		size = Vector2(16, 16), density = 1.0, species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
+		clump_tint = 0.0, clump_height = 0.0, clump_lean = 0.0, ground = false, root_shade = 0.0, pixels_min = 4.0, lod_far = 1000.0,
+	}.merged(properties, true))
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 16.0
+	look(Vector3(0, 5, 0), Vector3.ZERO)
+	return field
+
+
+func channel_of(color: Color) -> int:
+	return 0 if color.r > maxf(color.g, color.b) else (1 if color.g > color.b else 2)
+
+
+## Compares what every blade is drawn as with what it is simulated as; blades that another one may hide are left out.
+func check_markers(field: GrassField) -> void:
+	await drawn()
+	var image := await picture()
+	var places: Array[Vector2] = []
+	var species: Array[int] = []
+	var tiles := field.get_tiles()
+	for z in tiles.y:
+		for x in tiles.x:
+			for blade in BLADES:
+				var knots := field.get_knots(Vector2i(x, z), blade)
+				var middle := (knots[0] + knots[8]) / 2.0
+				places.append(camera.unproject_position(middle))
+				species.append(field.get_blade_species(Vector2i(x, z), blade))
+	var seen := [0, 0, 0]
+	var wrong := 0
+	for i in places.size():
+		var at := places[i]
+		if at.x < 2 or at.y < 2 or at.x > SIDE - 3 or at.y > SIDE - 3:
+			continue
+		var is_alone := true
+		for j in places.size():
+			is_alone = is_alone and (i == j or places[j].distance_squared_to(at) > 144.0)
+		if is_alone:
+			var color := image.get_pixelv(Vector2i(at))
+			if Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() < 0.1:
+				continue # seen edge on, beside its middle
+			if channel_of(color) == species[i]:
+				seen[species[i]] += 1
+			else:
+				wrong += 1
+	print("    drawn as simulated: %s blades of each species" % [seen])
+	assert_eq(wrong, 0)
+	for s in 3:
+		assert_greater(seen[s], 20)
+
+
+func test_each_blade_is_drawn_as_what_it_is_simulated_as() -> void:
+	await check_markers(add_markers())
+
+
+func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
+	var field := add_markers({map = full_map()})
+	for number in [1, 2, 3]:
+		var place := Vector3(-5 + 3.7 * number, 0, -2 + number)
+		field.paint(brush(GrassBrush.TOOL_SPECIES, 3.0, {species = number}), place, place)
+	await check_markers(field)
+
+
+func test_both_backends_simulate_species_alike() -> void:
+	var species: Array[GrassSpecies] = [
+		make(0.5, Color.RED, {length_max = 0.4, natural_frequency = 0.8}), make(0.5, Color.GREEN, {length_max = 0.8, natural_frequency = 3.0, damping_ratio = 0.2})]
+	for method: GrassField.SolverMethod in [GrassField.METHOD_DIRECT, GrassField.METHOD_PBD]:
+		var gpu := add_field({species = species, method = method})
+		var cpu := add_field({species = species, method = method, backend = GrassField.BACKEND_CPU})
+		await ticks(2)
+		if not (assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")):
+			return
+		var tile := cpu.get_tile_at(Vector3(0.2, 0, 0.2))
+		var rest := tile_knots(cpu, tile)
+		assert_eq(farthest(tile_knots(gpu, tile), rest), 0.0, "at rest")
+		var body := add_held_body(ball(0.2), Vector3(0.25, 0.9, 0.25))
+		while cpu.get_awake_tile_count() == 0 or farthest(tile_knots(cpu, tile), rest) < 0.01:
+			body.position.y -= 0.02
+			await ticks(1)
+			if not assert_greater(body.position.y, -1.0):
+				return
+		body.free()
+		var most := 0.0
+		for i in 8:
+			most = maxf(most, farthest(tile_knots(gpu, tile), tile_knots(cpu, tile)))
+			await ticks(5)
+		print("    %s: %s m apart in 40 steps" % ["direct" if method == GrassField.METHOD_DIRECT else "PBD", String.num_scientific(most)])
+		assert_less(most, 1e-3)
+		gpu.free()
+		cpu.free()
+
+
+func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
+	var field := add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 5.0,
+			species = [make(0.6, Color(0.3, 0.6, 0.2)), make(0.4, Color(0.7, 0.2, 0.2), {length_min = 0.7, length_max = 0.9})]})
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
+	await drawn()
+	var asleep := await picture()
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	add_shape(body, ball(0.05))
+	body.position = Vector3(0, 1.2, 0.5)
+	viewport.add_child(body)
+	for i in 60: # down to the tips, then away
+		body.position.y -= 0.01
+		await ticks(1)
+		if field.get_awake_tile_count() > 0:
+			break
+	body.position.y = 5.0
+	await ticks(3)
+	if not assert_greater(field.get_awake_tile_count(), 0):
+		return
+	assert_less(difference(asleep, await picture()).y, 5e-4)
+
+
+## For people: a meadow of three species on which a path of one was painted, on both backends.
+func test_a_meadow_of_three_species_looks_alike_on_both_backends() -> void:
+	viewport.size = Vector2i(960, 540)
+	var fescue := make(0.75, Color.WHITE, {root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.48, 0.6, 0.22), dry = 0.25})
+	var sorrel := make(0.15, Color.WHITE, {
+		length_min = 0.7, length_max = 0.95, width_min = 0.006, width_max = 0.01, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 2.5,
+		stand_strength = 0.8, natural_frequency = 2.0})
+	sorrel.gradient = Gradient.new()
+	sorrel.gradient.offsets = PackedFloat32Array([0.0, 0.6, 0.75, 1.0])
+	sorrel.gradient.colors = PackedColorArray([Color(0.2, 0.3, 0.1), Color(0.4, 0.45, 0.2), Color(0.55, 0.2, 0.12), Color(0.6, 0.25, 0.2)])
+	var sedge := make(0.1, Color.WHITE, {
+		root_color = Color(0.08, 0.2, 0.14), tip_color = Color(0.3, 0.5, 0.42), length_min = 0.35, length_max = 0.55, width_min = 0.015,
+		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
+	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge]})
+	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))
+	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
+	await drawn()
+	var gpu := await picture()
+	gpu.save_png(PICTURES + "species.png")
+	print("    %s" % ProjectSettings.globalize_path(PICTURES + "species.png"))
+	field.backend = GrassField.BACKEND_CPU
+	await drawn()
+	var off := difference(gpu, await picture())
+	print("    GPU against CPU backend: mean difference %.5f" % off.y)
+	assert_less(off.y, 0.003)

@@ -1,0 +1,428 @@
+# SPDX-License-Identifier: MIT
+## Fill by rule: once and live, undone, with nodes that exclude it, masks and vertex colours.
+extends "res://tests/field_case.gd"
+
+const CELLS_A_CHUNK := 128 * 128
+
+
+func _rule(properties := {}) -> GrassFillRule:
+	var rule := GrassFillRule.new()
+	for property: String in properties:
+		rule.set(property, properties[property])
+	return rule
+
+
+## A field of 4 x 4 chunks that has been filled.
+func _add_filled(rule: GrassFillRule, properties := {}) -> GrassField:
+	var field := add_field({size = Vector2(256, 256), density = 1.0, fill_rule = rule}.merged(properties))
+	await frames(2)
+	return field
+
+
+func _density(field: GrassField, x: float, z: float) -> float:
+	return field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(x, z))
+
+
+func _add_exclusion(shape: Shape3D, place: Vector3) -> GrassExclusion3D:
+	var exclusion := GrassExclusion3D.new()
+	exclusion.shape = shape
+	exclusion.fade = 0.0
+	exclusion.position = place
+	add_child(exclusion)
+	return exclusion
+
+
+func _box(size: Vector3) -> BoxShape3D:
+	var box := BoxShape3D.new()
+	box.size = size
+	return box
+
+
+## Waits until the live rule has looked at the scene and filled what changed.
+func _follow() -> void:
+	await frames(20)
+
+
+func _erase(map: GrassMap, place: Vector2, radius: float) -> void:
+	var brush := GrassBrush.new()
+	brush.tool = GrassBrush.TOOL_ERASE
+	brush.strength = 1.0
+	brush.hardness = 1.0
+	brush.radius = radius
+	map.stroke(brush, place, place)
+
+
+func test_a_map_is_filled_and_a_snapshot_undoes_it() -> void:
+	var map := GrassMap.new()
+	var changes: Array = []
+	map.chunks_changed.connect(func(chunks: Array[Vector2i], region: Rect2) -> void: changes.append([chunks, region]))
+	var before := map.take_snapshot()
+	var data := map.get_data()
+	assert_near(map.fill(_rule({density = 0.5}), Rect2(-10, -20, 40, 30)), 600.0, 3.0)
+	assert_eq(changes.size(), 1)
+	assert_eq(changes[0][0], [Vector2i(-1, -1), Vector2i(-1, 0), Vector2i(0, -1), Vector2i(0, 0)] as Array[Vector2i])
+	assert_eq(changes[0][1], Rect2(-10, -20, 40, 30))
+	var filled := map.get_data()
+	map.restore_snapshot(before)
+	assert_eq(map.get_data(), data)
+	assert_near(map.fill(_rule({density = 0.5}), Rect2(-10, -20, 40, 30)), 600.0, 3.0)
+	assert_eq(map.get_data(), filled, "the same again")
+	assert_near(map.fill(null, Rect2(-10, -20, 40, 30)), -600.0, 3.0)
+	assert_eq(map.get_data(), data)
+
+
+func test_slope_and_height_are_those_of_the_ground() -> void:
+	var heights := Image.create_empty(64, 1, false, Image.FORMAT_RF)
+	for i in 64: # level up to x = 0, then a slope of 45 degrees
+		heights.set_pixel(i, 0, Color(maxf(0.0, i - 31.5), 0, 0))
+	var map := GrassMap.new()
+	assert_true(map.set_ground(heights, Rect2(-32, -32, 64, 64)))
+	map.fill(_rule({slope_max = 30.0}), Rect2(-30, -30, 60, 60))
+	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-10, 0)), 1.0)
+	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(10, 0)), 0.0)
+	map.fill(_rule({height_min = 5.0, height_fade = 0.0}), Rect2(-30, -30, 60, 60))
+	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-10, 0)), 0.0)
+	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(3, 0)), 0.0)
+	assert_eq(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(8, 0)), 1.0)
+
+
+func test_a_field_is_full_when_it_comes_into_the_tree() -> void:
+	var finished := [0]
+	var field := GrassField.new()
+	field.name = "Meadow"
+	field.size = Vector2(256, 256)
+	field.density = 1.0
+	field.fill_rule = _rule({density = 0.75})
+	field.fill_finished.connect(func() -> void: finished[0] += 1)
+	add_child(field)
+	await frames(1)
+	assert_eq(finished[0], 1)
+	assert_eq(field.get_statistics().fill_cells, 16 * CELLS_A_CHUNK)
+	assert_eq(field.get_statistics().fill_waiting, 0)
+	assert_near(field.density_at(Vector3(100, 0, -100)), 0.75, 0.01)
+	await _follow()
+	assert_eq(field.get_statistics().fill_cells, 16 * CELLS_A_CHUNK, "nothing changed, nothing done")
+
+
+func test_a_live_rule_is_followed_a_few_chunks_a_frame() -> void:
+	var rule := _rule({density = 0.75})
+	var field := await _add_filled(rule)
+	var cells: int = field.get_statistics().fill_cells
+	var finished := [0]
+	field.fill_finished.connect(func() -> void: finished[0] += 1)
+	rule.density = 0.25
+	rule.density = 0.5
+	await frames(1)
+	for n in 10:
+		var done: int = field.get_statistics().fill_cells - cells
+		assert_eq(done, mini((n + 1) * 4, 16) * CELLS_A_CHUNK)
+		await frames(1)
+	assert_eq(finished[0], 1)
+	assert_near(_density(field, 100, 100), 0.5, 0.01)
+	field.fill_rule = null
+	assert_eq(_density(field, 100, 100), 1.0, "the field's map is full where no rule fills it")
+	field.fill_rule = rule
+	await frames(2)
+	assert_near(_density(field, 100, 100), 0.5, 0.01)
+
+
+func test_paint_stays_whatever_the_rule_says() -> void:
+	var rule := _rule({noise_cover = 0.6, seed = 3})
+	var field := await _add_filled(rule)
+	_erase(field.map, Vector2(20, 20), 6.0)
+	var painted := field.map.get_data()
+	rule.noise_cover = 1.0
+	await _follow()
+	assert_eq(_density(field, 20, 20), 0.0)
+	assert_eq(_density(field, 40, 40), 1.0)
+	rule.noise_cover = 0.6
+	await _follow()
+	assert_eq(field.map.get_data(), painted)
+	field.fill_rule = null
+	assert_eq(_density(field, 20, 20), 0.0)
+
+
+func test_strokes_and_cuts_fill_nothing_again_but_snapshots_do() -> void:
+	var rule := _rule()
+	var field := await _add_filled(rule)
+	var full := field.map.take_snapshot()
+	var cells: int = field.get_statistics().fill_cells
+	_erase(field.map, Vector2(20, 20), 6.0)
+	field.trample(Vector3(-20, 0, 20), 2.0, 1.0)
+	await _follow()
+	assert_eq(field.get_statistics().fill_cells, cells)
+	rule.density = 0.5
+	await _follow()
+	cells = field.get_statistics().fill_cells
+	field.map.restore_snapshot(full)
+	assert_eq(_density(field, 100, 100), 1.0)
+	await _follow()
+	assert_near(_density(field, 100, 100), 0.5, 0.01, "the rule of now fills the map of then")
+	assert_near(_density(field, 20, 20), 0.5, 0.01, "the stroke is undone")
+	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
+
+
+func test_the_maps_base_density_shows_only_where_no_rule_fills() -> void:
+	var rule := _rule()
+	var field := await _add_filled(rule)
+	assert_true(field.map.is_empty(), "full as the map is by itself")
+	field.map.base_density = 0.0
+	await _follow()
+	assert_eq(_density(field, 100, 100), 1.0)
+	assert_eq(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(200, 0)), 0.0)
+
+
+func test_another_rule_does_not_make_the_field_anew() -> void:
+	var field := await _add_filled(_rule())
+	var builds: int = field.get_statistics().builds
+	field.fill_rule = _rule({density = 0.5})
+	await _follow()
+	field.fill_rule = null
+	field.fill_rule = _rule({density = 0.25})
+	await _follow()
+	assert_near(_density(field, 100, 100), 0.25, 0.01)
+	assert_eq(field.get_statistics().builds, builds)
+
+
+func test_new_ground_is_filled_anew() -> void:
+	var rule := _rule({height_max = 2.0, height_fade = 0.0})
+	expect_error("the map knows no ground")
+	var field := await _add_filled(rule)
+	assert_eq(_density(field, 20, 20), 1.0)
+	var hill := Image.create_empty(8, 8, false, Image.FORMAT_RF)
+	hill.fill(Color(5, 0, 0))
+	field.map.set_ground(hill, Rect2(10, 10, 20, 20))
+	await _follow()
+	assert_eq(_density(field, 20, 20), 0.0)
+	assert_eq(_density(field, 50, 20), 1.0)
+
+
+func test_an_exclusion_node_that_moves_is_followed_where_it_was_and_is() -> void:
+	var exclusion := _add_exclusion(_box(Vector3(8, 2, 4)), Vector3(20, 0, 20))
+	var field := await _add_filled(_rule())
+	assert_eq(_density(field, 22, 20), 0.0)
+	assert_eq(_density(field, 20, 23), 1.0)
+	var cells: int = field.get_statistics().fill_cells
+	exclusion.position = Vector3(-40, 0.5, 100)
+	exclusion.rotation.y = PI / 2
+	await frames(2)
+	assert_eq(_density(field, 22, 20), 1.0)
+	assert_eq(_density(field, -40, 103), 0.0)
+	assert_eq(_density(field, -37, 100), 1.0)
+	assert_eq(field.get_statistics().fill_cells, cells + 2 * CELLS_A_CHUNK)
+	(exclusion.shape as BoxShape3D).size = Vector3(20, 2, 4) # the shape itself
+	await frames(2)
+	assert_eq(_density(field, -40, 108), 0.0)
+	exclusion.position.y = 4.0 # a bridge
+	await frames(2)
+	assert_eq(_density(field, -40, 100), 1.0)
+	exclusion.position.y = 0.0
+	exclusion.enabled = false
+	await frames(2)
+	assert_eq(_density(field, -40, 100), 1.0)
+	exclusion.enabled = true
+	exclusion.shape = null
+	exclusion.outline = PackedVector2Array([Vector2(0, 0), Vector2(10, 0), Vector2(0, 10)])
+	await frames(2)
+	assert_eq(_density(field, -38, 98), 0.0, "turned by a quarter")
+	assert_eq(_density(field, -42, 98), 1.0)
+	exclusion.queue_free()
+	await frames(3)
+	assert_eq(_density(field, -38, 98), 1.0)
+
+
+func test_collision_shapes_of_a_group_exclude_with_all_their_kinds() -> void:
+	var house := add_body(StaticBody3D.new(), _box(Vector3(6, 3, 6)), Vector3(30, 1.5, 0)) as StaticBody3D
+	var wing := add_shape(house, SphereShape3D.new(), Transform3D(Basis(), Vector3(10, -1.5, 0)))
+	(wing.shape as SphereShape3D).radius = 3.0
+	var hull := ConvexPolygonShape3D.new()
+	hull.points = PackedVector3Array([Vector3(-2, -1, -2), Vector3(2, -1, -2), Vector3(2, -1, 2), Vector3(-2, -1, 2), Vector3(0, 3, 0)])
+	add_shape(house, hull, Transform3D(Basis(), Vector3(0, -0.5, 20)))
+	var floor_plan := ConcavePolygonShape3D.new()
+	floor_plan.set_faces(PackedVector3Array([Vector3(0, 0, 0), Vector3(8, 0, 0), Vector3(0, 0, 8)]))
+	add_shape(house, floor_plan, Transform3D(Basis(), Vector3(-50, -1.5, 0)))
+	add_shape(house, WorldBoundaryShape3D.new()) # ground: no obstacle
+	house.add_to_group(&"grass_exclusion")
+	var field := await _add_filled(_rule({exclusion_fade = 0.0}))
+	assert_eq(_density(field, 30, 0), 0.0, "box")
+	assert_eq(_density(field, 30, 5), 1.0)
+	assert_eq(_density(field, 40, 2), 0.0, "sphere")
+	assert_eq(_density(field, 30, 20), 0.0, "hull")
+	assert_eq(_density(field, 27, 20), 1.0)
+	assert_eq(_density(field, -18, 2), 0.0, "mesh")
+	assert_eq(_density(field, -13, 7), 1.0)
+	wing.position.x = 20.0
+	await _follow()
+	assert_eq(_density(field, 40, 2), 1.0)
+	assert_eq(_density(field, 50, 2), 0.0)
+	wing.disabled = true
+	await _follow()
+	assert_eq(_density(field, 50, 2), 1.0)
+	house.remove_from_group(&"grass_exclusion")
+	await _follow()
+	assert_eq(_density(field, 30, 0), 1.0)
+
+
+func test_a_distance_is_kept_from_nodes_and_along_paths() -> void:
+	var tree := Node3D.new()
+	tree.position = Vector3(10, 7, 10)
+	var road := Path3D.new()
+	road.curve = Curve3D.new()
+	road.curve.add_point(Vector3(-60, 0, -20))
+	road.curve.add_point(Vector3(60, 0, -20))
+	for node: Node3D in [tree, road]:
+		node.add_to_group(&"clear")
+		add_child(node)
+	var field := await _add_filled(_rule({distance_group = &"clear", distance = 3.0, distance_fade = 0.0}))
+	assert_eq(_density(field, 12, 10), 0.0)
+	assert_eq(_density(field, 14, 10), 1.0)
+	assert_eq(_density(field, 20, -18), 0.0)
+	assert_eq(_density(field, 20, -24), 1.0)
+	road.curve.set_point_position(1, Vector3(60, 0, 60))
+	await _follow()
+	assert_eq(_density(field, 55, -20), 1.0)
+	assert_eq(_density(field, 0, 20), 0.0)
+
+
+func test_places_are_the_fields_own_wherever_it_stands() -> void:
+	_add_exclusion(_box(Vector3(4, 2, 4)), Vector3(1000, 50, 0))
+	var field := await _add_filled(_rule(), {position = Vector3(1000, 50, 30), rotation = Vector3(0, PI / 2, 0)})
+	assert_eq(field.density_at(Vector3(1000, 50, 0)), 0.0)
+	assert_eq(field.density_at(Vector3(1005, 50, 0)), 1.0)
+	field.position.z = 60.0
+	await _follow()
+	assert_eq(field.density_at(Vector3(1000, 50, 0)), 0.0)
+	assert_eq(field.density_at(Vector3(1000, 50, 30)), 1.0)
+
+
+func test_a_mask_is_read_from_its_texture() -> void:
+	var image := Image.create_empty(2, 2, false, Image.FORMAT_RGBA8)
+	image.set_pixel(1, 0, Color(1, 0, 0, 0))
+	image.set_pixel(0, 1, Color(0, 0, 0, 1))
+	var mask := ImageTexture.create_from_image(image)
+	var rule := _rule({mask = mask})
+	var field := await _add_filled(rule)
+	assert_eq(_density(field, 100, -100), 1.0)
+	assert_eq(_density(field, -100, 100), 0.0)
+	rule.mask_channel = GrassFillRule.MASK_ALPHA
+	await _follow()
+	assert_eq(_density(field, 100, -100), 0.0)
+	assert_eq(_density(field, -100, 100), 1.0)
+	rule.mask_invert = true
+	rule.mask_region = Rect2(0, 0, 40, 40)
+	await _follow()
+	assert_eq(_density(field, -100, -100), 0.0)
+	assert_eq(_density(field, 5, 5), 1.0)
+	assert_eq(_density(field, 5, 35), 0.0)
+	var cells: int = field.get_statistics().fill_cells
+	mask.set_image(image) # headless, the engine keeps the old picture: only that it is read again shows
+	await _follow()
+	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
+	image.fill(Color(0, 0, 0, 0.5))
+	rule.mask = ImageTexture.create_from_image(image)
+	await _follow()
+	assert_near(_density(field, 20, 20), 0.5, 0.01)
+	var noise := NoiseTexture2D.new() # without a noise there never is a picture
+	rule.mask = noise
+	await _follow()
+	assert_eq(_density(field, 20, 20), 0.0)
+
+
+func _colored_quad(left: Color, right: Color, size: float) -> ArrayMesh:
+	var arrays := []
+	arrays.resize(Mesh.ARRAY_MAX)
+	var half := size / 2
+	arrays[Mesh.ARRAY_VERTEX] = PackedVector3Array(
+			[Vector3(-half, 0, -half), Vector3(half, 0, -half), Vector3(half, 0, half), Vector3(-half, 0, half)])
+	arrays[Mesh.ARRAY_COLOR] = PackedColorArray([left, right, right, left])
+	arrays[Mesh.ARRAY_INDEX] = PackedInt32Array([0, 1, 2, 0, 2, 3])
+	var mesh := ArrayMesh.new()
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	return mesh
+
+
+func test_the_red_of_a_mesh_says_where_grass_grows() -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = _colored_quad(Color.BLACK, Color.RED, 60.0)
+	ground.add_to_group(&"meadow")
+	add_child(ground)
+	var field := await _add_filled(_rule({mask_group = &"meadow"}))
+	assert_near(_density(field, 15, 0), 0.75, 0.01)
+	assert_near(_density(field, -28, 10), 1.0 / 30.0, 0.01)
+	assert_eq(_density(field, 40, 0), 0.0)
+	ground.position.x = 100.0
+	await _follow()
+	assert_eq(_density(field, 15, 0), 0.0)
+	assert_near(_density(field, 115, 0), 0.75, 0.01)
+	var plane := PlaneMesh.new() # without colours: all of it
+	plane.size = Vector2(20, 20)
+	ground.mesh = plane
+	await _follow()
+	assert_eq(_density(field, 105, 5), 1.0)
+	assert_eq(_density(field, 115, 0), 0.0)
+
+
+func test_fill_once_does_not_follow() -> void:
+	var rule := _rule({density = 0.5})
+	var field := add_field({size = Vector2(100, 100), fill_live = false, fill_rule = rule})
+	await _follow()
+	assert_true(field.map == null, "not asked to")
+	assert_near(field.fill(rule), -5000.0, 30.0, "it was full")
+	assert_near(_density(field, 40, 0), 0.5, 0.01)
+	rule.density = 0.25
+	await _follow()
+	assert_near(_density(field, 40, 0), 0.5, 0.01)
+	field.fill_rule = null
+	assert_near(_density(field, 40, 0), 0.5, 0.01, "what is filled stays")
+	field.fill_rule = rule
+	field.fill_live = true
+	await frames(2)
+	assert_near(_density(field, 40, 0), 0.25, 0.01)
+	expect_error("fill() while `fill_rule` is live")
+	field.fill(_rule())
+
+
+func test_two_fields_of_one_rule_and_a_new_map() -> void:
+	var rule := _rule({noise_cover = 0.5})
+	var one := await _add_filled(rule)
+	var other := await _add_filled(rule, {position = Vector3(500, 0, 0)})
+	assert_eq(one.map.get_data(), other.map.get_data())
+	one.map = GrassMap.new()
+	await frames(2)
+	assert_eq(one.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(200, 0)), 0.0, "beside the field the new map is bare")
+	for n in 50:
+		assert_eq(_density(one, n * 2.0, 3.0), _density(other, n * 2.0, 3.0))
+	rule.noise_cover = 0.0
+	await _follow()
+	assert_eq(_density(one, 3, 3), 0.0)
+	assert_eq(_density(other, 3, 3), 0.0)
+
+
+func test_rules_are_saved_with_their_properties() -> void:
+	var rule := _rule({slope_max = 33.0, noise_cover = 0.4, seed = 9, mask_group = &"meadow", mask_region = Rect2(1, 2, 3, 4)})
+	assert_eq(ResourceSaver.save(rule, "user://rule.tres"), OK)
+	var loaded := ResourceLoader.load("user://rule.tres", "", ResourceLoader.CACHE_MODE_IGNORE) as GrassFillRule
+	for property: String in ["slope_max", "noise_cover", "seed", "mask_group", "mask_region", "exclusion_group"]:
+		assert_eq(loaded.get(property), rule.get(property), property)
+	DirAccess.remove_absolute("user://rule.tres")
+
+
+func test_bad_values_are_refused_or_clamped() -> void:
+	var rule := GrassFillRule.new()
+	expect_error("GrassFillRule: `slope_max` cannot be 400")
+	rule.slope_max = 400.0
+	assert_eq(rule.slope_max, 90.0)
+	rule.density = NAN
+	assert_eq(rule.density, 1.0)
+	expect_error("`mask_region` must be of finite numbers")
+	rule.mask_region = Rect2(NAN, 0, 1, 1)
+	assert_eq(rule.mask_region, Rect2())
+	expect_error("fill() needs a region")
+	assert_eq(GrassMap.new().fill(rule, Rect2(0, 0, INF, 4)), 0.0)
+	expect_error("fill() needs a GrassFillRule")
+	assert_eq(add_field().fill(null), 0.0)
+	expect_error("`outline` must be of finite numbers")
+	var exclusion := GrassExclusion3D.new()
+	exclusion.outline = PackedVector2Array([Vector2(NAN, 0)])
+	assert_true(exclusion.outline.is_empty())
+	exclusion.free()

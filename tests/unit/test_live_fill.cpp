@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// What is filled again when something changes, counted in cells.
+#include "core/map/brush.h"
+#include "core/map/live_fill.h"
+
+#include <doctest/doctest.h>
+
+using namespace grass;
+
+namespace {
+
+constexpr int64_t CHUNK = 128 * 128; // cells
+const MapRegion AREA{ { -256.0, -256.0 }, { 256.0, 256.0 } }; // 64 chunks
+
+std::shared_ptr<const FillObstacle> tree_at(double p_x, double p_z) {
+	FillObstacle tree = FillObstacle::line({ { p_x, p_z } });
+	tree.set_clearance(2.0, 1.0);
+	return std::make_shared<const FillObstacle>(tree);
+}
+
+double density_at(const PaintMap &p_map, double p_x, double p_z) {
+	return p_map.sample(MAP_DENSITY, 0, { p_x, p_z });
+}
+
+struct Scene {
+	PaintMap map;
+	LiveFill live;
+	FillRule rule;
+	FillSources sources;
+
+	FillResult refill(int p_count = -1) {
+		live.set(rule, sources, AREA);
+		return live.work(map, p_count);
+	}
+};
+
+} // namespace
+
+TEST_CASE("live_fill: fills once, and then nothing as long as nothing changes") {
+	Scene scene;
+	CHECK_FALSE(scene.live.is_set());
+	CHECK(scene.refill().cells == 64 * CHUNK);
+	CHECK(scene.refill().cells == 0);
+	scene.rule.params[FILL_DENSITY] = 0.5;
+	const FillResult result = scene.refill();
+	CHECK(result.cells == 64 * CHUNK);
+	CHECK(result.changed.size() == 64);
+	CHECK(scene.refill().cells == 0);
+}
+
+TEST_CASE("live_fill: work is done in portions, and each portion comes once") {
+	Scene scene;
+	scene.live.set(scene.rule, scene.sources, AREA);
+	size_t changed = 0;
+	int portions = 0;
+	while (scene.live.get_waiting() > 0) {
+		const FillResult result = scene.live.work(scene.map, 5);
+		CHECK(result.cells <= 5 * CHUNK);
+		changed += result.changed.size();
+		portions++;
+	}
+	CHECK(changed == 64);
+	CHECK(portions == 13);
+	scene.rule.params[FILL_DENSITY] = 0.5;
+	scene.refill(5);
+	scene.rule.params[FILL_DENSITY] = 0.25; // before the portions are done: all anew, with the last rule only
+	CHECK(scene.refill().cells == 64 * CHUNK);
+	CHECK(density_at(scene.map, -200.0, -200.0) == doctest::Approx(0.25).epsilon(0.01));
+}
+
+TEST_CASE("live_fill: an obstacle that moves concerns the chunks that it leaves and comes to") {
+	Scene scene;
+	const auto still = tree_at(-100.0, -100.0);
+	scene.sources.obstacles = { still, tree_at(10.0, 10.0) };
+	scene.refill();
+	CHECK(density_at(scene.map, 10.0, 10.0) == 0.0);
+	scene.sources.obstacles[1] = tree_at(150.0, 20.0);
+	CHECK(scene.refill().cells == 2 * CHUNK);
+	CHECK(density_at(scene.map, 10.0, 10.0) == 1.0);
+	CHECK(density_at(scene.map, 150.0, 20.0) == 0.0);
+	scene.sources.obstacles[1] = tree_at(5000.0, 20.0); // out of the field
+	CHECK(scene.refill().cells == CHUNK);
+	scene.sources.obstacles = { still };
+	CHECK(scene.refill().cells == 0);
+	scene.sources.has_mesh = true;
+	CHECK(scene.refill().cells == 64 * CHUNK);
+	CHECK(density_at(scene.map, 0.0, 0.0) == 0.0);
+}
+
+TEST_CASE("live_fill: strokes fill nothing again; new ground does where the rule asks for it") {
+	Scene scene;
+	scene.rule.params[FILL_SLOPE_MAX] = 30.0;
+	scene.refill();
+	Brush brush;
+	brush.tool = MapTool::ERASE;
+	const BrushResult stroke = apply_brush(scene.map, MapShape::stroke({ 30, 30 }, { 30, 30 }, 4.0, 1.0, Falloff::LINEAR), brush);
+	scene.live.touch(scene.map, stroke.changed, false);
+	CHECK(scene.refill().cells == 0);
+	const auto tilt = [&](int p_i, int p_j) {
+		scene.map.set_code(MAP_NORMAL, 0, p_i, p_j, info_of(MAP_NORMAL).highest);
+		const MapKey key[] = { key_of(MAP_NORMAL, p_i, p_j) };
+		scene.live.touch(scene.map, key, false);
+	};
+	tilt(70, 10);
+	CHECK(scene.refill().cells == 9 * CHUNK); // with those that the ground blends into
+	CHECK(density_at(scene.map, 70.5, 10.5) < 0.1);
+	CHECK(density_at(scene.map, 30.0, 30.0) == 0.0); // erased by hand
+	scene.rule = FillRule();
+	scene.refill();
+	tilt(70, 20);
+	CHECK(scene.refill().cells == 0);
+}
+
+TEST_CASE("live_fill: what comes from a snapshot is filled by the rule of now") {
+	Scene scene;
+	scene.refill();
+	const PaintMap before = scene.map;
+	scene.rule.params[FILL_DENSITY] = 0.5;
+	scene.refill();
+	const std::vector<MapKey> changed = scene.map.compare(before);
+	scene.map = before;
+	scene.live.touch(scene.map, changed, true);
+	CHECK(scene.refill().cells == 64 * CHUNK);
+	CHECK(density_at(scene.map, 3.0, 3.0) == doctest::Approx(0.5).epsilon(0.01));
+	const MapKey outside[] = { { 100, 100 } };
+	scene.live.touch(scene.map, outside, true);
+	CHECK(scene.live.get_waiting() == 0);
+}
+
+TEST_CASE("live_fill: without its rule the map is what it was, but for paint") {
+	Scene scene;
+	scene.refill();
+	Brush brush;
+	apply_brush(scene.map, MapShape::stroke({ 30, 30 }, { 30, 30 }, 4.0, 1.0, Falloff::LINEAR), brush);
+	const FillResult result = scene.live.remove(scene.map);
+	CHECK(result.changed.size() == 64);
+	CHECK_FALSE(scene.live.is_set());
+	CHECK(density_at(scene.map, 30.0, 30.0) == 1.0);
+	CHECK(density_at(scene.map, 60.0, 30.0) == 0.0);
+	CHECK(scene.live.remove(scene.map).changed.empty());
+}
