@@ -36,13 +36,16 @@ struct FieldSetup {
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
 	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
 
+	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
+
 	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }
 	int shadow_capacity() const { return capacity(GRASS_MAX_SHADOW_TILES); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach. Metres.
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach; the latter two with its card.
+	// Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
-	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()); }
-	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()); }
+	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
 	// Of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 

@@ -204,7 +204,7 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 		if (!instance.is_created()) {
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
-			add_lod_surface(mesh, level, _materials.level(level));
+			add_lod_surface(mesh, level, _materials.level(level), _setup.card_size > 0.0f);
 			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()));
 		}
 		instance.follow(p_node, p_transform, level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
@@ -212,7 +212,8 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 }
 
 int64_t CpuBackend::get_memory_usage() const {
-	int64_t bytes = int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() + mesh_bytes(); // patch: here and as a texture
+	int64_t bytes = int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() +
+			mesh_bytes(_setup.card_size > 0.0f); // patch: here and as a texture
 	bytes += int64_t(_pool_texels.capacity()) * 4; // likewise
 	for (const FieldInstance &level : _levels) {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;

@@ -9,8 +9,8 @@
 namespace grass {
 
 // Added to what a joint's spring and a knot's inertia resist with, to make contact stiffer than both.
-inline constexpr float CONTACT_OVER_INERTIA = 100.0f;
-inline constexpr float CONTACT_OVER_BENDING = 8.0f;
+inline constexpr float CONTACT_OVER_INERTIA = 300.0f;
+inline constexpr float CONTACT_OVER_BENDING = 16.0f;
 // How much more a knot that sticks is held along the surface than across it: what it gives is creep.
 inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
 // Depth in skins from which on a touch is a hit, which bends the blade without caution.
@@ -20,6 +20,12 @@ inline constexpr float MOST_TWIST = 1.0f;
 // Depth of contact that a solve can take back, segment lengths: a linear model of more crumples the blade. What is deeper is
 // a blow, and what blows cannot take back is left to finish().
 inline constexpr float MOST_DEPTH = 0.5f;
+
+// What one solve found of the surfaces.
+template <class T> struct Contacts {
+	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
+	T blow; // of the deepest touch that the solve had to leave out, metres; 0: there was none
+};
 
 // An implicit step of `span` seconds from a base place and speed; the step's target is where the knots would go alone.
 template <class T> struct Stage {
@@ -117,8 +123,55 @@ template <class T> struct Beyond {
 	Vec3<T> p, q;
 	Vec3<T> pull; // sum of the inertial forces, for the tension
 	T caution; // see Stage
-	T deepest; // touch that the solve had to leave out, metres
+	Contacts<T> contacts;
 };
+
+// e x (each row), that is P E with E r = r x e.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
+	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
+		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
+}
+// E^T Q.
+template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
+	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
+}
+
+// [Eq 31] The force of a surface that gives by 1 / p_hard, at a depth below its skin.
+template <class T> GRASS_INLINE T push_at(const T &p_hard, const T &p_depth, const T &p_skin) {
+	const T in_skin = minimum(maximum(p_depth, T(0.0f)) / p_skin, T(1.0f));
+	return select(p_depth > T(0.0f), p_hard * (p_depth - p_skin * in_skin + p_skin * in_skin * in_skin * T(0.5f)), T(0.0f));
+}
+
+// [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
+// the lever moves along. p_weight: the knot's inertia.
+template <class T>
+GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
+		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending) {
+	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
+	const T depth = select(is_blow, T(0.0f), p_touch.depth);
+	r_beyond.contacts.depth = maximum(r_beyond.contacts.depth, p_touch.depth);
+	r_beyond.contacts.blow = maximum(r_beyond.contacts.blow, select(is_blow, p_touch.depth, T(0.0f)));
+	const T hard = p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED));
+	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
+	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
+	const T stiffness = hard * in_skin;
+	const T push = push_at(hard, depth, skin);
+	const T held = select(is_blow, T(0.0f), minimum(p_touch.held, depth));
+	const T grip = minimum(
+			hard * T(FRICTION_OVER_CONTACT), p_touch.friction * push_at(hard, held, skin) / maximum(length(p_touch.slip), T(1e-12f)));
+	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
+	const Vec3<T> force = p_touch.normal * push - p_touch.slip * grip;
+	Symmetric<T> P;
+	add_outer(P, p_touch.normal, stiffness - grip);
+	add_identity(P, grip);
+	r_beyond.p = r_beyond.p + force;
+	add(r_beyond.P, P);
+	const Rows<T> Q = crossed(p_lever, P);
+	r_beyond.Q = { r_beyond.Q.x + Q.x, r_beyond.Q.y + Q.y, r_beyond.Q.z + Q.z };
+	const Rows<T> S = crossed(p_lever, Q);
+	add(r_beyond.S, Symmetric<T>{ S.x.x, S.y.y, S.z.z, S.y.x, S.x.z, S.y.z });
+	r_beyond.q = r_beyond.q + cross(p_lever, force);
+}
 
 // [Eq 26] A knot's inertia, and what touches it.
 template <class T>
@@ -129,35 +182,34 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	r_beyond.pull = r_beyond.pull + force;
 	r_beyond.p = r_beyond.p + force;
 	add_identity(r_beyond.P, weight);
+	const Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	if (any(ground.depth > T(0.0f))) {
+		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+	}
 	const Touch<T> touch = find_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}
-	const T l = p_blade.lengths[p_knot - 1];
-	const auto is_blow = touch.depth > p_chain.mean_length * T(MOST_DEPTH);
-	const T depth = select(is_blow, T(0.0f), touch.depth);
-	r_beyond.deepest = maximum(r_beyond.deepest, select(is_blow, touch.depth, T(0.0f)));
-	const T hard = weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(l * l, T(TINY_SQUARED));
-	const T skin = maximum(l * T(SKIN), T(1e-12f));
-	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
-	const T stiffness = hard * in_skin;
-	const T push = select(depth > T(0.0f), hard * (depth - skin * in_skin + skin * in_skin * in_skin * T(0.5f)), T(0.0f));
-	const T slipped = length(touch.slip);
-	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), touch.friction * push / maximum(slipped, T(1e-12f)));
-	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
-	r_beyond.p = r_beyond.p + touch.normal * push - touch.slip * grip;
-	add_outer(r_beyond.P, touch.normal, stiffness - grip);
-	add_identity(r_beyond.P, grip);
+	add_touch(r_beyond, touch, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
 }
 
-// e x (each row), that is P E with E r = r x e.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
-	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
-		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
-}
-// E^T Q.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
-	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
+// What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former.
+template <class T>
+GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
+		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+	if (p_terms.colliders.empty()) {
+		return;
+	}
+	const bool is_first = p_knot == GRASS_CLAMPED_KNOTS;
+	T share(0.0f);
+	const Vec3<T> &from = is_first ? p_blade.rest[p_knot - 1] : p_stage.base[p_knot - 1];
+	const Touch<T> touch =
+			apart([&]() GRASS_APART { return find_edge_touch(p_blade, p_terms, from, p_stage.base[p_knot], p_knot, share); });
+	if (!any(touch.depth > T(0.0f))) {
+		return;
+	}
+	add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, p_blade.lengths[p_knot - 1],
+			knot_mass(p_blade, p_knot, p_chain) * p_stage.weight, p_bending);
 }
 
 // [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
@@ -206,10 +258,9 @@ GRASS_INLINE void eliminate_joint(Beyond<T> &r_beyond, JointGain<T> &r_gain, con
 	r_gain = { turn, spring, G };
 }
 
-// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move. Returns the depth (metres) of a touch that
-// is a blow, which the solve leaves out; 0: there was none.
+// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
 template <class T, class Mask>
-GRASS_INLINE T solve_chain(
+GRASS_INLINE Contacts<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, gains);
@@ -219,6 +270,7 @@ GRASS_INLINE T solve_chain(
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
+		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
 		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};
@@ -239,7 +291,7 @@ GRASS_INLINE T solve_chain(
 		parent = knot;
 		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
 	}
-	return beyond.deepest;
+	return beyond.contacts;
 }
 
 } // namespace grass

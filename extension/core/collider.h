@@ -32,6 +32,7 @@ struct TileCollider {
 	float friction = 0.0f;
 	float bound = 0.0f; // radius about the centre, metres
 	float thin = 0.0f; // no path shorter than this can cross the shape, metres
+	float blunt = 0.0f; // what knots no farther apart than this show is all that edges cut, metres
 	std::span<const Eigen::Vector4f> planes; // hulls
 };
 
@@ -188,27 +189,34 @@ template <class T> GRASS_INLINE Ground<T> ground_under(const TileCollider &p_col
 template <class T> struct Contact {
 	Vec3<T> direction;
 	T depth;
+	Vec3<T> normal{}; // of the surface, the field's axes
 };
 
-// [Eq 12] The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before
-// to its pose now. Friction takes back what the knot slid along the surface, up to the depth times p_friction.
+// [Eq 12] The contact of a point behind a face that went p_way (the collider's axes) in this step. Friction takes back what it slid along
+// the surface, up to the depth times p_friction.
+template <class T>
+GRASS_INLINE Contact<T> make_contact(const TileCollider &p_collider, const Face<T> &p_face, const Vec3<T> &p_way, const T &p_friction) {
+	const T depth = maximum(-p_face.distance, T(0.0f));
+	if (!any(depth > T(0.0f))) {
+		return { {}, T(0.0f) };
+	}
+	const Vec3<T> slip = p_way - p_face.normal * dot(p_way, p_face.normal);
+	const T slipped = length(slip);
+	const T grip = minimum(T(1.0f), p_friction * T(p_collider.friction) * depth / maximum(slipped, T(1e-12f)));
+	const Vec3<T> correction = p_face.normal * depth - slip * grip;
+	const T size = length(correction);
+	const Vec3<T> direction = normalized(correction, p_face.normal);
+	const Turn<T> turn = widened<T>(p_collider.turn);
+	return { turned(turn, direction), select(depth > T(0.0f), size, T(0.0f)), turned(turn, p_face.normal) };
+}
+
+// The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before to its pose now.
 template <class T>
 GRASS_INLINE Contact<T> find_contact(
 		const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to, const T &p_friction) {
 	const Path<T> path = relative_path(p_collider, p_root, p_from, p_to);
 	const Face<T> face = sweep(p_collider, path, ground_under(p_collider, p_to.y));
-	const T depth = maximum(-face.distance, T(0.0f));
-	if (!any(depth > T(0.0f))) {
-		return { {}, T(0.0f) };
-	}
-	const Vec3<T> way = path.to - path.from;
-	const Vec3<T> slip = way - face.normal * dot(way, face.normal);
-	const T slipped = length(slip);
-	const T grip = minimum(T(1.0f), p_friction * T(p_collider.friction) * depth / maximum(slipped, T(1e-12f)));
-	const Vec3<T> correction = face.normal * depth - slip * grip;
-	const T size = length(correction);
-	const Vec3<T> direction = normalized(correction, face.normal);
-	return { turned(widened<T>(p_collider.turn), direction), select(depth > T(0.0f), size, T(0.0f)) };
+	return make_contact(p_collider, face, path.to - path.from, p_friction);
 }
 
 } // namespace grass

@@ -3,6 +3,7 @@
 // shaders/compute/contact.inc.
 #pragma once
 
+#include "core/edge.h"
 #include "core/shape.h"
 
 namespace grass {
@@ -25,6 +26,26 @@ template <class T> struct DeepestContact {
 	T knot = T(0.0f);
 };
 
+// The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
+template <class T>
+GRASS_INLINE Contact<T> find_edge_contact(
+		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
+	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
+	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
+	if (!any(may_meet_edge(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
+		return { {}, T(0.0f) };
+	}
+	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
+	const Path<T> path_b = relative_path(p_collider, p_blade.root, from_b, to_b);
+	Edge<T> edge = sweep_edge(p_collider, path_a, path_b, T(0.0f));
+	r_share = edge.share;
+	const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
+	const auto is_free = is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
+	edge.face.distance = select(is_free, edge.face.distance, T(0.0f));
+	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
+	return make_contact(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
+}
+
 template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	DeepestContact<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
@@ -34,11 +55,24 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 		}
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
 			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
-			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth);
+			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
+			const auto is_edges = is_cut & (contact.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, contact.normal);
+			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !is_edges;
 			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
 			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);
 			deepest.knot = select(is_deeper, T(float(k)), deepest.knot);
+			if (!any(is_cut)) {
+				continue;
+			}
+			T share(0.0f);
+			const Contact<T> edge_contact =
+					apart([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
+			const auto is_edge = is_cut & (edge_contact.depth > deepest.contact.depth);
+			deepest.contact.direction = select(is_edge, edge_contact.direction, deepest.contact.direction);
+			deepest.contact.depth = select(is_edge, edge_contact.depth, deepest.contact.depth);
+			deepest.place = select(is_edge, p_blade.knots[k - 1] + segment(p_blade, k - 1) * share, deepest.place);
+			deepest.knot = select(is_edge, T(float(k)), deepest.knot);
 		}
 	}
 	return deepest;
@@ -96,24 +130,47 @@ GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> 
 	return select(along < p_ahead, placed, p_segment);
 }
 
+// [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
+template <class T>
+GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
+		const Vec3<T> &p_segment, const T &p_length) {
+	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
+	const T reach = T(p_collider.bound) + p_length * T(0.5f);
+	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < reach * reach);
+	if (!any(is_near)) {
+		return p_segment;
+	}
+	const Turn<T> back = inverse(p_turn);
+	const Edge<T> edge = find_edge(p_collider, turned(back, p_offset), turned(back, p_offset + p_segment), T(0.0f));
+	const auto is_in = is_near & is_between_knots(edge) & (edge.face.distance < T(0.0f)) &
+			!is_blocked(edge.face, ground_under(p_collider, p_parent.y + p_segment.y * edge.share));
+	if (!any(is_in)) {
+		return p_segment;
+	}
+	const Vec3<T> normal = turned(p_turn, edge.face.normal);
+	const T ahead = dot(p_segment, normal) - edge.face.distance / maximum(edge.share, T(EDGE_END));
+	return select(is_in, place_before_plane(p_segment, normal, ahead, p_length), p_segment);
+}
+
 // [Eq 16] Turns a knot about its parent until it is outside of every collider. p_gap: its least height.
 template <class T>
 GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_parent, const Vec3<T> &p_segment,
 		const T &p_length, const T &p_gap) {
 	Vec3<T> segment = p_segment;
 	for (const TileCollider &collider : p_terms.colliders) {
-		const Vec3<T> offset = (p_parent + (p_blade.root - widened<T>(collider.centre))) + segment;
-		if (!any(dot(offset, offset) < T(collider.bound * collider.bound))) {
-			continue;
-		}
+		const Vec3<T> parent = p_parent + (p_blade.root - widened<T>(collider.centre));
+		const Vec3<T> offset = parent + segment;
 		const Turn<T> turn = widened<T>(collider.turn);
-		const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
-		const Face<T> face = find_face(collider, turned(inverse(turn), offset), ground);
-		if (any(face.distance < T(0.0f))) {
-			const Vec3<T> normal = turned(turn, face.normal);
-			const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
-			segment = select(face.distance < T(0.0f), placed, segment);
+		if (any(dot(offset, offset) < T(collider.bound * collider.bound))) {
+			const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
+			const Face<T> face = find_face(collider, turned(inverse(turn), offset), ground);
+			if (any(face.distance < T(0.0f))) {
+				const Vec3<T> normal = turned(turn, face.normal);
+				const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
+				segment = select(face.distance < T(0.0f), placed, segment);
+			}
 		}
+		segment = apart([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
 	}
 	return segment;
 }

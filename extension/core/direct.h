@@ -15,11 +15,22 @@ inline constexpr float STAGE_SHARE = 0.29289322f;
 inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
 inline constexpr float CAUTION = 4.0f;
+// Solves on top of `iterations` for blades that touch something: what touches changes from solve to solve.
+inline constexpr int CONTACT_SOLVES = 2;
+
+// [Eq 36] What touches something and is slower than this, blade lengths a second, loses its speed at this rate, 1/s,
+inline constexpr float RUB_BELOW = 0.6f;
+inline constexpr float RUB = 30.0f;
+// and sticks where a step would not move it farther than this, blade lengths, nor than this share of how far a step moves a blade from
+// lying flat.
+inline constexpr float STICK = 2e-4f;
+inline constexpr float STICK_FORCE = 0.02f;
 
 // A blade's places and speeds at the start of the step.
 template <class T> struct Start {
 	Vec3<T> place[GRASS_KNOTS]; // metres
 	Vec3<T> speed[GRASS_KNOTS]; // m/s
+	T twist[GRASS_SEGMENTS]; // radians
 };
 
 template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, const StepTerms<T> &p_terms, T &r_fastest) {
@@ -32,10 +43,16 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 		const T size = length(moved);
 		const T keep = select(size > limit, limit / maximum(size, T(1e-12f)), T(1.0f));
 		start.place[k] = p_blade.knots[k];
+		start.twist[k - 1] = p_blade.twist[k - 1];
 		start.speed[k] = moved * (keep * per_second);
 		r_fastest = maximum(r_fastest, size * keep * p_terms.step_ratio);
 	}
 	return start;
+}
+
+// [Eq 36] What rubbing leaves of a speed.
+template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
+	return T(1.0f) / (T(1.0f) + T(RUB) * p_seconds);
 }
 
 // [Eq 32] What is too deep in a collider for a linear model is hit out of it: the deepest contact bends the blade as METHOD_PBD's
@@ -43,7 +60,8 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
-	const T deep = r_blade.reach * T(MOST_DEPTH / float(GRASS_SEGMENTS));
+	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
+	const T deep = r_blade.reach * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
@@ -61,11 +79,35 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 30] The solves of a stage: p_single where a blade takes the step in one stage, else p_double. Blades that the first one shows
-// to be hit start again, from the blow.
+// [Eq 36] After the first solve of slow blades: those that touch nothing get back the speed that rubbing took, those that touch something
+// and stick go back to where they were. Which ones stick is returned.
+template <class T, class Mask>
+GRASS_INLINE Mask hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
+		const Mask &p_touches) {
+	const Mask is_free = p_is_slow & !p_touches;
+	const T lost = T(RUB) * r_stage.span; // of what is left
+	const Vec3<T> load = p_terms.load * (r_stage.span * r_stage.span / r_stage.weight);
+	T farthest(0.0f); // squared, square metres
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> moved = r_blade.knots[k] - p_start.place[k];
+		farthest = maximum(farthest, dot(moved, moved));
+		const Vec3<T> back = (r_stage.target[k] - p_start.place[k] - load) * lost;
+		r_stage.target[k] = select(is_free, r_stage.target[k] + back, r_stage.target[k]);
+	}
+	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
+	const Mask sticks = p_is_slow & p_touches & (farthest < limit * limit);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		r_blade.knots[k] = select(sticks, p_start.place[k], r_blade.knots[k]);
+		r_blade.twist[k - 1] = select(sticks, p_start.twist[k - 1], r_blade.twist[k - 1]);
+	}
+	return sticks;
+}
+
+// [Eq 30] The solves of a stage: p_single where a blade takes the step in one stage, else p_double; CONTACT_SOLVES more where it touches
+// something. Blades that the first one shows to be hit start again, from the blow; p_is_slow: those that may stick.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage,
-		const Mask &p_is_single, const Mask &p_is_near, int p_single, int p_double) {
+		const Mask &p_is_single, const Mask &p_is_near, const Mask &p_is_slow, int p_single, int p_double) {
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	const Mask none = p_is_single & !p_is_single;
 	Vec3<T> guess[GRASS_KNOTS];
@@ -74,18 +116,28 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		guess[k] = r_blade.knots[k];
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
-	Mask is_hit = none;
+	Mask is_hit = none, touches = none, sticks = none;
 	const int count = p_single > p_double ? p_single : p_double;
-	for (int i = 0; i < count;) {
+	for (int i = 0; i < count + CONTACT_SOLVES;) {
 		const bool is_again = any(is_hit);
-		const Mask is_active = is_again ? is_hit : (i < p_single ? p_is_single : none) | (i < p_double ? !p_is_single : none);
+		const Mask wants_more = i < count ? (i < p_single ? p_is_single : none) | (i < p_double ? !p_is_single : none) : touches;
+		const Mask is_active = is_again ? is_hit : wants_more & !sticks;
 		if (!any(is_active)) {
 			return;
 		}
-		const T blow = solve_chain(r_blade, p_terms, chain, r_stage, is_active);
-		const Mask is_blow = p_is_near & (blow > T(0.0f));
-		if (i > 0 || is_again || !any(is_blow)) {
+		const Contacts<T> contacts = solve_chain(r_blade, p_terms, chain, r_stage, is_active);
+		touches = touches | (is_active & p_is_near & (contacts.depth > T(0.0f)));
+		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
+		if (i > 0 || is_again) {
 			is_hit = none;
+			i++;
+			continue;
+		}
+		const Mask is_slow = p_is_slow & !is_blow;
+		if (any(is_slow)) {
+			sticks = hold(r_blade, p_terms, p_start, r_stage, is_slow, touches);
+		}
+		if (!any(is_blow)) {
 			i++;
 			continue;
 		}
@@ -111,11 +163,13 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 	stage.span = select(is_single, seconds, seconds * T(STAGE_SHARE));
 	stage.weight = T(1.0f) + p_terms.drag * stage.span;
 	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
+	const Mask is_slow = p_is_near & (fastest < r_blade.reach * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
+	const T kept = select(is_slow, rubbed(seconds), T(1.0f));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		set_target(stage, k, start.place[k], start.speed[k], p_terms.load);
+		set_target(stage, k, start.place[k], start.speed[k] * kept, p_terms.load);
 	}
 	follow_targets(r_blade, stage);
-	solve_stage(r_blade, p_terms, start, stage, is_single, p_is_near, p_terms.iterations, halves);
+	solve_stage(r_blade, p_terms, start, stage, is_single, p_is_near, is_slow, p_terms.iterations, halves);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
@@ -130,7 +184,8 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, p_terms.load);
 		}
 		follow_targets(r_blade, stage);
-		solve_stage(r_blade, p_terms, start, stage, is_single, Mask(is_single & !is_single), 0, halves);
+		const Mask none = is_single & !is_single;
+		solve_stage(r_blade, p_terms, start, stage, is_single, none, none, 0, halves);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;
 			r_blade.knots[k] = select(is_single, first[k], r_blade.knots[k]);

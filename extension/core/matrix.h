@@ -20,6 +20,9 @@ template <class T> GRASS_INLINE Vec3<T> operator*(const Symmetric<T> &p_a, const
 		p_a.xz * p_b.x + p_a.yz * p_b.y + p_a.zz * p_b.z };
 }
 
+template <class T> GRASS_INLINE void add(Symmetric<T> &r_a, const Symmetric<T> &p_b) {
+	r_a = { r_a.xx + p_b.xx, r_a.yy + p_b.yy, r_a.zz + p_b.zz, r_a.xy + p_b.xy, r_a.xz + p_b.xz, r_a.yz + p_b.yz };
+}
 // p_scale times the identity.
 template <class T> GRASS_INLINE void add_identity(Symmetric<T> &r_a, const T &p_scale) {
 	r_a.xx = r_a.xx + p_scale;

@@ -14,6 +14,9 @@ inline constexpr float REACH_MARGIN = 1.5f;
 // Frequency (radians per second) over the root of EI / (density area length^4), for a uniform cantilever.
 inline constexpr float WILD = 3.516f;
 
+// Sine of the angle between a face and an edge from which on the edge, if it leads inwards, counts and not the knot.
+inline constexpr float STEEP = 0.35f;
+
 // A blade in blade space (metres, origin at the root).
 template <class T> struct Blade {
 	Vec3<T> rest[GRASS_KNOTS]; // equilibrium under gravity; knots 0 and 1 clamp the blade
@@ -57,6 +60,15 @@ template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, in
 }
 template <class T> GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_knot) {
 	return p_blade.knots[p_knot + 1] - p_blade.knots[p_knot];
+}
+
+// [Eq 33] Whether p_normal (blade space) is no knot's: a neighbour is so much deeper behind the same plane that it is the edge
+// between them which meets the shape, with a normal across it. Pushed along the edge, a blade would buckle.
+template <class T> GRASS_INLINE auto is_of_edge(const Blade<T> &p_blade, int p_knot, const Vec3<T> &p_normal) {
+	const int above = p_knot < GRASS_SEGMENTS ? p_knot : p_knot - 1;
+	const T below = dot(p_normal, segment(p_blade, p_knot - 1));
+	const T beyond = p_knot < GRASS_SEGMENTS ? T(0.0f) - dot(p_normal, segment(p_blade, above)) : T(0.0f);
+	return maximum(below, beyond) > p_blade.lengths[p_knot - 1] * T(STEEP);
 }
 
 template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {

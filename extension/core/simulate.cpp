@@ -26,6 +26,9 @@ float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p
 	}
 }
 
+// [Eq M6] What a blade's length changes by less, as a share, finish() brings into line.
+constexpr float LEAST_GROWTH = 1e-4f;
+
 Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	Eigen::Vector3f knot;
 	for (int c = 0; c < 3; c++) {
@@ -119,6 +122,28 @@ void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const 
 	}
 }
 
+// [Eq M6] Blades that were cut, or grew, keep their shape.
+void CpuPool::keep_shapes(const GrassSlot &p_slot) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	for (int b = 0; b < BLADES; b++) {
+		Eigen::Vector3f wanted, found;
+		for (int c = 0; c < 3; c++) {
+			wanted[c] = state.rest[c][GRASS_CLAMPED_KNOTS + 1][b] - state.rest[c][GRASS_CLAMPED_KNOTS][b];
+			found[c] = state.knots[c][1][b] - state.knots[c][0][b];
+		}
+		const float ratio = wanted.norm() / std::max(found.norm(), 1e-12f);
+		if (!(std::abs(ratio - 1.0f) > LEAST_GROWTH)) {
+			continue;
+		}
+		for (int c = 0; c < 3; c++) {
+			for (int k = 0; k < GRASS_FREE_KNOTS; k++) {
+				state.knots[c][k][b] *= ratio;
+				state.before[c][k][b] *= ratio;
+			}
+		}
+	}
+}
+
 // Every blade at rest.
 void CpuPool::wake(const GrassSlot &p_slot) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
@@ -138,6 +163,8 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	}
 	if (is_fresh) {
 		wake(p_slot);
+	} else if (growth != p_input.growth.end()) {
+		keep_shapes(p_slot);
 	}
 	std::vector<TileCollider> colliders;
 	colliders.reserve(p_slot.list.z);

@@ -61,6 +61,7 @@ public:
 private:
 	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
 	void wake(const GrassSlot &p_slot);
+	void keep_shapes(const GrassSlot &p_slot);
 	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
 
 	std::shared_ptr<const Patch> _patch;

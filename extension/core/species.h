@@ -30,6 +30,12 @@ inline constexpr Tunable STAND_SIZE{ "stand_size", "m", 0.2, 64.0, 0.1, 4.0 };
 // 0: blade by blade among the others; 1: in stands of its own, with sharp borders.
 inline constexpr Tunable STAND_STRENGTH{ "stand_strength", "", 0.0, 1.0, 0.01, 0.6 };
 
+// Share of a species' blades that have a flower or seed head.
+inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
+// Of a flower or seed head. Above 0.3 cards look like paper.
+inline constexpr Tunable CARD_WIDTH{ "card_width", "m", 0.005, 1.0, 0.005, 0.05 };
+inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.05 };
+
 // Values outside of the tunables' ranges are clamped, NaN counts as the default.
 struct SpeciesParams {
 	double share = SPECIES_SHARE.initial;

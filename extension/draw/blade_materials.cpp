@@ -15,7 +15,9 @@ BladeMaterials::BladeMaterials(int p_features) {
 		if (first || lod_segments(level) != lod_segments(level - 1)) {
 			Ref<ShaderMaterial> material;
 			material.instantiate();
-			material->set_shader(shared_shader(level < GRASS_LOD_LEVELS ? shader::BLADE_GDSHADER : shader::SHADOW_GDSHADER, p_features));
+			const bool is_seen = level < GRASS_LOD_LEVELS; // cards throw no shadow
+			material->set_shader(is_seen ? shared_shader(shader::BLADE_GDSHADER, p_features)
+										 : shared_shader(shader::SHADOW_GDSHADER, p_features & ~SHADER_CARDS));
 			material->set_shader_parameter("segments", lod_segments(level));
 			_materials.push_back(material);
 		}

@@ -15,22 +15,29 @@ int lod_blades(int p_level) {
 int lod_segments(int p_level) {
 	return get_lod_level(p_level).segments;
 }
-int lod_triangles_per_blade(int p_level) {
-	return 2 * lod_segments(p_level) - 1;
+
+namespace {
+bool has_cards(int p_level, bool p_cards) {
+	return p_cards && p_level < GRASS_LOD_LEVELS && lod_segments(p_level) >= GRASS_CARD_SEGMENTS;
+}
+} // namespace
+
+int lod_triangles_per_blade(int p_level, bool p_cards) {
+	return 2 * lod_segments(p_level) - 1 + (has_cards(p_level, p_cards) ? GRASS_CARD_TRIANGLES : 0);
 }
 
-int64_t mesh_bytes() {
+int64_t mesh_bytes(bool p_cards) {
 	int64_t indices = 0;
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		indices += 3 * int64_t(lod_blades(level)) * lod_triangles_per_blade(level);
+		indices += 3 * int64_t(lod_blades(level)) * lod_triangles_per_blade(level, p_cards);
 	}
 	return 4 * indices;
 }
 
-void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material) {
+void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material, bool p_cards) {
 	const int blades = lod_blades(p_level), segments = lod_segments(p_level);
 	PackedInt32Array indices;
-	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level) * 3);
+	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level, p_cards) * 3);
 	int32_t *next = indices.ptrw();
 	for (int blade = 0; blade < blades; blade++) {
 		const int first = blade * (2 * segments + 1); // two vertices a row, one at the tip
@@ -44,6 +51,12 @@ void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Materi
 				*next++ = left + 2;
 				*next++ = right + 2;
 			}
+		}
+	}
+	for (int blade = 0; blade < blades && has_cards(p_level, p_cards); blade++) {
+		const int first = GRASS_BLADES_PER_TILE * (2 * segments + 1) + GRASS_CARD_CORNERS * blade;
+		for (const int corner : { 0, 2, 1, 1, 2, 3 }) {
+			*next++ = first + corner;
 		}
 	}
 	Array arrays;

@@ -18,6 +18,7 @@ Ref<Shader> shared_shader(const char *p_code, int p_features) {
 		String head = "shader_type spatial;";
 		head += p_features & SHADER_MAP ? "\n#define GRASS_MAP" : "";
 		head += p_features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
+		head += p_features & SHADER_CARDS ? "\n#define GRASS_CARDS" : "";
 		shader->set_code(String::utf8(p_code).replace("shader_type spatial;", head));
 	}
 	return shader;

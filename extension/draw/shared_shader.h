@@ -11,6 +11,7 @@ namespace grass {
 enum ShaderFeature {
 	SHADER_MAP = 1, // GRASS_MAP
 	SHADER_SPECIES = 2, // GRASS_SPECIES
+	SHADER_CARDS = 4, // GRASS_CARDS; with SHADER_SPECIES only
 };
 
 // The shader of p_code (UTF-8, a string literal) with p_features, made when it is first asked for and kept.

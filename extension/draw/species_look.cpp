@@ -5,28 +5,89 @@
 #include "core/half.h"
 
 #include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <vector>
 
 using namespace godot;
 
 namespace grass {
 
-Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks) {
-	static_assert(
-			GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CANOPY + 1);
+namespace {
+
+// The texture's pixels as a layer has them; null if it has none that can be read.
+Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
+	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
+	if (found.is_null() || found->is_empty()) {
+		return {};
+	}
+	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
+	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
+			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
+	image->clear_mipmaps();
+	image->convert(Image::FORMAT_RGBA8);
+	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
+	return image;
+}
+
+Color mean_color(const Ref<Image> &p_image) {
+	constexpr int STEP = 4, COUNT = (Cards::SIDE / STEP) * (Cards::SIDE / STEP);
+	Color sum(0, 0, 0, 0);
+	for (int y = 0; y < Cards::SIDE; y += STEP) {
+		for (int x = 0; x < Cards::SIDE; x += STEP) {
+			const Color color = p_image->get_pixel(x, y).srgb_to_linear();
+			sum += color.a < 0.5f ? Color(0, 0, 0, 0) : Color(color.r, color.g, color.b, 1);
+		}
+	}
+	const float opaque = std::max(float(sum.a), 1.0f);
+	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(COUNT));
+}
+
+} // namespace
+
+Cards make_cards(std::span<const SpeciesLook> p_looks) {
+	Cards cards;
+	cards.layers.fill(GRASS_NO_CARD);
+	TypedArray<Ref<Image>> images;
+	for (size_t s = 0; s < p_looks.size(); s++) {
+		const Ref<Image> image = read_card(p_looks[s].card);
+		if (image.is_null()) {
+			continue;
+		}
+		cards.colors[s] = mean_color(image);
+		cards.layers[s] = int(images.size());
+		image->generate_mipmaps();
+		images.push_back(image);
+	}
+	if (!images.is_empty()) {
+		cards.textures.instantiate();
+		cards.textures->create_from_images(images);
+	}
+	return cards;
+}
+
+Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const Cards &p_cards) {
+	static_assert(GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 &&
+			GRASS_LOOK_CARD == GRASS_LOOK_CANOPY + 1 && GRASS_LOOK_CARD_COLOR == GRASS_LOOK_CARD + 1 &&
+			GRASS_LOOK_CARD_FAR == GRASS_LOOK_CARD_COLOR + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CARD_FAR + 1);
 	std::vector<uint16_t> halves;
 	const auto put = [&](float p_r, float p_g, float p_b, float p_a) {
 		for (const float value : { p_r, p_g, p_b, p_a }) {
 			halves.push_back(float_to_half(value));
 		}
 	};
-	for (const SpeciesLook &look : p_looks) {
+	for (size_t s = 0; s < p_looks.size(); s++) {
+		const SpeciesLook &look = p_looks[s];
 		for (const Color &color : look.colors) {
 			put(color.r, color.g, color.b, 1.0f);
 		}
 		put(look.dry_color.r, look.dry_color.g, look.dry_color.b, look.dry);
 		put(look.canopy_among_others, look.canopy_alone, 0.0f, 0.0f);
+		const Color &tint = look.card_color, far = tint * p_cards.colors[s];
+		put(look.card_width, look.card_height, float(p_cards.layers[s]), look.card_share);
+		put(tint.r, tint.g, tint.b, 1.0f);
+		put(far.r, far.g, far.b, far.a * look.card_width * look.card_height / std::max(look.blade_area, 1e-6f));
 	}
 	return ImageTexture::create_from_image(Image::create_from_data(
 			GRASS_LOOK_TEXELS, int32_t(p_looks.size()), false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(halves))));

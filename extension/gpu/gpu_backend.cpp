@@ -49,11 +49,11 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 }
 
 // A mesh with the levels from p_first to p_end as its surfaces.
-Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end) {
+Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end, bool p_cards) {
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
 	for (int level = p_first; level < p_end; level++) {
-		add_lod_surface(mesh, level, p_materials.level(level));
+		add_lod_surface(mesh, level, p_materials.level(level), p_cards);
 	}
 	return mesh;
 }
@@ -70,8 +70,9 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS), _setup.instance_capacity(), true, field_bounds(_setup));
-	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS), _setup.shadow_capacity(), true, field_bounds(_setup));
+	_picture.create(
+			make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, field_bounds(_setup));
+	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, field_bounds(_setup));
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -147,7 +148,7 @@ int64_t GpuBackend::get_memory_usage() const {
 	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
-	return patch + instances + mesh_bytes() + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
+	return patch + instances + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
 }
 
 } // namespace grass

@@ -106,7 +106,7 @@ void GrassField::build() {
 	build_species();
 	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
 			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
-			before.follow_slope == _setup.follow_slope;
+			before.card_size == _setup.card_size && before.follow_slope == _setup.follow_slope;
 	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
 						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
 	build_map();

@@ -187,6 +187,7 @@ private:
 	std::vector<SpeciesParams> species_mix() const;
 	std::vector<std::shared_ptr<const Patch>> species_patches() const;
 	std::shared_ptr<const Patch> join_species() const;
+	float card_size() const;
 	void build_species();
 	std::span<const GrassStep> species_steps();
 	double calm_energy() const;

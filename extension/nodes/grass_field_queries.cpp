@@ -121,7 +121,7 @@ Dictionary GrassField::get_statistics() const {
 		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
 		const int64_t count = backend.drawn_tiles[size_t(level)];
 		drawn_tiles[list] += count;
-		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level);
+		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _setup.card_size > 0.0f);
 	}
 	Dictionary result;
 	result["backend"] = _backend ? _backend->get_name() : "none";

@@ -38,7 +38,7 @@ TypedArray<GrassSpecies> GrassField::get_species() const {
 
 // Colours and frequencies take effect at once; what changes blades makes the field anew.
 void GrassField::_species_changed() {
-	if (_backend && !_dirty && find_patch() == _setup.patch && species_mix() == _mix) {
+	if (_backend && !_dirty && find_patch() == _setup.patch && species_mix() == _mix && card_size() == _setup.card_size) {
 		set_species_uniforms();
 		update_tiles();
 	} else {
@@ -95,9 +95,19 @@ std::shared_ptr<const Patch> GrassField::join_species() const {
 	return _joined;
 }
 
+// Of the largest flower or seed head, from its tip, metres; a card on a thinned tile is drawn larger.
+float GrassField::card_size() const {
+	double most = 0.0;
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		most = std::max(most, species->get_card_size());
+	}
+	return float(most);
+}
+
 // Before the backend is made.
 void GrassField::build_species() {
 	_mix = species_mix();
+	_setup.card_size = card_size();
 	_setup.species = _mix.empty() ? nullptr : std::make_shared<const SpeciesMix>(_mix, _setup.grid, _setup.seed);
 }
 
@@ -167,17 +177,23 @@ void GrassField::set_species_uniforms() {
 	_backend->set_uniform("species_mix", records);
 	_backend->set_uniform("species_texel", _setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
+	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
 	std::vector<SpeciesLook> looks;
 	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
 	for (const Ref<GrassSpecies> &species : used_species()) {
 		SpeciesLook look = species->get_look();
 		const float own = patches[looks.size()]->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
 		const float alone = float(species->get_mix().stand_strength);
+		look.blade_area = COVERS * patches[looks.size()]->mean_width * patches[looks.size()]->mean_length;
 		look.canopy_alone = std::max(own, 0.01f);
 		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
 		looks.push_back(look);
 	}
-	_backend->set_uniform("species_look", make_look_texture(looks));
+	const Cards cards = make_cards(looks);
+	_backend->set_uniform("species_look", make_look_texture(looks, cards));
+	if (cards.textures.is_valid()) {
+		_backend->set_uniform("card_textures", cards.textures);
+	}
 }
 
 void GrassField::warn_of_species(PackedStringArray &r_warnings) const {

@@ -5,6 +5,8 @@
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
@@ -39,6 +41,18 @@ void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
 	swap_part(_gradient, p_gradient);
 	_gradient = p_gradient;
 	emit_changed();
+}
+
+void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
+	swap_part(_card, p_card);
+	_card = p_card;
+	emit_changed();
+}
+
+double GrassSpecies::get_card_size() const {
+	return _card.is_valid() && param(SPECIES_PARAM_CARD_SHARE) > 0.0
+			? 0.5 * std::hypot(param(SPECIES_PARAM_CARD_WIDTH), param(SPECIES_PARAM_CARD_HEIGHT))
+			: 0.0;
 }
 
 void GrassSpecies::set_param(int p_param, double p_value) {
@@ -88,6 +102,11 @@ SpeciesLook GrassSpecies::get_look() const {
 	}
 	look.dry_color = _colors[SPECIES_DRY_COLOR].srgb_to_linear();
 	look.dry = float(param(SPECIES_PARAM_DRY));
+	look.card = _card;
+	look.card_color = _colors[SPECIES_CARD_COLOR].srgb_to_linear();
+	look.card_share = float(param(SPECIES_PARAM_CARD_SHARE));
+	look.card_width = float(param(SPECIES_PARAM_CARD_WIDTH));
+	look.card_height = float(param(SPECIES_PARAM_CARD_HEIGHT));
 	return look;
 }
 
@@ -101,9 +120,19 @@ void GrassSpecies::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_gradient", "gradient"), &GrassSpecies::set_gradient);
 	ClassDB::bind_method(D_METHOD("get_gradient"), &GrassSpecies::get_gradient);
 
+	ClassDB::bind_method(D_METHOD("set_card", "card"), &GrassSpecies::set_card);
+	ClassDB::bind_method(D_METHOD("get_card"), &GrassSpecies::get_card);
+
 	const auto add_numbers = [](int p_first, int p_last) {
 		for (int param = p_first; param <= p_last; param++) {
 			ClassDB::add_property("GrassSpecies", property_of(SPECIES_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
+		}
+	};
+	const auto add_colors = [](int p_first, int p_last) {
+		for (int color = p_first; color <= p_last; color++) {
+			ClassDB::add_property("GrassSpecies",
+					PropertyInfo(Variant::COLOR, SPECIES_COLORS[size_t(color)].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color",
+					"_get_color", color);
 		}
 	};
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), "set_patch", "get_patch");
@@ -114,12 +143,13 @@ void GrassSpecies::_bind_methods() {
 	ADD_GROUP("Map", "");
 	add_numbers(SPECIES_PARAM_WEAR_RECOVERY, SPECIES_PARAM_WEAR_RECOVERY);
 	ADD_GROUP("Look", "");
-	for (int i = 0; i < SPECIES_COLOR_COUNT; i++) {
-		ClassDB::add_property("GrassSpecies", PropertyInfo(Variant::COLOR, SPECIES_COLORS[size_t(i)].name, PROPERTY_HINT_COLOR_NO_ALPHA),
-				"_set_color", "_get_color", i);
-	}
+	add_colors(SPECIES_ROOT_COLOR, SPECIES_DRY_COLOR);
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "gradient", PROPERTY_HINT_RESOURCE_TYPE, "Gradient"), "set_gradient", "get_gradient");
 	add_numbers(SPECIES_PARAM_DRY, SPECIES_PARAM_DRY);
+	ADD_GROUP("Card", "card");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_card", "get_card");
+	add_colors(SPECIES_CARD_COLOR, SPECIES_CARD_COLOR);
+	add_numbers(SPECIES_PARAM_CARD_SHARE, SPECIES_PARAM_CARD_HEIGHT);
 }
 
 } // namespace grass

@@ -8,6 +8,7 @@
 
 #include <godot_cpp/classes/gradient.hpp>
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
 
 namespace grass {
 
@@ -21,6 +22,8 @@ public:
 	godot::Ref<GrassPatch> get_patch() const { return _patch; }
 	void set_gradient(const godot::Ref<godot::Gradient> &p_gradient); // null: from root_color to tip_color
 	godot::Ref<godot::Gradient> get_gradient() const { return _gradient; }
+	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
+	godot::Ref<godot::Texture2D> get_card() const { return _card; }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int p_param, double p_value);
 	double get_param(int p_param) const;
@@ -33,6 +36,7 @@ public:
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look() const; // without canopies
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
+	double get_card_size() const; // farthest from the tip, metres; 0: no card
 
 protected:
 	static void _bind_methods();
@@ -44,6 +48,7 @@ private:
 
 	godot::Ref<GrassPatch> _patch;
 	godot::Ref<godot::Gradient> _gradient;
+	godot::Ref<godot::Texture2D> _card;
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

@@ -124,6 +124,7 @@ vec3 rest_of(int p_knot) {
 
 #include "compute/vector.inc"
 #include "compute/collide.inc"
+#include "compute/edge.inc"
 
 // The first colliders of the tile's list, which all of its blades share.
 shared TileCollider shared_colliders[GRASS_SHARED_COLLIDERS];
@@ -204,6 +205,20 @@ void find_blade(uint p_blade) {
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
+// [Eq M6] A blade that was cut, or grew, keeps its shape. What its length changes by less, as a share, finish_knot() brings into line.
+#define LEAST_GROWTH 1e-4
+void keep_shape() {
+	const int first = GRASS_CLAMPED_KNOTS;
+	float ratio = length(rest_of(first + 1) - rest_of(first)) / max(length(start_of(first + 1) - start_of(first)), 1e-12);
+	if (!(abs(ratio - 1.0) > LEAST_GROWTH)) {
+		return;
+	}
+	for (int k = first; k < KNOT_COUNT; k++) {
+		set_start(k, start_of(k) * ratio);
+		set_before(k, before_of(k) * ratio);
+	}
+}
+
 // The rest pose and the blade's length. A fresh tile's blades stand at rest.
 void load_rest() {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
@@ -220,6 +235,9 @@ void load_rest() {
 			set_start(k, rest);
 			set_before(k, rest);
 		}
+	}
+	if (!is_fresh && (slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+		keep_shape();
 	}
 	knots[0] = vec3(0.0);
 	knots[1] = rest_of(1);

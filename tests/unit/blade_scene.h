@@ -173,6 +173,32 @@ struct BladeScene {
 		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
 		return -find_face(p_collider, turned(inverse(p_collider.turn), offset)).distance;
 	}
+	// How deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
+	float edge_depth() const {
+		constexpr int POINTS = 16; // of an edge
+		float deepest = 0.0f;
+		for (const TileCollider &collider : tile_colliders()) {
+			for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+				const Vec3<float> root{ tile->root[0][b], tile->root[1][b], tile->root[2][b] };
+				const auto depth_at = [&](int p_segment, int p_point) {
+					const Eigen::Vector3f place =
+							knot(b, p_segment) + (knot(b, p_segment + 1) - knot(b, p_segment)) * (float(p_point) / POINTS);
+					const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - collider.centre);
+					return -find_face(collider, turned(inverse(collider.turn), offset)).distance;
+				};
+				bool is_covered = false;
+				for (int i = 0; i <= POINTS; i++) {
+					is_covered = is_covered || depth_at(0, i) > 0.0f;
+				}
+				for (int s = 1; s < GRASS_SEGMENTS && !is_covered; s++) {
+					for (int i = 0; i <= POINTS; i++) {
+						deepest = std::max(deepest, depth_at(s, i));
+					}
+				}
+			}
+		}
+		return deepest;
+	}
 	// How deep a knot is in a collider, metres: of the blades whose clamp no collider covers, since a covered blade
 	// has nowhere to go.
 	float depth() const {

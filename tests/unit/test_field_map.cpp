@@ -274,6 +274,51 @@ TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so aga
 	}
 }
 
+TEST_CASE("field_map: an awake blade that is cut keeps its shape and its speed, in proportion [Eq M6]") {
+	PaintMap map;
+	map.set_base_density(1.0);
+	lay_slope(map);
+	FieldMap field(GRID, TALLEST, 1.0f);
+	field.update(map, field.get_region());
+	const FieldBlades blades(GRID, shared_patch(), ClumpParams(), 0, nullptr, &field);
+	CpuPool pool(shared_patch(), 4);
+	GrassSlot slot = slot_of(50, 30);
+	StepInput input;
+	input.step.field = { float(GRID.get_tile_size()), float(GRID.get_tiles_x()), float(GRID.get_tiles_z()), float(GRASS_KNOTS) };
+	input.slots = { &slot, 1 };
+	SlotGrowth growth = blades.grow(slot);
+	input.growth = { &growth, 1 };
+	pool.step(input);
+
+	constexpr float LEAN = 0.3f; // metres a knot
+	std::vector<std::vector<Eigen::Vector3f>> bent;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		std::vector<Eigen::Vector3f> knots = pool.get_knots(0, b);
+		const float segment = (knots[3] - knots[2]).norm();
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			knots[size_t(k)] = knots[size_t(k - 1)] + segment * Eigen::Vector3f(LEAN, 1.0f, 0.1f * float(k)).normalized();
+		}
+		pool.set_knots(0, b, knots, knots);
+		bent.push_back(knots);
+	}
+	paint(map, MapTool::CUT, 0.1, disc(5.0, -5.0, 6.0));
+	field.update(map, field.get_region());
+	slot.list.w = GRASS_SLOT_MAPPED;
+	growth = blades.grow(slot);
+	pool.step(input); // no time passes
+	int cut = 0;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const std::vector<Eigen::Vector3f> knots = pool.get_knots(0, b);
+		const std::vector<Eigen::Vector3f> &before = bent[size_t(b)];
+		const float ratio = (knots[1] - knots[0]).norm() / (before[1] - before[0]).norm();
+		cut += ratio < 0.5f ? 1 : 0;
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			CHECK((knots[size_t(k)] - before[size_t(k)] * ratio).norm() < 2e-3f * (before[15]).norm());
+		}
+	}
+	CHECK(cut > 32);
+}
+
 TEST_CASE("field_map: tiles wake where bodies touch grass on a hill, and nowhere under it") {
 	PaintMap map;
 	map.set_base_density(1.0);

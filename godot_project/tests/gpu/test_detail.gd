@@ -99,8 +99,7 @@ func test_thinned_grass_covers_as_much() -> void:
 ## One tile from the side, ever fewer of its blades: each shrinks before it is gone.
 func test_blades_fade_by_shrinking() -> void:
 	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
-	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
-	camera.size = 0.8
+	camera.fov = 15.2 # 0.8 m at a distance of 3 m
 	look(Vector3(0, 0.35, 3), Vector3(0, 0.35, 0))
 	field.hide()
 	var empty := await picture()

@@ -1,84 +1,14 @@
 # SPDX-License-Identifier: MIT
-## The GPU's simulation against the CPU's: two fields of one seed on one spot, pushed by the same bodies.
-extends "res://tests/field_case.gd"
+## The GPU's simulation against the CPU's, at rest, over many steps and asleep.
+extends "res://tests/parity_case.gd"
 
-const ONE_STEP := 1e-5 # of a blade's length, after one step with contact
 const MANY_STEPS := 1e-3 # of a blade's length, after 600 steps without
-const OVER_THE_GRASS := 0.75 # metres
-const SINKING := 0.02 # metres a tick
-const PLACE := Vector3(0.25, 0.25, 0.25)
-
-var cpu: GrassField
-var gpu: GrassField
-
-
-func add_pair(properties := {}) -> bool:
-	gpu = add_field(properties)
-	cpu = add_field(properties)
-	cpu.backend = GrassField.BACKEND_CPU
-	await ticks(2)
-	return assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")
-
-
-## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length, over all awake tiles.
-func difference(tiles: Array[Vector2i]) -> float:
-	var most := 0.0
-	for tile in tiles:
-		for blade in BLADES:
-			var a := gpu.get_knots(tile, blade)
-			most = maxf(most, farthest(a, cpu.get_knots(tile, blade)) / (15 * a[0].distance_to(a[1])))
-	return most
-
-
-func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
-	var capsule := CapsuleShape3D.new()
-	capsule.radius = 0.1
-	capsule.height = 0.5
-	var box := BoxShape3D.new()
-	box.size = Vector3(0.3, 0.2, 0.4)
-	var cylinder := CylinderShape3D.new()
-	cylinder.radius = 0.15
-	cylinder.height = 0.3
-	var hull := ConvexPolygonShape3D.new()
-	hull.points = PackedVector3Array([Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)])
-	var bodies: Array[AnimatableBody3D] = []
-	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
-		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), OVER_THE_GRASS, 0.3))
-		body.rotation = Vector3(0.3, 0.2, 0.1) * bodies.size()
-		bodies.append(body)
-	return bodies
 
 
 func test_rest_is_the_same() -> void:
 	if not await add_pair({seed = 3}):
 		return
 	assert_eq(difference([Vector2i.ZERO, Vector2i(7, 7)]), 0.0)
-
-
-func test_the_first_contact() -> void:
-	if not await add_pair():
-		return
-	var bodies := bodies_of_all_shapes()
-	for i in 60:
-		for body in bodies:
-			body.position.y -= SINKING
-		await ticks(1)
-		if difference(awake_tiles(cpu)) > 0.0:
-			break
-	var tiles := awake_tiles(cpu)
-	assert_eq(awake_tiles(gpu), tiles)
-	assert_greater(tiles.size(), 10)
-	var off := difference(tiles)
-	print("    parity at the first contact: %s of a blade's length" % String.num_scientific(off))
-	assert_less(off, ONE_STEP)
-	for body in bodies:
-		body.free()
-	var still := add_field({simulated = false})
-	await ticks(2)
-	var bent := 0.0
-	for tile in tiles:
-		bent = maxf(bent, farthest(tile_knots(cpu, tile), tile_knots(still, tile)))
-	assert_greater(bent, 1e-4, "metres: the contact bent blades")
 
 
 func test_six_hundred_steps_without_contact() -> void:
@@ -116,28 +46,6 @@ func test_the_same_tiles_are_awake_in_every_tick() -> void:
 	assert_greater(most, 5)
 	assert_eq(awake_tiles(gpu).size(), 0, "at the end all sleep")
 	assert_greater(gpu.get_statistics().slept, 15)
-
-
-## Contacts amplify rounding, so the long run is compared as a whole: how far blades are bent on average.
-func test_bent_alike_under_a_moving_body() -> void:
-	if not await add_pair():
-		return
-	var tile := Vector2i(4, 4)
-	var rest := tile_knots(cpu, tile)
-	var body := add_held_body(ball(0.2), Vector3(-1, 0.2, 0.2))
-	for i in 40:
-		body.position.x += 0.03
-		await ticks(1)
-	var bends: Array[float] = []
-	for field: GrassField in [cpu, gpu]:
-		var knots := tile_knots(field, tile)
-		var sum := 0.0
-		for i in knots.size():
-			sum += knots[i].distance_to(rest[i])
-		bends.append(1e3 * sum / knots.size())
-	print("    mean bend under a moving ball: CPU %.3f mm, GPU %.3f mm" % [bends[0], bends[1]])
-	assert_greater(bends[0], 10.0)
-	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
 
 
 func test_settled_on_the_gpu_too() -> void:

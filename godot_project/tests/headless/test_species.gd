@@ -32,7 +32,8 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 	var gradient := Gradient.new()
 	var values := {
 		patch = patch, gradient = gradient, share = 0.3, stand_size = 2.5, stand_strength = 0.1, natural_frequency = 2.0, damping_ratio = 0.2,
-		wear_recovery = 0.4, dry = 0.5, root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE,
+		wear_recovery = 0.4, dry = 0.5, card = GradientTexture2D.new(), card_share = 0.2, card_width = 0.1, card_height = 0.2,
+		root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE, card_color = Color.YELLOW,
 	}
 	var changes: Array[int] = [0]
 	species.changed.connect(func() -> void: changes[0] += 1)

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+## The GPU's contacts against the CPU's.
+extends "res://tests/parity_case.gd"
+
+const ONE_STEP := 1e-5 # of a blade's length, after one step with contact
+const SINKING := 0.02 # metres a tick
+const OVER_THE_GRASS := 0.75 # metres
+const CREEPING := 0.002 # metres a tick
+const THIN := 0.005 # metres, half of what is thinner than a segment
+const HALF_STICK := 0.6 # metres
+const SKIN := 0.005 # metres, more than knots feel a surface from
+
+
+func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
+	var capsule := CapsuleShape3D.new()
+	capsule.radius = 0.1
+	capsule.height = 0.5
+	var box := BoxShape3D.new()
+	box.size = Vector3(0.3, 0.2, 0.4)
+	var cylinder := CylinderShape3D.new()
+	cylinder.radius = 0.15
+	cylinder.height = 0.3
+	var hull := ConvexPolygonShape3D.new()
+	hull.points = PackedVector3Array([Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)])
+	var bodies: Array[AnimatableBody3D] = []
+	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
+		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), OVER_THE_GRASS, 0.3))
+		body.rotation = Vector3(0.3, 0.2, 0.1) * bodies.size()
+		bodies.append(body)
+	return bodies
+
+
+func test_the_first_contact() -> void:
+	if not await add_pair():
+		return
+	var bodies := bodies_of_all_shapes()
+	for i in 60:
+		for body in bodies:
+			body.position.y -= SINKING
+		await ticks(1)
+		if difference(awake_tiles(cpu)) > 0.0:
+			break
+	var tiles := awake_tiles(cpu)
+	assert_eq(awake_tiles(gpu), tiles)
+	assert_greater(tiles.size(), 10)
+	var off := difference(tiles)
+	print("    parity at the first contact: %s of a blade's length" % String.num_scientific(off))
+	assert_less(off, ONE_STEP)
+	for body in bodies:
+		body.free()
+	var still := add_field({simulated = false})
+	await ticks(2)
+	var bent := 0.0
+	for tile in tiles:
+		bent = maxf(bent, farthest(tile_knots(cpu, tile), tile_knots(still, tile)))
+	assert_greater(bent, 1e-4, "metres: the contact bent blades")
+
+
+## Thin and sharp shapes beside the field's first tiles, level, lower than the blades' tips.
+func sharp_bodies() -> Array[AnimatableBody3D]:
+	var stick := CapsuleShape3D.new()
+	stick.radius = THIN
+	stick.height = 2 * HALF_STICK
+	var rod := CylinderShape3D.new()
+	rod.radius = THIN
+	rod.height = 2 * HALF_STICK
+	var lath := BoxShape3D.new()
+	lath.size = Vector3(2 * THIN, 2 * HALF_STICK, 2 * THIN)
+	var bodies: Array[AnimatableBody3D] = []
+	for shape: Shape3D in [stick, rod, lath]:
+		var body := add_held_body(shape, Vector3(-2.6, 0.2 + 0.05 * bodies.size(), 1.3 * bodies.size() - 1.3))
+		body.rotation = Vector3(PI / 2, 0.1 * bodies.size(), 0)
+		bodies.append(body)
+	return bodies
+
+
+## How near one of these points is to the middle line of one of the bodies, metres.
+func nearest(points: PackedVector3Array, bodies: Array[AnimatableBody3D]) -> float:
+	var least := INF
+	for body in bodies:
+		var half := body.global_basis.y * HALF_STICK
+		for point in points:
+			var on_line := Geometry3D.get_closest_point_to_segment(point, body.position - half, body.position + half)
+			least = minf(least, point.distance_to(on_line))
+	return least
+
+
+## What is thinner than a segment bends blades by the edges between their knots.
+func test_the_first_contact_of_edges() -> void:
+	if not await add_pair():
+		return
+	var bodies := sharp_bodies()
+	var still := add_field({simulated = false})
+	await ticks(2)
+	var first := PackedVector3Array()
+	for z in still.get_tiles().y:
+		first.append_array(tile_knots(still, Vector2i(0, z)))
+	var by_edges := 0
+	var bent := {}
+	var most := 0.0
+	for i in 200:
+		for body in bodies:
+			body.position.x += CREEPING if nearest(first, [body]) < 0.05 else SINKING
+		await ticks(1)
+		for tile in awake_tiles(cpu):
+			for blade in BLADES:
+				var rest := still.get_knots(tile, blade)
+				if not bent.has([tile, blade]) and farthest(cpu.get_knots(tile, blade), rest) > 1e-5:
+					bent[[tile, blade]] = true
+					if nearest(rest, bodies) > THIN + SKIN + CREEPING:
+						by_edges += 1
+						most = maxf(most, blade_difference(tile, blade))
+		if by_edges >= 5:
+			break
+	print("    parity when edges alone first bend a blade, %d of %d: %s of its length" % [by_edges, bent.size(), String.num_scientific(most)])
+	assert_greater(by_edges, 4, "blades that no knot's contact bent first")
+	assert_less(most, ONE_STEP)
+
+
+## A slab that lies on the grass: what it holds sticks, to the bit, on both.
+func test_held_blades_stand_still_on_both() -> void:
+	if not await add_pair():
+		return
+	var slab := BoxShape3D.new()
+	slab.size = Vector3(0.8, 0.1, 0.8)
+	var body := add_held_body(slab, PLACE + Vector3(0, 0.5, 0))
+	for i in 30:
+		body.position.y = maxf(body.position.y - SINKING, 0.2)
+		await ticks(1)
+	await ticks(90)
+	var tile := gpu.get_tile_at(PLACE)
+	var poses: Array[PackedVector3Array] = [tile_knots(cpu, tile), tile_knots(gpu, tile)]
+	await ticks(1)
+	var still_now: Array[int] = []
+	var bends: Array[float] = []
+	for i in 2:
+		var now := tile_knots([cpu, gpu][i], tile)
+		var still := 0
+		var sum := 0.0
+		for blade in BLADES:
+			still += 1 if now.slice(KNOTS * blade, KNOTS * (blade + 1)) == poses[i].slice(KNOTS * blade, KNOTS * (blade + 1)) else 0
+		for k in now.size():
+			sum += now[k].y
+		still_now.append(still)
+		bends.append(1e3 * sum / now.size())
+	print("    under a slab stand still: CPU %d, GPU %d of %d blades; knots %.3f and %.3f mm high" % [still_now[0], still_now[1], BLADES, bends[0], bends[1]])
+	assert_greater(still_now[0], BLADES / 2)
+	assert_near(still_now[1], still_now[0], 3)
+	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
+
+
+## Contacts amplify rounding, so the long run is compared as a whole: how far blades are bent on average.
+func test_bent_alike_under_a_moving_body() -> void:
+	if not await add_pair():
+		return
+	var tile := Vector2i(4, 4)
+	var rest := tile_knots(cpu, tile)
+	var body := add_held_body(ball(0.2), Vector3(-1, 0.2, 0.2))
+	for i in 40:
+		body.position.x += 0.03
+		await ticks(1)
+	var bends: Array[float] = []
+	for field: GrassField in [cpu, gpu]:
+		var knots := tile_knots(field, tile)
+		var sum := 0.0
+		for i in knots.size():
+			sum += knots[i].distance_to(rest[i])
+		bends.append(1e3 * sum / knots.size())
+	print("    mean bend under a moving ball: CPU %.3f mm, GPU %.3f mm" % [bends[0], bends[1]])
+	assert_greater(bends[0], 10.0)
+	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
