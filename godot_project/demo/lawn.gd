@@ -2,10 +2,10 @@
 ## A lawn in a rough meadow. Half of it is mown in stripes; a mower goes on with the rest, lane by lane, and a ball rolls over it.
 extends "res://demo/place.gd"
 
-const LANES := 12
-const LANE := 1.2 # metres, width of the deck
+const LANES := 7
+const LANE := 2.0 # metres, width of the deck; the map keeps what is combed every metre
 const HALF := 10.0 # metres, half of a lane's length
-const MOWN := 5 # lanes, before the scene begins
+const MOWN := 3 # lanes, before the scene begins
 const SPEED := 2.5 # m/s
 const COMB := 0.25 # metres from one touch of the roller to the next
 
