@@ -4,7 +4,6 @@
 #include "convert.h"
 #include "core/half.h"
 
-#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
@@ -15,21 +14,6 @@ using namespace godot;
 namespace grass {
 
 namespace {
-
-// The texture's pixels as a layer has them; null if it has none that can be read.
-Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
-	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
-	if (found.is_null() || found->is_empty()) {
-		return {};
-	}
-	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
-	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
-			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
-	image->clear_mipmaps();
-	image->convert(Image::FORMAT_RGBA8);
-	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
-	return image;
-}
 
 Color mean_color(const Ref<Image> &p_image) {
 	constexpr int STEP = 4, COUNT = (Cards::SIDE / STEP) * (Cards::SIDE / STEP);
@@ -46,19 +30,48 @@ Color mean_color(const Ref<Image> &p_image) {
 
 } // namespace
 
+Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
+	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
+	if (found.is_null() || found->is_empty()) {
+		return {};
+	}
+	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
+	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
+			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
+	image->clear_mipmaps();
+	image->convert(Image::FORMAT_RGBA8);
+	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
+	image->generate_mipmaps();
+	return image;
+}
+
+bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks) {
+	for (size_t s = 0; s < p_cards.images.size(); s++) {
+		if (p_cards.images[s] != (s < p_looks.size() ? p_looks[s].card : Ref<Image>())) {
+			return false;
+		}
+	}
+	return true;
+}
+
+int64_t Cards::get_memory_usage() const {
+	int64_t bytes = 0;
+	for (const Ref<Image> &image : images) {
+		bytes += image.is_valid() ? image->get_data_size() : 0;
+	}
+	return bytes;
+}
+
 Cards make_cards(std::span<const SpeciesLook> p_looks) {
 	Cards cards;
-	cards.layers.fill(GRASS_NO_CARD);
 	TypedArray<Ref<Image>> images;
 	for (size_t s = 0; s < p_looks.size(); s++) {
-		const Ref<Image> image = read_card(p_looks[s].card);
-		if (image.is_null()) {
-			continue;
+		const Ref<Image> &image = cards.images[s] = p_looks[s].card;
+		if (image.is_valid()) {
+			cards.colors[s] = mean_color(image);
+			cards.layers[s] = int(images.size());
+			images.push_back(image);
 		}
-		cards.colors[s] = mean_color(image);
-		cards.layers[s] = int(images.size());
-		image->generate_mipmaps();
-		images.push_back(image);
 	}
 	if (!images.is_empty()) {
 		cards.textures.instantiate();

@@ -137,7 +137,7 @@ void BrushToolbar::add_bake() {
 	_bake->set_theme_type_variation("FlatButton");
 	_bake->set_focus_mode(FOCUS_NONE);
 	_bake->set_tooltip_text("Reads the ground under the whole field from collision shapes, so that the grass stands on it.\n"
-							"Press it again when the ground or the field has moved. Painting does it under the brush.");
+							"Painting does it under the brush, and where the ground or the field is moved it is done again.");
 	_bake->connect("pressed", callable_mp(this, &BrushToolbar::_bake_pressed));
 	add_child(_bake);
 }
@@ -155,8 +155,9 @@ void BrushToolbar::add_menu() {
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
 	popup->add_separator();
-	popup->add_check_item("Bake Ground While Painting", MENU_FOLLOW);
+	popup->add_check_item("Bake Ground by Itself", MENU_FOLLOW);
 	popup->set_item_checked(popup->get_item_index(MENU_FOLLOW), true);
+	popup->set_item_tooltip(popup->get_item_index(MENU_FOLLOW), "Under the brush, and where the ground or the field was moved.");
 	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
 	add_child(_menu);
 }

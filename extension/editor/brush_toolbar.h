@@ -40,7 +40,7 @@ public:
 
 	godot::Ref<GrassBrush> get_brush() const { return _brush; }
 	bool has_tool() const { return _has_tool; }
-	bool follows_ground() const; // painting bakes the ground under the brush
+	bool follows_ground() const; // bakes the ground under the brush, and where something moved
 	void put_tool_down(); // nothing is painted until another is chosen
 	void nudge(Number p_number, int p_notches);
 	godot::Color get_tool_color() const; // for the ring

@@ -30,10 +30,12 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
+	set_process(true);
 }
 
 void GrassEditorPlugin::_exit_tree() {
 	put_down();
+	_watch.forget();
 	_ring.free();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_toolbar->queue_free();
@@ -43,7 +45,25 @@ void GrassEditorPlugin::_exit_tree() {
 void GrassEditorPlugin::_notification(int p_what) {
 	if (p_what == NOTIFICATION_APPLICATION_FOCUS_OUT || p_what == NOTIFICATION_WM_WINDOW_FOCUS_OUT) {
 		finish_stroke();
+	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
+		if (!_toolbar->follows_ground()) {
+			_watch.forget();
+		} else if (!_stroke.is_active()) { // it keeps a snapshot, which is whole strokes and whole ground
+			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
+		}
 	}
+}
+
+// Before the ground goes into a snapshot or a file.
+void GrassEditorPlugin::finish_ground() {
+	if (_toolbar != nullptr && _toolbar->follows_ground()) {
+		_watch.finish(EditorInterface::get_singleton()->get_edited_scene_root());
+	}
+}
+
+void GrassEditorPlugin::_apply_changes() {
+	finish_stroke();
+	finish_ground();
 }
 
 bool GrassEditorPlugin::_handles(Object *p_object) const {
@@ -66,7 +86,7 @@ void GrassEditorPlugin::_make_visible(bool p_visible) {
 }
 
 Dictionary GrassEditorPlugin::_get_state() const {
-	const_cast<GrassEditorPlugin *>(this)->finish_stroke(); // the last that is heard while the scene is the edited one
+	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last that is heard while the scene is the edited one
 	return {};
 }
 
@@ -139,6 +159,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		}
 		finish_stroke();
 		if (const auto point = show_ring(p_camera, p_button->get_position())) {
+			finish_ground();
 			_stroke.begin(find_field(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}
 		return AFTER_GUI_INPUT_STOP;
@@ -211,6 +232,7 @@ void GrassEditorPlugin::_tool_changed() {
 // Something done to the whole field's map, as one step of the history.
 template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &&p_change) {
 	finish_stroke();
+	finish_ground();
 	GrassField *field = find_field();
 	if (field == nullptr) {
 		return;
@@ -280,6 +302,9 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	statistics["event_us"] = _event_us;
 	statistics["active"] = _stroke.is_active();
 	statistics["ring"] = _ring.is_shown();
+	statistics["watch_rays"] = _watch.get_rays();
+	statistics["watch_waiting"] = _watch.get_waiting();
+	statistics["watch_us"] = _watch.get_look_us();
 	return statistics;
 }
 

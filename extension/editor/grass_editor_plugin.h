@@ -4,6 +4,7 @@
 #pragma once
 
 #include "editor/brush_toolbar.h"
+#include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
 
@@ -27,13 +28,15 @@ public:
 	bool _handles(godot::Object *p_object) const override;
 	void _edit(godot::Object *p_object) override;
 	void _make_visible(bool p_visible) override;
-	// The editor puts the scene aside, or saves it: the stroke ends, and is written into that scene's history.
+	// The editor puts the scene aside, or saves it: the stroke ends, and is written into that scene's history. The ground is
+	// what it should be.
 	godot::Dictionary _get_state() const override;
-	void _apply_changes() override { finish_stroke(); }
+	void _apply_changes() override;
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
 	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
-	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown.
+	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown. Of ground that follows what
+	// moved: `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the scene (`watch_us`).
 	godot::Dictionary get_statistics() const;
 
 protected:
@@ -47,6 +50,7 @@ private:
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
 	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
 	void finish_stroke();
+	void finish_ground();
 	void put_down(); // ends the stroke, hides the ring
 	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
@@ -56,6 +60,7 @@ private:
 	BrushToolbar *_toolbar = nullptr;
 	uint64_t _field_id = 0; // of the selected field; 0: none
 	PaintStroke _stroke;
+	GroundWatch _watch;
 	RingView _ring;
 	double _event_us = 0.0;
 };

@@ -263,6 +263,7 @@ private:
 	FieldBlades _blades;
 	std::vector<SpeciesParams> _mix; // that _setup.species was made of
 	std::vector<GrassStep> _species_steps; // of this tick
+	Cards _cards;
 	mutable std::shared_ptr<const Patch> _joined; // of the species' patches and shares
 	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
 	mutable std::vector<double> _joined_shares;

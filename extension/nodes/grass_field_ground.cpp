@@ -19,7 +19,6 @@ namespace grass {
 
 namespace {
 
-constexpr double BAKE_REACH = 1024.0; // metres above and below the field
 constexpr double BORDER = info_of(MAP_GROUND).texel_size(); // what the field's last blades blend with
 
 // A NaN among the heights is a hole.
@@ -78,8 +77,8 @@ int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	GroundRays rays(get_world_3d(), field_transform(), p_mask);
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			message("the physics cannot be asked now. Where it runs on a thread of its own, call bake_ground() in _physics_process()."));
-	return lay_ground_by(
-			bake_region(p_region), [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -BAKE_REACH, BAKE_REACH); });
+	return lay_ground_by(bake_region(p_region),
+			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -GroundRays::REACH, GroundRays::REACH); });
 }
 
 int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {

@@ -78,7 +78,7 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 int64_t GrassField::get_memory_usage() const {
 	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
 	const int64_t map = _field_map ? int64_t(_field_map->get_memory_usage()) + _map_textures.get_memory_usage() : 0;
-	return map + int64_t(tiles) + (_backend ? _backend->get_memory_usage() : 0);
+	return map + int64_t(tiles) + _cards.get_memory_usage() + (_backend ? _backend->get_memory_usage() : 0);
 }
 
 double GrassField::get_monitor(FieldMonitor p_monitor) {

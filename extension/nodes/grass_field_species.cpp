@@ -189,10 +189,12 @@ void GrassField::set_species_uniforms() {
 		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
 		looks.push_back(look);
 	}
-	const Cards cards = make_cards(looks);
-	_backend->set_uniform("species_look", make_look_texture(looks, cards));
-	if (cards.textures.is_valid()) {
-		_backend->set_uniform("card_textures", cards.textures);
+	if (!are_made_of(_cards, looks)) {
+		_cards = make_cards(looks);
+	}
+	_backend->set_uniform("species_look", make_look_texture(looks, _cards));
+	if (_cards.textures.is_valid()) {
+		_backend->set_uniform("card_textures", _cards.textures);
 	}
 }
 

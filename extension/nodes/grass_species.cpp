@@ -46,6 +46,7 @@ void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
 void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
 	swap_part(_card, p_card);
 	_card = p_card;
+	_card_image.unref();
 	emit_changed();
 }
 
@@ -92,7 +93,12 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 	return params;
 }
 
-SpeciesLook GrassSpecies::get_look() const {
+void GrassSpecies::_part_changed() {
+	_card_image.unref(); // it may have been the card
+	emit_changed();
+}
+
+SpeciesLook GrassSpecies::get_look() {
 	SpeciesLook look;
 	const Color root = _colors[SPECIES_ROOT_COLOR].srgb_to_linear(), tip = _colors[SPECIES_TIP_COLOR].srgb_to_linear();
 	for (size_t i = 0; i < look.colors.size(); i++) {
@@ -102,7 +108,10 @@ SpeciesLook GrassSpecies::get_look() const {
 	}
 	look.dry_color = _colors[SPECIES_DRY_COLOR].srgb_to_linear();
 	look.dry = float(param(SPECIES_PARAM_DRY));
-	look.card = _card;
+	if (_card_image.is_null()) {
+		_card_image = read_card(_card);
+	}
+	look.card = _card_image;
 	look.card_color = _colors[SPECIES_CARD_COLOR].srgb_to_linear();
 	look.card_share = float(param(SPECIES_PARAM_CARD_SHARE));
 	look.card_width = float(param(SPECIES_PARAM_CARD_WIDTH));

@@ -34,7 +34,7 @@ public:
 	SpeciesParams get_mix() const;
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
-	SpeciesLook get_look() const; // without canopies
+	SpeciesLook get_look(); // without canopies
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 	double get_card_size() const; // farthest from the tip, metres; 0: no card
 
@@ -42,13 +42,14 @@ protected:
 	static void _bind_methods();
 
 private:
-	void _part_changed() { emit_changed(); }
+	void _part_changed();
 	void swap_part(const godot::Ref<godot::Resource> &p_old, const godot::Ref<godot::Resource> &p_new);
 	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }
 
 	godot::Ref<GrassPatch> _patch;
 	godot::Ref<godot::Gradient> _gradient;
 	godot::Ref<godot::Texture2D> _card;
+	godot::Ref<godot::Image> _card_image; // of _card, once it was asked for
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

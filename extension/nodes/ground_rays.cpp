@@ -13,13 +13,9 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-
-bool moves_about(Object *p_body) {
+bool moves_about(const Object *p_body) {
 	return Object::cast_to<RigidBody3D>(p_body) || Object::cast_to<CharacterBody3D>(p_body) || Object::cast_to<AnimatableBody3D>(p_body);
 }
-
-} // namespace
 
 GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, int64_t p_mask) :
 		_field(to_eigen(p_field).matrix()), _to_field(_field.inverse()) {

@@ -193,6 +193,12 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	await drawn()
 	assert_less(difference(gpu, await picture()).y, 0.003)
 	field.backend = GrassField.BACKEND_AUTO
+	violet.card.set_image(flower(Color(0.9, 0.1, 0.1)).get_image())
+	await drawn()
+	var repainted := await picture()
+	assert_near(share_of(repainted, is_red), share, 0.01)
+	_check_no_flowers(repainted)
+	violet.card.set_image(flower(Color(0.7, 0.1, 0.7)).get_image())
 	field.map.stroke(brush(GrassBrush.TOOL_CUT, 4.0, {cut_height = 0.2}), Vector2.ZERO, Vector2.ZERO)
 	await drawn()
 	_check_no_flowers(await picture())
@@ -266,7 +272,9 @@ func test_flowers_bend_with_their_blades() -> void:
 	print("    %d of %d flowers moved by 0.2 m and more" % [moved.size(), rest.size()])
 	assert_greater(moved.size(), 10)
 	assert_greater(_share_of_flowers(image, moved), 0.9)
-	assert_less(_share_of_flowers(image, left), 0.5)
+	var stayed := _share_of_flowers(image, left)
+	print("    flowers where they are now %.3f, where they were %.3f" % [_share_of_flowers(image, moved), stayed])
+	assert_less(stayed, 0.5)
 	body.free()
 	violet.card_share = 0.25
 	await drawn()
@@ -298,7 +306,11 @@ func _tips(field: GrassField) -> PackedVector3Array:
 func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
 	var flowers := 0
 	for tip in tips:
-		flowers += int(is_violet(image.get_pixelv(Vector2i(camera.unproject_position(tip)))))
+		var at := Vector2i(camera.unproject_position(tip))
+		var is_seen := false # a blade may cross it
+		for off: Vector2i in [Vector2i.ZERO, Vector2i(2, 0), Vector2i(-2, 0), Vector2i(0, 2), Vector2i(0, -2)]:
+			is_seen = is_seen or is_violet(image.get_pixelv(at + off))
+		flowers += int(is_seen)
 	return float(flowers) / tips.size()
 
 

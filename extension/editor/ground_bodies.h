@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Bodies that grass may stand on, as a scene's nodes have them: where each of them is, and which box it fills.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+#include <vector>
+
+namespace grass {
+
+// A body as it is at one moment. No shapes: it is not there.
+struct GroundBody {
+	struct Shape {
+		int64_t id = 0; // of its RID
+		godot::Transform3D transform; // in the body
+		Eigen::AlignedBox3d box; // around it, in its own space
+		bool operator==(const Shape &p_other) const;
+	};
+
+	godot::Transform3D transform; // global
+	std::vector<Shape> shapes;
+
+	bool operator==(const GroundBody &) const = default;
+	Eigen::AlignedBox3d get_box() const; // around all its shapes, in the world, metres; empty without shapes
+};
+
+// Ids of the nodes in and below p_root that have such a body: static bodies, and CSG with collision.
+std::vector<uint64_t> find_ground_bodies(godot::Node *p_root);
+// p_before: as it was read the last time; large shapes that it has are not read again.
+GroundBody read_ground_body(const godot::Node3D *p_node, const GroundBody &p_before);
+
+} // namespace grass

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "editor/ground_watch.h"
+
+#include "convert.h"
+#include "core/cpu_clock.h"
+#include "core/map/fill.h"
+#include "core/map/lay_ground.h"
+#include "nodes/ground_rays.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Frames of a round, in which each body is looked at once; what is the same in two of them has come to rest. More: the grass
+// follows later. Less: a scene of thousands of bodies makes the editor slow.
+constexpr int FRAMES_A_ROUND = 15;
+// Rounds from one search for new bodies to the next. More: one that is added and moved at once is not noticed.
+constexpr int ROUNDS_A_SEARCH = 8;
+// Rays a frame, about: those of one chunk, some milliseconds. More: the editor stutters.
+constexpr int64_t RAYS_A_FRAME = 4096;
+// What moves over less than this is followed everywhere; else only in chunks that have ground: of a large field that
+// was painted here and there the rest stays unread. m^2.
+constexpr double LARGEST_REGION = 65536.0;
+constexpr double TEXEL = info_of(MAP_GROUND).texel_size();
+// What is this large is ground. Smaller, it may be a house, which grass stands around. m^2.
+constexpr double TERRAIN = 1000.0;
+
+// Level ground at the field's height leaves no trace in the map: small fields are baked whole with their first stroke.
+bool has_ground(const GrassField &p_field) {
+	const Vector2 size = p_field.get_size();
+	return p_field.get_map().is_valid() && (p_field.get_map()->get_map().uses(MAP_GROUND) || size.x * size.y <= LARGEST_REGION);
+}
+
+std::vector<uint64_t> ids_of_fields(Node *p_root) {
+	std::vector<uint64_t> fields;
+	const auto add = [&](Object *p_node) {
+		const GrassField *field = Object::cast_to<GrassField>(p_node);
+		if (field != nullptr && has_ground(*field)) {
+			fields.push_back(field->get_instance_id());
+		}
+	};
+	add(p_root);
+	const TypedArray<Node> nodes = p_root->find_children("*", "GrassField", true, false);
+	for (int64_t i = 0; i < nodes.size(); i++) {
+		add(nodes[i]);
+	}
+	return fields;
+}
+
+MapRegion region_of(const GrassField &p_field) {
+	const Eigen::Vector2d half = 0.5 * to_eigen(p_field.get_size());
+	return MapRegion{ -half, half }.grown(TEXEL); // what the last blades blend with
+}
+
+bool is_empty(const MapRegion &p_region) {
+	return !(p_region.min.array() < p_region.max.array()).all();
+}
+
+// What lies below and above a box in the field's space.
+MapRegion footprint(const Eigen::AlignedBox3d &p_box) {
+	return { { p_box.min().x(), p_box.min().z() }, { p_box.max().x(), p_box.max().z() } };
+}
+
+// Whether the map's ground lies on the body somewhere, and not only under it. p_box: of the body, field space.
+bool is_stood_on(const GrassField &p_field, const Eigen::AlignedBox3d &p_box) {
+	const MapRegion region = footprint(p_box).shared(region_of(p_field));
+	if (is_empty(region) || (region.max - region.min).prod() >= TERRAIN) {
+		return !is_empty(region);
+	}
+	const PaintMap &map = p_field.get_map()->get_map();
+	for (double z = region.min.y(); z < region.max.y(); z += TEXEL) {
+		for (double x = region.min.x(); x < region.max.x(); x += TEXEL) {
+			const double height = map.sample(MAP_GROUND, 0, { x, z });
+			if (height > p_box.center().y() && height < p_box.max().y() + TEXEL) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+} // namespace
+
+void GroundWatch::forget() {
+	_root_id = 0;
+	_field_ids.clear();
+	_bodies.clear();
+	_poses.clear();
+	_pieces.clear();
+	_next_body = 0;
+	_frames_left = _rounds_left = 0;
+}
+
+void GroundWatch::update(Node *p_root) {
+	CpuClock clock;
+	if (--_frames_left <= 0) {
+		_look_us = 0.0;
+		_frames_left = begin_round(p_root) ? FRAMES_A_ROUND : 2 * FRAMES_A_ROUND;
+	}
+	look(_bodies.size() / FRAMES_A_ROUND + 1);
+	_look_us = std::max(_look_us, 1000.0 * clock.lap());
+	for (int64_t rays = 0; !_pieces.empty() && rays < RAYS_A_FRAME;) {
+		const Piece piece = _pieces.front();
+		_pieces.pop_front();
+		rays += bake(piece);
+	}
+}
+
+void GroundWatch::finish(Node *p_root) {
+	for (int round = 0; round < 2; round++) { // what moved rests now
+		if (begin_round(p_root)) {
+			look(_bodies.size());
+		}
+	}
+	while (!_pieces.empty()) {
+		const Piece piece = _pieces.front();
+		_pieces.pop_front();
+		bake(piece);
+	}
+}
+
+// False where nothing is to be watched.
+bool GroundWatch::begin_round(Node *p_root) {
+	_field_ids = p_root == nullptr ? std::vector<uint64_t>() : ids_of_fields(p_root);
+	if (_field_ids.empty()) {
+		forget();
+		return false;
+	}
+	const bool is_first = _root_id != p_root->get_instance_id();
+	if (is_first) {
+		const std::vector<uint64_t> ids = _field_ids;
+		forget();
+		_field_ids = ids;
+		_root_id = p_root->get_instance_id();
+	}
+	look_at_fields();
+	_next_body = 0;
+	if (--_rounds_left <= 0) {
+		_rounds_left = ROUNDS_A_SEARCH;
+		for (const uint64_t id : find_ground_bodies(p_root)) {
+			Watched<GroundBody> &body = _bodies[id];
+			if (is_first) {
+				body.baked = body.last = read_ground_body(Object::cast_to<Node3D>(ObjectDB::get_instance(id)), GroundBody());
+			}
+		}
+	}
+	return true;
+}
+
+// At the next p_count bodies of this round.
+void GroundWatch::look(size_t p_count) {
+	auto entry = _bodies.lower_bound(_next_body);
+	for (; entry != _bodies.end() && p_count > 0; p_count--) {
+		look_at_body(entry->first, entry->second);
+		const bool is_gone = ObjectDB::get_instance(entry->first) == nullptr && entry->second.baked.shapes.empty();
+		entry = is_gone ? _bodies.erase(entry) : std::next(entry);
+	}
+	_next_body = entry == _bodies.end() ? std::numeric_limits<uint64_t>::max() : entry->first;
+}
+
+void GroundWatch::look_at_body(uint64_t p_id, Watched<GroundBody> &r_body) {
+	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
+	// One that was taken out of the scene may come back by the history.
+	const GroundBody now = node == nullptr ? GroundBody() : read_ground_body(node, r_body.last);
+	if (r_body.last == now && !(r_body.baked == now)) {
+		add_body(r_body, now);
+	}
+	r_body.last = now;
+}
+
+void GroundWatch::look_at_fields() {
+	for (const GrassField *field : find_fields()) {
+		const bool is_new = _poses.find(field->get_instance_id()) == _poses.end();
+		Watched<Transform3D> &pose = _poses[field->get_instance_id()];
+		const Transform3D now = field->field_transform();
+		if (is_new) {
+			pose.baked = now;
+		} else if (pose.last == now && pose.baked != now) {
+			add_pieces(*field, region_of(*field), {});
+			pose.baked = now;
+		}
+		pose.last = now;
+	}
+}
+
+std::vector<const GrassField *> GroundWatch::find_fields() const {
+	std::vector<const GrassField *> fields;
+	for (const uint64_t id : _field_ids) {
+		const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(id));
+		if (field != nullptr && field->is_inside_tree() && has_ground(*field)) {
+			fields.push_back(field);
+		}
+	}
+	return fields;
+}
+
+void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now) {
+	const Eigen::AlignedBox3d before = r_body.baked.get_box(), now = p_now.get_box();
+	r_body.baked = p_now;
+	for (const GrassField *field : find_fields()) {
+		const Eigen::Affine3d to_field = to_eigen(field->field_transform()).inverse(Eigen::Isometry);
+		const Eigen::AlignedBox3d left = before.isEmpty() ? before : before.transformed(to_field);
+		r_body.is_ground = r_body.is_ground || (!left.isEmpty() && is_stood_on(*field, left));
+		if (!r_body.is_ground) {
+			continue;
+		}
+		if (!left.isEmpty()) {
+			add_pieces(*field, footprint(left).grown(2.0 * TEXEL), left);
+		}
+		if (!now.isEmpty()) {
+			add_pieces(*field, footprint(now.transformed(to_field)).grown(2.0 * TEXEL), {});
+		}
+	}
+}
+
+void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left) {
+	const MapRegion region = p_region.shared(region_of(p_field));
+	if (is_empty(region)) {
+		return;
+	}
+	const bool is_large = (region.max - region.min).prod() > LARGEST_REGION;
+	for (const MapKey &key : chunks_in(region)) {
+		const MapChunk *chunk = p_field.get_map()->get_map().find(key);
+		const MapRegion part = MapRegion::of_chunk(key).shared(region);
+		if (!is_empty(part) && (!is_large || (chunk != nullptr && chunk->channels[MAP_GROUND]))) {
+			_pieces.push_back({ p_field.get_instance_id(), part, p_left });
+		}
+	}
+}
+
+// Number of rays. Where no ground is any more, grass stays at the height it has (somebody gave the map heights without a
+// body), unless it stood on the body that has left: then it comes down to the field's plane.
+int64_t GroundWatch::bake(const Piece &p_piece) {
+	const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(p_piece.field_id));
+	if (field == nullptr || !field->is_inside_tree() || !has_ground(*field)) {
+		return 0;
+	}
+	const Ref<GrassMap> map = field->get_map();
+	GroundRays rays(field->get_world_3d(), field->field_transform());
+	if (!rays.is_usable()) {
+		return 0;
+	}
+	Eigen::AlignedBox3d left = p_piece.left;
+	if (!left.isEmpty()) { // heights in the map are rounded
+		left.min().y() -= TEXEL;
+		left.max().y() += TEXEL;
+	}
+	const LaidGround laid = map->change([&](PaintMap &r_map) {
+		return lay_ground(r_map, p_piece.region, [&](const Eigen::Vector2d &p_place) {
+			const double height = rays.height_at(p_place, -GroundRays::REACH, GroundRays::REACH);
+			const double before = r_map.sample(MAP_GROUND, 0, p_place);
+			const bool comes_down = std::isnan(height) && before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
+			return comes_down ? 0.0 : height;
+		});
+	});
+	_rays += laid.asked;
+	if (!laid.changed.empty()) {
+		EditorInterface::get_singleton()->set_object_edited(map.ptr(), true);
+	}
+	return laid.asked;
+}
+
+} // namespace grass

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Keeps ground that is baked true while a scene is edited: where a body that grass stands on was moved, resized or taken away,
+// or the field itself was moved, the ground is read again. It is no step of the history: a motion that is undone is a motion,
+// and brings the ground back that was there.
+#pragma once
+
+#include "editor/ground_bodies.h"
+#include "nodes/grass_field.h"
+
+#include <deque>
+#include <map>
+
+namespace grass {
+
+class GroundWatch {
+public:
+	// Once a frame. p_root: of the scene that is edited, or null.
+	void update(godot::Node *p_root);
+	// All at once, for whoever goes by the ground now, or keeps a snapshot of it.
+	void finish(godot::Node *p_root);
+	void forget();
+
+	int64_t get_rays() const { return _rays; } // cast so far
+	int64_t get_waiting() const { return int64_t(_pieces.size()); }
+	double get_look_us() const { return _look_us; } // CPU time of looking, the longest frame of this round, microseconds
+
+private:
+	// Something that moves: as it was at the last look, and as it was when the ground was baked by it.
+	template <typename T> struct Watched {
+		T last, baked;
+		bool is_ground = false; // grass stood on it once, as far as it was seen to move
+	};
+	// Ground to be read, and the box of a body that has left it, in the field's space.
+	struct Piece {
+		uint64_t field_id;
+		MapRegion region;
+		Eigen::AlignedBox3d left;
+	};
+
+	bool begin_round(godot::Node *p_root);
+	void look(size_t p_count);
+	void look_at_body(uint64_t p_id, Watched<GroundBody> &r_body);
+	void look_at_fields();
+	std::vector<const GrassField *> find_fields() const;
+	void add_body(Watched<GroundBody> &r_body, const GroundBody &p_now);
+	void add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left);
+	int64_t bake(const Piece &p_piece);
+
+	uint64_t _root_id = 0; // of the scene that is watched; 0: none, since no field of it has ground
+	std::vector<uint64_t> _field_ids; // that have ground
+	std::map<uint64_t, Watched<GroundBody>> _bodies; // by the node's id
+	std::map<uint64_t, Watched<godot::Transform3D>> _poses; // of fields, by id
+	std::deque<Piece> _pieces;
+	uint64_t _next_body = 0; // id, at which this round goes on
+	int _frames_left = 0, _rounds_left = 0; // to the next round; to the next search for bodies
+	int64_t _rays = 0;
+	double _look_us = 0.0;
+};
+
+} // namespace grass
