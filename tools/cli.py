@@ -11,7 +11,7 @@ from tools.say import Failure, complain
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo and says where its pictures and its table are
+  ./grass demo     runs the demo (or: meadow, lawn, reeds) and says where its pictures are
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass editor   opens that project in the engine's editor
@@ -25,6 +25,7 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 """
 
 
+DEMOS = ("demo", "meadow", "lawn", "reeds")
 BENCHMARKS = """stress: only the stress tests, in full; takes an hour. accuracy: run time against error. paper: the paper's tables and
 	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
 
@@ -34,8 +35,10 @@ def parser():
 	commands = top.add_subparsers(dest="command", metavar="COMMAND")
 
 	demo = commands.add_parser("demo", help="run the demo")
-	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/demo)")
-	demo.add_argument("--size", choices=("small", "large"), help="default: large on a GPU, small on software Vulkan")
+	demo.add_argument("place", nargs="?", default="demo", choices=DEMOS, help="demo: 128 bodies thrown into a field (default); or a place")
+	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/PLACE)")
+	demo.add_argument("--size", choices=("small", "large"), help="of pictures, and of the field that bodies are thrown into; "
+			"default: large on a GPU, small on software Vulkan")
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
@@ -67,7 +70,7 @@ def dispatch(options):
 	from tools import accuracy, build, export, paper, scenes, testing  # here, so that the explanation is at once
 
 	if options.command == "demo":
-		scenes.demo(options.out, options.size, options.method)
+		scenes.demo(options.place, options.out, options.size, options.method)
 	elif options.command == "bench":
 		if options.what == "stress":
 			return testing.stress_in_full()

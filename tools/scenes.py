@@ -49,13 +49,14 @@ def results(folder):
 		print(f"  {file.relative_to(folder)}")
 
 
-def demo(out, size, method):
-	ready("res://demo/demo.tscn")
+def demo(place, out, size, method):
+	scene = f"res://demo/{place}.tscn"
+	ready(scene)
 	hardware = machine.gpu() and machine.display()
 	size = size or ("large" if hardware else "small")
-	folder = pathlib.Path(out or OUT / "demo").resolve()
-	say(f"The demo, {size}, on {'the GPU' if hardware else 'software Vulkan: this takes some minutes'}")
-	play("res://demo/demo.tscn", folder, ["--size", size], SIZES[size], method)
+	folder = pathlib.Path(out or OUT / place).resolve()
+	say(f"The {place}, {size}, on {'the GPU' if hardware else 'software Vulkan: this takes some minutes'}")
+	play(scene, folder, ["--size", size], SIZES[size], method)
 	results(folder)
 
 

@@ -42,7 +42,11 @@ Growth GrassField::growth_at(const Eigen::Vector3d &p_place) const {
 
 GrassKind GrassField::grass_kind() const {
 	const double tile = _setup.grid.get_tile_size();
-	return { _setup.patch->mean_height, _setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile) };
+	GrassKind kind{ _setup.patch->mean_height, _setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile), {} };
+	if (_setup.species) {
+		kind.height_at = [this](const Eigen::Vector2d &p_place) { return mean_height_at({ p_place.x(), 0.0, p_place.y() }); };
+	}
+	return kind;
 }
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {

@@ -73,11 +73,11 @@ func _make_stone(r_shape: CollisionShape3D, r_look: MeshInstance3D, size: float)
 		points.append(Vector3(_random.randfn(), _random.randfn(), _random.randfn()).normalized() * size * _random.randf_range(0.4, 0.6))
 	r_shape.shape = ConvexPolygonShape3D.new()
 	r_shape.shape.points = points
-	r_look.mesh = _hull_mesh(points)
+	r_look.mesh = hull_mesh(points)
 
 
 # The convex hull's faces: every triple of points with all others on one side.
-func _hull_mesh(points: PackedVector3Array) -> ArrayMesh:
+static func hull_mesh(points: PackedVector3Array) -> ArrayMesh:
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)
 	surface.set_smooth_group(-1)

@@ -11,7 +11,7 @@ using namespace grass;
 
 namespace {
 
-constexpr GrassKind KIND{ 0.4, 0.9, 256.0 };
+const GrassKind KIND{ 0.4, 0.9, 256.0, {} };
 
 ColliderShape solid(int p_type, const Eigen::Vector3d &p_size, const Eigen::Vector3d &p_place,
 		const Eigen::Vector3d &p_turn = Eigen::Vector3d::Zero()) {
@@ -116,6 +116,14 @@ TEST_CASE("cut_grass and mown_share: a deck over the border acts within it") {
 	CHECK(mown_share(map, field, KIND) == 1.0);
 	const Footprint outside(solid(GRASS_BOX, { 0.1, 0.1, 0.1 }, { 4.3, 0.2, 0 }));
 	CHECK(cut_grass(map, { &outside, field.rectangle }, KIND).changed.empty());
+}
+
+TEST_CASE("cut_grass: what falls of each species is its own height") {
+	PaintMap map = meadow();
+	GrassKind kind = KIND;
+	kind.height_at = [](const Eigen::Vector2d &p_place) { return p_place.x() < 0.0 ? 0.15 : 0.4; };
+	const Footprint deck(solid(GRASS_BOX, { 1, 0.1, 0.5 }, { 0, 0.2, 0 })); // 2 m^2, half of each, at 0.1 m
+	CHECK(cut_grass(map, { &deck }, kind).volume == doctest::Approx(0.05 + 0.3).epsilon(0.03));
 }
 
 TEST_CASE("cut_grass: a sword cuts, however thin") {

@@ -51,7 +51,9 @@ public:
 		return _density.value(0, p_i, p_j) * (1.0 - wear * wear);
 	}
 	double uncut(int p_i, int p_j) {
-		return _kind.height * _height.sample(0, centre_of(p_i, p_j)) * (1.0 - GRASS_WEAR_PRESSES * _wear.value(0, p_i, p_j));
+		const Eigen::Vector2d place = centre_of(p_i, p_j);
+		const double height = _kind.height_at ? _kind.height_at(place) : _kind.height;
+		return height * _height.sample(0, place) * (1.0 - GRASS_WEAR_PRESSES * _wear.value(0, p_i, p_j));
 	}
 	double standing(int p_i, int p_j) { return std::min(uncut(p_i, p_j), _cut.value(0, p_i, p_j)); }
 

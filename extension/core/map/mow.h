@@ -8,6 +8,8 @@
 
 #include <functional>
 
+#include <functional>
+
 namespace grass {
 
 // What one texel's worth of grass is, where nothing was painted or cut.
@@ -15,6 +17,7 @@ struct GrassKind {
 	double height = 0.0; // of the blades at rest, on average, metres
 	double tallest = 0.0; // metres; cuts at this height and above cut nothing
 	double per_area = 0.0; // blades a square metre
+	std::function<double(const Eigen::Vector2d &)> height_at; // by place, where species differ, in place of `height`
 };
 
 // How high grass stands on average at a texel of the cuts, by its height, wear and cut, metres. [Eq M1]

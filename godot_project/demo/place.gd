@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+## A place with grass in which something goes on. Started with `-- --out DIR` (`./grass demo NAME`) it takes the picture of each
+## of its cameras, in their order, at the second that stands in the camera's name after "at_", then ends. Else it goes on
+## until it is closed, seen through the first camera; the keys 1 to 9 change it.
+extends Node3D
+
+const Shots := preload("res://demo/shots.gd")
+
+var time := 0.0 # seconds, in physics ticks
+
+@onready var field: GrassField = $Field
+@onready var cameras: Array[Node] = $Cameras.get_children()
+
+
+func _ready() -> void:
+	field.measure_time = true
+	var arguments := OS.get_cmdline_user_args()
+	var out := arguments.find("--out")
+	if out >= 0 and out + 1 < arguments.size():
+		await record(arguments[out + 1])
+		get_tree().quit()
+
+
+func _physics_process(delta: float) -> void:
+	time += delta
+	happen(delta)
+
+
+## What goes on in a tick of `_delta` seconds.
+func happen(_delta: float) -> void:
+	pass
+
+
+## One line that says how it stands.
+func tell() -> String:
+	return ""
+
+
+func record(folder: String) -> void:
+	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+	if software: # one cascade instead of four: a frame takes seconds
+		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
+	var shots := Shots.new(get_viewport(), folder)
+	await shots.warm_up()
+	for camera: Camera3D in cameras:
+		while time < camera.name.get_slice("at_", 1).to_float():
+			await get_tree().physics_frame
+		camera.make_current()
+		await shots.take(camera.name.to_snake_case())
+		print("%s: %d blades, %d tiles simulated, %d triangles drawn. %s" % [camera.name, field.get_blade_count(),
+				field.get_awake_tile_count(), field.get_statistics().drawn_triangles, tell()])
+
+
+func _unhandled_key_input(event: InputEvent) -> void:
+	var index: int = event.keycode - KEY_1
+	if event.is_pressed() and index >= 0 and index < cameras.size():
+		cameras[index].make_current()

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+## The demo's places open, and what goes on in them bends, cuts and treads grass.
+extends "res://tests/case.gd"
+
+const Demo := "res://demo/%s.tscn"
+
+var place: Node3D
+var field: GrassField
+
+
+func open(p_name: String) -> void:
+	place = (load(Demo % p_name) as PackedScene).instantiate()
+	add_child(place)
+	field = place.get_node("Field")
+	await ticks(2)
+
+
+func after() -> void:
+	if is_instance_valid(place):
+		place.free()
+
+
+func test_meadow() -> void:
+	await open("meadow")
+	var walker: Node3D = place.get_node("Walker")
+	var start := walker.global_position
+	await ticks(90)
+	assert_greater(field.get_awake_tile_count(), 10)
+	assert_greater(walker.global_position.distance_to(start), 1.5)
+	var stroll: Curve3D = place.get_node("Stroll").curve
+	var trodden := 0.0
+	for i in 25:
+		var at := stroll.sample_baked(0.1 * i)
+		trodden = maxf(trodden, field.map.sample(GrassMap.CHANNEL_WEAR, Vector2(at.x, at.z)))
+	assert_greater(trodden, 0.02, "footprints")
+	assert_near(field.density_at(Vector3(-16, 0, 14)), 0.0, 0.2, "the path")
+	assert_greater(field.density_at(Vector3(-16, 0, 20)), 0.9)
+	for x in range(-40, 41, 10): # roots stand on the terrain
+		for z in range(-40, 41, 10):
+			var ground: float = place.get_node("Terrain").height_at(x, z)
+			assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)), ground, 0.1)
+
+
+func test_lawn() -> void:
+	await open("lawn")
+	var on_disk := FileAccess.get_md5("res://demo/lawn.grassmap")
+	var mown := field.get_mown_share()
+	assert_greater(mown, 0.1, "half of it is mown")
+	await ticks(120)
+	assert_greater(field.get_mown_share(), mown)
+	assert_less(field.height_at(place.get_node("Mower").global_position), 0.07)
+	assert_greater(field.get_awake_tile_count(), 0)
+	assert_eq(FileAccess.get_md5("res://demo/lawn.grassmap"), on_disk)
+
+
+func test_reeds() -> void:
+	await open("reeds")
+	var most := 0
+	for i in 120:
+		await ticks(1)
+		most = maxi(most, field.get_awake_tile_count())
+	assert_greater(most, 20, "the boat comes through the reeds")
+	assert_greater(field.height_at(Vector3(10, 0, 4)), 1.0, "reeds")
+	assert_near(field.height_at(Vector3(10, 0, 20)), 0.4, 0.2, "the bank")
+	assert_eq(field.density_at(Vector3(0, 0, -20)), 0.0, "open water")
