@@ -98,8 +98,8 @@ bool GpuBackend::set_grid(const TileGrid &p_grid) {
 }
 
 void GpuBackend::step(const StepInput &p_input) {
-	RenderQueue::get_singleton()->post(
-			[field = _field, records = StepRecords(p_input, float(_setup.blade_length() / GRASS_SEGMENTS)), measure = _measure] { field->step(records, measure); });
+	RenderQueue::get_singleton()->post([field = _field, records = StepRecords(p_input, float(_setup.blade_length() / GRASS_SEGMENTS)),
+											   measure = _measure] { field->step(records, measure); });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {

@@ -217,3 +217,17 @@ TEST_CASE_TEMPLATE("A ball and a capsule cut into edges by no more than a chord 
 		}
 	}
 }
+
+TEST_CASE("edges: corners and what is small beside a segment is sharp, large balls are not") {
+	const auto collider = [](int p_shape, float p_radius) {
+		GrassCollider made{};
+		made.anchor.z = p_shape;
+		made.size = { p_radius, p_radius, p_radius, 0.0f };
+		return made;
+	};
+	CHECK(is_sharp(collider(GRASS_SPHERE, 0.05f), 0.05f));
+	CHECK_FALSE(is_sharp(collider(GRASS_SPHERE, 0.2f), 0.05f));
+	CHECK_FALSE(is_sharp(collider(GRASS_CAPSULE, 0.2f), 0.05f));
+	CHECK(is_sharp(collider(GRASS_BOX, 5.0f), 0.05f));
+	CHECK(is_sharp(collider(GRASS_SPHERE, std::nanf("")), 0.05f));
+}
