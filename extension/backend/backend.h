@@ -67,6 +67,7 @@ struct ViewCamera {
 	float pixel = 0.0f, pixel_slope = 0.0f; // metres in a pixel at a distance: pixel + pixel_slope * distance
 
 	float pixel_at(float p_distance) const { return pixel + pixel_slope * p_distance; }
+	bool operator==(const ViewCamera &) const = default;
 };
 
 // From where, and how finely, the field is drawn in a frame. Field space, metres.
@@ -76,6 +77,8 @@ struct FieldView {
 	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
 	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
 	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
+
+	bool operator==(const FieldView &) const = default;
 };
 
 // What a backend did; counts since it was made, unless said otherwise.

@@ -46,6 +46,7 @@ bool CpuBackend::set_grid(const TileGrid &p_grid) {
 	_setup.grid = p_grid;
 	_slot_of_tile.clear();
 	_cover.reset(); // of the other grid; set_cover() follows
+	_tiles_changed = true;
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup));
 	}
@@ -57,6 +58,7 @@ void CpuBackend::step(const StepInput &p_input) {
 	const int64_t blades_before = _pool.get_simulated_blades();
 	_pool.step(p_input, [this](int p_count, const std::function<void(int)> &p_body) { _parallel->run(p_count, p_body); });
 	for (const GrassSlot &slot : p_input.slots) {
+		_tiles_changed = _tiles_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
 		if (slot.list.w & GRASS_SLOT_RETIRED) {
 			_slot_of_tile.erase(slot.tile.z);
 		} else {
@@ -78,8 +80,13 @@ void CpuBackend::draw(const FieldView &p_view) {
 		return;
 	}
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
-	choose_tiles(p_view);
 	update_pool_texture();
+	if (!_tiles_changed && _view == p_view) {
+		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+	}
+	choose_tiles(p_view);
+	_view = p_view;
+	_tiles_changed = false;
 	_statistics.culls++;
 	if (_measure) {
 		_statistics.cull_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
@@ -238,6 +245,7 @@ void CpuBackend::update_pool_texture() {
 void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
 	(void)p_changed; // asked for tile by tile
 	_cover = p_cover;
+	_tiles_changed = true;
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup, _cover.get()));
 	}

@@ -50,6 +50,8 @@ private:
 	bool _measure = false;
 	uint64_t _step_number = 0; // of the last step
 	BackendStatistics _statistics;
+	FieldView _view; // that the tiles in _levels were chosen for
+	bool _tiles_changed = true; // since then
 	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
 
 	std::shared_ptr<const TileCover> _cover; // null: no map

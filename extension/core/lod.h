@@ -34,6 +34,7 @@ struct LodParams {
 
 	// The same with NaN and values out of range mended: 0.001 <= far, 0 <= error, 0 <= pixels_min, 1 <= shadow_coarseness.
 	LodParams sanitised() const;
+	bool operator==(const LodParams &) const = default;
 };
 
 // The mean blade of a field, metres.

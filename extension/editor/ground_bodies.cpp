@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/ground_rays.h"
+#include "nodes/same_data.h"
 
 #include <godot_cpp/classes/csg_shape3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -46,12 +47,6 @@ Eigen::AlignedBox3d box_of_heights(const Dictionary &p_data) {
 	return box;
 }
 
-// Whether reading the shape copies many points.
-bool is_large(int64_t p_type) {
-	return p_type == PhysicsServer3D::SHAPE_CONVEX_POLYGON || p_type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON ||
-			p_type == PhysicsServer3D::SHAPE_HEIGHTMAP;
-}
-
 Eigen::AlignedBox3d box_of_shape(int64_t p_type, const Variant &p_data) {
 	switch (p_type) {
 		case PhysicsServer3D::SHAPE_SPHERE:
@@ -83,9 +78,12 @@ GroundBody::Shape read_shape_at(const RID &p_body, int32_t p_index, const Ground
 	GroundBody::Shape read;
 	read.id = shape.get_id();
 	read.transform = server->body_get_shape_transform(p_body, p_index);
-	const int64_t type = server->shape_get_type(shape);
+	read.data = server->shape_get_data(shape);
 	const bool is_known = size_t(p_index) < p_before.shapes.size() && p_before.shapes[size_t(p_index)].id == read.id;
-	read.box = is_known && is_large(type) ? p_before.shapes[size_t(p_index)].box : box_of_shape(type, server->shape_get_data(shape));
+	const GroundBody::Shape before = is_known ? p_before.shapes[size_t(p_index)] : GroundBody::Shape();
+	const bool is_same = is_known && is_same_data(before.data, read.data);
+	read.box = is_same ? before.box : box_of_shape(server->shape_get_type(shape), read.data);
+	read.changes = before.changes + (is_known && !is_same ? 1 : 0);
 	return read;
 }
 
@@ -93,7 +91,7 @@ GroundBody::Shape read_shape_at(const RID &p_body, int32_t p_index, const Ground
 
 bool GroundBody::Shape::operator==(const Shape &p_other) const {
 	const bool is_same_box = (box.isEmpty() && p_other.box.isEmpty()) || (box.min() == p_other.box.min() && box.max() == p_other.box.max());
-	return id == p_other.id && transform == p_other.transform && is_same_box;
+	return id == p_other.id && transform == p_other.transform && is_same_box && changes == p_other.changes;
 }
 
 Eigen::AlignedBox3d GroundBody::get_box() const {
@@ -132,7 +130,7 @@ GroundBody read_ground_body(const Node3D *p_node, const GroundBody &p_before) {
 	if (const CSGShape3D *csg = Object::cast_to<CSGShape3D>(p_node)) {
 		if (csg->is_using_collision() && csg->is_root_shape()) {
 			const AABB box = csg->get_aabb();
-			body.shapes.push_back({ 0, Transform3D(), { to_eigen(box.position), to_eigen(box.position + box.size) } });
+			body.shapes.push_back({ 0, Transform3D(), { to_eigen(box.position), to_eigen(box.position + box.size) }, Variant(), 0 });
 		}
 	} else if (const StaticBody3D *still = Object::cast_to<StaticBody3D>(p_node)) {
 		for (int32_t i = 0; i < PhysicsServer3D::get_singleton()->body_get_shape_count(still->get_rid()); i++) {

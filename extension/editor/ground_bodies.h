@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/variant.hpp>
 
 #include <vector>
 
@@ -18,6 +19,8 @@ struct GroundBody {
 		int64_t id = 0; // of its RID
 		godot::Transform3D transform; // in the body
 		Eigen::AlignedBox3d box; // around it, in its own space
+		godot::Variant data; // PhysicsServer3D.shape_get_data
+		uint64_t changes = 0; // of the data, as far as it was looked at
 		bool operator==(const Shape &p_other) const;
 	};
 
@@ -30,7 +33,7 @@ struct GroundBody {
 
 // Ids of the nodes in and below p_root that have such a body: static bodies, and CSG with collision.
 std::vector<uint64_t> find_ground_bodies(godot::Node *p_root);
-// p_before: as it was read the last time; large shapes that it has are not read again.
+// p_before: as it was read the last time; shapes that did not change since are not measured again.
 GroundBody read_ground_body(const godot::Node3D *p_node, const GroundBody &p_before);
 
 } // namespace grass

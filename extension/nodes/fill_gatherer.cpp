@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/same_data.h"
 
 #include <godot_cpp/classes/collision_shape3d.hpp>
 #include <godot_cpp/classes/curve3d.hpp>
@@ -128,8 +129,8 @@ template <typename F> void FillGatherer::add(const Node3D *p_node, const Source 
 	if (entry.is_seen) {
 		return; // in the group, and below a node that is
 	}
-	const bool is_same =
-			entry.source.pose == p_source.pose && entry.source.numbers == p_source.numbers && entry.source.data == p_source.data;
+	const bool is_same = entry.source.pose == p_source.pose && entry.source.numbers == p_source.numbers &&
+			is_same_data(entry.source.data, p_source.data);
 	if (!is_same || !entry.obstacle) {
 		FillObstacle made = p_make();
 		made.set_clearance(p_source.numbers[0], p_source.numbers[1]);

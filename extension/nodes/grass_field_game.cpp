@@ -181,8 +181,14 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 
 void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
 	ERR_FAIL_COND_MSG(p_node == nullptr || p_shape.is_null(), message("register_collider() needs a node and its shape."));
-	ERR_FAIL_COND_MSG(!_node_colliders.add(p_node, p_shape),
-			vformat("%s: a %s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", label(), p_shape->get_class()));
+	if (_node_colliders.add(p_node, p_shape)) {
+		return;
+	}
+	const String what = vformat("%s: the %s registered for '%s'", label(), p_shape->get_class(), p_node->get_name());
+	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
+	ERR_FAIL_COND_MSG(is_polygon,
+			vformat("%s encloses no volume. Give it points that do, before it is registered: four at least, not all in a plane.", what));
+	ERR_FAIL_MSG(vformat("%s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", what));
 }
 
 void GrassField::unregister_collider(Node3D *p_node) {

@@ -6,9 +6,22 @@
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
 
+#include <godot_cpp/classes/rendering_server.hpp>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+// Tiles along a side whose numbers survive the 16-bit floats that the Compatibility renderer packs an instance's numbers in.
+constexpr int EXACT_TILES = 2048;
+
+bool is_compatibility() {
+	return RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+}
+
+} // namespace
 
 int64_t GrassField::get_blade_count() const {
 	return _backend ? int64_t(_setup.grid.get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
@@ -211,7 +224,14 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (_simulated && _pool_tiles == 0) {
 		warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
 	}
-	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
+	const TileGrid grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
+	if (is_compatibility() && std::max(grid.get_tiles_x(), grid.get_tiles_z()) > EXACT_TILES) {
+		warnings.push_back(
+				vformat("The Compatibility renderer tells tiles apart up to %d along a side only: beyond, tiles share their clumps, "
+						"wind and map. Lower `density` or `size`, or use several fields.",
+						EXACT_TILES));
+	}
+	if (grid.was_limited()) {
 		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
 						   "use several fields.");
 	}

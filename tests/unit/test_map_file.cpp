@@ -121,13 +121,38 @@ TEST_CASE("map_file: a file cut off anywhere is refused, and says how much is th
 TEST_CASE("map_file: a newer version and another kind of file are told apart from damage") {
 	const PaintMap before = make_map(9);
 	MapBytes bytes = write_map(make_map(2), RUNS);
-	bytes[8] = 2;
+	bytes[8] = MAP_FILE_VERSION + 1;
 	PaintMap map;
 	CHECK(read_map(bytes, RUNS, map).find("newer version") != std::string::npos);
 	check_refused(bytes, before);
 	bytes[0] = 'g';
 	CHECK(read_map(bytes, RUNS, map).find("is no grass map") != std::string::npos);
 	check_refused(bytes, before);
+}
+
+TEST_CASE("map_file: a channel that nobody knows here was written by a newer version, even under this version's number") {
+	MapBytes bytes = write_map(make_map(2), RUNS);
+	uint32_t count;
+	std::memcpy(&count, &bytes[16], 4);
+	const uint32_t channels = 1u << MAP_CHANNELS;
+	std::memcpy(&bytes[20 + 8], &channels, 4);
+	PaintMap map;
+	CHECK(read_map(bytes, RUNS, map).find("is damaged") != std::string::npos); // the checksum tells of chance
+	put_checksum(bytes, 20 + size_t(count) * 20, 0, 20 + size_t(count) * 20);
+	CHECK(read_map(bytes, RUNS, map).find("newer version") != std::string::npos);
+	check_refused(bytes, make_map(9));
+}
+
+TEST_CASE("map_file: the first version is read, too") {
+	const PaintMap written = make_map(5);
+	MapBytes bytes = write_map(written, RUNS);
+	uint32_t count;
+	std::memcpy(&count, &bytes[16], 4);
+	bytes[8] = 1;
+	put_checksum(bytes, 20 + size_t(count) * 20, 0, 20 + size_t(count) * 20);
+	PaintMap map;
+	CHECK(read_map(bytes, RUNS, map) == "");
+	CHECK(map.compare(written).empty());
 }
 
 TEST_CASE("map_file: any byte changed is noticed") {

@@ -212,8 +212,12 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 		const uint32_t channels = get(p_bytes, entry + 8);
 		const auto packed = p_bytes.subspan(at, get(p_bytes, entry + 12));
 		at += packed.size();
-		const bool is_known = channels != 0 && (channels & ~ALL_CHANNELS) == 0 && map.find(key) == nullptr;
-		if (!is_known || checksum(packed) != get(p_bytes, entry + 16) || !unpack_chunk(packed, key, channels, p_codec, map)) {
+		if ((channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right: somebody meant it
+			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
+				   "it";
+		}
+		const bool is_sound = channels != 0 && map.find(key) == nullptr;
+		if (!is_sound || checksum(packed) != get(p_bytes, entry + 16) || !unpack_chunk(packed, key, channels, p_codec, map)) {
 			return "is damaged: its chunk " + std::to_string(n + 1) + " of " + std::to_string(count) + " cannot be read";
 		}
 	}

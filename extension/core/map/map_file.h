@@ -20,7 +20,8 @@
 
 namespace grass {
 
-inline constexpr uint32_t MAP_FILE_VERSION = 1;
+// Older versions are read. Whatever an older one cannot read makes a new version: a channel, a code that was out of range.
+inline constexpr uint32_t MAP_FILE_VERSION = 2; // 1: the same, or without MAP_PAINT
 
 using MapBytes = std::vector<uint8_t>;
 

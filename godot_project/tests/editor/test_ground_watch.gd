@@ -77,6 +77,44 @@ func test_ground_follows_a_body_that_is_deleted_and_comes_back() -> void:
 	assert_near(ground(Vector2(1.5, -4)), 1.5, 0.1, "it is 2 m high about its middle")
 
 
+func test_ground_follows_a_shape_that_is_edited_where_it_stands() -> void:
+	await bake()
+	var baked: PackedByteArray = field.map.data
+	var hill: HeightMapShape3D = field.get_node("../Hill/Shape").shape
+	var heights := hill.map_data
+	assert_near(ground(Vector2(-4, -8)), 1.6, 0.1)
+	var lower := heights.duplicate()
+	lower[12] = 0.2 # the top; the hill is as high and wide as it was
+	lower[6] = 0.8
+	hill.map_data = lower
+	await settled()
+	assert_near(ground(Vector2(-4, -8)), 0.4, 0.1)
+	assert_near(ground(Vector2(-6, -10)), 1.6, 0.1)
+	hill.map_data = heights
+	await settled()
+	assert_near(ground(Vector2(-4, -8)), 1.6, 0.1)
+	assert_eq(field.map.data, baked)
+
+
+func test_a_look_at_a_large_shape() -> void:
+	await bake()
+	var land := StaticBody3D.new()
+	land.position = Vector3(2000, 0, 0) # nothing to bake
+	var shape := CollisionShape3D.new()
+	shape.shape = HeightMapShape3D.new()
+	shape.shape.map_width = 1025
+	shape.shape.map_depth = 1025
+	land.add_child(shape)
+	await settled()
+	var without: float = plugin.get_statistics().watch_us
+	field.get_parent().add_child(land)
+	await settled()
+	print("a map of 1,025 x 1,025 heights: looking takes %.0f us, %.0f without it" % [plugin.get_statistics().watch_us, without])
+	assert_near(ground(FLOOR), FLOOR_HEIGHT, 0.1)
+	land.free()
+	await settled()
+
+
 func test_ground_follows_the_field_that_is_moved() -> void:
 	await bake()
 	var baked: PackedByteArray = field.map.data

@@ -72,19 +72,24 @@ func test_shadow_margin_draws_more() -> void:
 
 
 func test_nothing_changes_nothing_is_done() -> void:
-	var field := add_seen_field({wind_speed = 3.0})
-	await drawn()
-	var before := field.get_statistics()
-	assert_greater(before.culls, 0)
-	await frames(20)
-	var after := field.get_statistics()
-	assert_eq(after.culls, before.culls)
-	assert_eq(after.uploaded_bytes, before.uploaded_bytes)
-	assert_eq(after.steps, before.steps)
-	camera.position.x += 0.1
-	await drawn()
-	assert_eq(field.get_statistics().culls, before.culls + 1, "one for the camera's one move")
-	assert_greater(field.get_statistics().uploaded_bytes, before.uploaded_bytes)
+	for backend: GrassField.BackendMode in [GrassField.BACKEND_AUTO, GrassField.BACKEND_CPU]:
+		var field := add_seen_field({wind_speed = 3.0, backend = backend})
+		await drawn()
+		var before := field.get_statistics()
+		assert_greater(before.culls, 0)
+		await frames(20)
+		var after := field.get_statistics()
+		assert_eq(after.culls, before.culls)
+		assert_eq(after.uploaded_bytes, before.uploaded_bytes)
+		assert_eq(after.steps, before.steps)
+		camera.position.x += 0.1
+		await drawn()
+		assert_eq(field.get_statistics().culls, before.culls + 1, "one for the camera's one move")
+		assert_eq(field.get_statistics().uploaded_bytes > before.uploaded_bytes, backend == GrassField.BACKEND_AUTO)
+		field.pixels_min = 3.0
+		await drawn()
+		assert_eq(field.get_statistics().culls, before.culls + 2, "one for the level of detail")
+		field.free()
 
 
 func test_a_still_body_uploads_little() -> void:

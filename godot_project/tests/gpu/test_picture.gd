@@ -28,6 +28,15 @@ func mean(image: Image) -> Color:
 	return small.get_pixel(0, 0)
 
 
+func test_compatibility_says_where_it_becomes_imprecise() -> void:
+	var is_compatibility := RenderingServer.get_current_rendering_method() == "gl_compatibility"
+	if is_compatibility:
+		expect_error("The Compatibility renderer tells tiles apart up to 2048 along a side only")
+	var field := add_seen_field({size = Vector2(600, 0.5), density = 1024.0})
+	await drawn()
+	assert_eq(field.get_tiles(), Vector2i(2400, 2))
+
+
 func test_grass_covers_the_ground_green() -> void:
 	var empty := await picture()
 	assert_less(share_of(empty, is_green), 0.001, "nothing green without a field")

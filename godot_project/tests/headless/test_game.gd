@@ -128,6 +128,8 @@ func test_what_is_asked_badly_is_told() -> void:
 	field.register_collider(null, ball(1))
 	expect_error("bends no grass")
 	field.register_collider(self, WorldBoundaryShape3D.new())
+	expect_error("the ConvexPolygonShape3D registered for '%s' encloses no volume" % name)
+	field.register_collider(self, ConvexPolygonShape3D.new())
 	expect_error("unregister_collider() needs")
 	field.unregister_collider(null)
 	expect_error("GrassBrush")
