@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
+// The plugin's life, and what it does to whole fields. Mouse and keys: grass_editor_input.cpp.
 #include "editor/grass_editor_plugin.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
-#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
 
 namespace grass {
-
-namespace {
-
-StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
-	StrokeKeys keys;
-	keys.opposite = p_event->is_command_or_control_pressed();
-	keys.smooth = p_event->is_shift_pressed();
-	return keys;
-}
-
-} // namespace
 
 void GrassEditorPlugin::_enter_tree() {
 	_toolbar = memnew(BrushToolbar);
@@ -94,122 +83,6 @@ Dictionary GrassEditorPlugin::_get_state() const {
 GrassField *GrassEditorPlugin::find_field() const {
 	GrassField *field = _field_id == 0 ? nullptr : Object::cast_to<GrassField>(ObjectDB::get_instance(_field_id));
 	return field != nullptr && field->is_inside_tree() ? field : nullptr;
-}
-
-int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
-	if (find_field() == nullptr || _toolbar == nullptr || !_toolbar->has_tool() || p_camera == nullptr) {
-		put_down();
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (const Ref<InputEventKey> key = p_event; key.is_valid()) {
-		return key_input(key);
-	}
-	if (const Ref<InputEventMouseButton> button = p_event; button.is_valid()) {
-		return button_input(p_camera, button);
-	}
-	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
-		const uint64_t begin = Time::get_singleton()->get_ticks_usec();
-		const int32_t result = motion_input(p_camera, motion);
-		_event_us = double(Time::get_singleton()->get_ticks_usec() - begin);
-		return result;
-	}
-	return AFTER_GUI_INPUT_PASS;
-}
-
-int32_t GrassEditorPlugin::key_input(const Ref<InputEventKey> &p_key) {
-	if (!p_key->is_pressed()) {
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (p_key->get_keycode() == KEY_ESCAPE) {
-		if (_stroke.is_active()) {
-			_stroke.cancel();
-		} else {
-			_toolbar->put_tool_down();
-		}
-		return AFTER_GUI_INPUT_STOP;
-	}
-	// Where a bracket needs AltGr, the keys at their place serve as well.
-	const auto is_key = [&](Key p_code) { return p_key->get_keycode() == p_code || p_key->get_physical_keycode() == p_code; };
-	const int notches = int(is_key(KEY_BRACKETRIGHT)) - int(is_key(KEY_BRACKETLEFT));
-	if (notches == 0 || p_key->is_alt_pressed()) {
-		if (p_key->is_command_or_control_pressed() && p_key->get_keycode() != KEY_CTRL && p_key->get_keycode() != KEY_META) {
-			finish_stroke(); // undo, save and the like act on whole strokes
-		}
-		return AFTER_GUI_INPUT_PASS;
-	}
-	using Toolbar = BrushToolbar;
-	const bool ctrl = p_key->is_command_or_control_pressed(), shift = p_key->is_shift_pressed();
-	_toolbar->nudge(ctrl ? (shift ? Toolbar::NUMBER_TARGET : Toolbar::NUMBER_STRENGTH)
-						 : (shift ? Toolbar::NUMBER_HARDNESS : Toolbar::NUMBER_RADIUS),
-			notches);
-	return AFTER_GUI_INPUT_STOP;
-}
-
-int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEventMouseButton> &p_button) {
-	const MouseButton index = p_button->get_button_index();
-	const bool ctrl = p_button->is_command_or_control_pressed(), shift = p_button->is_shift_pressed();
-	if (index == MOUSE_BUTTON_LEFT) {
-		if (!p_button->is_pressed()) {
-			const bool painted = _stroke.is_active();
-			finish_stroke();
-			return painted ? AFTER_GUI_INPUT_STOP : AFTER_GUI_INPUT_PASS;
-		}
-		if (p_button->is_alt_pressed()) { // turns the view, where the editor is set up so
-			return AFTER_GUI_INPUT_PASS;
-		}
-		finish_stroke();
-		if (const auto point = show_ring(p_camera, p_button->get_position())) {
-			finish_ground();
-			_stroke.begin(find_field(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
-		}
-		return AFTER_GUI_INPUT_STOP;
-	}
-	// With Shift, some systems turn the wheel sideways.
-	const int notches = int(index == MOUSE_BUTTON_WHEEL_UP || index == MOUSE_BUTTON_WHEEL_RIGHT) -
-			int(index == MOUSE_BUTTON_WHEEL_DOWN || index == MOUSE_BUTTON_WHEEL_LEFT);
-	if (notches == 0) {
-		finish_stroke(); // another button turns or moves the view
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (p_button->is_alt_pressed() || (!ctrl && !shift)) {
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (p_button->is_pressed()) {
-		using Toolbar = BrushToolbar;
-		_toolbar->nudge(!ctrl ? Toolbar::NUMBER_HARDNESS : (shift ? Toolbar::NUMBER_STRENGTH : Toolbar::NUMBER_RADIUS), notches);
-		show_ring(p_camera, p_button->get_position());
-	}
-	return AFTER_GUI_INPUT_STOP;
-}
-
-int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEventMouseMotion> &p_motion) {
-	const auto point = show_ring(p_camera, p_motion->get_position());
-	if (!_stroke.is_active()) {
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (!p_motion->get_button_mask().has_flag(MOUSE_BUTTON_MASK_LEFT)) { // released where we could not hear it
-		finish_stroke();
-		return AFTER_GUI_INPUT_PASS;
-	}
-	if (point) {
-		StrokeKeys keys = keys_of(p_motion.ptr());
-		keys.pressure = p_motion->get_pressure() > 0.0 ? double(p_motion->get_pressure()) : 1.0; // a mouse has none
-		_stroke.move(*point, keys);
-	}
-	return AFTER_GUI_INPUT_STOP;
-}
-
-std::optional<GroundPoint> GrassEditorPlugin::show_ring(Camera3D *p_camera, const Vector2 &p_mouse) {
-	const GrassField *field = find_field();
-	const Ref<GrassBrush> brush = _toolbar->get_brush();
-	const double radius = brush->get_param(BRUSH_RADIUS);
-	const auto point = pick_ground(field, p_camera, p_mouse, radius);
-	if (point) {
-		_ring.show(field, p_camera, *point, radius, brush->get_param(BRUSH_HARDNESS), _toolbar->get_tool_color());
-	} else {
-		_ring.hide();
-	}
-	return point;
 }
 
 void GrassEditorPlugin::finish_stroke() {

@@ -9,6 +9,7 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <span>
 #include <vector>
@@ -17,6 +18,14 @@ namespace grass {
 
 // The device that the engine draws with; null in Compatibility and headless.
 godot::RenderingDevice *main_device();
+
+// A record as the bytes that a push constant takes.
+template <typename T> godot::PackedByteArray record_bytes(const T &p_record) {
+	godot::PackedByteArray bytes;
+	bytes.resize(sizeof(T));
+	std::memcpy(bytes.ptrw(), &p_record, sizeof(T));
+	return bytes;
+}
 
 // A storage buffer that grows with what is uploaded, and skips an upload of what it already holds.
 class GpuBuffer {

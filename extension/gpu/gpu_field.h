@@ -68,10 +68,15 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
+	static constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
+	// Words of CountBuffer in cull.glsl: of those that tell what is drawn, and where some of them stand; of all.
+	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
+	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
+
 	void bind_simulate(const godot::RID &p_patch);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void report_counts(int64_t p_uploaded);
-	void read_times();
+	void report_times();
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;

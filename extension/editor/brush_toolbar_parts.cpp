@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// What the toolbar is made of: buttons, sliders, the panel of limits, the menu. What they do: brush_toolbar.cpp.
+#include "editor/brush_toolbar.h"
+
+#include "editor/paint_stroke.h"
+#include "editor/tool_info.h"
+
+#include <godot_cpp/classes/button_group.hpp>
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/grid_container.hpp>
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/classes/popup_menu.hpp>
+#include <godot_cpp/classes/v_separator.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr Tunable SPECIES_TARGET{ "species_target", "", 0.0, 255.0, 1.0, 0.0 };
+constexpr double WIDE = 118.0, NARROW = 92.0; // of sliders, in the editor's unscaled pixels
+
+double editor_scale() {
+	return EditorInterface::get_singleton()->get_editor_scale();
+}
+
+} // namespace
+
+BrushToolbar::BrushToolbar() {
+	_brush.instantiate();
+	add_tools();
+	add_child(memnew(VSeparator));
+	add_numbers();
+	add_limits();
+	add_child(memnew(VSeparator));
+	add_bake();
+	add_menu();
+	_brush->connect("changed", callable_mp(this, &BrushToolbar::show_brush));
+	show_brush();
+}
+
+void BrushToolbar::add_tools() {
+	Ref<ButtonGroup> group;
+	group.instantiate();
+	group->set_allow_unpress(true);
+	for (const ToolInfo &info : TOOLS) {
+		Button *button = memnew(Button);
+		button->set_name(name_of(info.tool));
+		button->set_toggle_mode(true);
+		button->set_button_group(group);
+		button->set_theme_type_variation("FlatButton");
+		button->set_focus_mode(FOCUS_NONE); // keys stay with the view
+		button->set_tooltip_text(String(name_of(info.tool)) + ": " + info.tooltip + "\nShift: smooth. Esc: put the brush down.");
+		button->connect("toggled", callable_mp(this, &BrushToolbar::_tool_toggled));
+		add_child(button);
+		_tools.push_back(button);
+	}
+}
+
+EditorSpinSlider *BrushToolbar::add_slider(
+		Node *p_parent, const Tunable &p_tunable, const char *p_label, const char *p_tooltip, double p_width) {
+	EditorSpinSlider *slider = memnew(EditorSpinSlider);
+	slider->set_name(String(p_tunable.name).to_pascal_case());
+	slider->set_label(p_label);
+	slider->set_suffix(p_tunable.unit);
+	slider->set_min(p_tunable.minimum);
+	slider->set_max(p_tunable.maximum);
+	slider->set_step(p_tunable.step);
+	slider->set_tooltip_text(p_tooltip);
+	slider->set_custom_minimum_size(Vector2(real_t(p_width * editor_scale()), 0));
+	slider->connect("value_changed", callable_mp(this, &BrushToolbar::_number_changed));
+	p_parent->add_child(slider);
+	return slider;
+}
+
+void BrushToolbar::add_slider(Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width) {
+	_sliders.push_back({ p_param, add_slider(p_parent, BRUSH_PARAMS[p_param], p_label, p_tooltip, p_width) });
+}
+
+void BrushToolbar::add_numbers() {
+	add_slider(this, BRUSH_RADIUS, "Radius", "Radius.\nKeys [ and ], or Ctrl + mouse wheel.", WIDE);
+	slider_of(BRUSH_RADIUS)->set_exp_ratio(true);
+	add_slider(this, BRUSH_STRENGTH, "Strength",
+			"How far one touch brings the grass to its target.\nCtrl + [ and ], or Ctrl + Shift + mouse wheel.", WIDE);
+	add_slider(this, BRUSH_HARDNESS, "Hardness",
+			"Share of the radius that feels the full strength: the inner ring.\nShift + [ and ], or Shift + mouse wheel.", WIDE);
+	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
+	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
+	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
+	_species = add_slider(this, SPECIES_TARGET, "Species", TARGET_TOOLTIP, WIDE);
+	_color = memnew(ColorPickerButton);
+	_color->set_name("Color");
+	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));
+	_color->set_edit_alpha(false);
+	_color->set_tooltip_text("Colour of the blades.");
+	_color->connect("color_changed", callable_mp(this, &BrushToolbar::_color_changed));
+	add_child(_color);
+	_channel = memnew(OptionButton);
+	_channel->set_name("Channel");
+	_channel->set_tooltip_text("What is evened out.");
+	for (const ChannelName &smoothed : SMOOTHED) {
+		_channel->add_item(smoothed.name, smoothed.channel);
+	}
+	_channel->connect("item_selected", callable_mp(this, &BrushToolbar::_channel_selected));
+	add_child(_channel);
+}
+
+void BrushToolbar::add_limits() {
+	_limits = memnew(Button);
+	_limits->set_name("Limits");
+	_limits->set_theme_type_variation("FlatButton");
+	_limits->set_tooltip_text("Paint only ground of some slope and height.");
+	_limits->connect("pressed", callable_mp(this, &BrushToolbar::_limits_pressed));
+	add_child(_limits);
+	_limits_panel = memnew(PopupPanel);
+	_limits->add_child(_limits_panel);
+	GridContainer *grid = memnew(GridContainer);
+	grid->set_columns(2);
+	_limits_panel->add_child(grid);
+	add_slider(grid, BRUSH_SLOPE_MIN, "Slope from", "The least slope that is painted.", 1.5 * WIDE);
+	add_slider(grid, BRUSH_SLOPE_MAX, "to", "The greatest slope that is painted.", NARROW);
+	add_slider(grid, BRUSH_HEIGHT_MIN, "Height from", "The lowest ground that is painted, above the field's own height.", 1.5 * WIDE);
+	add_slider(grid, BRUSH_HEIGHT_MAX, "to", "The highest ground that is painted, above the field's own height.", NARROW);
+}
+
+void BrushToolbar::add_bake() {
+	_bake = memnew(Button);
+	_bake->set_name("Bake");
+	_bake->set_text("Bake Ground");
+	_bake->set_theme_type_variation("FlatButton");
+	_bake->set_focus_mode(FOCUS_NONE);
+	_bake->set_tooltip_text("Reads the ground under the whole field from collision shapes, so that the grass stands on it.\n"
+							"Painting does it under the brush, and where the ground or the field is moved it is done again.");
+	_bake->connect("pressed", callable_mp(this, &BrushToolbar::_bake_pressed));
+	add_child(_bake);
+}
+
+void BrushToolbar::add_menu() {
+	_menu = memnew(MenuButton);
+	_menu->set_name("Menu");
+	_menu->set_flat(true);
+	_menu->set_tooltip_text("The whole field.");
+	PopupMenu *popup = _menu->get_popup();
+	popup->add_item("Bare Field", MENU_BARE);
+	popup->set_item_tooltip(0, "Nothing grows but what you paint from now on.");
+	popup->add_item("Full Field", MENU_FULL);
+	popup->set_item_tooltip(1, "Grass grows everywhere but where you erase from now on.");
+	popup->add_separator();
+	popup->add_item("Clear Everything Painted", MENU_CLEAR);
+	popup->add_separator();
+	popup->add_check_item("Bake Ground by Itself", MENU_FOLLOW);
+	popup->set_item_checked(popup->get_item_index(MENU_FOLLOW), true);
+	popup->set_item_tooltip(popup->get_item_index(MENU_FOLLOW), "Under the brush, and where the ground or the field was moved.");
+	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
+	add_child(_menu);
+}
+
+// Drawn for a dark theme; their light parts take the colour of the theme's text.
+void BrushToolbar::load_icons() {
+	const String text_color = "#" + get_theme_color("font_color", "Button").to_html(false);
+	const auto icon_of = [&](const char *p_svg) {
+		Ref<Image> image;
+		image.instantiate();
+		image->load_svg_from_string(String(p_svg).replace("#e0e0e0", text_color), real_t(editor_scale()));
+		return ImageTexture::create_from_image(image);
+	};
+	for (size_t i = 0; i < _tools.size(); i++) {
+		_tools[i]->set_button_icon(icon_of(TOOLS[i].icon));
+	}
+	_limits->set_button_icon(get_theme_icon("AnimationFilter", "EditorIcons"));
+	_bake->set_button_icon(icon_of(icon::BAKE));
+	_menu->set_button_icon(get_theme_icon("GuiTabMenuHl", "EditorIcons"));
+}
+
+} // namespace grass

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// A frame of GpuField: the passes that choose what is drawn, and their counts.
+#include "gpu/gpu_field.h"
+#include "gpu/gpu_times.h"
+#include "gpu/render_queue.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+uint32_t groups_of(int64_t p_threads, int64_t p_group) {
+	return uint32_t((p_threads + p_group - 1) / p_group);
+}
+
+} // namespace
+
+bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
+	RenderingServer *server = RenderingServer::get_singleton();
+	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.picture);
+	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture);
+	const RID shadow_instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows);
+	const RID shadow_commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows);
+	if (!instances.is_valid() || !commands.is_valid() || !shadow_instances.is_valid() || !shadow_commands.is_valid()) {
+		return false;
+	}
+	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
+	_cull.bind_buffer(GRASS_CULL_CAMERAS, _cameras.rid());
+	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
+	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
+	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
+	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
+	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, shadow_instances);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_COMMANDS, shadow_commands);
+	return true;
+}
+
+void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
+	if (!_cull.is_ready()) {
+		return;
+	}
+	int64_t uploaded = _view.upload(std::span<const GrassView>(&p_records.view, 1));
+	uploaded += _cameras.upload(std::span<const GrassCamera>(p_records.cameras));
+	if (!bind_cull(p_multimeshes)) {
+		return;
+	}
+	if (p_measure) {
+		report_times();
+	}
+	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
+		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+	}
+	_table_changed = false;
+	{
+		Stopwatch watch(p_measure, Stopwatch::CULL);
+		RenderingDevice *device = main_device();
+		device->buffer_clear(_counts.rid(), 0, uint32_t(_counts.size()));
+		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
+		const bool have_room = _tiles <= _instances && _tiles <= _shadow_instances; // all at once
+		const int64_t list = device->compute_list_begin();
+		for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
+			if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
+				continue;
+			}
+			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
+			_cull.dispatch(list, record_bytes(constants), phase == GRASS_CULL_FIT ? 1 : groups);
+			device->compute_list_add_barrier(list);
+		}
+		device->compute_list_end();
+	}
+	report_counts(uploaded);
+}
+
+void GpuField::report_counts(int64_t p_uploaded) {
+	{
+		std::lock_guard lock(_report->mutex);
+		_report->statistics.culls++;
+		report_memory();
+		_report->statistics.uploaded_bytes += p_uploaded;
+	}
+	const auto receive = [report = _report](const PackedByteArray &p_data) {
+		if (p_data.size() < COUNTS_TOLD * 4) {
+			return;
+		}
+		std::lock_guard lock(report->mutex);
+		BackendStatistics &statistics = report->statistics;
+		for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+			statistics.drawn_tiles[size_t(level)] = p_data.decode_u32(level * 4);
+		}
+		statistics.drawn_blades = p_data.decode_u32(4 * COUNT_BLADES);
+		statistics.shadow_blades = p_data.decode_u32(4 * (COUNT_BLADES + 1));
+		statistics.left_out_tiles = { p_data.decode_u32(4 * COUNT_LEFT_OUT), p_data.decode_u32(4 * (COUNT_LEFT_OUT + 1)) };
+	};
+	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS_TOLD * 4, receive);
+}
+
+} // namespace grass

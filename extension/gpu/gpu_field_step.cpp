@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// A tick of GpuField: what travels to the device, the simulation pass, and what comes back of it.
+#include "core/collider.h"
+#include "core/cpu_clock.h"
+#include "gpu/gpu_field.h"
+#include "gpu/gpu_times.h"
+#include "gpu/render_queue.h"
+
+#include <algorithm>
+#include <cstring>
+
+using namespace godot;
+
+namespace grass {
+
+StepRecords::StepRecords(const StepInput &p_input, float p_segment) : number(p_input.number), step(p_input.step) {
+	CpuClock clock;
+	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
+	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
+	planes.assign(p_input.planes.begin(), p_input.planes.end());
+	growth.assign(p_input.growth.begin(), p_input.growth.end());
+	species.assign(p_input.species.begin(), p_input.species.end());
+	std::vector<bool> sharp;
+	for (const GrassCollider &collider : colliders) {
+		sharp.push_back(is_sharp(collider, p_segment));
+	}
+	for (GrassSlot &slot : slots) {
+		const auto begin = collider_list.begin() + slot.list.y, end = begin + slot.list.z;
+		if (std::any_of(begin, end, [&](uint32_t p_collider) { return p_collider >= sharp.size() || sharp[p_collider]; })) {
+			slot.list.w |= GRASS_SLOT_EDGES;
+			sharp_slots++;
+		}
+	}
+	copy_ms = clock.lap();
+}
+
+void GpuField::bind_simulate(const RID &p_patch) {
+	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
+		pass->bind_buffer(GRASS_BINDING_KNOTS_BEFORE, _knots_before.rid());
+		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, p_patch);
+		pass->bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
+		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
+		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+		pass->bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
+		if (_has_species) {
+			pass->bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
+			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+		}
+	}
+}
+
+void GpuField::step(const StepRecords &p_records, bool p_measure) {
+	if (p_records.slots.empty() || !_simulate.is_ready()) {
+		return;
+	}
+	CpuClock clock;
+	if (p_measure) {
+		report_times();
+	}
+	int64_t uploaded = 0;
+	uploaded += _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
+	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
+	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
+	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	for (const SlotGrowth &growth : p_records.growth) {
+		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
+		if (_has_species) {
+			uploaded += _blade_species.write(growth.slot * int64_t(sizeof(growth.species)), std::span<const uint8_t>(growth.species));
+		}
+	}
+	if (_has_species) {
+		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
+	}
+	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
+		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
+		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
+		pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
+	}
+	{
+		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
+		RenderingDevice *device = main_device();
+		const int64_t list = device->compute_list_begin();
+		const uint32_t slots = uint32_t(p_records.slots.size()), sharp = uint32_t(p_records.sharp_slots);
+		if (sharp < slots) { // each tile is one of the passes'; the other leaves it at once
+			_simulate.dispatch(list, record_bytes(p_records.step), slots);
+		}
+		if (sharp > 0) {
+			_simulate_edges.dispatch(list, record_bytes(p_records.step), slots);
+		}
+		device->compute_list_end();
+	}
+	const double upload_ms = clock.lap();
+	int64_t live = 0;
+	for (const GrassSlot &slot : p_records.slots) {
+		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
+		_table_changed = _table_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
+	}
+	{
+		std::lock_guard lock(_report->mutex);
+		BackendStatistics &statistics = _report->statistics;
+		statistics.steps++;
+		statistics.edge_tile_steps += p_records.sharp_slots;
+		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
+		statistics.uploaded_bytes += uploaded;
+		report_memory();
+		statistics.upload_ms = p_records.copy_ms + upload_ms;
+	}
+	// The device copies it between this step's dispatch and the next one's, so it is this step's.
+	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
+		std::lock_guard lock(report->mutex);
+		report->energy_step = number;
+		const size_t slots = size_t(p_data.size()) / sizeof(vec4);
+		report->energy.resize(slots);
+		report->bends.resize(slots);
+		for (size_t slot = 0; slot < slots; slot++) {
+			vec4 record;
+			std::memcpy(&record, p_data.ptr() + slot * sizeof(vec4), sizeof(vec4));
+			report->energy[slot] = record.x;
+			report->bends[slot] = { record.y, record.z, record.w };
+		}
+	};
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
+}
+
+std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
+	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
+	const PackedByteArray data =
+			main_device()->buffer_get_data(_knots.rid(), uint32_t(p_slot * KNOT_FLOATS_PER_SLOT * 4), uint32_t(KNOT_FLOATS_PER_SLOT * 4));
+	for (int component = 0; component < 3 && !data.is_empty(); component++) {
+		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++) {
+			const int at = (component * GRASS_FREE_KNOTS + knot - GRASS_CLAMPED_KNOTS) * GRASS_BLADES_PER_TILE + p_blade;
+			knots[size_t(knot)][component] = float(data.decode_float(at * 4));
+		}
+	}
+	return knots;
+}
+
+} // namespace grass

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How long the passes take on the GPU: timestamps around them, and what they say about two frames later. Render thread.
+#pragma once
+
+namespace grass {
+
+// Brackets work between two GPU timestamps, named so that read_gpu_times() finds them.
+class Stopwatch {
+public:
+	enum Pass { SIMULATE, CULL };
+
+	Stopwatch(bool p_measure, Pass p_pass);
+	~Stopwatch();
+
+private:
+	bool _measures;
+	Pass _pass;
+};
+
+// Of a frame that the GPU has finished, milliseconds; 0: it had no such pass.
+struct GpuTimes {
+	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull
+};
+
+GpuTimes read_gpu_times();
+
+} // namespace grass

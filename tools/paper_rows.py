@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: MIT
+"""Rows of the tables that `./grass bench paper` measures: which, what of them, and what they are called."""
+
+GREEN, ORANGE, BLUE, GREY = "#1b7f4b", "#c2571a", "#2a5f9e", "#777777"
+KINDS = {"field": GREEN, "tiles": BLUE, "multimesh 7": ORANGE, "multimesh 15": GREY}
+NAMES = {"field": "GrassField", "tiles": "MultiMesh a tile, by distance", "multimesh 7": "MultiMesh, 7 segments", "multimesh 15": "MultiMesh, 15 segments"}
+
+
+def pick(rows, **wanted):
+	return [row for row in rows if all(row[name] == str(value) for name, value in wanted.items())]
+
+
+def ms(row):
+	"""GPU time of a frame: what is drawn, and culling, which the engine's measure of a viewport does not hold."""
+	return float(row["gpu_ms"]) + float(row["cull_ms"] or 0.0)
+
+
+def xy(rows, x, y):
+	return sorted((float(row[x]), float(row[y])) for row in rows)
