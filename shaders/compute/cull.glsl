@@ -64,10 +64,6 @@ layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer 
 shared uint group_tiles[GRASS_ALL_LEVELS];
 shared uint group_first[GRASS_ALL_LEVELS];
 shared uint group_blades[2];
-// In the phase that decides: tiles of each rank in picture and shadows; how many ranks have room.
-shared uint rank_tiles[2][GRASS_RANKS];
-shared uint group_ranks[2];
-
 // How a tile is drawn, or casts its shadow.
 struct Choice {
 	int level; // of GRASS_ALL_LEVELS; -1: not at all
@@ -75,6 +71,8 @@ struct Choice {
 	float morph;
 	uint place; // among the workgroup's tiles of the level
 };
+
+#include "compute/room.inc"
 
 // What a tile needs: blades, and segments of each (core/lod.h: LodNeed).
 void add_need(inout vec2 r_need, GrassCamera p_camera, float p_distance, float p_coarseness) {
@@ -123,19 +121,6 @@ vec4 find_needs(vec3 p_middle, vec3 p_half) {
 	return vec4(seen, casting);
 }
 
-// Takes a tile away that has no room; of those like it, the others cover as much.
-void make_room(inout Choice r_choice, uint p_turn, int p_list) {
-	if (r_choice.level < 0 || left_out[p_list] == 0u) {
-		return;
-	}
-	if (GRASS_SEGMENTS_OF[r_choice.level] == 1) {
-		r_choice.morph = grass_lod_left_out(ranks[p_list]);
-	}
-	if (grass_lod_rank(r_choice.level, p_turn) >= ranks[p_list]) {
-		r_choice.level = -1;
-	}
-}
-
 // Adds a tile to the workgroup's.
 void enlist(inout Choice r_choice, int p_list) {
 	if (r_choice.level >= 0) {
@@ -143,65 +128,6 @@ void enlist(inout Choice r_choice, int p_list) {
 		atomicAdd(group_blades[p_list], uint(ceil(r_choice.blades)));
 	}
 }
-
-// Tiles of the levels in [p_first, p_end).
-uint count_tiles(int p_first, int p_end) {
-	uint count = 0u;
-	for (int level = p_first; level < p_end; level++) {
-		count += counted[level];
-	}
-	return count;
-}
-
-// The first instance of a level in its MultiMesh.
-uint first_instance(int p_level) {
-	return count_tiles(p_level < GRASS_LOD_LEVELS ? 0 : GRASS_LOD_LEVELS, p_level);
-}
-
-// Whether more tiles are chosen than have room.
-bool is_crowded() {
-	return count_tiles(0, GRASS_LOD_LEVELS) > phase.z || count_tiles(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS) > phase.w;
-}
-
-void count_turn(int p_level, uint p_turn) {
-	if (p_level >= 0) {
-		atomicAdd(turns[uint(p_level) * uint(GRASS_TURNS) + p_turn], 1u);
-	}
-}
-
-// Decides which ranks have room, and leaves only their tiles in the counts. Each thread adds up one turn, then a list, then a level.
-void fit(int p_thread) {
-	for (int i = p_thread; i < GRASS_RANKS; i += GRASS_TURNS) {
-		rank_tiles[0][i] = 0u;
-		rank_tiles[1][i] = 0u;
-	}
-	for (int level = 0; level < GRASS_ALL_LEVELS; level++) { // the thread's own two ranks
-		uint rank = grass_lod_rank(level, uint(p_thread));
-		rank_tiles[level < GRASS_LOD_LEVELS ? 0 : 1][rank] += turns[level * GRASS_TURNS + p_thread];
-	}
-	barrier();
-	if (p_thread < 2) {
-		uint room = p_thread == 0 ? phase.z : phase.w;
-		uint fitting = 0u, rank = 0u;
-		while (rank < uint(GRASS_RANKS) && fitting + rank_tiles[p_thread][rank] <= room) {
-			fitting += rank_tiles[p_thread][rank++];
-		}
-		uint all = p_thread == 0 ? count_tiles(0, GRASS_LOD_LEVELS) : count_tiles(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
-		left_out[p_thread] = all - fitting;
-		ranks[p_thread] = rank;
-		group_ranks[p_thread] = rank;
-	}
-	barrier();
-	if (p_thread < GRASS_ALL_LEVELS) {
-		uint fitting = 0u;
-		for (uint turn = 0u; turn < uint(GRASS_TURNS); turn++) {
-			bool has_room = grass_lod_rank(p_thread, turn) < group_ranks[p_thread < GRASS_LOD_LEVELS ? 0 : 1];
-			fitting += has_room ? turns[uint(p_thread) * uint(GRASS_TURNS) + turn] : 0u;
-		}
-		counted[p_thread] = fitting;
-	}
-}
-
 
 float[GRASS_INSTANCE_FLOATS] make_instance(ivec2 p_tile, vec3 p_centre, Choice p_choice, float p_hash, int p_slot) {
 	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
