@@ -26,7 +26,7 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 
 
 DEMOS = ("demo", "meadow", "lawn", "reeds")
-BENCHMARKS = """stress: only the stress tests, in full; takes an hour. accuracy: run time against error. paper: the paper's tables and
+BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
 	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
 
 

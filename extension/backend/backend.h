@@ -31,6 +31,7 @@ struct FieldSetup {
 	std::shared_ptr<const Patch> patch;
 	ClumpParams clump;
 	int pool_tiles = 0; // tiles that may be awake at once
+	int drawn_tiles_max = int(DRAWN_TILES_MAX.initial);
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map says what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
@@ -38,9 +39,9 @@ struct FieldSetup {
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
-	// Tiles that a MultiMesh has room for: powers of two, so that a field that grows finds room at most times.
-	int instance_capacity() const { return capacity(GRASS_MAX_DRAWN_TILES); }
-	int shadow_capacity() const { return capacity(GRASS_MAX_SHADOW_TILES); }
+	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
+	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
+	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach; the latter two with its card.
 	// Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
@@ -89,6 +90,7 @@ struct BackendStatistics {
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
+	std::array<int64_t, 2> left_out_tiles{}; // that had no room in the MultiMeshes of picture and shadows
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 using namespace godot;
 
@@ -25,6 +26,7 @@ constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
 // room for twice what is awake is kept. Less: memory comes and goes with every body that passes.
 constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
+constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH = 15; // among an instance's floats
 
 int rows_for(int p_highest_slot) {
 	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
@@ -35,8 +37,8 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_tiles),
 		_parallel(memnew(Parallel)),
-		_materials(shader_features(p_setup)),
-		_patch_texture(make_patch_texture(*p_setup.patch)) {
+		_patch_texture(make_patch_texture(*p_setup.patch)),
+		_materials(shader_features(p_setup)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
 	_changed_slots.reset(p_setup.pool_tiles, false);
@@ -113,15 +115,21 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 	for (std::vector<float> &instances : _instances) {
 		instances.clear();
 	}
-	_statistics.drawn_blades = _statistics.shadow_blades = 0;
 	for (int z = 0; z < _setup.grid.get_tiles_z(); z++) {
 		for (int x = 0; x < _setup.grid.get_tiles_x(); x++) {
 			choose_tile(p_view, x, z);
 		}
 	}
+	_statistics.left_out_tiles = { leave_out(0, GRASS_LOD_LEVELS, uint32_t(_setup.instance_capacity())),
+		leave_out(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, uint32_t(_setup.shadow_capacity())) };
+	_statistics.drawn_blades = _statistics.shadow_blades = 0;
 	for (size_t level = 0; level < GRASS_ALL_LEVELS; level++) {
+		int64_t &blades = level < GRASS_LOD_LEVELS ? _statistics.drawn_blades : _statistics.shadow_blades;
+		for (size_t at = 0; at < _instances[level].size(); at += GRASS_INSTANCE_FLOATS) {
+			blades += int64_t(std::ceil(_instances[level][at + INSTANCE_BLADES]));
+		}
 		FieldInstance &instance = _levels[level];
-		const int count = std::min(int(_instances[level].size()) / GRASS_INSTANCE_FLOATS, GRASS_MAX_DRAWN_TILES);
+		const int count = int(_instances[level].size()) / GRASS_INSTANCE_FLOATS;
 		if (count > instance.capacity()) {
 			instance.reserve(int(std::bit_ceil(unsigned(count))));
 		}
@@ -166,11 +174,11 @@ void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
 			casting.add(p_view.lod, size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
 		}
 	}
-	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS, _statistics.drawn_blades);
-	add_tile(p_x, p_z, casting, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, _statistics.shadow_blades);
+	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS);
+	add_tile(p_x, p_z, casting, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
 }
 
-void CpuBackend::add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, int64_t &r_blades) {
+void CpuBackend::add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end) {
 	if (p_need.blades <= 0.0f) {
 		return;
 	}
@@ -190,7 +198,44 @@ void CpuBackend::add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, 
 		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
 		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(low), hash, float(high) };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
-	r_blades += int64_t(std::ceil(blades));
+}
+
+int64_t CpuBackend::leave_out(int p_first, int p_end, uint32_t p_room) {
+	const auto levels = std::span(_instances).subspan(size_t(p_first), size_t(p_end - p_first));
+	const auto tiles = [&] {
+		return std::accumulate(levels.begin(), levels.end(), int64_t(0),
+				[](int64_t p_sum, const std::vector<float> &p_level) { return p_sum + int64_t(p_level.size()) / GRASS_INSTANCE_FLOATS; });
+	};
+	const int64_t chosen = tiles();
+	if (chosen <= int64_t(p_room)) {
+		return 0;
+	}
+	const auto rank_of = [&](int p_level, const float *p_tile) {
+		return grass_lod_rank(p_level, grass_tile_turn(uint32_t(p_tile[INSTANCE_TILE]), uint32_t(p_tile[INSTANCE_TILE + 1]), _setup.seed));
+	};
+	std::array<uint32_t, GRASS_RANKS> counts{};
+	for (int level = p_first; level < p_end; level++) {
+		const std::vector<float> &instances = _instances[size_t(level)];
+		for (size_t at = 0; at < instances.size(); at += GRASS_INSTANCE_FLOATS) {
+			counts[rank_of(level, &instances[at])]++;
+		}
+	}
+	const uint32_t ranks = grass_lod_ranks(counts, p_room);
+	for (int level = p_first; level < p_end; level++) {
+		std::vector<float> &instances = _instances[size_t(level)];
+		size_t end = 0;
+		for (size_t at = 0; at < instances.size(); at += GRASS_INSTANCE_FLOATS) {
+			if (rank_of(level, &instances[at]) < ranks) {
+				std::copy_n(instances.begin() + ptrdiff_t(at), GRASS_INSTANCE_FLOATS, instances.begin() + ptrdiff_t(end));
+				if (get_lod_level(level).segments == 1) {
+					instances[end + INSTANCE_MORPH] = grass_lod_left_out(ranks);
+				}
+				end += GRASS_INSTANCE_FLOATS;
+			}
+		}
+		instances.resize(end);
+	}
+	return chosen - tiles();
 }
 
 void CpuBackend::update_pool_texture() {

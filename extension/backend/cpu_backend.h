@@ -39,8 +39,10 @@ public:
 private:
 	void choose_tiles(const FieldView &p_view);
 	void choose_tile(const FieldView &p_view, int p_x, int p_z);
-	// Adds the tile to one of the levels in [p_first, p_end), and its blades to r_blades.
-	void add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, int64_t &r_blades);
+	// Adds the tile to one of the levels in [p_first, p_end).
+	void add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end);
+	// Of the tiles of the levels in [p_first, p_end), takes those away that a MultiMesh with p_room has no room for: how many.
+	int64_t leave_out(int p_first, int p_end, uint32_t p_room);
 	void update_pool_texture();
 
 	FieldSetup _setup;
@@ -52,8 +54,8 @@ private:
 	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
 
 	std::shared_ptr<const TileCover> _cover; // null: no map
+	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // live longer than the materials that read them
 	BladeMaterials _materials;
-	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture;
 	int _pool_rows = 0; // of the pool texture
 	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
 	int _highest_slot = -1; // that there is memory for; rises with the slots in use, falls when all have been far below for a while

@@ -204,7 +204,7 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	T share(0.0f);
 	const Vec3<T> &from = is_first ? p_blade.rest[p_knot - 1] : p_stage.base[p_knot - 1];
 	const Touch<T> touch =
-			apart([&]() GRASS_APART { return find_edge_touch(p_blade, p_terms, from, p_stage.base[p_knot], p_knot, share); });
+			apart<T>([&]() GRASS_APART { return find_edge_touch(p_blade, p_terms, from, p_stage.base[p_knot], p_knot, share); });
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}

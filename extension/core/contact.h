@@ -67,7 +67,7 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 			}
 			T share(0.0f);
 			const Contact<T> edge_contact =
-					apart([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
+					apart<T>([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
 			const auto is_edge = is_cut & (edge_contact.depth > deepest.contact.depth);
 			deepest.contact.direction = select(is_edge, edge_contact.direction, deepest.contact.direction);
 			deepest.contact.depth = select(is_edge, edge_contact.depth, deepest.contact.depth);
@@ -170,7 +170,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 				segment = select(face.distance < T(0.0f), placed, segment);
 			}
 		}
-		segment = apart([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
+		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
 	}
 	return segment;
 }

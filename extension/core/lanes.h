@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Numbers that one blade step may be written over: float, double, or Lanes, which holds the same number of eight
-// blades side by side. A comparison gives a mask (bool, or one per lane); select() takes the place of `if`.
+// Numbers that one blade step may be written over: float, double, or Lanes, which holds the same number of four or eight
+// blades side by side (of sixteen: lanes_16.h). A comparison gives a mask (bool, or one per lane); select() takes the place of
+// `if`.
 #pragma once
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -14,6 +16,13 @@
 // The step is one function to the compiler, so that it keeps vectors in registers and a caller compiled for a
 // newer instruction set takes all of it along. Sanitizers would make that one function too long to compile.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GRASS_IS_SANITIZED 1
+#elif defined(__has_feature) // clang
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define GRASS_IS_SANITIZED 1
+#endif
+#endif
+#if defined(GRASS_IS_SANITIZED)
 #define GRASS_INLINE inline
 #else
 #define GRASS_INLINE inline __attribute__((always_inline))
@@ -24,15 +33,55 @@
 
 namespace grass {
 
+// Eight blades need AVX2, which a function asks for by GRASS_WIDE; whoever calls it has asked the processor.
 #if defined(__x86_64__) && defined(GRASS_IS_ONE_FUNCTION)
 #define GRASS_HAS_WIDE 1
-// The same arithmetic, bit for bit, in half as many instructions.
 #define GRASS_WIDE __attribute__((target("avx2")))
-inline bool is_wide() {
-	static const bool has_avx2 = __builtin_cpu_supports("avx2");
-	return has_avx2;
-}
 #endif
+
+// The compiler's own vectors.
+template <int N> struct LaneVectors;
+template <> struct LaneVectors<4> {
+	typedef float Floats __attribute__((vector_size(16)));
+	typedef int32_t Bits __attribute__((vector_size(16)));
+	typedef int64_t Quads __attribute__((vector_size(16)));
+};
+template <> struct LaneVectors<8> {
+	typedef float Floats __attribute__((vector_size(32)));
+	typedef int32_t Bits __attribute__((vector_size(32)));
+	typedef int64_t Quads __attribute__((vector_size(32)));
+};
+
+// True or false for each of N lanes: all bits set or none.
+template <int N> struct LaneMask {
+	typename LaneVectors<N>::Bits bits;
+
+	friend GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits & p_b.bits }; }
+	friend GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits | p_b.bits }; }
+	friend GRASS_INLINE LaneMask operator!(const LaneMask &p_a) { return { ~p_a.bits }; }
+};
+
+// N floats. Arithmetic is lane by lane and rounds as a plain float does: the same bits for any N.
+template <int N> struct Lanes {
+	static constexpr int COUNT = N;
+	using Values = typename LaneVectors<N>::Floats;
+	Values values;
+
+	GRASS_INLINE Lanes() : values{} {}
+	GRASS_INLINE Lanes(float p_value) : values(Values{} + p_value) {}
+	GRASS_INLINE explicit Lanes(const Values &p_values) : values(p_values) {}
+	GRASS_INLINE float operator[](int p_lane) const { return values[p_lane]; }
+
+	friend GRASS_INLINE Lanes operator+(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values + p_b.values); }
+	friend GRASS_INLINE Lanes operator-(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values - p_b.values); }
+	friend GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values * p_b.values); }
+	friend GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values / p_b.values); }
+	friend GRASS_INLINE Lanes operator-(const Lanes &p_a) { return Lanes(-p_a.values); }
+	friend GRASS_INLINE LaneMask<N> operator<(const Lanes &p_a, const Lanes &p_b) { return { p_a.values < p_b.values }; }
+	friend GRASS_INLINE LaneMask<N> operator>(const Lanes &p_a, const Lanes &p_b) { return { p_a.values > p_b.values }; }
+	friend GRASS_INLINE LaneMask<N> operator<=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values <= p_b.values }; }
+	friend GRASS_INLINE LaneMask<N> operator>=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values >= p_b.values }; }
+};
 
 template <class Body> __attribute__((noinline)) auto run_apart(const Body &p_body) {
 	return p_body();
@@ -43,71 +92,15 @@ template <class Body> __attribute__((noinline)) GRASS_WIDE auto run_apart_wide(c
 }
 #endif
 
-// Runs p_body in a function of its own: what few blades need would push the others' vectors out of their registers, and take minutes to
-// compile in one function with the rest. It returns no single vector, which the two instruction sets would pass in different ways.
-template <class Body> GRASS_INLINE auto apart(const Body &p_body) {
+// Runs p_body, which is over T, in a function of its own: what few blades need would push the others' vectors out of their registers, and
+// take minutes to compile in one function with the rest. It returns no single vector, which instruction sets would pass in different ways.
+template <class T, class Body> GRASS_INLINE auto apart(const Body &p_body) {
 #if defined(GRASS_HAS_WIDE)
-	return is_wide() ? run_apart_wide(p_body) : run_apart(p_body);
-#else
-	return run_apart(p_body);
+	if constexpr (std::is_same_v<T, Lanes<8>>) {
+		return run_apart_wide(p_body);
+	}
 #endif
-}
-
-// True or false for each of eight lanes: all bits set or none.
-struct LaneMask {
-	typedef int32_t Bits __attribute__((vector_size(32)));
-	Bits bits;
-};
-
-GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) {
-	return { p_a.bits & p_b.bits };
-}
-GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) {
-	return { p_a.bits | p_b.bits };
-}
-GRASS_INLINE LaneMask operator!(const LaneMask &p_a) {
-	return { ~p_a.bits };
-}
-
-// Eight floats. Arithmetic is lane by lane and rounds as a plain float does.
-struct Lanes {
-	static constexpr int COUNT = 8;
-	typedef float Values __attribute__((vector_size(32)));
-	Values values;
-
-	GRASS_INLINE Lanes() : values{} {}
-	GRASS_INLINE Lanes(float p_value) : values(Values{} + p_value) {}
-	GRASS_INLINE explicit Lanes(const Values &p_values) : values(p_values) {}
-	GRASS_INLINE float operator[](int p_lane) const { return values[p_lane]; }
-	GRASS_INLINE void set(int p_lane, float p_value) { values[p_lane] = p_value; }
-};
-
-GRASS_INLINE Lanes operator+(const Lanes &p_a, const Lanes &p_b) {
-	return Lanes(p_a.values + p_b.values);
-}
-GRASS_INLINE Lanes operator-(const Lanes &p_a, const Lanes &p_b) {
-	return Lanes(p_a.values - p_b.values);
-}
-GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) {
-	return Lanes(p_a.values * p_b.values);
-}
-GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) {
-	return Lanes(p_a.values / p_b.values);
-}
-GRASS_INLINE Lanes operator-(const Lanes &p_a) {
-	return Lanes(-p_a.values);
-}
-GRASS_INLINE LaneMask operator<(const Lanes &p_a, const Lanes &p_b) {
-	return { p_a.values < p_b.values };
-}
-GRASS_INLINE LaneMask operator>(const Lanes &p_a, const Lanes &p_b) {
-	return { p_a.values > p_b.values };
-}
-GRASS_INLINE LaneMask operator<=(const Lanes &p_a, const Lanes &p_b) {
-	return { p_a.values <= p_b.values };
-}
-GRASS_INLINE LaneMask operator>=(const Lanes &p_a, const Lanes &p_b) {
-	return { p_a.values >= p_b.values };
+	return run_apart(p_body);
 }
 
 // p_a where the mask is true, else p_b.
@@ -117,17 +110,29 @@ GRASS_INLINE float select(bool p_mask, float p_a, float p_b) {
 GRASS_INLINE double select(bool p_mask, double p_a, double p_b) {
 	return p_mask ? p_a : p_b;
 }
-GRASS_INLINE Lanes select(const LaneMask &p_mask, const Lanes &p_a, const Lanes &p_b) {
-	return Lanes(p_mask.bits ? p_a.values : p_b.values);
+template <int N> GRASS_INLINE Lanes<N> select(const LaneMask<N> &p_mask, const Lanes<N> &p_a, const Lanes<N> &p_b) {
+	return Lanes<N>(p_mask.bits ? p_a.values : p_b.values);
 }
 
 // Whether any lane's mask is true: what a branch may ask.
 GRASS_INLINE bool any(bool p_mask) {
 	return p_mask;
 }
-GRASS_INLINE bool any(const LaneMask &p_mask) {
-	const int64_t *quads = reinterpret_cast<const int64_t *>(&p_mask.bits);
-	return (quads[0] | quads[1] | quads[2] | quads[3]) != 0;
+template <int N> GRASS_INLINE bool any(const LaneMask<N> &p_mask) {
+	const auto quads = typename LaneVectors<N>::Quads(p_mask.bits);
+#if defined(__SSE2__)
+	__m128i either = __m128i{ quads[0], quads[1] };
+	if constexpr (N == 8) {
+		either = either | __m128i{ quads[2], quads[3] };
+	}
+	return _mm_movemask_epi8(either) != 0;
+#else
+	int64_t either = 0;
+	for (int i = 0; i < N / 2; i++) {
+		either |= quads[i];
+	}
+	return either != 0;
+#endif
 }
 
 GRASS_INLINE float square_root(float p_a) {
@@ -136,18 +141,11 @@ GRASS_INLINE float square_root(float p_a) {
 GRASS_INLINE double square_root(double p_a) {
 	return std::sqrt(p_a);
 }
-GRASS_INLINE Lanes square_root(const Lanes &p_a) {
-	Lanes root;
-#if defined(__SSE2__)
-	__m128 *to = reinterpret_cast<__m128 *>(&root.values);
-	const __m128 *from = reinterpret_cast<const __m128 *>(&p_a.values);
-	to[0] = _mm_sqrt_ps(from[0]);
-	to[1] = _mm_sqrt_ps(from[1]);
-#else
-	for (int lane = 0; lane < Lanes::COUNT; lane++) {
+template <int N> GRASS_INLINE Lanes<N> square_root(const Lanes<N> &p_a) {
+	Lanes<N> root;
+	for (int lane = 0; lane < N; lane++) { // one instruction, as -fno-math-errno is set; two of half the width wait for each other
 		root.values[lane] = std::sqrt(p_a.values[lane]);
 	}
-#endif
 	return root;
 }
 

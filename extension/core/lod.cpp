@@ -27,6 +27,7 @@ consteval bool are_ordered(int p_first, int p_end) {
 static_assert(std::size(SEGMENTS_OF) == GRASS_ALL_LEVELS && std::size(BLADES_OF) == GRASS_ALL_LEVELS);
 static_assert(are_ordered(0, GRASS_LOD_LEVELS) && are_ordered(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS));
 static_assert(GRASS_ALL_LEVELS <= GRASS_CULL_GROUP, "a thread of a workgroup counts each level");
+static_assert(GRASS_TURNS == GRASS_CULL_GROUP, "a thread of a workgroup counts each turn");
 
 // At least p_min; NaN becomes p_min too.
 float at_least(float p_value, float p_min) {
@@ -84,6 +85,22 @@ int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end) {
 		level = SEGMENTS_OF[i] >= p_segments && float(BLADES_OF[i]) >= p_blades ? i : level;
 	}
 	return level;
+}
+
+uint32_t grass_lod_rank(int p_level, uint32_t p_turn) {
+	return p_turn + (SEGMENTS_OF[p_level] == 1 ? uint32_t(GRASS_TURNS) : 0u);
+}
+
+float grass_lod_left_out(uint32_t p_ranks) {
+	return std::clamp(2.0f - float(p_ranks) / float(GRASS_TURNS), 0.0f, float(GRASS_LEFT_OUT_WIDENED));
+}
+
+uint32_t grass_lod_ranks(const std::array<uint32_t, GRASS_RANKS> &p_tiles, uint32_t p_room) {
+	uint32_t ranks = 0, tiles = 0;
+	while (ranks < uint32_t(GRASS_RANKS) && tiles + p_tiles[ranks] <= p_room) {
+		tiles += p_tiles[ranks++];
+	}
+	return ranks;
 }
 
 bool grass_tile_visible(const Frustum &p_planes, const Eigen::Vector3f &p_centre, const Eigen::Vector3f &p_half_extents, float p_margin,

@@ -22,6 +22,10 @@ inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
 // single blades are gone near the camera.
 inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 0.1, 3.0 };
 
+// Tiles that a field draws in a frame, at most; a quarter as many cast shadows. 100 bytes each. Where more are seen, far ones are left
+// out, evenly: below 10000 the grass ends before one's eyes.
+inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "tiles", 256.0, 4194304.0, 1.0, 262144.0 };
+
 struct LodParams {
 	float far = float(LOD_FAR.initial); // metres
 	float error = float(LOD_ERROR.initial); // pixels
@@ -62,6 +66,11 @@ float grass_lod_needed(float p_length, float p_error); // [Eq L4]
 int grass_lod_segments(float p_needed);
 float grass_lod_morph(float p_needed, int p_segments); // [Eq L5]
 int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end);
+uint32_t grass_lod_rank(int p_level, uint32_t p_turn);
+float grass_lod_left_out(uint32_t p_ranks); // [Eq L6]
+
+// How many ranks, from the first on, have room for all of their tiles. p_tiles: of each rank. Twin of fit() in cull.glsl.
+uint32_t grass_lod_ranks(const std::array<uint32_t, GRASS_RANKS> &p_tiles, uint32_t p_room);
 
 // Six planes: normal.xyz, d; inside: normal . x <= d. The normals look out of the view, as Godot's do.
 using Frustum = std::array<Eigen::Vector4f, 6>;

@@ -25,7 +25,7 @@ void serial_for(int p_count, const std::function<void(int)> &p_body);
 
 // What the blades of a tile are stepped with. The double one is the oracle: slow, state kept as float.
 enum class Precision {
-	LANES, // eight floats at a time
+	LANES, // four, eight or sixteen floats at a time
 	SCALAR_FLOAT,
 	SCALAR_DOUBLE,
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step of a tile's blades over any lane type; step_lanes.cpp and step_scalar.cpp instantiate it.
+// The step of a tile's blades over any lane type; step_lanes.cpp, step_lanes_16.cpp and step_scalar.cpp instantiate it.
 #pragma once
 
 #include "core/solver.h"
@@ -11,15 +11,18 @@
 namespace grass {
 
 template <class T> inline constexpr int LANE_COUNT = 1;
-template <> inline constexpr int LANE_COUNT<Lanes> = Lanes::COUNT;
+template <class T>
+	requires(T::COUNT > 0)
+inline constexpr int LANE_COUNT<T> = T::COUNT;
 
 template <class T> GRASS_INLINE T load(const float *p_from) {
-	return T(*p_from);
-}
-template <> GRASS_INLINE Lanes load<Lanes>(const float *p_from) {
-	Lanes lanes;
-	std::memcpy(&lanes.values, p_from, sizeof(lanes.values));
-	return lanes;
+	if constexpr (LANE_COUNT<T> == 1) {
+		return T(*p_from);
+	} else {
+		T lanes;
+		std::memcpy(&lanes.values, p_from, sizeof(lanes.values));
+		return lanes;
+	}
 }
 
 GRASS_INLINE void store(float p_value, float *r_to) {
@@ -28,7 +31,7 @@ GRASS_INLINE void store(float p_value, float *r_to) {
 GRASS_INLINE void store(double p_value, float *r_to) {
 	*r_to = float(p_value);
 }
-GRASS_INLINE void store(const Lanes &p_value, float *r_to) {
+template <class T> GRASS_INLINE void store(const T &p_value, float *r_to) {
 	std::memcpy(r_to, &p_value.values, sizeof(p_value.values));
 }
 
@@ -48,9 +51,9 @@ GRASS_INLINE float largest(float p_value) {
 GRASS_INLINE float largest(double p_value) {
 	return float(p_value);
 }
-GRASS_INLINE float largest(const Lanes &p_value) {
+template <class T> GRASS_INLINE float largest(const T &p_value) {
 	float most = p_value[0];
-	for (int lane = 1; lane < Lanes::COUNT; lane++) {
+	for (int lane = 1; lane < T::COUNT; lane++) {
 		most = std::max(most, p_value[lane]);
 	}
 	return most;
@@ -59,7 +62,7 @@ GRASS_INLINE float largest(const Lanes &p_value) {
 // One number of each lane's own species. p_species: of the first lane's blade.
 template <class T>
 GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
-	alignas(32) float own[LANE_COUNT<T>];
+	alignas(64) float own[LANE_COUNT<T>];
 	for (int lane = 0; lane < LANE_COUNT<T>; lane++) {
 		own[lane] = p_steps[p_species[lane]].*p_of.*p_part;
 	}

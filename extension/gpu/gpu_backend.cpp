@@ -62,8 +62,8 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
-		_materials(shader_features(p_setup)),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
+		_materials(shader_features(p_setup)),
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
@@ -80,6 +80,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
+	_materials.set("pool_knots", Variant()); // else the engine looks for it once more, where another thread's new texture may be by then
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 

@@ -40,9 +40,9 @@ private:
 
 	FieldSetup _setup;
 	bool _measure = false;
-	BladeMaterials _materials;
-	godot::Ref<godot::ImageTexture> _patch_texture;
+	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
 	godot::Ref<godot::Texture2DRD> _pool_texture;
+	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
 	std::shared_ptr<GpuReport> _report;
 	std::vector<float> _energy;

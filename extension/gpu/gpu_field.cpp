@@ -22,7 +22,9 @@ namespace grass {
 namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
-constexpr int COUNTS = 2 * GRASS_ALL_LEVELS + 2; // words of CountBuffer in cull.glsl
+// Words of CountBuffer in cull.glsl; of them, those that tell what is drawn, and where some of these stand.
+constexpr int COUNTS_TOLD = 2 * GRASS_ALL_LEVELS + 4, COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
+constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2;
 constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 
 template <typename T> PackedByteArray record_bytes(const T &p_record) {
@@ -278,10 +280,14 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 		RenderingDevice *device = main_device();
 		device->buffer_clear(_counts.rid(), 0, uint32_t(_counts.size()));
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
+		const bool have_room = _tiles <= _instances && _tiles <= _shadow_instances; // all at once
 		const int64_t list = device->compute_list_begin();
-		for (uint32_t phase = 0; phase < 2; phase++) {
+		for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
+			if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
+				continue;
+			}
 			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
-			_cull.dispatch(list, record_bytes(constants), groups);
+			_cull.dispatch(list, record_bytes(constants), phase == GRASS_CULL_FIT ? 1 : groups);
 			device->compute_list_add_barrier(list);
 		}
 		device->compute_list_end();
@@ -296,22 +302,20 @@ void GpuField::report_counts(int64_t p_uploaded) {
 		report_memory();
 		_report->statistics.uploaded_bytes += p_uploaded;
 	}
-	const auto receive = [report = _report, room = std::array{ _instances, _shadow_instances }](const PackedByteArray &p_data) {
-		if (p_data.size() < COUNTS * 4) {
+	const auto receive = [report = _report](const PackedByteArray &p_data) {
+		if (p_data.size() < COUNTS_TOLD * 4) {
 			return;
 		}
 		std::lock_guard lock(report->mutex);
 		BackendStatistics &statistics = report->statistics;
-		std::array<int64_t, 2> left = room; // what does not fit is not drawn
 		for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-			int64_t &free = left[level < GRASS_LOD_LEVELS ? 0 : 1];
-			statistics.drawn_tiles[size_t(level)] = std::min<int64_t>(p_data.decode_u32(level * 4), free);
-			free -= statistics.drawn_tiles[size_t(level)];
+			statistics.drawn_tiles[size_t(level)] = p_data.decode_u32(level * 4);
 		}
-		statistics.drawn_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS);
-		statistics.shadow_blades = p_data.decode_u32(8 * GRASS_ALL_LEVELS + 4);
+		statistics.drawn_blades = p_data.decode_u32(4 * COUNT_BLADES);
+		statistics.shadow_blades = p_data.decode_u32(4 * (COUNT_BLADES + 1));
+		statistics.left_out_tiles = { p_data.decode_u32(4 * COUNT_LEFT_OUT), p_data.decode_u32(4 * (COUNT_LEFT_OUT + 1)) };
 	};
-	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS * 4, receive);
+	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS_TOLD * 4, receive);
 }
 
 // Timestamps of a frame that the GPU has finished: each of ours ends a stretch that began at the one before it.

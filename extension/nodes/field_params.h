@@ -72,6 +72,7 @@ enum FieldParamId {
 	PARAM_SHADOW_DISTANCE,
 	PARAM_SHADOW_COARSENESS,
 	PARAM_SHADOW_MARGIN,
+	PARAM_DRAWN_TILES_MAX,
 	PARAM_COUNT,
 };
 
@@ -117,6 +118,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_SHADOW_DISTANCE, SHADOW_DISTANCE, Effect::UNIFORM, "Level of Detail" },
 	FieldParam{ PARAM_SHADOW_COARSENESS, SHADOW_COARSENESS, Effect::VIEW, "Level of Detail" },
 	FieldParam{ PARAM_SHADOW_MARGIN, SHADOW_MARGIN, Effect::VIEW, "Level of Detail" },
+	FieldParam{ PARAM_DRAWN_TILES_MAX, DRAWN_TILES_MAX, Effect::REBUILD, "Level of Detail" },
 };
 
 // The table is indexed by id.

@@ -93,13 +93,14 @@ void GrassField::build() {
 	}
 	CpuClock clock;
 	start_fill();
-	_dirty = false;
+	_dirty = _is_crowded = false;
 	const FieldSetup before = _setup;
 	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	_setup.patch = find_patch();
 	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
 	_setup.pool_tiles = int(_pool_tiles);
+	_setup.drawn_tiles_max = int(param(PARAM_DRAWN_TILES_MAX));
 	_setup.seed = uint32_t(_seed);
 	_setup.is_mapped = _map.is_valid();
 	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
@@ -122,7 +123,8 @@ void GrassField::build() {
 		}
 	}
 	_ground.free();
-	if (!same_blades || before.pool_tiles != _setup.pool_tiles || !_backend || !_backend->set_grid(_setup.grid)) {
+	const bool same_room = before.pool_tiles == _setup.pool_tiles && before.drawn_tiles_max == _setup.drawn_tiles_max;
+	if (!same_blades || !same_room || !_backend || !_backend->set_grid(_setup.grid)) {
 		make_backend();
 	}
 	if (_backend) {
@@ -243,12 +245,28 @@ void GrassField::_before_draw() {
 	_is_seen = look(view);
 	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(view);
+		watch_room();
 	}
 	if (_is_seen && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
 		set_wind_clock();
 		_wind_updates++;
 	}
 	_frame_ms = clock.lap();
+}
+
+// Says once, as soon as it is known, that more tiles are seen than have room.
+void GrassField::watch_room() {
+	if (_is_crowded || int(_setup.grid.get_tile_count()) <= std::min(_setup.instance_capacity(), _setup.shadow_capacity())) {
+		return;
+	}
+	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
+	if (picture + shadows > 0) {
+		_is_crowded = true;
+		update_configuration_warnings();
+		if (!Engine::get_singleton()->is_editor_hint()) { // there it stands beside the node
+			WARN_PRINT(vformat("%s: %s", label(), crowded_warning()));
+		}
+	}
 }
 
 // Whether a script wants to know of bodies in the grass, seen or not.

@@ -170,6 +170,7 @@ private:
 	void follow();
 	void _before_draw();
 	FieldView find_view();
+	void watch_room();
 	bool look(const FieldView &p_view);
 	bool is_listened_to() const;
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
@@ -231,6 +232,7 @@ private:
 	void update_tiles();
 	godot::String label() const; // of this node, for messages
 	godot::String message(const char *p_text) const;
+	godot::String crowded_warning() const;
 	double param(FieldParamId p_param) const { return _params[size_t(p_param)]; }
 
 	godot::Vector2 _size{ 32, 32 };
@@ -247,6 +249,7 @@ private:
 	std::array<godot::Color, FIELD_COLORS.size()> _colors;
 
 	bool _dirty = false; // the backend must be made again
+	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made
 	bool _is_seen = true; // by a camera, in the last frame; where no frames are drawn, always
 	double _unseen_time = 0.0; // seconds since it was, as far as ticks were left out

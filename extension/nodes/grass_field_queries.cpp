@@ -159,9 +159,11 @@ Dictionary GrassField::get_statistics() const {
 	result["drawn_tiles"] = drawn_tiles[0];
 	result["drawn_blades"] = backend.drawn_blades;
 	result["drawn_triangles"] = drawn_triangles[0];
+	result["left_out_tiles"] = backend.left_out_tiles[0];
 	result["shadow_tiles"] = drawn_tiles[1];
 	result["shadow_blades"] = backend.shadow_blades;
 	result["shadow_triangles"] = drawn_triangles[1];
+	result["left_out_shadow_tiles"] = backend.left_out_tiles[1];
 	result["gather_ms"] = _gather_ms;
 	result["tiles_ms"] = _tiles_ms;
 	result["management_ms"] = _gather_ms + _tiles_ms;
@@ -180,6 +182,14 @@ AABB GrassField::_get_aabb() const {
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	setup.patch = find_patch();
 	return field_bounds(setup, _field_map ? _field_map->get_cover().get() : nullptr);
+}
+
+String GrassField::crowded_warning() const {
+	return vformat(
+			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
+			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
+			"nearer.",
+			_setup.instance_capacity(), _setup.shadow_capacity());
 }
 
 PackedStringArray GrassField::_get_configuration_warnings() const {
@@ -206,6 +216,9 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)).was_limited()) {
 		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
 						   "use several fields.");
+	}
+	if (_is_crowded) {
+		warnings.push_back(crowded_warning());
 	}
 	if (_fill.rule.is_valid() && _fill.rule->asks_ground() && (_map.is_null() || !_map->get_map().uses(MAP_GROUND))) {
 		warnings.push_back(

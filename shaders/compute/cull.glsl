@@ -1,9 +1,11 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Chooses the tiles to draw and to cast shadows, and the detail of each: one thread a tile, in two dispatches of the same
-// pass. Phase 0 counts the tiles of each level; phase 1 gives each level its stretch of a MultiMesh's instance buffer,
-// writes the instances there, and the indirect command of each surface. What one camera sees is drawn for all of them, as
-// finely as the nearest needs it.
+// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of a MultiMesh's
+// instance buffer, writes the instances there, and the indirect command of each surface. What one camera sees is drawn for
+// all of them, as finely as the nearest needs it.
+// Fields of more tiles than a MultiMesh has room for take two more dispatches in between, which do nothing unless so many
+// are chosen: GRASS_CULL_TURNS counts the tiles of each turn; GRASS_CULL_FIT (one workgroup) decides which ranks have room.
 #extension GL_GOOGLE_include_directive : require
 
 #include "constants.inc"
@@ -14,7 +16,7 @@
 layout(local_size_x = GRASS_CULL_GROUP) in;
 
 layout(push_constant) uniform Phase {
-	uvec4 phase; // x: 0 count, 1 write; y: tiles of the field; z, w: instances that the MultiMeshes of picture and shadows hold
+	uvec4 phase; // x: GRASS_CULL_*; y: tiles of the field; z, w: instances that the MultiMeshes of picture and shadows hold
 };
 
 layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
@@ -27,11 +29,15 @@ layout(set = 0, binding = GRASS_CULL_CAMERAS, std430) readonly buffer CameraBuff
 layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
 	int table[];
 };
-// Tiles counted and written at each level, and blades in picture and shadows. Cleared before phase 0.
+// What is drawn: tiles counted and written at each level; blades, and tiles that have no room, in picture and shadows. Where
+// there are such: how many ranks have room, and the tiles of each level and turn. Cleared before the first phase.
 layout(set = 0, binding = GRASS_CULL_COUNTS, std430) buffer CountBuffer {
 	uint counted[GRASS_ALL_LEVELS];
 	uint written[GRASS_ALL_LEVELS];
-	uint blades_counted[2];
+	uint blades_written[2];
+	uint left_out[2];
+	uint ranks[2];
+	uint turns[GRASS_ALL_LEVELS * GRASS_TURNS];
 };
 // The MultiMeshes' own buffers: read by the renderer when it draws.
 layout(set = 0, binding = GRASS_CULL_INSTANCES, std430) writeonly buffer InstanceBuffer {
@@ -58,6 +64,9 @@ layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer 
 shared uint group_tiles[GRASS_ALL_LEVELS];
 shared uint group_first[GRASS_ALL_LEVELS];
 shared uint group_blades[2];
+// In the phase that decides: tiles of each rank in picture and shadows; how many ranks have room.
+shared uint rank_tiles[2][GRASS_RANKS];
+shared uint group_ranks[2];
 
 // How a tile is drawn, or casts its shadow.
 struct Choice {
@@ -114,6 +123,19 @@ vec4 find_needs(vec3 p_middle, vec3 p_half) {
 	return vec4(seen, casting);
 }
 
+// Takes a tile away that has no room; of those like it, the others cover as much.
+void make_room(inout Choice r_choice, uint p_turn, int p_list) {
+	if (r_choice.level < 0 || left_out[p_list] == 0u) {
+		return;
+	}
+	if (GRASS_SEGMENTS_OF[r_choice.level] == 1) {
+		r_choice.morph = grass_lod_left_out(ranks[p_list]);
+	}
+	if (grass_lod_rank(r_choice.level, p_turn) >= ranks[p_list]) {
+		r_choice.level = -1;
+	}
+}
+
 // Adds a tile to the workgroup's.
 void enlist(inout Choice r_choice, int p_list) {
 	if (r_choice.level >= 0) {
@@ -122,14 +144,64 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
+// Tiles of the levels in [p_first, p_end).
+uint count_tiles(int p_first, int p_end) {
+	uint count = 0u;
+	for (int level = p_first; level < p_end; level++) {
+		count += counted[level];
+	}
+	return count;
+}
+
 // The first instance of a level in its MultiMesh.
 uint first_instance(int p_level) {
-	uint first = 0u;
-	for (int level = p_level < GRASS_LOD_LEVELS ? 0 : GRASS_LOD_LEVELS; level < p_level; level++) {
-		first += counted[level];
-	}
-	return first;
+	return count_tiles(p_level < GRASS_LOD_LEVELS ? 0 : GRASS_LOD_LEVELS, p_level);
 }
+
+// Whether more tiles are chosen than have room.
+bool is_crowded() {
+	return count_tiles(0, GRASS_LOD_LEVELS) > phase.z || count_tiles(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS) > phase.w;
+}
+
+void count_turn(int p_level, uint p_turn) {
+	if (p_level >= 0) {
+		atomicAdd(turns[uint(p_level) * uint(GRASS_TURNS) + p_turn], 1u);
+	}
+}
+
+// Decides which ranks have room, and leaves only their tiles in the counts. Each thread adds up one turn, then a list, then a level.
+void fit(int p_thread) {
+	for (int i = p_thread; i < GRASS_RANKS; i += GRASS_TURNS) {
+		rank_tiles[0][i] = 0u;
+		rank_tiles[1][i] = 0u;
+	}
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) { // the thread's own two ranks
+		uint rank = grass_lod_rank(level, uint(p_thread));
+		rank_tiles[level < GRASS_LOD_LEVELS ? 0 : 1][rank] += turns[level * GRASS_TURNS + p_thread];
+	}
+	barrier();
+	if (p_thread < 2) {
+		uint room = p_thread == 0 ? phase.z : phase.w;
+		uint fitting = 0u, rank = 0u;
+		while (rank < uint(GRASS_RANKS) && fitting + rank_tiles[p_thread][rank] <= room) {
+			fitting += rank_tiles[p_thread][rank++];
+		}
+		uint all = p_thread == 0 ? count_tiles(0, GRASS_LOD_LEVELS) : count_tiles(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
+		left_out[p_thread] = all - fitting;
+		ranks[p_thread] = rank;
+		group_ranks[p_thread] = rank;
+	}
+	barrier();
+	if (p_thread < GRASS_ALL_LEVELS) {
+		uint fitting = 0u;
+		for (uint turn = 0u; turn < uint(GRASS_TURNS); turn++) {
+			bool has_room = grass_lod_rank(p_thread, turn) < group_ranks[p_thread < GRASS_LOD_LEVELS ? 0 : 1];
+			fitting += has_room ? turns[uint(p_thread) * uint(GRASS_TURNS) + turn] : 0u;
+		}
+		counted[p_thread] = fitting;
+	}
+}
+
 
 float[GRASS_INSTANCE_FLOATS] make_instance(ivec2 p_tile, vec3 p_centre, Choice p_choice, float p_hash, int p_slot) {
 	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
@@ -145,9 +217,7 @@ float[GRASS_INSTANCE_FLOATS] make_instance(ivec2 p_tile, vec3 p_centre, Choice p
 
 void write_command(int p_level) {
 	bool casts = p_level >= GRASS_LOD_LEVELS;
-	uint room = casts ? phase.w : phase.z;
-	uint first = min(first_instance(p_level), room);
-	uint count = min(counted[p_level], room - first);
+	uint first = first_instance(p_level), count = counted[p_level];
 	uint command = uint(casts ? p_level - GRASS_LOD_LEVELS : p_level) * uint(GRASS_COMMAND_WORDS);
 	if (casts) {
 		shadow_commands[command + 1u] = count; // instanceCount
@@ -160,6 +230,15 @@ void write_command(int p_level) {
 
 void main() {
 	int thread = int(gl_LocalInvocationID.x);
+	if (phase.x == uint(GRASS_CULL_TURNS) || phase.x == uint(GRASS_CULL_FIT)) {
+		if (!is_crowded()) {
+			return;
+		}
+		if (phase.x == uint(GRASS_CULL_FIT)) {
+			fit(thread);
+			return;
+		}
+	}
 	if (thread < GRASS_ALL_LEVELS) {
 		group_tiles[thread] = 0u;
 	}
@@ -183,18 +262,26 @@ void main() {
 	float hash = grass_tile_hash(uint(tile.x), uint(tile.y), view.counts.z);
 	Choice drawn = choose(needs.xy, hash, 0, GRASS_LOD_LEVELS);
 	Choice casting = choose(needs.zw, hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
+	uint turn = grass_tile_turn(uint(tile.x), uint(tile.y), view.counts.z);
+	if (phase.x == uint(GRASS_CULL_TURNS)) {
+		count_turn(drawn.level, turn);
+		count_turn(casting.level, turn);
+		return;
+	}
+	make_room(drawn, turn, 0);
+	make_room(casting, turn, 1);
 	enlist(drawn, 0);
 	enlist(casting, 1);
 	barrier();
 
-	if (phase.x == 0u) {
+	if (phase.x == uint(GRASS_CULL_COUNT)) {
 		if (thread < GRASS_ALL_LEVELS && group_tiles[thread] > 0u) {
 			atomicAdd(counted[thread], group_tiles[thread]);
 		}
-		if (thread < 2 && group_blades[thread] > 0u) {
-			atomicAdd(blades_counted[thread], group_blades[thread]);
-		}
 		return;
+	}
+	if (thread < 2 && group_blades[thread] > 0u) {
+		atomicAdd(blades_written[thread], group_blades[thread]);
 	}
 	if (thread < GRASS_ALL_LEVELS) {
 		if (group_tiles[thread] > 0u) {

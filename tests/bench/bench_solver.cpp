@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/solver.md quotes.
+// The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/solver.md quotes; with `speed`, the last
+// alone.
 //   g++ -std=c++20 -O2 -ffp-contract=off -Wno-psabi -I EIGEN -Iextension -Itests/unit tests/bench/bench_solver.cpp
-//       extension/core/{step_lanes,step_scalar,collider,hull,solver_params}.cpp -o bench_solver
+//       extension/core/{step_lanes,step_lanes_16,step_scalar,collider,hull,solver_params}.cpp -o bench_solver
 #include "blade_scene.h"
 
 #include <chrono>
 #include <cstdio>
+#include <string>
+#include <utility>
 
 using namespace grass;
 using namespace grass::test;
@@ -92,33 +95,52 @@ void print_contact() {
 	}
 }
 
+// The versions take turns, so that what else the machine does slows all of them.
 void print_speed() {
-	std::printf("Blades per second on one core (60 Hz, 3 iterations, best of 50 steps)\n");
-	const char *names[] = { "eight lanes", "float", "double" }, *scenes[] = { "at rest", "swinging", "swinging, 4 colliders" };
-	for (int kind = 0; kind < 3; kind++) {
-		for (int i = 0; i < 3; i++) {
-			BladeScene scene;
-			scene.step_function = ALL_STEPS[i];
-			for (int j = 0; j < 4 && kind == 2; j++) {
-				scene.add(j, { 0.2f * float(j) - 0.3f, 0.25f, 0.1f * float(j) }, { 0.1f, 0.1f, 0.1f });
+	constexpr const char *LANES[] = { "four lanes", "eight lanes", "sixteen lanes" };
+	constexpr const char *SCENES[] = { "at rest", "swinging", "swinging, 4 colliders" };
+	constexpr int ROUNDS = 20, STEPS[] = { 200, 30, 30 };
+	std::vector<std::pair<const char *, Step>> versions{ { "double", step_scalar_double }, { "float", step_scalar_float } };
+	for (size_t i = 0; i < get_lane_steps().size(); i++) {
+		versions.emplace_back(LANES[i], get_lane_steps()[i]);
+	}
+	std::printf("Million blades a second on one core, 60 Hz, defaults, best of %d rounds; how many times the plain double's\n", ROUNDS);
+	const auto time = [&](Method p_method, int p_kind, Step p_step) {
+		BladeScene scene(p_method);
+		scene.step_function = p_step;
+		for (int j = 0; j < 4 && p_kind == 2; j++) {
+			scene.add(j, { 0.2f * float(j) - 0.3f, 0.25f, 0.1f * float(j) }, { 0.1f, 0.1f, 0.1f });
+		}
+		if (p_kind != 0) {
+			scene.bend(1.0f);
+		}
+		scene.step();
+		const auto start = std::chrono::steady_clock::now();
+		for (int step = 0; step < STEPS[p_kind]; step++) {
+			scene.step();
+		}
+		return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / STEPS[p_kind] / GRASS_BLADES_PER_TILE;
+	};
+	for (const Method method : { Method::DIRECT, Method::PBD }) {
+		for (int kind = 0; kind < 3; kind++) {
+			std::vector<std::vector<double>> seconds(versions.size());
+			for (int round = 0; round < ROUNDS; round++) {
+				for (size_t i = 0; i < versions.size(); i++) {
+					seconds[i].push_back(time(method, kind, versions[i].second));
+				}
 			}
-			if (kind != 0) {
-				scene.bend(1.0f);
+			for (size_t i = 0; i < versions.size(); i++) {
+				const auto best = [&](size_t p_of) { return *std::min_element(seconds[p_of].begin(), seconds[p_of].end()); };
+				std::printf("  %-13s, %-21s, %-13s: %6.2f, %5.2f x\n", method == Method::DIRECT ? "METHOD_DIRECT" : "METHOD_PBD",
+						SCENES[kind], versions[i].first, 1e-6 / best(i), best(0) / best(i));
 			}
-			double best = 1e9;
-			for (int step = 0; step < 50; step++) {
-				const auto start = std::chrono::steady_clock::now();
-				scene.step();
-				best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-			}
-			std::printf("  %-21s, %-11s: %6.2f million\n", scenes[kind], names[i], GRASS_BLADES_PER_TILE / best * 1e-6);
 		}
 	}
 }
 
 // Microseconds that a step of a blade takes on one core, on average over a scene; best of 5.
 void print_contact_speed() {
-	std::printf("Microseconds a blade step, eight lanes, 60 Hz, defaults\n");
+	std::printf("Microseconds a blade step, lanes, 60 Hz, defaults\n");
 	const auto print = [](const char *p_name, int p_steps, const std::function<void(BladeScene &)> &p_make,
 							   const std::function<void(BladeScene &, int)> &p_move) {
 		double best = 1e9;
@@ -166,7 +188,12 @@ void print_contact_speed() {
 
 } // namespace
 
-int main() {
+int main(int p_count, char **p_arguments) {
+	if (p_count > 1 && std::string(p_arguments[1]) == "speed") {
+		print_speed();
+		print_contact_speed();
+		return 0;
+	}
 	print_return();
 	print_sag();
 	print_contact();

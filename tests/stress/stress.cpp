@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "stress.h"
 
+#include "core/lanes.h"
+
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
 
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <sstream>
@@ -22,6 +25,17 @@ vec4 quaternion(float p_angle, const Eigen::Vector3f &p_axis) {
 	return { turn.x(), turn.y(), turn.z(), turn.w() };
 }
 
+// The numbers below p_count that this run is for, first and last + 1: all, or in the k-th of n parts of them.
+std::pair<int, int> find_part(int p_count) {
+	int part = 1, parts = 1;
+	if (const char *words = std::getenv("GRASS_STRESS_PART")) {
+		REQUIRE_MESSAGE((std::sscanf(words, "%d/%d", &part, &parts) == 2 && part >= 1 && part <= parts),
+				"GRASS_STRESS_PART is " << words << "; it takes a part, such as 2/10");
+	}
+	const auto start = [&](int p_part) { return int(int64_t(p_count) * p_part / parts); };
+	return { start(part - 1), start(part) };
+}
+
 } // namespace
 
 const char *name_of(Method p_method) {
@@ -29,7 +43,7 @@ const char *name_of(Method p_method) {
 }
 
 int sized(int p_usual, int p_full) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(GRASS_IS_SANITIZED)
 	p_usual = std::max(p_usual / 40, 4); // as slow as that
 #endif
 	const char *size = std::getenv("GRASS_STRESS");
@@ -37,11 +51,13 @@ int sized(int p_usual, int p_full) {
 }
 
 void check_each(int p_count, const std::function<std::string(int)> &p_body) {
-	std::atomic<int> next = 0;
+	const std::pair<int, int> part = find_part(p_count);
+	const int end = part.second;
+	std::atomic<int> next = part.first;
 	std::mutex mutex;
 	std::vector<std::string> failures;
 	const auto work = [&] {
-		for (int i = next++; i < p_count; i = next++) {
+		for (int i = next++; i < end; i = next++) {
 			const std::string failure = p_body(i);
 			if (!failure.empty()) {
 				const std::lock_guard lock(mutex);
@@ -59,7 +75,7 @@ void check_each(int p_count, const std::function<std::string(int)> &p_body) {
 	for (const std::string &failure : failures) {
 		FAIL_CHECK(failure);
 	}
-	CHECK(next >= p_count);
+	CHECK(next >= end);
 }
 
 Eigen::Vector3f Dice::direction() {

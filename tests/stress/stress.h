@@ -23,8 +23,9 @@ const char *name_of(Method p_method);
 // p_full if the environment has GRASS_STRESS=full (`./grass bench stress`), else p_usual, or less of it under a sanitizer.
 int sized(int p_usual, int p_full);
 
-// Calls p_body(i) for every i below p_count, on all cores. It returns what went wrong, "" if nothing; every failure is a failed
-// check, with its number, so that it can be repeated.
+// Calls p_body(i) for every i below p_count, on all cores; with GRASS_STRESS_PART=2/10 in the environment for the second tenth of them,
+// so that a long test can be run in pieces (`-tc="*random parameters*"` chooses one). It returns what went wrong, "" if nothing; every
+// failure is a failed check, with its number, so that it can be repeated.
 void check_each(int p_count, const std::function<std::string(int)> &p_body);
 
 // Random numbers that follow from a seed.

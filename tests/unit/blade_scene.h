@@ -16,7 +16,7 @@
 
 namespace grass::test {
 
-using Step = float (*)(TileState &, std::span<const GrassStep>, float, std::span<const TileCollider>);
+using Step = TileStep;
 inline constexpr Step ALL_STEPS[] = { step_lanes, step_scalar_float, step_scalar_double };
 
 // Both methods, for TEST_CASE_TEMPLATE.

@@ -84,3 +84,36 @@ TEST_CASE("hash: a tile's number is even over 0 to 1, exact as a half, unlike it
 	CHECK(std::abs(sum / count - 0.5) < 0.005);
 	CHECK(std::abs(product / count * 12.0) < 0.02); // correlation
 }
+
+TEST_CASE("hash: of each 8 by 8 tiles every one has a turn of its own, in another order elsewhere and under another seed") {
+	int same_elsewhere = 0, same_under_seed = 0;
+	for (uint32_t block = 0; block < 100; block++) {
+		const uint32_t x0 = 8 * (block % 10), z0 = 8 * (block / 10);
+		uint64_t turns = 0;
+		for (uint32_t i = 0; i < 64; i++) {
+			const uint32_t turn = grass_tile_turn(x0 + i % 8, z0 + i / 8, 3);
+			REQUIRE(turn < GRASS_TURNS);
+			turns |= uint64_t(1) << turn;
+		}
+		CHECK(turns == ~uint64_t(0));
+		same_elsewhere += grass_tile_turn(x0, z0, 3) == grass_tile_turn(0, 0, 3) ? 1 : 0;
+		same_under_seed += grass_tile_turn(x0, z0, 3) == grass_tile_turn(x0, z0, 4) ? 1 : 0;
+	}
+	CHECK(same_elsewhere < 10);
+	CHECK(same_under_seed < 10);
+}
+
+TEST_CASE("hash: tiles of the first turns are an even sample: each 4 by 4 and each 2 by 2 tiles has its share") {
+	for (const auto &[side, turns] : { std::pair(4u, 16u), std::pair(2u, 16u), std::pair(4u, 32u), std::pair(2u, 48u) }) {
+		const uint32_t expected = side * side * turns / GRASS_TURNS;
+		for (uint32_t z0 = 0; z0 < 64; z0 += side) {
+			for (uint32_t x0 = 0; x0 < 64; x0 += side) {
+				uint32_t count = 0;
+				for (uint32_t i = 0; i < side * side; i++) {
+					count += grass_tile_turn(x0 + i % side, z0 + i / side, 8) < turns ? 1 : 0;
+				}
+				REQUIRE(count == expected);
+			}
+		}
+	}
+}

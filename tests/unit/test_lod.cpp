@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -37,6 +38,8 @@ float max(double p_a, double p_b) {
 float sqrt(double p_value) {
 	return float(std::sqrt(p_value));
 }
+
+using uint = unsigned;
 
 #include "../../shaders/shared/lod.inc"
 
@@ -223,6 +226,37 @@ TEST_CASE("lod: no box with a corner in the view is ever left out") {
 	CHECK(missed == 0);
 	CHECK(seen > 1000);
 	CHECK(left_out > 10000);
+}
+
+TEST_CASE("lod: ranks that have room hold no more tiles than there is room for, and the next one would") {
+	std::mt19937 random(6);
+	std::array<uint32_t, GRASS_RANKS> tiles{};
+	CHECK(grass_lod_ranks(tiles, 0) == GRASS_RANKS); // nothing needs no room
+	for (int i = 0; i < 200; i++) {
+		for (uint32_t &count : tiles) {
+			count = random() % 5;
+		}
+		const uint32_t room = random() % 300, ranks = grass_lod_ranks(tiles, room);
+		REQUIRE(std::accumulate(tiles.begin(), tiles.begin() + ranks, 0u) <= room);
+		REQUIRE((ranks == GRASS_RANKS || std::accumulate(tiles.begin(), tiles.begin() + ranks + 1, 0u) > room));
+	}
+}
+
+TEST_CASE("lod: finely drawn tiles rank before all of one segment, whose blades grow with what is left out") {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const bool is_fine = get_lod_level(level).segments > 1;
+		for (const uint32_t turn : { 0u, 31u, 63u }) {
+			REQUIRE((grass_lod_rank(level, turn) < GRASS_TURNS) == is_fine);
+			REQUIRE(grass_lod_rank(level, turn) % GRASS_TURNS == turn);
+			REQUIRE(twin::grass_lod_rank(level, turn) == grass_lod_rank(level, turn));
+		}
+	}
+	CHECK(grass_lod_left_out(GRASS_RANKS) == 0.0f);
+	CHECK(grass_lod_left_out(GRASS_TURNS + 48) == 0.25f);
+	CHECK(grass_lod_left_out(GRASS_TURNS + 1) == 0.75f); // four times as wide at most
+	for (uint32_t ranks = 0; ranks <= GRASS_RANKS; ranks++) {
+		REQUIRE(twin::grass_lod_left_out(ranks) == grass_lod_left_out(ranks));
+	}
 }
 
 TEST_CASE("lod: the shaders' twin gives the same") {

@@ -4,6 +4,8 @@
 
 #include "blade_scene.h"
 
+#include "core/lanes.h"
+
 using namespace grass;
 using namespace grass::test;
 
@@ -80,22 +82,36 @@ TEST_CASE_TEMPLATE(
 	}
 }
 
-TEST_CASE_TEMPLATE("Eight lanes compute what one float does, bit for bit", M, Direct, Pbd) {
-	BladeScene lanes(M::METHOD), scalar(M::METHOD);
+TEST_CASE_TEMPLATE("Four, eight and sixteen lanes compute what one float does, bit for bit", M, Direct, Pbd) {
+#if defined(__x86_64__) && defined(GRASS_IS_ONE_FUNCTION)
+	CHECK(STEP_LANES_16 != nullptr); // whether or not this machine can run it
+#endif
+	BladeScene scalar(M::METHOD);
 	scalar.step_function = step_scalar_float;
-	for (BladeScene *scene : { &lanes, &scalar }) {
+	std::vector<std::unique_ptr<BladeScene>> scenes;
+	for (const Step step : get_lane_steps()) {
+		scenes.push_back(std::make_unique<BladeScene>(M::METHOD));
+		scenes.back()->step_function = step;
+	}
+	std::vector<BladeScene *> all{ &scalar };
+	for (const auto &scene : scenes) {
+		all.push_back(scene.get());
+	}
+	for (BladeScene *scene : all) {
 		scene->bend(1.2f);
 		scene->add(GRASS_SPHERE, { -0.5f, 0.15f, 0.03f }, { 0.15f, 0, 0 });
 		scene->add(GRASS_BOX, { 0.3f, 0.2f, -0.02f }, { 0.1f, 0.1f, 0.1f });
 	}
 	for (int i = 0; i < 120; i++) {
-		for (BladeScene *scene : { &lanes, &scalar }) {
+		for (BladeScene *scene : all) {
 			const float x = -0.5f + 0.02f * float(i);
 			BladeScene::place(scene->colliders[0], { x - 0.02f, 0.15f, 0.03f }, { x, 0.15f, 0.03f });
 			scene->step();
 		}
-		REQUIRE(std::memcmp(lanes.tile.get(), scalar.tile.get(), sizeof(TileState)) == 0);
-		REQUIRE(lanes.energy == scalar.energy);
+		for (const auto &lanes : scenes) {
+			REQUIRE(std::memcmp(lanes->tile.get(), scalar.tile.get(), sizeof(TileState)) == 0);
+			REQUIRE(lanes->energy == scalar.energy);
+		}
 	}
 }
 

@@ -62,3 +62,24 @@ func test_rebuilds_leave_nothing() -> void:
 	field.seed = 0
 	await frames(5)
 	assert_less(used()[0] - at_first[0], 1e5, "bytes")
+
+
+## A texture that goes leaves its place to the next one that anybody makes: whoever still asks for the old one then gets an error.
+func test_a_field_asks_for_no_texture_that_is_gone() -> void:
+	var done := [false]
+	var thread := Thread.new() # as the editor's previews do
+	thread.start(func() -> void:
+		var image := Image.create_empty(64, 64, false, Image.FORMAT_RGBA8)
+		var kept: Array[Texture2D] = []
+		while not done[0]:
+			kept.append(ImageTexture.create_from_image(image))
+			OS.delay_usec(200)
+			if kept.size() > 500:
+				kept.clear())
+	for mapped: bool in [false, true]:
+		for i in 20:
+			var field := add_seen_field({size = Vector2(2, 2), pool_tiles = 64, wind_speed = 3.0, map = GrassMap.new() if mapped else null})
+			await frames(2)
+			field.free()
+	done[0] = true
+	thread.wait_to_finish()
