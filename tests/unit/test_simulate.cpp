@@ -224,7 +224,9 @@ TEST_CASE("Memory of slots that are given back comes again, fresh, and the other
 	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5).empty());
 	CHECK(scene.pool.get_energy()[size_t(scene.slots[1].tile.w)] == 0.0f);
 	CHECK(scene.pool.get_knots(scene.slots[0].tile.w, 5) == first);
-	scene.step(); // records say that it is fresh
+	scene.slots[1].list.w |= GRASS_SLOT_FRESH;
+	scene.time = 0; // under the same ball
+	scene.step();
 	other.slots.resize(2);
 	other.step();
 	CHECK(scene.pool.get_memory_usage() == one_and_two);
