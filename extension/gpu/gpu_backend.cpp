@@ -145,6 +145,7 @@ BackendStatistics GpuBackend::get_statistics() {
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
 	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates();
+	statistics.compiling = GpuPass::compiling();
 	return statistics;
 }
 
