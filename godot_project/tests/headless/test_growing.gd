@@ -11,15 +11,6 @@ func long_blades(length: float) -> GrassPatch:
 	return patch
 
 
-## Frames until the field has been made as often as that.
-func made(field: GrassField, makings: int) -> void:
-	for i in 2000:
-		if field.get_statistics().makings >= makings:
-			return
-		await frames(1)
-	fail("it is not made")
-
-
 func test_other_blades_come_when_they_are_there() -> void:
 	var field := add_field()
 	await ticks(2)
