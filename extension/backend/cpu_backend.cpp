@@ -49,8 +49,16 @@ CpuBackend::~CpuBackend() {
 	memdelete(_parallel);
 }
 
-bool CpuBackend::set_grid(const TileGrid &p_grid) {
-	_setup.grid = p_grid;
+bool CpuBackend::set_field(const FieldSetup &p_setup) {
+	if (!p_setup.has_kind_of(_setup)) {
+		return false;
+	}
+	if (p_setup.patch != _setup.patch) {
+		_pool.set_patch(p_setup.patch);
+		_patch_texture->update(make_patch_image(*p_setup.patch));
+		_materials.set("blade_length", p_setup.blade_length());
+	}
+	_setup = p_setup;
 	_slot_of_tile.clear();
 	_cover.reset(); // of the other grid; set_cover() follows
 	_tiles_changed = true;

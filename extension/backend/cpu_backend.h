@@ -21,7 +21,7 @@ public:
 	explicit CpuBackend(const FieldSetup &p_setup);
 	~CpuBackend() override;
 
-	bool set_grid(const TileGrid &p_grid) override;
+	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void tidy() override;
 	void draw(const FieldView &p_view) override;

@@ -88,14 +88,20 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
-bool GpuBackend::set_grid(const TileGrid &p_grid) {
-	_setup.grid = p_grid;
-	if (_setup.instance_capacity() > _picture.capacity() || _setup.shadow_capacity() > _shadows.capacity()) {
+bool GpuBackend::set_field(const FieldSetup &p_setup) {
+	if (!p_setup.has_kind_of(_setup) || p_setup.instance_capacity() > _picture.capacity() ||
+			p_setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
+	}
+	const bool has_other_blades = p_setup.patch != _setup.patch;
+	_setup = p_setup;
+	if (has_other_blades) { // in the same texture, which the passes have bound
+		_patch_texture->update(make_patch_image(*_setup.patch));
+		_materials.set("blade_length", _setup.blade_length());
 	}
 	_picture.set_bounds(field_bounds(_setup));
 	_shadows.set_bounds(field_bounds(_setup));
-	RenderQueue::get_singleton()->post([field = _field, tiles = p_grid.get_tile_count()] { field->set_tiles(tiles); });
+	RenderQueue::get_singleton()->post([field = _field, tiles = _setup.grid.get_tile_count()] { field->set_tiles(tiles); });
 	return true;
 }
 

@@ -185,6 +185,7 @@ Dictionary GrassField::get_statistics() const {
 	result["frame_ms"] = _frame_ms;
 	result["build_ms"] = _build_ms;
 	result["builds"] = _builds;
+	result["makings"] = _makings;
 	result["simulate_ms"] = backend.simulate_ms;
 	result["cull_ms"] = backend.cull_ms;
 	result["memory"] = get_memory_usage();
