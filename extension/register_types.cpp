@@ -57,6 +57,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
+		grass::GrassPatch::free_default();
 		grass::free_shared_textures();
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();

@@ -25,7 +25,7 @@
 
 namespace grass {
 
-// What a backend is built for. A change of any of it means a new backend.
+// What a backend is built for.
 struct FieldSetup {
 	TileGrid grid;
 	std::shared_ptr<const Patch> patch;
@@ -39,6 +39,12 @@ struct FieldSetup {
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
+	// Whether buffers, textures, meshes and shaders of the one fit the other, as long as the MultiMeshes are large enough.
+	bool has_kind_of(const FieldSetup &p_other) const {
+		return pool_tiles == p_other.pool_tiles && drawn_tiles_max == p_other.drawn_tiles_max && is_mapped == p_other.is_mapped &&
+				(species == nullptr) == (p_other.species == nullptr) && patch->species == p_other.patch->species &&
+				(card_size > 0.0f) == (p_other.card_size > 0.0f);
+	}
 	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
@@ -87,6 +93,7 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
+	int64_t instance_updates = 0; // times that the renderer was told anything of the node: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
@@ -99,11 +106,13 @@ class Backend {
 public:
 	virtual ~Backend() = default;
 
-	// Goes on with the same blades on another grid, all of them at rest; with a map, set_cover() follows. False if it cannot: then make
-	// another one.
-	virtual bool set_grid(const TileGrid &p_grid) = 0;
+	// Goes on with another grid, other blades or both, all of them at rest; with a map, set_cover() follows. False if it cannot: then
+	// make another one.
+	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
+	// In every tick, whether there is a step or not: gives back memory that nothing has needed for a while.
+	virtual void tidy() {}
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.

@@ -150,7 +150,7 @@ PatchParams::PatchParams() {
 	}
 }
 
-Patch generate_patch(const PatchParams &p_params) {
+Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop) {
 	const PatchParams params = cleaned(p_params);
 	Patch patch;
 	patch.texels.assign(size_t(Patch::WIDTH) * Patch::HEIGHT * 4, 0);
@@ -159,7 +159,7 @@ Patch generate_patch(const PatchParams &p_params) {
 	} else if (total_weight(params) <= 0.0) {
 		patch.empty_because = "every blade type has a weight of zero";
 	} else {
-		for (int blade = 0; blade < GRASS_PATCH_BLADES; ++blade) {
+		for (int blade = 0; blade < GRASS_PATCH_BLADES && !(p_stop != nullptr && *p_stop); ++blade) {
 			plant(patch, params, blade);
 		}
 	}

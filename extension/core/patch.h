@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -66,7 +67,8 @@ struct Patch {
 };
 
 // The same bits for the same parameters, on every machine.
-Patch generate_patch(const PatchParams &p_params);
+// p_stop: when it becomes true, on whatever thread, what is not made yet is left out.
+Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop = nullptr);
 
 // The patches of several species as one. Blade b of each stands where blade b of the first one does, so that a root is known
 // before its species is. p_shares: of the species, for what is a mean. Species without blades get some of no width.

@@ -36,6 +36,9 @@ public:
 	CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots);
 	~CpuPool();
 
+	// Other blades. Tiles that are awake must wake anew.
+	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
+
 	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
 	// and of blades beyond the patch are left out.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, Precision p_precision = Precision::LANES);
@@ -50,6 +53,9 @@ public:
 	std::span<const float> get_energy() const { return _energy; }
 	// [Eq M5] Of every slot: how far the tips of its blades are from rest, on average, as shares of the blades' lengths.
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
+
+	// Gives back the memory of slots from p_slots on, none of which may be awake; it comes again when they are used.
+	void trim(int p_slots);
 
 	int get_slot_count() const { return int(_slots.size()); }
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since made

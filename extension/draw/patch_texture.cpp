@@ -10,9 +10,13 @@ using namespace godot;
 
 namespace grass {
 
+Ref<Image> make_patch_image(const Patch &p_patch) {
+	return Image::create_from_data(
+			Patch::WIDTH, Patch::HEIGHT * p_patch.species, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels)));
+}
+
 Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
-	return ImageTexture::create_from_image(Image::create_from_data(Patch::WIDTH, Patch::HEIGHT * p_patch.species, false,
-			Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels))));
+	return ImageTexture::create_from_image(make_patch_image(p_patch));
 }
 
 namespace {

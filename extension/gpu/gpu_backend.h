@@ -21,7 +21,7 @@ public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
-	bool set_grid(const TileGrid &p_grid) override;
+	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;

@@ -27,6 +27,7 @@ constexpr float VIEW_MARGIN = 3.0f;
 } // namespace
 
 GrassField::GrassField() {
+	GrassPatch::prepare_default(); // until it enters the tree
 	for (size_t i = 0; i < _params.size(); i++) {
 		_params[i] = FIELD_PARAMS[i].tunable.initial;
 	}
@@ -82,6 +83,7 @@ void GrassField::leave() {
 }
 
 void GrassField::request_rebuild() {
+	_waits_for_patch = false;
 	_dirty = true; // however many properties change, the field is made once, at the next tick or frame
 	update_gizmos();
 	update_configuration_warnings();
@@ -123,8 +125,8 @@ void GrassField::build() {
 		}
 	}
 	_ground.free();
-	const bool same_room = before.pool_tiles == _setup.pool_tiles && before.drawn_tiles_max == _setup.drawn_tiles_max;
-	if (!same_blades || !same_room || !_backend || !_backend->set_grid(_setup.grid)) {
+	_makings++;
+	if (_setup.patch->is_empty() || !_backend || !_backend->set_field(_setup)) {
 		make_backend();
 	}
 	if (_backend) {
@@ -160,6 +162,7 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend) { // a listener of the map did that
 		return;
 	}
+	_backend->tidy();
 	if (!_is_seen && !is_listened_to()) {
 		_unseen_time += p_delta;
 		_unseen_ticks++;
@@ -210,6 +213,7 @@ void GrassField::step(double p_delta) {
 }
 
 void GrassField::frame(double p_delta) {
+	look_at_patch();
 	build();
 	update_fill();
 	if (!_backend) {
@@ -232,6 +236,7 @@ void GrassField::follow() {
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
+	look_at_patch();
 	build(); // also where the tree is paused from the first frame on
 	if (!_backend) {
 		return;

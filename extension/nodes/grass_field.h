@@ -175,6 +175,7 @@ private:
 	bool is_listened_to() const;
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
+	void look_at_patch();
 	// grass_field_map.cpp
 	void build_map();
 	void update_map();
@@ -248,7 +249,9 @@ private:
 	std::array<double, FIELD_PARAMS.size()> _params;
 	std::array<godot::Color, FIELD_COLORS.size()> _colors;
 
-	bool _dirty = false; // the backend must be made again
+	bool _dirty = false; // the field must be made again
+	bool _waits_for_patch = false; // then too, as soon as its blades are there
+	int64_t _makings = 0; // times that it was made again
 	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made
 	bool _is_seen = true; // by a camera, in the last frame; where no frames are drawn, always

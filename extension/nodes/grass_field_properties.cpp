@@ -36,11 +36,21 @@ void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
 	if (_patch.is_valid()) {
 		_patch->connect("changed", changed);
 	}
-	request_rebuild();
+	_patch_changed();
 }
 
+// Where grass stands already it stands on until the new blades are there, some frames later.
 void GrassField::_patch_changed() {
-	request_rebuild();
+	_waits_for_patch = _backend && !_dirty && _species.empty() && _patch.is_valid() && !_patch->prepare();
+	if (!_waits_for_patch) {
+		request_rebuild();
+	}
+}
+
+void GrassField::look_at_patch() {
+	if (_waits_for_patch && (_patch.is_null() || _patch->prepare())) {
+		request_rebuild();
+	}
 }
 
 void GrassField::set_seed(int64_t p_seed) {

@@ -3,6 +3,8 @@
 
 #include "nodes/params.h"
 
+#include <mutex>
+
 using namespace godot;
 
 namespace grass {
@@ -43,15 +45,13 @@ double &value_of(PatchParams &p_params, GrassPatch::Param p_param) {
 
 void GrassPatch::set_seed(int64_t p_seed) {
 	_params.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassPatch"));
-	_patch.reset();
-	emit_changed();
+	forget();
 }
 
 void GrassPatch::set_param(Param p_param, double p_value) {
 	ERR_FAIL_INDEX_MSG(int(p_param), int(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
 	value_of(_params, p_param) = checked(tunable_of(p_param), p_value, "GrassPatch");
-	_patch.reset();
-	emit_changed();
+	forget();
 }
 
 double GrassPatch::get_param(Param p_param) const {
@@ -61,19 +61,54 @@ double GrassPatch::get_param(Param p_param) const {
 
 std::shared_ptr<const Patch> GrassPatch::get_patch() {
 	if (!_patch) {
-		_patch = std::make_shared<const Patch>(generate_patch(_params));
+		prepare();
+		_patch = _maker.take();
 	}
 	return _patch;
 }
 
-std::shared_ptr<const Patch> GrassPatch::get_default() {
-	static std::weak_ptr<const Patch> shared;
-	std::shared_ptr<const Patch> patch = shared.lock();
-	if (!patch) {
-		patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-		shared = patch;
+bool GrassPatch::prepare() {
+	if (!_patch && !_maker.is_started()) {
+		_maker.start(_params);
 	}
-	return patch;
+	return _patch || _maker.is_done();
+}
+
+void GrassPatch::forget() {
+	_patch.reset();
+	_maker.stop();
+	emit_changed();
+}
+
+namespace {
+// Kept for good: a game that frees its last field and makes another does not wait again.
+struct DefaultPatch {
+	PatchMaker maker;
+	std::shared_ptr<const Patch> patch;
+};
+std::unique_ptr<DefaultPatch> shared_default;
+std::mutex default_mutex; // scenes may be loaded on any thread
+} // namespace
+
+void GrassPatch::prepare_default() {
+	std::lock_guard lock(default_mutex);
+	if (!shared_default) {
+		shared_default = std::make_unique<DefaultPatch>();
+		shared_default->maker.start(PatchParams());
+	}
+}
+
+std::shared_ptr<const Patch> GrassPatch::get_default() {
+	prepare_default();
+	std::lock_guard lock(default_mutex);
+	if (!shared_default->patch) {
+		shared_default->patch = shared_default->maker.take();
+	}
+	return shared_default->patch;
+}
+
+void GrassPatch::free_default() {
+	shared_default.reset();
 }
 
 void GrassPatch::_bind_methods() {

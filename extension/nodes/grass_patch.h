@@ -2,7 +2,7 @@
 // GrassPatch: the blades that a GrassField grows from. Properties only; core/patch.h makes the blades.
 #pragma once
 
-#include "core/patch.h"
+#include "core/patch_maker.h"
 
 #include <godot_cpp/classes/resource.hpp>
 
@@ -33,14 +33,21 @@ public:
 
 	// The blades; made when first asked for after a change, and shared by all fields that use this resource.
 	std::shared_ptr<const Patch> get_patch();
+	// Whether get_patch() has them at once. If not, they are being made from now on, on another thread.
+	bool prepare();
 	// Those of a patch that nobody changed, shared by all that have none of their own.
 	static std::shared_ptr<const Patch> get_default();
+	static void prepare_default();
+	static void free_default(); // when the library is unloaded
 
 protected:
 	static void _bind_methods();
 
 private:
+	void forget();
+
 	PatchParams _params;
+	PatchMaker _maker;
 	std::shared_ptr<const Patch> _patch;
 };
 

@@ -19,6 +19,15 @@ func add_field(properties := {}) -> GrassField:
 	return field
 
 
+## Frames until the field has been made as often as that.
+func made(field: GrassField, makings: int) -> void:
+	for i in 2000:
+		if field.get_statistics().makings >= makings:
+			return
+		await frames(1)
+	fail("it is not made")
+
+
 ## `body` in the tree at `place` with `shape`, or with nothing where that is null.
 func add_body(body: PhysicsBody3D, shape: Shape3D, place: Vector3) -> PhysicsBody3D:
 	if shape:

@@ -87,15 +87,16 @@ void read_state(Bytes &r_bytes, BladeScene &r_scene) {
 }
 
 vec4 read_rotation(Bytes &r_bytes) {
-	const Eigen::Vector4f axis(float(r_bytes.between(-1, 1)), float(r_bytes.between(-1, 1)), float(r_bytes.between(-1, 1)), 0.1f);
-	const Eigen::Vector4f unit = axis.normalized();
+	const Eigen::Vector3f axis = r_bytes.within(1.0);
+	const Eigen::Vector4f unit = Eigen::Vector4f(axis.x(), axis.y(), axis.z(), 0.1f).normalized();
 	return { unit.x(), unit.y(), unit.z(), unit.w() };
 }
 
 void read_collider(Bytes &r_bytes, BladeScene &r_scene) {
 	const auto size = [&] { return float(r_bytes.odd(std::pow(10.0, r_bytes.between(-5.0, 1.0)))); };
-	const float width = size(), height = size();
-	GrassCollider &collider = r_scene.add(r_bytes.below(6), r_bytes.within(0.6), { width, height, size() });
+	const float width = size(), height = size(), depth = size();
+	const Eigen::Vector3f place = r_bytes.within(0.6); // each in a line of its own: compilers evaluate arguments in different orders
+	GrassCollider &collider = r_scene.add(r_bytes.below(6), place, { width, height, depth });
 	if (r_bytes.below(4) == 0) {
 		collider.rotation = read_rotation(r_bytes);
 		collider.rotation_before = read_rotation(r_bytes);

@@ -86,16 +86,17 @@ func test_patch_changes_rebuild_the_field() -> void:
 	var field := add_field({patch = patch})
 	await ticks(2)
 	var before := tile_knots(field, Vector2i.ZERO)
+	var makings: int = field.get_statistics().makings
 	patch.length_min = 0.1
 	patch.length_max = 0.1
-	await ticks(2)
+	await made(field, makings + 1)
 	var after := tile_knots(field, Vector2i.ZERO)
 	assert_ne(after, before)
 	for blade in BLADES:
 		var length := 15 * after[blade * KNOTS].distance_to(after[blade * KNOTS + 1])
 		assert_less(length, 0.1 * 1.3 + 1e-3, "length after the change, clump included")
 	patch.seed = 99
-	await ticks(2)
+	await made(field, makings + 2)
 	assert_ne(tile_knots(field, Vector2i.ZERO), after, "another patch seed")
 	field.patch = null
 	await ticks(2)
