@@ -3,6 +3,7 @@
 
 #include <godot_cpp/classes/rd_shader_spirv.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -67,11 +68,27 @@ void GpuBuffer::free() {
 }
 
 std::map<const uint32_t *, GpuPass::Pipeline> GpuPass::_pipelines;
+std::atomic<int> GpuPass::_compiling = 0;
 
-void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name) {
+void GpuPass::compile(void *p_pipeline) {
+	Pipeline &pipeline = *static_cast<Pipeline *>(p_pipeline);
+	pipeline.pipeline = main_device()->compute_pipeline_create(pipeline.shader);
+	pipeline.is_done = true;
+	_compiling--;
+}
+
+bool GpuPass::is_compiled(Pipeline &r_pipeline, bool p_wait) {
+	if (r_pipeline.task >= 0 && (p_wait || r_pipeline.is_done)) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(r_pipeline.task);
+		r_pipeline.task = -1;
+	}
+	return r_pipeline.task < 0;
+}
+
+void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
 	free();
 	Pipeline &known = _pipelines[p_spirv.data()];
-	if (!known.pipeline.is_valid()) {
+	if (!known.shader.is_valid()) {
 		PackedByteArray code;
 		code.resize(int64_t(p_spirv.size_bytes()));
 		std::memcpy(code.ptrw(), p_spirv.data(), p_spirv.size_bytes());
@@ -82,14 +99,29 @@ void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name) {
 		known.shader = device->shader_create_from_spirv(spirv, p_name);
 		ERR_FAIL_COND_MSG(!known.shader.is_valid(),
 				vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
-		known.pipeline = device->compute_pipeline_create(known.shader);
+		_compiling++;
+		if (p_when == Compile::LATER) {
+			known.task = WorkerThreadPool::get_singleton()->add_native_task(&GpuPass::compile, &known, false, p_name);
+		} else {
+			compile(&known);
+		}
 	}
-	_shader = known.shader;
-	_pipeline = known.pipeline;
+	_source = &known;
+	if (p_when == Compile::NOW) {
+		is_compiled(known, true);
+	}
+}
+
+bool GpuPass::is_ready() {
+	if (!_pipeline.is_valid() && _source != nullptr && is_compiled(*_source, false)) {
+		_pipeline = _source->pipeline;
+	}
+	return _pipeline.is_valid();
 }
 
 void GpuPass::free_pipelines() {
-	for (const auto &[code, known] : _pipelines) {
+	for (auto &[code, known] : _pipelines) {
+		is_compiled(known, true);
 		if (known.shader.is_valid()) { // takes the pipeline with it
 			main_device()->free_rid(known.shader);
 		}
@@ -142,7 +174,7 @@ bool GpuPass::refresh_set() {
 		}
 		uniforms.push_back(uniform);
 	}
-	_set = device->uniform_set_create(uniforms, _shader, 0);
+	_set = device->uniform_set_create(uniforms, _source->shader, 0);
 	_changed = false;
 	return _set.is_valid();
 }
@@ -169,7 +201,8 @@ void GpuPass::free() {
 	if (_set.is_valid() && device->uniform_set_is_valid(_set)) {
 		device->free_rid(_set);
 	}
-	_set = _shader = _pipeline = RID();
+	_set = _pipeline = RID();
+	_source = nullptr;
 	_bindings.clear();
 	_changed = true;
 }

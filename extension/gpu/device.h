@@ -8,6 +8,7 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -55,8 +56,11 @@ public:
 
 	~GpuPass() { free(); }
 
-	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take up to seconds for it.
-	void create(std::span<const uint32_t> p_spirv, const char *p_name);
+	enum class Compile { NOW, LATER };
+
+	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take seconds for it. LATER: a worker thread makes
+	// it, and until is_ready() the pass does nothing.
+	void create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when = Compile::NOW);
 	// Frees all pipelines, for when the library is unloaded.
 	static void free_pipelines();
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
@@ -67,7 +71,9 @@ public:
 	// MAX_ROW workgroups are laid out in rows, with some too many in the last.
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
-	bool is_ready() const { return _pipeline.is_valid(); }
+	bool is_ready();
+	// Passes that worker threads are making. From any thread.
+	static int compiling() { return _compiling; }
 	// Whether it binds something else than in its last dispatch.
 	bool has_changed() const { return _changed; }
 
@@ -81,11 +87,20 @@ private:
 	bool refresh_set();
 
 	struct Pipeline {
-		godot::RID shader, pipeline;
+		godot::RID shader;
+		godot::RID pipeline; // the task's until it is done
+		int64_t task = -1; // of the WorkerThreadPool, until it has been waited for
+		std::atomic<bool> is_done = false; // by the task
 	};
-	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code
+	static void compile(void *p_pipeline);
+	// Whether the pipeline is there, or has been refused; waits for it if asked to.
+	static bool is_compiled(Pipeline &r_pipeline, bool p_wait);
 
-	godot::RID _shader, _pipeline, _set;
+	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code
+	static std::atomic<int> _compiling;
+
+	Pipeline *_source = nullptr; // of _pipelines
+	godot::RID _pipeline, _set;
 	std::vector<Binding> _bindings;
 	bool _changed = true;
 };

@@ -142,7 +142,9 @@ EnergyReport GpuBackend::read_energy() {
 
 BackendStatistics GpuBackend::get_statistics() {
 	std::lock_guard lock(_report->mutex);
-	return _report->statistics;
+	BackendStatistics statistics = _report->statistics;
+	statistics.compiling = GpuPass::compiling();
+	return statistics;
 }
 
 int64_t GpuBackend::get_memory_usage() const {

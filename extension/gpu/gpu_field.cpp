@@ -117,7 +117,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	using Code = std::span<const uint32_t>;
 	_simulate.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV), "GrassField simulate");
 	_simulate_edges.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV),
-			"GrassField simulate edges");
+			"GrassField simulate edges", GpuPass::Compile::LATER);
 	_cull.create(shader::CULL_SPIRV, "GrassField cull");
 	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
 	std::lock_guard lock(_report->mutex);
@@ -157,6 +157,17 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	}
 }
 
+int64_t GpuField::upload_slots(const StepRecords &p_records, bool p_takes_edges) {
+	if (p_records.sharp_slots == 0 || p_takes_edges) {
+		return _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
+	}
+	std::vector<GrassSlot> slots = p_records.slots; // the driver still compiles: the other pass takes all of them
+	for (GrassSlot &slot : slots) {
+		slot.list.w &= ~GRASS_SLOT_EDGES;
+	}
+	return _slot_records.upload(std::span<const GrassSlot>(slots));
+}
+
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_records.slots.empty() || !_simulate.is_ready()) {
 		return;
@@ -166,7 +177,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		read_times();
 	}
 	int64_t uploaded = 0;
-	uploaded += _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
+	const bool takes_edges = p_records.sharp_slots > 0 && _simulate_edges.is_ready();
+	uploaded += upload_slots(p_records, takes_edges);
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
@@ -189,7 +201,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		Stopwatch watch(p_measure, "GrassField simulate");
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		const uint32_t slots = uint32_t(p_records.slots.size()), sharp = uint32_t(p_records.sharp_slots);
+		const uint32_t slots = uint32_t(p_records.slots.size()), sharp = takes_edges ? uint32_t(p_records.sharp_slots) : 0;
 		if (sharp < slots) { // each tile is one of the passes'; the other leaves it at once
 			_simulate.dispatch(list, record_bytes(p_records.step), slots);
 		}
@@ -208,7 +220,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
-		statistics.edge_tile_steps += p_records.sharp_slots;
+		statistics.edge_tile_steps += takes_edges ? p_records.sharp_slots : 0;
 		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();

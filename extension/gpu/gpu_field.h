@@ -69,6 +69,8 @@ public:
 
 private:
 	void bind_simulate(const godot::RID &p_patch);
+	// Without edges where their pass cannot take them yet. Bytes.
+	int64_t upload_slots(const StepRecords &p_records, bool p_takes_edges);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void report_counts(int64_t p_uploaded);
 	void read_times();

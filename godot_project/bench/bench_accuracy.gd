@@ -2,7 +2,7 @@
 ## Runs on the GPU what tests/bench/accuracy/tape.h recorded: the reference problems of `./grass bench accuracy`, whose
 ## errors are computed from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
 ##   bench.tscn -- --only accuracy --packs DIR --spirv DIR --out DIR
-## DIR/METHOD_KNOTS.pack and DIR/simulate_KNOTS.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h says what is in them.
+## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h says what is in them.
 extends Node
 
 const SimulatePass := preload("res://bench/simulate_pass.gd")
@@ -19,7 +19,8 @@ const BATCHES := 5
 enum Keep { TIP, KNOTS, TIME }
 
 var _device: RenderingDevice
-var _pass: SimulatePass
+var _passes: Array[SimulatePass] = [] # the one of tiles near nothing sharp, and the one that meets colliders with edges too
+var _pass: SimulatePass # that of the take
 var _software := false
 var _knots := 0 # of a blade
 var _patch := PackedByteArray()
@@ -57,8 +58,12 @@ func _play(p_path: String, p_spirv: String, p_result: String) -> Array:
 	_states.clear()
 	for i in 2 * states:
 		_states.append(_bytes(pack, 3 * (_knots - 2) * SimulatePass.BLADES * 4))
-	_pass = SimulatePass.new()
-	var error := "no RenderingDevice" if _device == null else _pass.load_shader(_device, p_spirv.path_join("simulate_%d.spv" % _knots))
+	var error := "no RenderingDevice" if _device == null else ""
+	_passes.clear()
+	for suffix: String in ["", "_edges"]:
+		_passes.append(SimulatePass.new())
+		if not error:
+			error = _passes[-1].load_shader(_device, p_spirv.path_join("simulate_%d%s.spv" % [_knots, suffix]))
 	var result := StreamPeerBuffer.new()
 	for word: int in [RESULT, _knots, int(_software), takes]:
 		result.put_u32(word)
@@ -66,8 +71,8 @@ func _play(p_path: String, p_spirv: String, p_result: String) -> Array:
 	for i in takes:
 		if not error:
 			steps += _play_take(pack, result)
-	if _device != null:
-		_pass.free_all()
+	for made in _passes if _device != null else []:
+		made.free_all()
 	if error:
 		return [0, 0, error]
 	var file := FileAccess.open(p_result, FileAccess.WRITE)
@@ -84,6 +89,7 @@ func _play_take(p_pack: StreamPeerBuffer, r_result: StreamPeerBuffer) -> int:
 	var steps := p_pack.get_u32()
 	var runs := p_pack.get_u32()
 	var has_colliders := p_pack.get_u32() != 0
+	_pass = _passes[int(has_colliders)]
 	var pushes: Array[PackedByteArray] = []
 	for run_index in runs:
 		var count := p_pack.get_u32()

@@ -25,18 +25,23 @@ var _shader: RID
 
 
 func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
-	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
+	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "edges", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
 	_device = RenderingServer.create_local_rendering_device()
-	var code := RDShaderSPIRV.new()
-	code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d.spv" % KNOTS)))
-	_shader = _device.shader_create_from_spirv(code)
-	_pipeline = _device.compute_pipeline_create(_shader)
-	for method: int in [DIRECT, PBD]:
-		for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
-			for colliders: int in [0, 4]:
-				rows.append(_measure(method, 2, tiles, colliders, 4 if p_software else STEPS))
-	_device.free_rid(_pipeline)
-	_device.free_rid(_shader)
+	for edges: String in ["", "_edges"]: # of tiles near nothing sharp; of the others
+		var code := RDShaderSPIRV.new()
+		code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, edges])))
+		var start := Time.get_ticks_msec()
+		_shader = _device.shader_create_from_spirv(code)
+		_pipeline = _device.compute_pipeline_create(_shader)
+		print("simulate%s: %d ms to compile, unless the driver has kept it" % [edges, Time.get_ticks_msec() - start])
+		for method: int in [DIRECT, PBD]:
+			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
+				for colliders: int in [0, 4]:
+					var row := _measure(method, 2, tiles, colliders, 4 if p_software else STEPS)
+					row.insert(4, "yes" if edges else "no")
+					rows.append(row)
+		_device.free_rid(_pipeline)
+		_device.free_rid(_shader)
 	_device.free()
 	return rows
 

@@ -59,7 +59,7 @@ void run_recovery(const char *p_name, int p_species, double p_width) {
 	std::vector<double> times;
 	for (int step = 0; step < 200; step++) {
 		const auto begin = std::chrono::steady_clock::now();
-		const BrushResult result = recovery.step(map, chunk, { 0.4, 0.9, 256.0 }, rates, 1.0, p_species > 1 ? shares : nullptr);
+		const BrushResult result = recovery.step(map, chunk, { 0.4, 0.9, 256.0, {} }, rates, 1.0, p_species > 1 ? shares : nullptr);
 		const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
 		if (!result.changed.empty()) {
 			times.push_back(time.count());

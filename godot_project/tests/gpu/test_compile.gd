@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+## The pass that meets colliders with edges is compiled by a worker thread; until it is there the other one takes all tiles.
+extends "res://tests/parity_case.gd"
+
+
+func test_sharp_colliders_do_not_wait_for_their_pass() -> void:
+	gpu = add_field()
+	var box := BoxShape3D.new()
+	box.size = Vector3(0.5, 0.2, 0.5)
+	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
+	await ticks(5)
+	var early := gpu.get_statistics()
+	print("    after 5 ticks: %d passes are being compiled" % early.compiling)
+	assert_greater(early.simulated_blades, 0, "simulated at once, whoever does it")
+	if early.compiling > 0:
+		assert_eq(early.edge_tile_steps, 0)
+	await compiled(gpu)
+	await ticks(5)
+	assert_greater(gpu.get_statistics().edge_tile_steps, early.edge_tile_steps)
+	var knots := gpu.get_knots(gpu.get_tile_at(PLACE), 0)
+	assert_eq(knots.size(), 16)
+	for knot in knots:
+		assert_true(knot.is_finite())
