@@ -22,7 +22,7 @@ func add_pair(properties := {}) -> bool:
 func compiled(field: GrassField) -> void:
 	var deadline := Time.get_ticks_msec() + COMPILING * 1000
 	while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
-		await frames(1)
+		await ticks(1) # not frames: what a test does next, it does before a tick
 	assert_eq(field.get_statistics().compiling, 0, "all passes are compiled")
 
 
