@@ -87,6 +87,7 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
+	int64_t instance_updates = 0; // times that the renderer was told anything of the node: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
@@ -104,6 +105,8 @@ public:
 	virtual bool set_grid(const TileGrid &p_grid) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
+	// In every tick, whether there is a step or not: gives back memory that nothing has needed for a while.
+	virtual void tidy() {}
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.

@@ -22,8 +22,15 @@ namespace grass {
 namespace {
 constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
+// Ticks between looks at what the pool takes, and how many in a row must find it at least four times too large: three seconds. Then
+// room for twice what is awake is kept. Less: memory comes and goes with every body that passes.
+constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
 constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH = 15; // among an instance's floats
+
+int rows_for(int p_highest_slot) {
+	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
+}
 } // namespace
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
@@ -70,6 +77,24 @@ void CpuBackend::step(const StepInput &p_input) {
 	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
 	if (_measure) {
 		_statistics.simulate_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
+	}
+}
+
+void CpuBackend::tidy() {
+	if (_ticks_to_look-- > 0) {
+		return;
+	}
+	_ticks_to_look = LOOK_EVERY - 1;
+	int highest = -1;
+	for (const auto &[tile, slot] : _slot_of_tile) {
+		highest = std::max(highest, slot);
+	}
+	const int needed = rows_for(highest);
+	_low_looks = needed * MUCH <= rows_for(_highest_slot) ? _low_looks + 1 : 0;
+	if (_low_looks >= LOW_LOOKS) {
+		_low_looks = 0;
+		_highest_slot = 2 * needed - 1;
+		_pool.trim(_highest_slot + 1); // the texture follows in the next frame
 	}
 }
 
@@ -214,20 +239,26 @@ int64_t CpuBackend::leave_out(int p_first, int p_end, uint32_t p_room) {
 }
 
 void CpuBackend::update_pool_texture() {
-	const int rows = std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(_highest_slot + 1))));
-	const bool grown = rows > _pool_rows;
-	if (!grown && _changed_slots.find(0) == SlotSet::NONE) {
+	const int rows = rows_for(_highest_slot);
+	const bool is_resized = rows != _pool_rows;
+	if (!is_resized && _changed_slots.find(0) == SlotSet::NONE) {
 		return;
 	}
-	_pool_rows = std::max(rows, _pool_rows);
+	_pool_rows = rows;
 	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
+	if (is_resized) {
+		_pool_texels.shrink_to_fit();
+	}
 	for (const int slot : _changed_slots) {
+		if (slot >= _pool_rows) {
+			break; // asleep since, or it would have a row
+		}
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
 	_changed_slots.reset(_setup.pool_tiles, false);
 	const Ref<Image> image =
 			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
-	if (grown) {
+	if (is_resized) {
 		_pool_texture = ImageTexture::create_from_image(image);
 		_materials.set("pool_knots", _pool_texture);
 	} else {
@@ -250,10 +281,19 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level), _setup.card_size > 0.0f);
-			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()));
+			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()),
+					level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
 		}
-		instance.follow(p_node, p_transform, level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
+		instance.follow(p_node, p_transform);
 	}
+}
+
+BackendStatistics CpuBackend::get_statistics() {
+	BackendStatistics statistics = _statistics;
+	for (const FieldInstance &level : _levels) {
+		statistics.instance_updates += level.get_updates();
+	}
+	return statistics;
 }
 
 int64_t CpuBackend::get_memory_usage() const {

@@ -23,6 +23,7 @@ public:
 
 	bool set_grid(const TileGrid &p_grid) override;
 	void step(const StepInput &p_input) override;
+	void tidy() override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
@@ -31,7 +32,7 @@ public:
 
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override { return _pool.get_knots(p_slot, p_blade); }
 	EnergyReport read_energy() override { return { _step_number, _pool.get_energy(), _pool.get_bends() }; }
-	BackendStatistics get_statistics() override { return _statistics; }
+	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
 	const char *get_name() const override { return "CPU"; }
 
@@ -55,9 +56,10 @@ private:
 	std::shared_ptr<const TileCover> _cover; // null: no map
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // live longer than the materials that read them
 	BladeMaterials _materials;
-	int _pool_rows = 0; // of the pool texture; grows with the highest slot in use
+	int _pool_rows = 0; // of the pool texture
 	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
-	int _highest_slot = -1;
+	int _highest_slot = -1; // that there is memory for; rises with the slots in use, falls when all have been far below for a while
+	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); looks in a row that found much too much memory
 	std::vector<uint16_t> _pool_texels;
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
 	std::array<std::vector<float>, GRASS_ALL_LEVELS> _instances;

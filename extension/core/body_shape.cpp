@@ -49,14 +49,6 @@ Bounds get_bounds(const Eigen::Vector3d &p_half_extents, const ColliderPose &p_p
 	return { p_pose.position - half, p_pose.position + half };
 }
 
-ColliderPose to_pose(const Eigen::Affine3d &p_transform) {
-	Eigen::Matrix3d axes;
-	axes.col(0) = p_transform.linear().col(0).normalized();
-	axes.col(2) = axes.col(0).cross(p_transform.linear().col(1)).normalized();
-	axes.col(1) = axes.col(2).cross(axes.col(0));
-	return { p_transform.translation(), Quaternion(axes) };
-}
-
 vec4 to_vec4(const Eigen::Vector3f &p_xyz, float p_w) {
 	return { p_xyz.x(), p_xyz.y(), p_xyz.z(), p_w };
 }
@@ -81,8 +73,16 @@ Eigen::Vector3d ColliderShape::get_half_extents() const {
 }
 
 void ColliderShape::set_poses(const Eigen::Affine3d &p_before, const Eigen::Affine3d &p_now) {
-	before = to_pose(p_before);
-	now = to_pose(p_now);
+	before = make_pose(p_before);
+	now = make_pose(p_now);
+}
+
+ColliderPose ColliderShape::make_pose(const Eigen::Affine3d &p_transform) {
+	Eigen::Matrix3d axes;
+	axes.col(0) = p_transform.linear().col(0).normalized();
+	axes.col(2) = axes.col(0).cross(p_transform.linear().col(1)).normalized();
+	axes.col(1) = axes.col(2).cross(axes.col(0));
+	return { p_transform.translation(), Quaternion(axes) };
 }
 
 bool ColliderShape::sanitise(const char *&r_reason) {

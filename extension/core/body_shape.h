@@ -39,7 +39,9 @@ struct ColliderShape {
 	std::vector<Eigen::Vector4f> planes; // Hull only, in the shape's space: n.xyz, d; n.x <= d inside; metres.
 	ColliderPose now, before; // At the end and at the start of the step; equal after a teleport.
 
-	// Both poses from transforms into field space; scale and shear are left out.
+	// From a transform into field space; scale and shear are left out.
+	static ColliderPose make_pose(const Eigen::Affine3d &p_transform);
+	// Both poses.
 	void set_poses(const Eigen::Affine3d &p_before, const Eigen::Affine3d &p_now);
 
 	// Makes it fit for the solver: rotations of unit length, sizes at least MIN_SIZE, friction within [0, 1]. False, with

@@ -223,6 +223,14 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 	}
 }
 
+void CpuPool::trim(int p_slots) {
+	for (size_t slot = size_t(std::max(p_slots, 0)); slot < _slots.size(); slot++) {
+		_slots[slot].reset();
+		_energy[slot] = 0.0f;
+		_bends[slot].setZero();
+	}
+}
+
 int64_t CpuPool::get_memory_usage() const {
 	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
 	return int64_t(used) * int64_t(sizeof(TileState)) +

@@ -51,6 +51,9 @@ public:
 	// [Eq M5] Of every slot: how far the tips of its blades are from rest, on average, as shares of the blades' lengths.
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
 
+	// Gives back the memory of slots from p_slots on, none of which may be awake; it comes again when they are used.
+	void trim(int p_slots);
+
 	int get_slot_count() const { return int(_slots.size()); }
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since made
 	int64_t get_memory_usage() const; // bytes

@@ -29,6 +29,8 @@ public:
 
 	void erase(int p_slot) { _words[size_t(p_slot) / 64] &= ~(uint64_t(1) << (p_slot % 64)); }
 
+	bool has(int p_slot) const { return (_words[size_t(p_slot) / 64] >> (p_slot % 64) & 1) != 0; }
+
 	// The lowest slot at or above p_from, or NONE.
 	int find(int p_from) const {
 		size_t word = size_t(p_from) / 64;

@@ -5,6 +5,7 @@
 
 #include "core/body_shape.h"
 #include "core/lod.h"
+#include "core/slot_map.h"
 #include "core/slot_set.h"
 #include "core/solver_params.h"
 #include "core/step.h"
@@ -122,7 +123,7 @@ public:
 	// Whether collider p_collider of the last update met grass: the box around the blades of a tile on which some stand.
 	bool has_met_grass(size_t p_collider) const { return p_collider < _has_met.size() && _has_met[p_collider] != 0; }
 
-	int get_slot_of(int p_tile) const { return _slot_of_tile.find(p_tile); } // GRASS_NO_SLOT if it has none.
+	int get_slot_of(int p_tile) const; // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
 	bool is_awake(int p_tile) const; // Has a slot.
 	bool is_settling(int p_tile) const; // Awake, and on the way back to rest.
@@ -134,27 +135,39 @@ private:
 	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
 	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-	// An awake tile.
+	// What is known of an awake tile, in four parts: a step goes through all awake tiles, and what costs then is the memory
+	// that it has to fetch. When things happened:
 	struct Awake {
-		ivec4 tile = { 0, 0, TileMap::NONE, 0 }; // as in GrassSlot
-		uint32_t start = 0; // first blade in the patch
-		float blend = 0.0f; // of this step's record; 1: at rest after it
 		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
 		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
 		double calm_since = NEVER; // timestamp
-		uint64_t touched_step = 0, woken_step = 0; // numbers of the step of `touched`, and of the one in which it woke
-		double settle_left = 0.0; // seconds to rest, while settling
 		float energy = NO_ENERGY; // since the last touch
-		Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-		bool is_settling = false;
+		uint32_t touched_step = 0; // number of the step of `touched`, its lower half
 	};
+	static_assert(sizeof(Awake) == 32);
 
-	// What a step notes of an awake tile: apart from the rest, so that what objects touch here and there stays in the cache.
+	// What this step does with it. All but the last line is cleared after each step.
 	struct Mark {
 		uint32_t list_count = 0; // objects
 		uint32_t list_next = 0; // entry of the collider list to write next
-		bool is_touched = false, is_stirred = false, is_fresh = false; // by an object; by one that moves; awake since this step
-		bool is_unseen = false; // not simulated
+		bool is_fresh : 1 = false; // awake since this step
+		bool is_unseen : 1 = false; // not simulated
+		bool is_settling : 1 = false;
+		float blend = 0.0f; // of this step's record; 1: at rest after it
+	};
+	static_assert(sizeof(Mark) == 16);
+
+	// Where it is.
+	struct Place {
+		int x = 0, z = 0, tile = TileMap::NONE;
+		uint32_t start = 0; // first blade in the patch
+	};
+	static_assert(sizeof(Place) == 16);
+
+	// What is seldom asked for.
+	struct Life {
+		uint64_t woken_step = 0; // number of the step
+		double settle_left = 0.0; // seconds to rest, while settling
 	};
 
 	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
@@ -163,46 +176,36 @@ private:
 		uint32_t collider;
 	};
 
-	// A tile that may give way.
-	struct Yielding {
-		double touched;
-		float energy;
-		int slot;
-		bool is_settling;
-
-		// Settling tiles before others, then by energy where it was reported, then by who was touched longest ago.
-		bool is_calmer(const Yielding &p_other) const {
-			if (is_settling != p_other.is_settling) {
-				return is_settling;
-			}
-			if (energy != p_other.energy) {
-				return energy < p_other.energy;
-			}
-			return touched != p_other.touched ? touched < p_other.touched : slot < p_other.slot;
-		}
-	};
+	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Settling tiles before others,
+	// then by energy where it was reported, then by who was touched longest ago, up to some minutes.
+	using Calm = uint64_t;
+	static constexpr int SLOT_BITS = 14, AGE_BITS = 18; // and 31 of a positive float, and one
+	static_assert(TileParams::MAX_POOL_SIZE <= 1 << SLOT_BITS);
 
 	void begin_step();
 	void find_touched_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
-	bool touch_range(const TileRange &p_range, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
-	void touch(int p_tile, uint32_t p_collider, bool p_moves);
+	void find_squares(const TileRange &p_range);
+	bool touch_range(
+			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
+	void touch_asleep(int p_tile, uint32_t p_collider);
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
 	int take_calmest_slot(size_t p_wanted);
+	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
 
 	void deactivate_tiles(double p_delta);
-	void keep_awake(Awake &r_awake, bool p_is_stirred) const;
+	void keep_awake(int p_slot, bool p_is_stirred);
 	bool is_calm(const Awake &p_awake) const;
-	bool should_settle(const Awake &p_awake) const;
-	void settle(Awake &r_awake, double p_delta) const;
+	bool should_settle(int p_slot) const;
+	void settle(int p_slot, double p_delta);
 	void retire(int p_slot);
 
-	bool is_seen(const Awake &p_awake) const;
+	bool is_seen(const Place &p_place) const;
 	bool is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, double p_half_z) const;
-	bool is_past(const Awake &p_awake) const;
+	bool is_past(int p_slot) const;
 
 	void count_touches(std::span<const ColliderShape> p_colliders);
 	void pack_collider(const ColliderShape &p_collider);
@@ -221,19 +224,26 @@ private:
 
 	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
 	std::vector<Awake> _awake;
-	std::vector<Mark> _marks; // cleared after each step
+	std::vector<Mark> _marks;
+	std::vector<Place> _places;
+	std::vector<Life> _lives;
 	SlotSet _free, _used;
-	TileMap _slot_of_tile;
+	SlotSet _touched, _stirred; // in this step: by an object, by one that moves
+	SlotMap _slot_of_tile;
+	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
+	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
 
 	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
 	std::vector<TileRange> _ranges;
 	std::vector<Bounds> _swept; // of the colliders
 	std::vector<uint8_t> _has_met; // of the colliders: grass
 	std::vector<int> _met; // x of the tiles of a row
+	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;
-	std::vector<Yielding> _yielding; // calmest last
+	std::vector<Calm> _calm; // of all that may give way
+	std::vector<Calm> _yielding; // those that will, calmest last
 	bool _yielding_known = false;
 
 	std::vector<GrassSlot> _records;

@@ -40,23 +40,27 @@ void TileManager::write_records() {
 	_statistics.awake = _statistics.simulated = _statistics.settling = 0;
 	uint32_t entries = 0;
 	for (const int slot : _used) {
-		const Awake &awake = _awake[size_t(slot)];
+		const Place &place = _places[size_t(slot)];
 		Mark &mark = _marks[size_t(slot)];
 		_statistics.awake++;
 		if (mark.is_unseen) {
 			_statistics.unseen_steps++;
 		} else {
-			const uint32_t flags = (mark.is_fresh ? GRASS_SLOT_FRESH : 0) | (awake.is_settling ? GRASS_SLOT_SETTLING : 0) |
+			const uint32_t flags = (mark.is_fresh ? GRASS_SLOT_FRESH : 0) | (mark.is_settling ? GRASS_SLOT_SETTLING : 0) |
 					(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
-			_records.push_back({ awake.tile, { awake.start, entries, mark.list_count, flags }, { awake.blend, 0.0f, 0.0f, 0.0f } });
+			_records.push_back({ { place.x, place.z, place.tile, slot }, { place.start, entries, mark.list_count, flags },
+					{ mark.blend, 0.0f, 0.0f, 0.0f } });
 			_statistics.simulated++;
 		}
-		_statistics.settling += awake.is_settling ? 1 : 0;
+		_statistics.settling += mark.is_settling ? 1 : 0;
 		const uint32_t count = mark.list_count;
-		mark = {};
+		mark.list_count = 0;
 		mark.list_next = entries;
+		mark.is_fresh = mark.is_unseen = false;
 		entries += count;
 	}
+	_touched.reset(_params.pool_size, false);
+	_stirred.reset(_params.pool_size, false);
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
 }

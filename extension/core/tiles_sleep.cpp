@@ -20,19 +20,25 @@ constexpr double LONGEST_AWAKE = 10.0;
 } // namespace
 
 void TileManager::report_energy(const EnergyReport &p_report) {
+	if (p_report.step == _reported_step) {
+		return; // nothing new, and who was touched since then is not in it
+	}
+	_reported_step = p_report.step;
+	if (!p_report.bends.empty()) {
+		_bend_step = p_report.step;
+		_bends.assign(p_report.bends.begin(), p_report.bends.end());
+	}
 	for (const int slot : _used) {
 		if (size_t(slot) >= p_report.energies.size()) {
 			break;
 		}
 		Awake &awake = _awake[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
-		if (p_report.step >= awake.woken_step && size_t(slot) < p_report.bends.size() && p_report.bends[size_t(slot)].allFinite()) {
-			awake.bend = p_report.bends[size_t(slot)];
-		}
-		if (p_report.step < awake.touched_step || !std::isfinite(energy)) {
+		const bool is_older = int32_t(uint32_t(p_report.step) - awake.touched_step) < 0;
+		if (is_older || !std::isfinite(energy)) {
 			continue;
 		}
-		awake.energy = std::max(energy, 0.0f);
+		awake.energy = energy > 0.0f ? energy : 0.0f; // and no zero with a sign
 		if (awake.energy > CALM_ENDS * float(_params.sleep_energy)) {
 			awake.calm_since = NEVER;
 		} else if (awake.energy <= float(_params.sleep_energy)) {
@@ -43,35 +49,33 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 
 void TileManager::deactivate_tiles(double p_delta) {
 	for (const int slot : _used) {
-		Awake &awake = _awake[size_t(slot)];
 		Mark &mark = _marks[size_t(slot)];
-		if (mark.is_touched) {
-			keep_awake(awake, mark.is_stirred);
+		const bool is_touched = _touched.has(slot), is_stirred = _stirred.has(slot);
+		if (is_touched) {
+			keep_awake(slot, is_stirred);
 		}
-		const bool is_idle = !mark.is_stirred && _time - awake.stirred >= CALM_TIME; // no object has moved in it for a while
-		mark.is_unseen = is_idle && !is_seen(awake);
-		if (mark.is_touched) {
+		// No object has moved in it for a while.
+		const bool is_idle = !is_stirred && _time - _awake[size_t(slot)].stirred >= CALM_TIME;
+		mark.is_unseen = is_idle && !is_seen(_places[size_t(slot)]);
+		if (is_touched) {
 			continue;
 		}
-		awake.blend = (mark.is_unseen || _has_passed_unseen) && is_past(awake) ? 1.0f : awake.blend;
-		if (awake.blend >= 1.0f) {
+		mark.blend = (mark.is_unseen || _has_passed_unseen) && is_past(slot) ? 1.0f : mark.blend;
+		if (mark.blend >= 1.0f) {
 			retire(slot);
 			_free.insert(slot);
-		} else if (!mark.is_unseen && should_settle(awake)) {
-			settle(awake, p_delta);
+		} else if (!mark.is_unseen && should_settle(slot)) {
+			settle(slot, p_delta);
 		}
 	}
 	_has_passed_unseen = false;
 }
 
-void TileManager::keep_awake(Awake &r_awake, bool p_is_stirred) const {
-	r_awake.touched = _time;
-	r_awake.stirred = p_is_stirred ? _time : r_awake.stirred;
-	r_awake.touched_step = _step_number;
-	r_awake.calm_since = NEVER;
-	r_awake.energy = NO_ENERGY;
-	r_awake.is_settling = false;
-	r_awake.blend = 0.0f;
+void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
+	Mark &mark = _marks[size_t(p_slot)];
+	_awake[size_t(p_slot)] = { _time, p_is_stirred ? _time : _awake[size_t(p_slot)].stirred, NEVER, NO_ENERGY, uint32_t(_step_number) };
+	mark.is_settling = false;
+	mark.blend = 0.0f;
 }
 
 bool TileManager::is_calm(const Awake &p_awake) const {
@@ -80,41 +84,46 @@ bool TileManager::is_calm(const Awake &p_awake) const {
 }
 
 // Would be at rest by now, for all that anybody can tell who did not see it.
-bool TileManager::is_past(const Awake &p_awake) const {
-	return p_awake.is_settling || is_calm(p_awake) || _time - p_awake.touched >= _params.sleep_delay + _params.settle_time;
+bool TileManager::is_past(int p_slot) const {
+	const Awake &awake = _awake[size_t(p_slot)];
+	return _marks[size_t(p_slot)].is_settling || is_calm(awake) || _time - awake.touched >= _params.sleep_delay + _params.settle_time;
 }
 
-bool TileManager::should_settle(const Awake &p_awake) const {
-	if (p_awake.is_settling || is_calm(p_awake)) {
+bool TileManager::should_settle(int p_slot) const {
+	const Awake &awake = _awake[size_t(p_slot)];
+	if (_marks[size_t(p_slot)].is_settling || is_calm(awake)) {
 		return true;
 	}
 	double delay = _params.sleep_delay;
 	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer holds where nothing is reported
-		delay = p_awake.energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
+		delay = awake.energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
 	}
-	return _time - p_awake.touched >= delay;
+	return _time - awake.touched >= delay;
 }
 
 // Takes the share of what is left of the way that brings the tile to rest in time, at even pace.
-void TileManager::settle(Awake &r_awake, double p_delta) const {
-	if (!r_awake.is_settling) {
-		r_awake.is_settling = true;
-		r_awake.settle_left = is_calm(r_awake) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
+void TileManager::settle(int p_slot, double p_delta) {
+	Mark &mark = _marks[size_t(p_slot)];
+	double &left = _lives[size_t(p_slot)].settle_left;
+	if (!mark.is_settling) {
+		mark.is_settling = true;
+		left = is_calm(_awake[size_t(p_slot)]) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
 	}
 	// What rounding leaves of a step is no step of its own.
-	const bool arrives = r_awake.settle_left <= p_delta * 1.0001;
-	r_awake.blend = arrives ? 1.0f : float(p_delta / r_awake.settle_left);
-	r_awake.settle_left -= p_delta;
+	const bool arrives = left <= p_delta * 1.0001;
+	mark.blend = arrives ? 1.0f : float(p_delta / left);
+	left -= p_delta;
 }
 
 // Announces that the slot's tile is at rest from now on. The slot is its caller's.
 void TileManager::retire(int p_slot) {
-	Awake &awake = _awake[size_t(p_slot)];
-	(awake.blend >= 1.0f ? _statistics.slept : _statistics.evicted)++;
-	_records.push_back({ awake.tile, { awake.start, 0, 0, GRASS_SLOT_RETIRED }, {} });
-	_slot_of_tile.erase(awake.tile.z);
+	Place &place = _places[size_t(p_slot)];
+	(_marks[size_t(p_slot)].blend >= 1.0f ? _statistics.slept : _statistics.evicted)++;
+	_records.push_back({ { place.x, place.z, place.tile, p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {} });
+	_slot_of_tile.erase(place.x, place.z);
 	_used.erase(p_slot);
-	awake = {};
+	place = {};
+	_awake[size_t(p_slot)] = {};
 	_marks[size_t(p_slot)] = {};
 }
 

@@ -21,9 +21,9 @@ bool TileManager::is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, 
 	});
 }
 
-bool TileManager::is_seen(const Awake &p_awake) const {
+bool TileManager::is_seen(const Place &p_place) const {
 	const double half = 0.5 * _grid.get_tile_size();
-	return is_box_seen(_grid.get_centre(p_awake.tile.x, p_awake.tile.y), half, half);
+	return is_box_seen(_grid.get_centre(p_place.x, p_place.z), half, half);
 }
 
 bool TileManager::is_field_seen() const {
@@ -35,9 +35,10 @@ void TileManager::stir(const TileRange &p_tiles) {
 		return;
 	}
 	for (const int slot : _used) {
-		const Awake &awake = _awake[size_t(slot)];
-		Mark &mark = _marks[size_t(slot)];
-		mark.is_stirred = mark.is_stirred || p_tiles.has(awake.tile.x, awake.tile.y);
+		const Place &place = _places[size_t(slot)];
+		if (p_tiles.has(place.x, place.z)) {
+			_stirred.insert(slot);
+		}
 	}
 }
 

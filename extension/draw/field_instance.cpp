@@ -2,24 +2,12 @@
 #include "draw/field_instance.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 
 using namespace godot;
 
 namespace grass {
 
-void follow_node(const RID &p_instance, GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	const bool in_world = p_node->is_inside_tree() && p_node->get_world_3d().is_valid();
-	server->instance_set_scenario(p_instance, in_world ? p_node->get_world_3d()->get_scenario() : RID());
-	server->instance_set_transform(p_instance, p_transform);
-	server->instance_set_visible(p_instance, in_world && p_node->is_visible_in_tree());
-	server->instance_set_layer_mask(p_instance, p_node->get_layer_mask());
-	server->instance_geometry_set_transparency(p_instance, p_node->get_transparency());
-	server->instance_attach_object_instance_id(p_instance, p_node->get_instance_id());
-}
-
-void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const AABB &p_bounds) {
+void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const AABB &p_bounds, Role p_role) {
 	free();
 	RenderingServer *server = RenderingServer::get_singleton();
 	_mesh = p_mesh;
@@ -34,6 +22,10 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_
 	}
 	_instance = server->instance_create();
 	server->instance_set_base(_instance, _multimesh);
+	server->instance_geometry_set_cast_shadows_setting(_instance,
+			p_role == Role::PICTURE ? RenderingServer::SHADOW_CASTING_SETTING_OFF : RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
+	_role = p_role;
+	_follower.reset();
 }
 
 void FieldInstance::reserve(int p_capacity) {
@@ -42,20 +34,14 @@ void FieldInstance::reserve(int p_capacity) {
 			_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
 }
 
-void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, Role p_role) {
+void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	if (!is_created()) {
 		return;
 	}
-	RenderingServer *server = RenderingServer::get_singleton();
 	const GeometryInstance3D::ShadowCastingSetting setting = p_node->get_cast_shadows_setting();
-	const bool unwanted = p_role == Role::PICTURE ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
-												  : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
-	follow_node(_instance, p_node, p_transform);
-	if (unwanted) {
-		server->instance_set_visible(_instance, false);
-	}
-	server->instance_geometry_set_cast_shadows_setting(_instance,
-			p_role == Role::PICTURE ? RenderingServer::SHADOW_CASTING_SETTING_OFF : RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
+	const bool unwanted = _role == Role::PICTURE ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
+												 : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
+	_follower.follow(_instance, p_node, p_transform, !unwanted);
 }
 
 void FieldInstance::set_bounds(const AABB &p_bounds) {

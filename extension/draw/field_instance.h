@@ -3,15 +3,14 @@
 // of detail of either (CPU backend).
 #pragma once
 
+#include "draw/node_follower.h"
+
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
 namespace grass {
-
-// Lets an instance of the renderer follow a node: world, visibility, layers, transparency, and p_transform for its own.
-void follow_node(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 
 // What an instance is there for: the picture shows all blades that can be seen; shadows need far fewer.
 enum class Role { PICTURE, SHADOWS };
@@ -24,17 +23,18 @@ public:
 	~FieldInstance() { free(); }
 
 	// p_indirect: counts are written by a compute pass into the MultiMesh's command buffer.
-	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds);
+	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds, Role p_role);
 	// Makes room for more instances, of those that the CPU writes; what they hold is lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
-	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, Role p_role);
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	void set_bounds(const godot::AABB &p_bounds);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
 	void free();
 
 	godot::RID multimesh() const { return _multimesh; }
 	int capacity() const { return _capacity; }
+	int64_t get_updates() const { return _follower.get_updates(); } // times that the renderer was told anything of the node
 	bool is_created() const { return _multimesh.is_valid(); }
 
 private:
@@ -42,6 +42,8 @@ private:
 	godot::RID _multimesh, _instance;
 	int _capacity = 0;
 	bool _indirect = false;
+	Role _role = Role::PICTURE;
+	NodeFollower _follower;
 };
 
 } // namespace grass

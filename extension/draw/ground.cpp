@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "draw/ground.h"
 
-#include "draw/field_instance.h"
 #include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
 
@@ -43,15 +42,13 @@ void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	_instance = server->instance_create();
 	server->instance_set_base(_instance, _mesh->get_rid());
+	_follower.reset();
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
 void Ground::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, bool p_shown) {
 	if (_instance.is_valid()) {
-		follow_node(_instance, p_node, p_transform);
-		if (!p_shown) {
-			RenderingServer::get_singleton()->instance_set_visible(_instance, false);
-		}
+		_follower.follow(_instance, p_node, p_transform, p_shown);
 	}
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/tile_grid.h"
+#include "draw/node_follower.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -22,11 +23,13 @@ public:
 	// Sets a uniform of the ground shader; it shares names with the blade shader and ignores the blades' own.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void free();
+	int64_t get_updates() const { return _follower.get_updates(); } // times that the renderer was told anything of the node
 
 private:
 	godot::Ref<godot::ArrayMesh> _mesh;
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;
+	NodeFollower _follower;
 };
 
 } // namespace grass

@@ -70,9 +70,10 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_picture.create(
-			make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, field_bounds(_setup));
-	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, field_bounds(_setup));
+	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true,
+			field_bounds(_setup), Role::PICTURE);
+	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, field_bounds(_setup),
+			Role::SHADOWS);
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -109,8 +110,8 @@ void GpuBackend::draw(const FieldView &p_view) {
 }
 
 void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	_picture.follow(p_node, p_transform, Role::PICTURE);
-	_shadows.follow(p_node, p_transform, Role::SHADOWS);
+	_picture.follow(p_node, p_transform);
+	_shadows.follow(p_node, p_transform);
 }
 
 void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
@@ -143,6 +144,7 @@ EnergyReport GpuBackend::read_energy() {
 BackendStatistics GpuBackend::get_statistics() {
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
+	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates();
 	statistics.compiling = GpuPass::compiling();
 	return statistics;
 }

@@ -4,7 +4,7 @@
 #include "convert.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,29 +15,6 @@ namespace grass {
 
 namespace {
 
-// Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
-constexpr double BLADE_FRICTION = 0.5;
-
-// Which of a node's shapes are disabled, one bit a shape. Shapes that were added in the physics server itself have no
-// owner in the node, and are enabled.
-std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count) {
-	std::vector<bool> disabled(size_t(p_count), false);
-	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
-	for (int64_t i = 0; i < owners.size(); i++) {
-		const uint32_t owner = uint32_t(owners[i]);
-		if (!p_node->is_shape_owner_disabled(owner)) {
-			continue;
-		}
-		for (int32_t k = 0; k < p_node->shape_owner_get_shape_count(owner); k++) {
-			const int32_t index = p_node->shape_owner_get_shape_index(owner, k);
-			if (index >= 0 && index < p_count) {
-				disabled[size_t(index)] = true;
-			}
-		}
-	}
-	return disabled;
-}
-
 // A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
 // between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
 constexpr double TELEPORT_DISTANCE = 2.0;
@@ -46,18 +23,10 @@ constexpr double TELEPORT_TURN = 0.5 * EIGEN_PI;
 // Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
 // the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
 constexpr double APPROACH = 3.0;
-// Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
-// grass notices a change later. Less: more calls of the physics server, which are most of what bodies cost.
-constexpr int LOOK_EVERY = 4, LIVELY_LOOKS = 60;
 // Ticks after which a static body that moved is ground again.
 constexpr int STILL_TICKS = 120;
 // Ticks after a jump of the field in which bodies are kept that the server says have left: kinematic ones follow late.
 constexpr int JUMP_TICKS = 6;
-
-// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
-bool is_driven_by_velocity(int64_t p_mode) {
-	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
-}
 
 } // namespace
 
@@ -142,7 +111,7 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 		found->second.overlaps--;
 	}
 	if (found != _bodies.end()) {
-		found->second.next_look = 0; // its shapes may have changed
+		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
 	}
 }
 
@@ -153,85 +122,35 @@ int64_t BodyTracker::body_count() const {
 // False once the body was freed: it may be listed until the server's next report.
 bool BodyTracker::find_state(Body &r_body) {
 	if (r_body.state_id == 0) {
-		if (r_body.instance_id != 0 && ObjectDB::get_instance(r_body.instance_id) == nullptr) {
+		_statistics.engine_calls += 3;
+		if (r_body.instance_id != 0 && !UtilityFunctions::is_instance_id_valid(int64_t(r_body.instance_id))) {
 			return false;
 		}
 		r_body.state = PhysicsServer3D::get_singleton()->body_get_direct_state(r_body.rid);
 		r_body.state_id = r_body.state == nullptr ? 0 : r_body.state->get_instance_id();
 		return r_body.state != nullptr;
 	}
-	return ObjectDB::get_instance(r_body.state_id) != nullptr;
-}
-
-// Notices now and then what kind of body it is. True when it is time to look at its shapes, too.
-bool BodyTracker::look(Body &r_body) const {
-	if (r_body.next_look-- > 0) {
-		return false;
-	}
-	const Object *node = ObjectDB::get_instance(r_body.instance_id);
-	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
-	r_body.is_driven = is_driven_by_velocity(mode);
-	// A frozen RigidBody3D is no ground.
-	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC && !(node != nullptr && node->is_class("RigidBody3D"));
-	// Bodies that came together are not looked at together.
-	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
-	r_body.next_look = LOOK_EVERY - 1 + phase;
-	return true;
-}
-
-// Notices changes of shapes and friction.
-void BodyTracker::look_at_shapes(Body &r_body) {
-	const bool was_known = !r_body.shapes.empty();
-	const bool has_changed = read_shapes(r_body) && was_known;
-	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
-	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
-}
-
-bool BodyTracker::read_shapes(Body &r_body) {
-	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
-	const double friction =
-			std::clamp(BLADE_FRICTION * double(server->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION)), 0.0, 1.0);
-	const std::vector<bool> disabled = node == nullptr ? std::vector<bool>(size_t(count), false) : find_disabled(node, count);
-	bool has_changed = size_t(count) != r_body.shapes.size();
-	r_body.shapes.resize(size_t(count));
-	for (int32_t index = 0; index < count; index++) {
-		TrackedShape &shape = r_body.shapes[size_t(index)];
-		_statistics.shape_reads++;
-		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
-		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape) && transform == shape.transform &&
-				shape.enabled == !disabled[size_t(index)] && shape.collider.friction == friction;
-		if (is_same) {
-			continue;
-		}
-		has_changed = true;
-		shape.transform = transform;
-		shape.enabled = !disabled[size_t(index)];
-		shape.local = to_eigen(transform) * shape.offset;
-		shape.collider = shape.shape;
-		scale_shape(shape.collider, shape.local.linear());
-		shape.collider.friction = friction;
-	}
-	return has_changed;
+	_statistics.engine_calls++;
+	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
 }
 
 // In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
 // kinematic bodies in it) are where they were beside the field, not far away from it.
-Eigen::Affine3d BodyTracker::pose_of(Body &r_body, const FieldPose &p_field) {
-	const Eigen::Affine3d world = to_eigen(r_body.state->get_transform());
+Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) const {
+	const Eigen::Affine3d world = to_eigen(p_world);
 	const Eigen::Affine3d now = p_field.from_world * world;
-	if (!p_field.has_jumped || !r_body.has_before) {
+	if (!p_field.has_jumped || !p_body.has_before) {
 		return now;
 	}
 	const Eigen::Affine3d late = p_field.from_world_before * world;
-	const Eigen::Vector3d before = r_body.before.translation();
+	const Eigen::Vector3d before = p_body.before.translation();
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
 
 // Takes back what the body did not do in this tick, but was done to it.
-void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const {
+void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
 	const bool is_new = !r_body.has_before;
+	r_body.was_put = is_new;
 	if (is_new) { // the tick in which it was found counts too
 		r_body.before = p_now;
 		r_body.has_before = true;
@@ -244,6 +163,7 @@ void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, doubl
 	if (r_body.is_driven && (is_new || moved > TELEPORT_DISTANCE || turned > TELEPORT_TURN)) {
 		step = to_eigen(r_body.state->get_linear_velocity()) * p_delta;
 		turn = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
+		_statistics.engine_calls += 2;
 	}
 	if (is_new) {
 		r_body.before.translation() -= _from_world_before.linear() * step;
@@ -253,8 +173,10 @@ void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, doubl
 	}
 	if (moved > TELEPORT_DISTANCE + 1.5 * std::max(step.norm(), r_body.last_step)) {
 		r_body.before = p_now;
+		r_body.was_put = true;
 	} else if (turned > TELEPORT_TURN + 1.5 * std::max(turn, r_body.last_turn)) {
 		r_body.before.linear() = p_now.linear();
+		r_body.was_put = true;
 	}
 	r_body.last_step = r_body.before.translation() == p_now.translation() ? 0.0 : moved;
 	r_body.last_turn = r_body.before.linear() == p_now.linear() ? 0.0 : turned;
@@ -298,10 +220,12 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		++entry;
 		_statistics.body_reads++;
 		const bool is_due = look(body);
-		const Eigen::Affine3d now = pose_of(body, field);
+		const Transform3D world = body.state->get_transform();
+		_statistics.engine_calls++;
+		const Eigen::Affine3d now = pose_of(body, world, field);
 		const bool is_carried =
 				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
-		const bool ground = is_ground(body, body.state->get_transform(), is_carried);
+		const bool ground = is_ground(body, world, is_carried);
 		judge_motion(body, now, p_delta);
 		if (ground) {
 			body.shapes.clear(); // nobody asks for them, and a terrain's are large
@@ -324,22 +248,6 @@ void BodyTracker::forget_motion() {
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {
 		body.has_before = false;
-	}
-}
-
-// All shapes that are enabled. Those far from the grass find no tile.
-void BodyTracker::write_shapes(const Body &p_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
-	for (const TrackedShape &shape : p_body.shapes) {
-		if (!shape.enabled || !shape.usable) {
-			continue;
-		}
-		if (_written == r_colliders.size()) {
-			r_colliders.emplace_back();
-		}
-		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
-		collider = shape.collider;
-		collider.owner = p_body.instance_id;
-		collider.set_poses(p_body.before * shape.local, p_now * shape.local);
 	}
 }
 

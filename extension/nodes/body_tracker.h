@@ -21,6 +21,7 @@ namespace grass {
 
 // A physics shape as the solver takes it, and what it was made from (to notice changes).
 struct TrackedShape {
+	godot::RID rid;
 	int64_t type = -1; // PhysicsServer3D.ShapeType
 	godot::Variant data; // PhysicsServer3D.shape_get_data
 	ColliderShape shape;
@@ -31,12 +32,15 @@ struct TrackedShape {
 	bool enabled = false;
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
 	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
+	ColliderPose pose; // in field space, as it was handed on in the last tick
+	bool has_pose = false; // it was
 };
 
 // Counts since the tracker was made.
 struct TrackerStatistics {
 	int64_t body_reads = 0; // poses read, one a body and tick
 	int64_t shape_reads = 0; // shapes looked at for changes
+	int64_t engine_calls = 0; // of the physics server and of nodes: most of what bodies cost
 };
 
 class BodyTracker {
@@ -76,10 +80,14 @@ private:
 		bool is_static = false; // ground, while it stands still
 		bool is_driven = false; // moves as its velocity says
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
+		int next_look_at_all = 0; // looks to the next one at all there is
+		double friction = 0.0; // of blades along it
+		std::vector<bool> disabled; // by shape
 		// As it was in the last tick.
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
 		bool has_before = false;
 		double last_step = 0.0, last_turn = 0.0; // metres, radians
+		bool was_put = true; // since then: `before` is not where it was in the last tick
 		// Of a static one.
 		godot::Transform3D world_before; // in the world, for a field may move over ground that does not
 		int still_ticks = 0; // for which it has not moved; starts as ground
@@ -92,13 +100,16 @@ private:
 	};
 
 	bool find_state(Body &r_body);
-	bool look(Body &r_body) const;
+	// body_look.cpp
+	bool look(Body &r_body);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
-	Eigen::Affine3d pose_of(Body &r_body, const FieldPose &p_field);
+	void read_traits(Body &r_body, int32_t p_count);
+	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
+	// body_tracker.cpp
+	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
-	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) const;
-	void write_shapes(const Body &p_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
+	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta);
 
 	godot::RID _area, _box;
 	godot::Transform3D _box_transform;
@@ -114,7 +125,8 @@ private:
 
 // Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
 // (planes, rays, height maps).
-bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape);
+// r_calls: counts calls of the server, if given.
+bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_calls = nullptr);
 // Takes the scale of p_basis into the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 

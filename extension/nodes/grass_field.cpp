@@ -160,6 +160,7 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_backend) { // a listener of the map did that
 		return;
 	}
+	_backend->tidy();
 	if (!_is_seen && !is_listened_to()) {
 		_unseen_time += p_delta;
 		_unseen_ticks++;

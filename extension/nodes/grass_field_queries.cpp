@@ -145,6 +145,7 @@ Dictionary GrassField::get_statistics() const {
 	result["bodies"] = get_body_count();
 	result["body_reads"] = _tracker.get_statistics().body_reads;
 	result["shape_reads"] = _tracker.get_statistics().shape_reads;
+	result["engine_calls"] = _tracker.get_statistics().engine_calls;
 	result["tiles_looked_at"] = int64_t(tiles.looked_at);
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;
@@ -155,6 +156,7 @@ Dictionary GrassField::get_statistics() const {
 	result["compiling"] = backend.compiling;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["culls"] = backend.culls;
+	result["instance_updates"] = backend.instance_updates + _ground.get_updates();
 	result["drawn_tiles"] = drawn_tiles[0];
 	result["drawn_blades"] = backend.drawn_blades;
 	result["drawn_triangles"] = drawn_triangles[0];

@@ -11,7 +11,7 @@ const WARM_UP := 120 # ticks, so that tiles fall asleep as others wake
 const TICKS := 240
 const SOFTWARE := 0.2 # share of these ticks where blades are solved in software: seconds a tick; they are not drawn there
 const STAGES: Array[String] = ["gather_ms", "tiles_ms", "upload_ms", "frame_ms"]
-const COUNTS: Array[String] = ["body_reads", "shape_reads", "tiles_looked_at", "uploaded_bytes", "steps", "culls"] # a tick
+const COUNTS: Array[String] = ["body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "uploaded_bytes", "steps", "culls"] # a tick
 
 
 func run(p_software: bool) -> Array[PackedStringArray]:

@@ -213,6 +213,29 @@ TEST_CASE("Memory comes with the slots that are used") {
 	CHECK((two - empty) / 2 < 40000);
 }
 
+TEST_CASE("Memory of slots that are given back comes again, fresh, and the others keep their blades") {
+	PoolScene scene(64), other(64);
+	scene.slots.resize(2);
+	scene.step();
+	const int64_t one_and_two = scene.pool.get_memory_usage();
+	const std::vector<Eigen::Vector3f> first = scene.pool.get_knots(scene.slots[0].tile.w, 5);
+	scene.pool.trim(scene.slots[1].tile.w);
+	CHECK(scene.pool.get_memory_usage() < one_and_two);
+	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5).empty());
+	CHECK(scene.pool.get_energy()[size_t(scene.slots[1].tile.w)] == 0.0f);
+	CHECK(scene.pool.get_knots(scene.slots[0].tile.w, 5) == first);
+	scene.slots[1].list.w |= GRASS_SLOT_FRESH;
+	scene.time = 0; // under the same ball
+	scene.step();
+	other.slots.resize(2);
+	other.step();
+	CHECK(scene.pool.get_memory_usage() == one_and_two);
+	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5) == other.pool.get_knots(other.slots[1].tile.w, 5));
+	scene.pool.trim(-1);
+	scene.pool.trim(1000);
+	CHECK(scene.pool.get_memory_usage() < one_and_two);
+}
+
 TEST_CASE("Records of slots, blades, list entries and tiles that do not exist are left out") {
 	PoolScene scene(2);
 	GrassSlot bad = scene.slots[0];

@@ -194,3 +194,16 @@ TEST_CASE("tiles: a tile that is not touched any more, hundreds of times over, l
 	}
 	CHECK(manager.get_statistics().awake == 0);
 }
+
+TEST_CASE("tiles: the same report again changes nothing: no tile is calm earlier, and none that woke since is meant") {
+	TileManager once = make_left_tile(), often = make_left_tile();
+	const uint64_t measured = once.get_step_number();
+	report(once, { CALM }, measured);
+	for (int i = 0; i < 4; i++) {
+		report(often, { i == 0 ? CALM : LIVELY }, measured); // what comes later under that number is not looked at
+		step(once, {});
+		step(often, {});
+		CHECK(once.is_settling(3) == often.is_settling(3));
+	}
+	CHECK_FALSE(often.is_awake(3));
+}

@@ -157,3 +157,32 @@ func test_who_listens_is_told_though_nobody_sees() -> void:
 	await ticks(10)
 	assert_eq(told, ["in AnimatableBody3D", "out AnimatableBody3D"] as Array[String])
 	assert_eq(field.get_statistics().drawn_tiles, 0)
+
+
+func test_the_renderer_is_told_of_changes_only() -> void:
+	var field := add_seen_field({wind_speed = 3.0})
+	look(Vector3(0, 1, 4), Vector3.ZERO)
+	await frames(5)
+	var at_first: int = field.get_statistics().instance_updates
+	assert_greater(at_first, 0)
+	for i in 20: # frames are drawn, wind blows, the camera moves: the node stands
+		camera.position.x += 0.05
+		await frames(1)
+	assert_eq(field.get_statistics().instance_updates, at_first)
+	# Picture, shadows, ground; here nothing casts shadows, so those are hidden all the time.
+	var changes: Array[Callable] = [
+		func() -> int: field.position.x += 0.5; return 3,
+		func() -> int: field.layers = 3; return 3,
+		func() -> int: field.visible = false; return 2,
+		func() -> int: field.visible = true; return 2,
+		func() -> int: field.transparency = 0.5; return 3,
+	]
+	var expected := at_first
+	for i in changes.size():
+		expected += changes[i].call()
+		await frames(3)
+		assert_eq(field.get_statistics().instance_updates, expected, "change %d" % i)
+	field.transparency = 0.0
+	field.position.x = 0.0
+	await frames(3)
+	assert_greater(share_of(await next_picture(), is_green), 0.05, "it is drawn")

@@ -5,8 +5,8 @@ extends "res://tests/field_case.gd"
 const MONITORS: Array[String] = ["awake_tiles", "simulated_blades", "drawn_blades", "drawn_triangles", "management", "simulate", "cull", "memory"]
 const STATISTICS: Array[String] = [
 	"backend", "tiles", "bare_tiles", "blades", "map_bytes", "awake_tiles", "settling_tiles", "tile_steps", "woken", "slept", "evicted", "refused", "capped", "bodies",
-	"body_reads", "shape_reads", "tiles_looked_at", "colliders", "list_entries", "bad_colliders", "steps", "simulated_blades", "uploaded_bytes",
-	"culls", "drawn_tiles", "drawn_blades", "drawn_triangles", "left_out_tiles",
+	"body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "colliders", "list_entries", "bad_colliders", "steps", "simulated_blades", "uploaded_bytes",
+	"culls", "instance_updates", "drawn_tiles", "drawn_blades", "drawn_triangles", "left_out_tiles",
 	"shadow_tiles", "shadow_blades", "shadow_triangles", "left_out_shadow_tiles",
 	"gather_ms", "tiles_ms", "management_ms", "upload_ms", "frame_ms", "build_ms", "builds", "simulate_ms", "cull_ms", "memory",
 	"unseen_tile_steps", "unseen_ticks", "wind_updates", "edge_tile_steps", "compiling", "fill_cells", "fill_waiting",

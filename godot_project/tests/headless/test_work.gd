@@ -40,6 +40,38 @@ func test_shapes_are_looked_at_now_and_then() -> void:
 	assert_eq(after.shape_reads - before.shape_reads, 8 * 80 / 4, "shapes: every fourth")
 
 
+## Two calls of the engine a body and tick: is it there, where is it. A look at its shapes, every fourth tick, takes five more, and every
+## fourth of these looks four for what seldom changes.
+func test_few_calls_of_the_engine() -> void:
+	var field := add_field()
+	for i in 8:
+		add_held_body(ball(0.1), Vector3(0.4 * i - 1.5, 0.2, 0.1))
+	await ticks(40)
+	var before := field.get_statistics()
+	await ticks(160)
+	var after := field.get_statistics()
+	assert_eq(after.engine_calls - before.engine_calls, 8 * (160 * 2 + 160 / 4 * 5 + 160 / 16 * 4))
+
+
+func test_a_change_is_noticed_soon() -> void:
+	var field := add_field()
+	var body := add_held_body(ball(0.1), Vector3(0.1, 0.2, 0.1))
+	var shape: CollisionShape3D = body.get_child(0)
+	await ticks(41)
+	assert_eq(field.get_statistics().colliders, 1)
+	shape.disabled = true
+	await ticks(4)
+	assert_eq(field.get_statistics().colliders, 0, "the server says that the overlap has ended")
+	shape.disabled = false
+	await ticks(6)
+	assert_eq(field.get_statistics().colliders, 1)
+	await ticks(80)
+	var awake := field.get_awake_tile_count()
+	shape.shape = ball(0.9)
+	await ticks(5)
+	assert_greater(field.get_awake_tile_count(), awake, "another shape: within four ticks")
+
+
 func test_shapes_of_the_ground_are_not_looked_at() -> void:
 	var field := add_field()
 	var ground := add_body(StaticBody3D.new(), BoxShape3D.new(), Vector3(0, 0.2, 0))
@@ -108,6 +140,35 @@ func awake_near(field: GrassField, place: Vector3) -> Array[Vector2i]:
 			if field.is_tile_awake(middle + Vector2i(x, z)):
 				found.append(middle + Vector2i(x, z))
 	return found
+
+
+func test_memory_of_a_crowd_comes_back() -> void:
+	var field := add_field({size = Vector2(30, 30), sleep_delay = 0.1, sleep_mode = GrassField.SLEEP_TIMER, settle_time = 0.1})
+	await ticks(2)
+	var alone := field.get_memory_usage()
+	var bodies: Array[AnimatableBody3D] = []
+	for i in 100:
+		bodies.append(add_held_body(ball(0.4), Vector3(2.6 * (i % 10) - 12.0, 0.2, 2.6 * floorf(i / 10.0) - 12.0)))
+	await ticks(10)
+	assert_greater(field.get_awake_tile_count(), 800)
+	var crowded := field.get_memory_usage()
+	assert_greater(crowded - alone, 800 * 30_000, "bytes: blades have state")
+	for i in range(1, 100):
+		bodies[i].free()
+	await ticks(30)
+	assert_less(field.get_awake_tile_count(), 40)
+	assert_near(field.get_memory_usage(), crowded, 5e5, "bytes: who comes back soon finds it as it was")
+	await ticks(220)
+	assert_less(field.get_memory_usage() - alone, 0.2 * (crowded - alone), "bytes left")
+	assert_greater(field.bend_at(bodies[0].position).length(), 0.1, "under the last one grass is bent as before")
+	var low := field.get_memory_usage()
+	await ticks(400)
+	assert_eq(field.get_memory_usage(), low, "no coming and going")
+	for i in 60: # the crowd again
+		bodies.append(add_held_body(ball(0.4), Vector3(2.6 * (i % 10) - 12.0, 0.2, 2.6 * floorf(i / 10.0) - 6.0)))
+	await ticks(10)
+	assert_greater(field.get_awake_tile_count(), 400)
+	assert_true(all_finite(field, awake_near(field, bodies[-1].position)))
 
 
 func test_a_scene_file_is_small() -> void:

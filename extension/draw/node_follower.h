@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Lets an instance of the renderer follow a node. Asks every frame, tells the renderer what changed and nothing else: an instance
+// that is told its world anew leaves and enters the renderer's scene, even if it is the same.
+#pragma once
+
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+namespace grass {
+
+class NodeFollower {
+public:
+	// World, layers and transparency of the node; p_transform; shown if the node is, and p_is_wanted. Always of the same instance,
+	// until reset().
+	void follow(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_wanted);
+	void reset() { _is_known = false; }
+	int64_t get_updates() const { return _updates; } // times that anything was told
+
+private:
+	struct State {
+		godot::RID scenario;
+		godot::Transform3D transform;
+		bool is_visible = false;
+		uint32_t layers = 0;
+		double transparency = 0.0;
+		uint64_t node_id = 0;
+		bool operator==(const State &) const = default;
+	};
+
+	State _told;
+	bool _is_known = false;
+	int64_t _updates = 0;
+};
+
+} // namespace grass

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What BodyTracker notices of a body's shapes, and makes of them. Calls of the engine are most of what a body costs.
+#include "nodes/body_tracker.h"
+
+#include "convert.h"
+
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/classes/rigid_body3d.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
+constexpr double BLADE_FRICTION = 0.5;
+
+// Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
+// grass notices a change later.
+constexpr int LOOK_EVERY = 4, LIVELY_LOOKS = 60;
+// Looks from one at everything to the next: at friction, and which shapes are disabled. Of the latter the server tells, too, as
+// far as they touch grass: an overlap begins or ends.
+constexpr int LOOK_AT_ALL_EVERY = 4;
+
+// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
+bool is_driven_by_velocity(int64_t p_mode) {
+	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
+}
+
+// Which of a node's shapes are disabled, one bit a shape. Shapes that were added in the physics server itself have no
+// owner in the node, and are enabled.
+std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count, int64_t &r_calls) {
+	std::vector<bool> disabled(size_t(p_count), false);
+	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
+	r_calls += 1 + owners.size();
+	for (int64_t i = 0; i < owners.size(); i++) {
+		const uint32_t owner = uint32_t(owners[i]);
+		if (!p_node->is_shape_owner_disabled(owner)) {
+			continue;
+		}
+		for (int32_t k = 0; k < p_node->shape_owner_get_shape_count(owner); k++) {
+			const int32_t index = p_node->shape_owner_get_shape_index(owner, k);
+			if (index >= 0 && index < p_count) {
+				disabled[size_t(index)] = true;
+			}
+		}
+	}
+	return disabled;
+}
+
+} // namespace
+
+// Notices now and then what kind of body it is. True when it is time to look at its shapes, too.
+bool BodyTracker::look(Body &r_body) {
+	if (r_body.next_look-- > 0) {
+		return false;
+	}
+	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
+	_statistics.engine_calls++;
+	r_body.is_driven = is_driven_by_velocity(mode);
+	// A frozen RigidBody3D is no ground.
+	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
+			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
+	// Bodies that came together are not looked at together.
+	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
+	r_body.next_look = LOOK_EVERY - 1 + phase;
+	return true;
+}
+
+// Notices changes of shapes and friction.
+void BodyTracker::look_at_shapes(Body &r_body) {
+	const bool was_known = !r_body.shapes.empty();
+	const bool has_changed = read_shapes(r_body) && was_known;
+	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
+	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
+}
+
+// What is seldom changed, and not by the shapes themselves.
+void BodyTracker::read_traits(Body &r_body, int32_t p_count) {
+	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
+	const double friction = PhysicsServer3D::get_singleton()->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
+	_statistics.engine_calls += 2;
+	r_body.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
+	r_body.disabled = node == nullptr ? std::vector<bool>(size_t(p_count), false) : find_disabled(node, p_count, _statistics.engine_calls);
+}
+
+bool BodyTracker::read_shapes(Body &r_body) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
+	_statistics.engine_calls++;
+	bool has_changed = size_t(count) != r_body.shapes.size();
+	if (has_changed || r_body.next_look_at_all-- <= 0) {
+		r_body.next_look_at_all = LOOK_AT_ALL_EVERY - 1;
+		read_traits(r_body, count);
+	}
+	r_body.shapes.resize(size_t(count));
+	for (int32_t index = 0; index < count; index++) {
+		TrackedShape &shape = r_body.shapes[size_t(index)];
+		_statistics.shape_reads++;
+		const bool is_enabled = !r_body.disabled[size_t(index)];
+		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
+		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape, &_statistics.engine_calls) &&
+				transform == shape.transform && shape.enabled == is_enabled && shape.collider.friction == r_body.friction;
+		_statistics.engine_calls += 2;
+		if (is_same) {
+			continue;
+		}
+		has_changed = true;
+		r_body.next_look_at_all = 0;
+		shape.transform = transform;
+		shape.enabled = is_enabled;
+		shape.has_pose = false;
+		shape.local = to_eigen(transform) * shape.offset;
+		shape.collider = shape.shape;
+		scale_shape(shape.collider, shape.local.linear());
+		shape.collider.friction = r_body.friction;
+	}
+	return has_changed;
+}
+
+// All shapes that are enabled. Those far from the grass find no tile.
+void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
+	const bool is_still = r_body.before.matrix() == p_now.matrix();
+	for (TrackedShape &shape : r_body.shapes) {
+		if (!shape.enabled || !shape.usable) {
+			shape.has_pose = false;
+			continue;
+		}
+		if (_written == r_colliders.size()) {
+			r_colliders.emplace_back();
+		}
+		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
+		collider = shape.collider;
+		collider.owner = r_body.instance_id;
+		// Where it was is where it came to in the tick before, as a rule.
+		collider.before = shape.has_pose && !r_body.was_put ? shape.pose : ColliderShape::make_pose(r_body.before * shape.local);
+		collider.now = is_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
+		shape.pose = collider.now;
+		shape.has_pose = true;
+	}
+}
+
+} // namespace grass
