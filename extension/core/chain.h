@@ -182,7 +182,8 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	r_beyond.pull = r_beyond.pull + force;
 	r_beyond.p = r_beyond.p + force;
 	add_identity(r_beyond.P, weight);
-	const Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
 	if (any(ground.depth > T(0.0f))) {
 		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
 	}

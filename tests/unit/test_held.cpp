@@ -114,3 +114,21 @@ TEST_CASE("METHOD_DIRECT: what a body held rises when it leaves, and is at rest 
 		CHECK(scene.distance_from_rest() < 1e-3f);
 	}
 }
+
+TEST_CASE("METHOD_DIRECT: a blade that is folded at its root and lies on the ground, away from where it leans, rises at once") {
+	BladeScene scene;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const float side = 0.2f + 0.2f * float(b) / float(GRASS_BLADES_PER_TILE); // of the fold, shares of a segment
+		const Eigen::Vector3f tip = scene.rest(b, GRASS_KNOTS - 1);
+		const Eigen::Vector3f lean = Eigen::Vector3f(tip.x() + 1e-4f, 0.0f, tip.z()).normalized();
+		Eigen::Vector3f knot = scene.rest(b, 1);
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			const Eigen::Vector3f down = lean * side - Eigen::Vector3f::UnitY() * std::sqrt(1.0f - side * side);
+			const Eigen::Vector3f along = (Eigen::Vector3f::UnitY() * 0.02f * float(k - 2) - lean).normalized();
+			knot += (k == GRASS_CLAMPED_KNOTS ? down : along) * (scene.length / GRASS_SEGMENTS);
+			scene.set_knot(b, k, knot);
+		}
+	}
+	scene.step_for(4.0);
+	CHECK(scene.distance_from_rest() < 0.01f);
+}
