@@ -54,7 +54,11 @@ template <> struct LaneVectors<8> {
 
 // True or false for each of N lanes: all bits set or none.
 template <int N> struct LaneMask {
+	using Values = typename LaneVectors<N>::Floats;
 	typename LaneVectors<N>::Bits bits;
+
+	static GRASS_INLINE LaneMask less(const Values &p_a, const Values &p_b) { return { p_a < p_b }; }
+	static GRASS_INLINE LaneMask less_or_equal(const Values &p_a, const Values &p_b) { return { p_a <= p_b }; }
 
 	friend GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits & p_b.bits }; }
 	friend GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) { return { p_a.bits | p_b.bits }; }
@@ -77,10 +81,12 @@ template <int N> struct Lanes {
 	friend GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values * p_b.values); }
 	friend GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values / p_b.values); }
 	friend GRASS_INLINE Lanes operator-(const Lanes &p_a) { return Lanes(-p_a.values); }
-	friend GRASS_INLINE LaneMask<N> operator<(const Lanes &p_a, const Lanes &p_b) { return { p_a.values < p_b.values }; }
-	friend GRASS_INLINE LaneMask<N> operator>(const Lanes &p_a, const Lanes &p_b) { return { p_a.values > p_b.values }; }
-	friend GRASS_INLINE LaneMask<N> operator<=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values <= p_b.values }; }
-	friend GRASS_INLINE LaneMask<N> operator>=(const Lanes &p_a, const Lanes &p_b) { return { p_a.values >= p_b.values }; }
+	friend GRASS_INLINE LaneMask<N> operator<(const Lanes &p_a, const Lanes &p_b) { return LaneMask<N>::less(p_a.values, p_b.values); }
+	friend GRASS_INLINE LaneMask<N> operator>(const Lanes &p_a, const Lanes &p_b) { return p_b < p_a; }
+	friend GRASS_INLINE LaneMask<N> operator<=(const Lanes &p_a, const Lanes &p_b) {
+		return LaneMask<N>::less_or_equal(p_a.values, p_b.values);
+	}
+	friend GRASS_INLINE LaneMask<N> operator>=(const Lanes &p_a, const Lanes &p_b) { return p_b <= p_a; }
 };
 
 template <class Body> __attribute__((noinline)) auto run_apart(const Body &p_body) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lanes.h has of four and eight blades, of sixteen. By the instructions' own names: compilers make no masks of AVX-512's of plain
-// comparisons.
+// What is special about sixteen blades in lanes.h: masks. By the instructions' own names: compilers make no masks of AVX-512's of
+// plain comparisons.
 #pragma once
 
 #include "core/lanes.h"
@@ -9,41 +9,21 @@
 
 namespace grass {
 
+template <> struct LaneVectors<16> {
+	typedef __m512 Floats;
+};
+
 // True or false for each of sixteen lanes: a bit.
 template <> struct LaneMask<16> {
 	__mmask16 bits;
 
+	static GRASS_INLINE LaneMask less(const __m512 &p_a, const __m512 &p_b) { return { _mm512_cmp_ps_mask(p_a, p_b, _CMP_LT_OQ) }; }
+	static GRASS_INLINE LaneMask less_or_equal(const __m512 &p_a, const __m512 &p_b) {
+		return { _mm512_cmp_ps_mask(p_a, p_b, _CMP_LE_OQ) };
+	}
 	friend GRASS_INLINE LaneMask operator&(const LaneMask &p_a, const LaneMask &p_b) { return { __mmask16(p_a.bits & p_b.bits) }; }
 	friend GRASS_INLINE LaneMask operator|(const LaneMask &p_a, const LaneMask &p_b) { return { __mmask16(p_a.bits | p_b.bits) }; }
 	friend GRASS_INLINE LaneMask operator!(const LaneMask &p_a) { return { __mmask16(~p_a.bits) }; }
-};
-
-template <> struct Lanes<16> {
-	static constexpr int COUNT = 16;
-	__m512 values;
-
-	GRASS_INLINE Lanes() : values(_mm512_setzero_ps()) {}
-	GRASS_INLINE Lanes(float p_value) : values(_mm512_set1_ps(p_value)) {}
-	GRASS_INLINE explicit Lanes(const __m512 &p_values) : values(p_values) {}
-	GRASS_INLINE float operator[](int p_lane) const { return values[p_lane]; }
-
-	friend GRASS_INLINE Lanes operator+(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values + p_b.values); }
-	friend GRASS_INLINE Lanes operator-(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values - p_b.values); }
-	friend GRASS_INLINE Lanes operator*(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values * p_b.values); }
-	friend GRASS_INLINE Lanes operator/(const Lanes &p_a, const Lanes &p_b) { return Lanes(p_a.values / p_b.values); }
-	friend GRASS_INLINE Lanes operator-(const Lanes &p_a) { return Lanes(-p_a.values); }
-	friend GRASS_INLINE LaneMask<16> operator<(const Lanes &p_a, const Lanes &p_b) {
-		return { _mm512_cmp_ps_mask(p_a.values, p_b.values, _CMP_LT_OQ) };
-	}
-	friend GRASS_INLINE LaneMask<16> operator>(const Lanes &p_a, const Lanes &p_b) {
-		return { _mm512_cmp_ps_mask(p_a.values, p_b.values, _CMP_GT_OQ) };
-	}
-	friend GRASS_INLINE LaneMask<16> operator<=(const Lanes &p_a, const Lanes &p_b) {
-		return { _mm512_cmp_ps_mask(p_a.values, p_b.values, _CMP_LE_OQ) };
-	}
-	friend GRASS_INLINE LaneMask<16> operator>=(const Lanes &p_a, const Lanes &p_b) {
-		return { _mm512_cmp_ps_mask(p_a.values, p_b.values, _CMP_GE_OQ) };
-	}
 };
 
 template <> GRASS_INLINE Lanes<16> select(const LaneMask<16> &p_mask, const Lanes<16> &p_a, const Lanes<16> &p_b) {
