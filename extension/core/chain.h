@@ -50,10 +50,11 @@ template <class T> struct ChainTerms {
 	T mean_length;
 };
 
-template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+// p_bending: EI / (density area length^4), 1/s^2.
+template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
 	const T mean = p_blade.reach * T(1.0f / float(GRASS_SEGMENTS));
 	const T squared = p_blade.reach * p_blade.reach;
-	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
+	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
 }
 
 // [Eq 23] Stiffness of joint p_joint: EI over the length of blade that it stands for. The first one stands for the whole

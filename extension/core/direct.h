@@ -5,6 +5,8 @@
 #include "core/chain.h"
 #include "core/contact.h"
 
+#include <algorithm>
+
 namespace grass {
 
 // [Eq 22] Both stages of the two-stage method take this share of the step: 1 - 1 / sqrt(2) is of second order and forgets
@@ -103,12 +105,20 @@ GRASS_INLINE Mask hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	return sticks;
 }
 
-// [Eq 30] The solves of a stage: p_single where a blade takes the step in one stage, else p_double; CONTACT_SOLVES more where it touches
-// something. Blades that the first one shows to be hit start again, from the blow; p_is_slow: those that may stick.
+// Which blades take the i-th solve of a stage by their number of solves: those that something is near `iterations`, others all of theirs
+// where they take the step in one stage, else half of them in each of two.
 template <class T, class Mask>
-GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage,
-		const Mask &p_is_single, const Mask &p_is_near, const Mask &p_is_slow, int p_single, int p_double) {
-	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
+GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_is_near) {
+	const Mask by_solves =
+			(p_is_single & (T(float(p_i)) < p_terms.free_solves)) | ((!p_is_single) & (T(float(2 * p_i)) < p_terms.free_solves));
+	return p_i < p_terms.iterations ? p_is_near | by_solves : (!p_is_near) & by_solves;
+}
+
+// [Eq 30] The solves of a stage of p_takes_part; CONTACT_SOLVES more where a blade touches something. Blades that the first one shows to be
+// hit start again, from the blow; p_is_slow: those that may stick.
+template <class T, class Mask>
+GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
+		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, const Mask &p_is_slow) {
 	const Mask none = p_is_single & !p_is_single;
 	Vec3<T> guess[GRASS_KNOTS];
 	T twist[GRASS_SEGMENTS];
@@ -117,15 +127,15 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
 	Mask is_hit = none, touches = none, sticks = none;
-	const int count = p_single > p_double ? p_single : p_double;
+	const int count = std::max(p_terms.iterations, 2); // 2: of one iteration, too, a blade may take so many alone
 	for (int i = 0; i < count + CONTACT_SOLVES;) {
 		const bool is_again = any(is_hit);
-		const Mask wants_more = i < count ? (i < p_single ? p_is_single : none) | (i < p_double ? !p_is_single : none) : touches;
+		const Mask wants_more = i < count ? p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near) : touches;
 		const Mask is_active = is_again ? is_hit : wants_more & !sticks;
 		if (!any(is_active)) {
 			return;
 		}
-		const Contacts<T> contacts = solve_chain(r_blade, p_terms, chain, r_stage, is_active);
+		const Contacts<T> contacts = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
 		touches = touches | (is_active & p_is_near & (contacts.depth > T(0.0f)));
 		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
 		if (i > 0 || is_again) {
@@ -150,42 +160,45 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step with all `iterations`
-// as rounds of contact; else two stages with half of them each (with one iteration: Euler as well).
+// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step with `iterations` as rounds of contact;
+// else two stages with half of its solves each, or, where it has one only, that of [Eq 37].
 template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const Mask is_single = p_is_near | (fastest > r_blade.reach * p_terms.wild_move) | (T(float(p_terms.iterations)) < T(2.0f));
+	const Mask is_single = p_is_near | (fastest > r_blade.reach * p_terms.wild_move) | (p_terms.free_solves < T(2.0f));
 	const T seconds = p_terms.seconds;
-	const int halves = (p_terms.iterations + 1) / 2;
+	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
+	const ChainTerms<T> chain = make_chain_terms(r_blade, select(is_one, p_terms.free_bending, p_terms.bending));
+	const T drag = select(is_one, p_terms.free_drag, p_terms.drag);
+	const Vec3<T> load = p_terms.load * select(is_one, p_terms.free_bending / p_terms.bending, T(1.0f)); // bends the blade as much as ever
 
 	Stage<T> stage;
 	stage.span = select(is_single, seconds, seconds * T(STAGE_SHARE));
-	stage.weight = T(1.0f) + p_terms.drag * stage.span;
+	stage.weight = T(1.0f) + drag * stage.span;
 	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
 	const Mask is_slow = p_is_near & (fastest < r_blade.reach * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
 	const T kept = select(is_slow, rubbed(seconds), T(1.0f));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		set_target(stage, k, start.place[k], start.speed[k] * kept, p_terms.load);
+		set_target(stage, k, start.place[k], start.speed[k] * kept, load);
 	}
 	follow_targets(r_blade, stage);
-	solve_stage(r_blade, p_terms, start, stage, is_single, p_is_near, is_slow, p_terms.iterations, halves);
+	const Mask none = is_single & !is_single;
+	solve_stage(r_blade, p_terms, chain, start, stage, !none, is_single, p_is_near, is_slow);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
 		Vec3<T> first[GRASS_KNOTS];
 		stage.span = seconds * T(STAGE_SHARE);
-		stage.weight = T(1.0f) + p_terms.drag * stage.span;
+		stage.weight = T(1.0f) + drag * stage.span;
 		const T per_second = T(1.0f) / stage.span;
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			first[k] = r_blade.knots[k];
 			const Vec3<T> speed = (r_blade.knots[k] - start.place[k]) * per_second;
 			const Vec3<T> gain = (speed - start.speed[k]) * (T((1.0f - STAGE_SHARE) / STAGE_SHARE));
-			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, p_terms.load);
+			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, load);
 		}
 		follow_targets(r_blade, stage);
-		const Mask none = is_single & !is_single;
-		solve_stage(r_blade, p_terms, start, stage, is_single, none, none, 0, halves);
+		solve_stage(r_blade, p_terms, chain, start, stage, !is_single, is_single, none, none);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;
 			r_blade.knots[k] = select(is_single, first[k], r_blade.knots[k]);

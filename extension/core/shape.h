@@ -34,6 +34,7 @@ template <class T> struct StepTerms {
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
+	T free_bending, free_drag, free_solves; // GrassStep.motion of METHOD_DIRECT
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
 	int iterations;
@@ -44,9 +45,9 @@ template <class T> struct StepTerms {
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
 	return { T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w),
-		T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y), T(p_step.energy.z),
-		int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
+		T(p_step.motion.z), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y),
+		T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
 }
 
 // [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.

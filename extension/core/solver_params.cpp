@@ -31,6 +31,10 @@ struct Oscillator {
 constexpr double MOST_TURN = 2.5;
 // Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
 constexpr double FIRST_MODE = 3.5160152685;
+// Of the first mode in a step, radians: below it one solve is enough.
+constexpr double ONE_SOLVE_TURN = 0.2;
+// A chain of so many knots swings slower: by less than this share of the frequency's square.
+constexpr double CHAIN_SLOWER = 1.3 / (GRASS_KNOTS * GRASS_KNOTS);
 
 // [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
 struct TwoStep {
@@ -43,6 +47,20 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	const double keep = std::exp(-p_swing.a * (p_h + p_g)) * ratio;
 	const double stay = std::exp(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
 	return { keep, 1.0 + keep - stay };
+}
+
+// [Eq 37] Stiffness (square of a frequency, 1/s^2) and drag (1/s) with which an implicit Euler step of h goes where the oscillator goes;
+// g the step before.
+struct EulerSwing {
+	double stiffness, drag;
+};
+
+EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
+	const TwoStep exact = two_step(p_swing, p_h, p_g);
+	const double ratio = p_h / p_g, weight = ratio / exact.keep;
+	const double drag = (1.0 + exact.keep - exact.pull) * weight - 1.0 - ratio, pull = weight - 1.0 - drag;
+	// Without damping drag is negative: it gives back what the step takes. A swing slower than this one would gain.
+	return { pull / (p_h * p_h), std::max(drag, (CHAIN_SLOWER - 1.0) * pull) / p_h };
 }
 
 constexpr double TURN = 2.0 * std::numbers::pi;
@@ -114,6 +132,9 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
 	if (params.method == Method::DIRECT) {
 		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
+		const int solves = params.iterations >= 4 ? params.iterations / 2 : swing * std::max(h, g) <= ONE_SOLVE_TURN ? 1 : 2;
+		const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, h, g) : EulerSwing{ swing * swing, 2.0 * damping };
+		step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), 0.0f };
 	}
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
 	step.energy = { float(1.0 / (h * h)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };

@@ -78,6 +78,9 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
 	r_terms.bending = own(&GrassStep::chain, &vec4::z);
 	r_terms.drag = own(&GrassStep::chain, &vec4::w);
+	r_terms.free_bending = r_terms.keep;
+	r_terms.free_drag = r_terms.pull;
+	r_terms.free_solves = r_terms.pull_root;
 	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
 	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
 	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);

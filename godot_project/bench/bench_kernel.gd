@@ -90,11 +90,14 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	var w := TAU * FREQUENCY
 	var h := 1.0 / RATE
 	var pull := w * w * h * h
-	return PackedFloat32Array([
-		0.9, pull, pull, 0.5, # motion
+	var bending := pow(w / 3.516, 2.0)
+	var motion: Array[float] = [0.9, pull, pull, 0.5]
+	if p_method == DIRECT:
+		motion = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 0.0]
+	return PackedFloat32Array(motion + [
 		p_load.x * (1.0 if p_method == DIRECT else h * h), p_load.y, p_load.z * (1.0 if p_method == DIRECT else h * h), 20.0 * h,
 		p_iterations, 1.0, 0.02, p_method, # contact
-		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
+		h, 1.0, bending, 0.2 * w, # chain
 		RATE * RATE, w * w, w * w, 0.0, # energy
 		TILE_SIZE, 128.0, 128.0, KNOTS, # field
 		1.6, 0.0, 0.0, 0.0, # clump

@@ -181,11 +181,14 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var h := 1.0 / 60.0
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
-	return PackedFloat32Array([
-		0.9, pull, pull, 0.5, # motion
+	var bending := pow(w / 3.516, 2.0)
+	var motion: Array[float] = [bending, 0.2 * w, 1.0, 0.0] # DIRECT: one solve where nothing is near
+	if p_method != 0:
+		motion = [0.9, pull, pull, 0.5]
+	return PackedFloat32Array(motion + [
 		load.x, load.y, load.z, 20.0 * h,
 		2.0, 1.0, 0.02, p_method, # contact
-		h, 1.0, pow(w / 3.516, 2.0), 0.2 * w, # chain
+		h, 1.0, bending, 0.2 * w, # chain
 		1.0 / (h * h), w * w, w * w, 0.0, # energy
 		p_tile_size, p_tiles, p_tiles, p_knots, # field
 		1.6, 0.0, 0.0, 0.0, # clump

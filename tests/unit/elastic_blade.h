@@ -76,7 +76,7 @@ struct ElasticBlade {
 		measure_lengths(blade);
 		StepClock other;
 		const StepTerms<double> terms = make_terms<double>(other.advance(params, p_delta), 0.0f, {});
-		const ChainTerms<double> chain = make_chain_terms(blade, terms);
+		const ChainTerms<double> chain = make_chain_terms(blade, terms.bending);
 		JointGain<double> joints[GRASS_SEGMENTS];
 		measure_joints(blade, joints);
 		double sum = 0.0;
