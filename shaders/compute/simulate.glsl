@@ -175,6 +175,7 @@ TileCollider tile_collider(uint p_entry) {
 #include "compute/solve.inc"
 
 shared uint busy[2]; // blades that a step changes: one bit for each
+shared uint blade_of[GRASS_BLADES_PER_TILE]; // by thread
 shared uint liveliest; // the bits of a float that is not negative order as the float does
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
@@ -258,17 +259,20 @@ vec3 measure_bend() {
 	return clamp((start_of(tip) - rest_of(tip)) / reach, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }
 
-// The blade that is number p_number of those that are busy.
-uint find_busy(uint p_number) {
-	uint left = p_number;
-	uint first = uint(bitCount(busy[0]));
-	uint word = left < first ? 0u : 1u;
-	left -= word * first;
-	uint bits = busy[word];
-	for (uint i = 0u; i < left; i++) {
-		bits &= bits - 1u;
+// Who takes which blade of the tile: those that a step changes come first, in their order. p_is_busy: whether it changes the thread's own.
+// Returns how many there are.
+uint share_blades(uint p_thread, bool p_is_busy) {
+	if (p_is_busy) {
+		atomicOr(busy[p_thread / 32u], 1u << (p_thread % 32u));
 	}
-	return 32u * word + uint(findLSB(bits));
+	barrier();
+	uint first = uint(bitCount(busy[0]));
+	uint before = busy[p_thread / 32u] & ((1u << (p_thread % 32u)) - 1u);
+	if (p_is_busy) {
+		blade_of[(p_thread < 32u ? 0u : first) + uint(bitCount(before))] = p_thread;
+	}
+	barrier();
+	return first + uint(bitCount(busy[1]));
 }
 
 void main() {
@@ -302,14 +306,10 @@ void main() {
 	share_colliders(thread);
 	find_blade(thread);
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
-	if (is_fresh || !is_idle(slot.list.z)) {
-		atomicOr(busy[thread / 32u], 1u << (thread % 32u));
-	}
-	barrier();
-	uint count = uint(bitCount(busy[0]) + bitCount(busy[1]));
-	if (thread < count) { // so that as few warps as can be have something to do
+	uint count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+	if (thread < count) {
 		if (count < uint(GRASS_BLADES_PER_TILE)) {
-			find_blade(find_busy(thread));
+			find_blade(blade_of[thread]);
 		}
 		load_rest(is_fresh);
 		atomicMax(liveliest, floatBitsToUint(step_blade(slot.list.z)));
