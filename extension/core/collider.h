@@ -145,8 +145,8 @@ template <class T> GRASS_INLINE Extent<T> extent_of(const Vec3<T> &p_a, const Ve
 	return { minimum(p_a, p_b), maximum(p_a, p_b) };
 }
 
-// Whether points that are in p_from at the start of the step and in p_to at its end, and what is between them, surely do not meet the
-// collider and come no nearer to a face of it than p_skin (metres): far cheaper than asking the shape itself. A face's distance is less
+// [Eq 37] Whether points that are in p_from at the start of the step and in p_to at its end, and what is between them, surely do not meet
+// the collider and come no nearer to a face of it than p_skin (metres): far cheaper than asking the shape itself. A face's distance is less
 // than the true one where both are in front of a corner; the collider's turn bends paths.
 template <class T>
 GRASS_INLINE auto passes_by(const TileCollider &p_collider, const Extent<T> &p_from, const Extent<T> &p_to, const T &p_skin) {

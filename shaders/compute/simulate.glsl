@@ -133,37 +133,8 @@ vec3 rest_of(int p_knot) {
 #include "compute/collide.inc"
 #include "compute/edge.inc"
 
-// The first colliders of the tile's list, which all of its blades share.
-shared TileCollider shared_colliders[GRASS_SHARED_COLLIDERS];
-shared uint shared_valid; // one bit for each
-
-void share_colliders(uint p_blade) {
-	if (p_blade == 0u) {
-		shared_valid = 0u;
-	}
-	barrier();
-	if (p_blade < min(slot.list.z, uint(GRASS_SHARED_COLLIDERS))) {
-		TileCollider collider;
-		if (make_tile_collider(collider_list[slot.list.y + p_blade], slot.tile.xy, step.field.x, collider)) {
-			atomicOr(shared_valid, 1u << p_blade);
-		}
-		shared_colliders[p_blade] = collider;
-	}
-	barrier();
-}
-
-// Collider p_entry of the tile's list.
-TileCollider tile_collider(uint p_entry) {
-	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
-		return shared_colliders[p_entry];
-	}
-	TileCollider collider;
-	make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
-	return collider;
-}
-
+#include "compute/share.inc"
 #include "compute/shape.inc"
-
 #include "compute/near.inc"
 #include "compute/contact.inc"
 #include "compute/touch.inc"
@@ -174,8 +145,6 @@ TileCollider tile_collider(uint p_entry) {
 #include "compute/direct.inc"
 #include "compute/solve.inc"
 
-shared uint busy[2]; // blades that a step changes: one bit for each
-shared uint blade_of[GRASS_BLADES_PER_TILE]; // by thread
 shared uint liveliest; // the bits of a float that is not negative order as the float does
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
@@ -259,22 +228,6 @@ vec3 measure_bend() {
 	return clamp((start_of(tip) - rest_of(tip)) / reach, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }
 
-// Who takes which blade of the tile: those that a step changes come first, in their order. p_is_busy: whether it changes the thread's own.
-// Returns how many there are.
-uint share_blades(uint p_thread, bool p_is_busy) {
-	if (p_is_busy) {
-		atomicOr(busy[p_thread / 32u], 1u << (p_thread % 32u));
-	}
-	barrier();
-	uint first = uint(bitCount(busy[0]));
-	uint before = busy[p_thread / 32u] & ((1u << (p_thread % 32u)) - 1u);
-	if (p_is_busy) {
-		blade_of[(p_thread < 32u ? 0u : first) + uint(bitCount(before))] = p_thread;
-	}
-	barrier();
-	return first + uint(bitCount(busy[1]));
-}
-
 void main() {
 #ifdef GRASS_SPECIES
 	step = field_step;
@@ -299,7 +252,6 @@ void main() {
 		return;
 	}
 	if (thread == 0u) {
-		busy[0] = busy[1] = 0u;
 		liveliest = 0u;
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
