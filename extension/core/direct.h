@@ -161,7 +161,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 }
 
 // [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step with `iterations` as rounds of contact;
-// else two stages with half of its solves each, or, where it has one only, that of [Eq 37].
+// else two stages with half of its solves each, or, where it has one only, that of [Eq 38].
 template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);

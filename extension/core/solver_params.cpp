@@ -49,7 +49,7 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	return { keep, 1.0 + keep - stay };
 }
 
-// [Eq 37] Stiffness (square of a frequency, 1/s^2) and drag (1/s) with which an implicit Euler step of h goes where the oscillator goes;
+// [Eq 38] Stiffness (square of a frequency, 1/s^2) and drag (1/s) with which an implicit Euler step of h goes where the oscillator goes;
 // g the step before.
 struct EulerSwing {
 	double stiffness, drag;
