@@ -31,6 +31,9 @@ struct TileCollider {
 	Turn<float> turn, turn_before; // from the collider's own axes to the field's
 	float friction = 0.0f;
 	float bound = 0.0f; // radius about the centre, metres
+	Vec3<float> box; // half extents of a box about the centre, the field's axes, at the end of the step, metres
+	float shortfall = 0.0f; // how many times farther away than a face in front of a point the shape can be
+	float spin = 0.0f; // how far its turn during the step moves a point, shares of the distance from the centre
 	float thin = 0.0f; // no path shorter than this can cross the shape, metres
 	float blunt = 0.0f; // what knots no farther apart than this show is all that edges cut, metres
 	std::span<const Eigen::Vector4f> planes; // hulls
@@ -134,6 +137,35 @@ template <class T> GRASS_INLINE auto comes_within(const TileCollider &p_collider
 	return dot(nearest, nearest) < reach * reach;
 }
 
+// A box with sides along the field's axes that holds some points of a blade, metres from the tile's centre on the ground.
+template <class T> struct Extent {
+	Vec3<T> low, high;
+};
+template <class T> GRASS_INLINE Extent<T> extent_of(const Vec3<T> &p_a, const Vec3<T> &p_b) {
+	return { minimum(p_a, p_b), maximum(p_a, p_b) };
+}
+
+// [Eq 37] Whether points that are in p_from at the start of the step and in p_to at its end, and what is between them, surely do not meet
+// the collider and come no nearer to a face of it than p_skin (metres): far cheaper than asking the shape itself. A face's distance is less
+// than the true one where both are in front of a corner; the collider's turn bends paths.
+template <class T>
+GRASS_INLINE auto passes_by(const TileCollider &p_collider, const Extent<T> &p_from, const Extent<T> &p_to, const T &p_skin) {
+	const Vec3<T> zero{};
+	const Vec3<T> centre = widened<T>(p_collider.centre), centre_before = widened<T>(p_collider.centre_before);
+	const Vec3<T> from_low = p_from.low - centre_before, from_high = p_from.high - centre_before;
+	const Vec3<T> low = minimum(from_low, p_to.low - centre), high = maximum(from_high, p_to.high - centre);
+	const Vec3<T> nearest = maximum(maximum(low, zero - high), zero);
+	const Vec3<T> farthest = maximum(zero - from_low, from_high);
+	const Vec3<T> size = high - low;
+	const T bent = T(p_collider.spin) * (farthest.x + farthest.y + farthest.z);
+	const T traced = select(size.x + size.y + size.z + bent > T(p_collider.thin), T(TRACE_NEAR * p_collider.bound), T(0.0f));
+	const T shortfall(p_collider.shortfall);
+	const T margin = maximum(shortfall * p_skin, shortfall * traced + bent);
+	const Vec3<T> beyond = nearest - widened<T>(p_collider.box);
+	const T bound = T(p_collider.bound) + margin;
+	return (largest_part(beyond) > margin) | (dot(nearest, nearest) > bound * bound);
+}
+
 // A path of a knot during the step, from and to, in the shape's own axes at that time.
 template <class T> struct Path {
 	Vec3<T> from, to;
@@ -173,6 +205,9 @@ template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, co
 		place = p_path.from + way * t;
 		entry = find_face(p_collider, place);
 		t = t + maximum(entry.distance, T(0.0f)) * inverse_length;
+		if (!any(may_meet & (t <= T(1.0f)))) {
+			return face;
+		}
 	}
 	// A path that began inside has no entry, and one that met a face above the ground no way out there: both leave by
 	// the nearest face.

@@ -32,7 +32,7 @@ GRASS_INLINE Contact<T> find_edge_contact(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
-	if (!any(may_meet_edge(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
+	if (!any(!is_edge_clear(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
 		return { {}, T(0.0f) };
 	}
 	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
@@ -160,6 +160,10 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> parent = p_parent + (p_blade.root - widened<T>(collider.centre));
 		const Vec3<T> offset = parent + segment;
+		const Vec3<T> nearest = maximum(minimum(parent, offset), Vec3<T>{} - maximum(parent, offset));
+		if (!any(!(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)))) {
+			continue; // the whole segment is outside
+		}
 		const Turn<T> turn = widened<T>(collider.turn);
 		if (any(dot(offset, offset) < T(collider.bound * collider.bound))) {
 			const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);

@@ -29,19 +29,11 @@ template <class T> GRASS_INLINE auto is_between_knots(const Edge<T> &p_edge) {
 	return (p_edge.share > T(EDGE_END)) & (p_edge.share < T(1.0f - EDGE_END));
 }
 
-// Whether an edge whose knots go from and to these places (blade space) comes within p_reach (metres) of the collider's bounding sphere,
-// as seen from the collider.
+// Whether an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
 template <class T>
-GRASS_INLINE auto may_meet_edge(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
-		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_reach) {
-	const Vec3<T> from = (p_from_a + p_from_b) * T(0.5f) + (p_root - widened<T>(p_collider.centre_before));
-	const Vec3<T> to = (p_to_a + p_to_b) * T(0.5f) + (p_root - widened<T>(p_collider.centre));
-	const Vec3<T> way = to - from;
-	const T t = minimum(maximum(-dot(from, way) / maximum(dot(way, way), T(TINY_SQUARED)), T(0.0f)), T(1.0f));
-	const Vec3<T> nearest = from + way * t;
-	const T half = T(0.5f) * square_root(maximum(dot(p_from_b - p_from_a, p_from_b - p_from_a), dot(p_to_b - p_to_a, p_to_b - p_to_a)));
-	const T reach = half + p_reach + T(p_collider.bound);
-	return dot(nearest, nearest) < reach * reach;
+GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
+		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_skin) {
+	return passes_by(p_collider, extent_of(p_from_a + p_root, p_from_b + p_root), extent_of(p_to_a + p_root, p_to_b + p_root), p_skin);
 }
 
 // [Eq 33] The deepest point of the edge between two points in the shape's own axes. How far a point is in front of a convex shape is

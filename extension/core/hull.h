@@ -2,6 +2,8 @@
 // The convex hull of a cloud of points, as planes: how the solver takes Godot's ConvexPolygonShape3D.
 #pragma once
 
+#include "core/layout.h"
+
 #include <Eigen/Core>
 
 #include <span>
@@ -10,7 +12,7 @@
 namespace grass {
 
 struct Hull {
-	static constexpr int MAX_PLANES = 64; // Faces a collider may have: each costs every knot near it one dot product.
+	static constexpr int MAX_PLANES = GRASS_HULL_PLANES; // Faces a collider may have: each costs every knot near it one dot product.
 	static constexpr int MAX_POINTS = 200; // Different ones, with those that thickening adds; above, a bound is taken.
 
 	// Around its centre: n.xyz, d; inside: n.x <= d. Unit normals outwards, coplanar faces merged. Metres. Empty if no

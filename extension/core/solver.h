@@ -52,15 +52,28 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }
 
-// Whether the blade stands at rest with nothing near it and no load on it: a step would not change a bit.
-template <class T, class Mask> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
+// Whether the blade stands at rest with no load on it and nothing can touch it there: a step would not change a bit of it.
+template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
+	T longest(0.0f);
+	Extent<T> extent = extent_of(p_blade.rest[1], p_blade.rest[1]);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 		sum = sum + (dot(away, away) + dot(moved, moved));
+		extent = { minimum(extent.low, p_blade.rest[k]), maximum(extent.high, p_blade.rest[k]) };
+		longest = maximum(longest, p_blade.lengths[k - 1]);
 	}
-	return !any((!(sum <= T(0.0f))) | p_is_near);
+	if (any(!(sum <= T(0.0f)))) {
+		return false;
+	}
+	extent = { extent.low + p_blade.root, extent.high + p_blade.root };
+	for (const TileCollider &collider : p_terms.colliders) {
+		if (any(!passes_by(collider, extent, extent, longest * T(SKIN)))) {
+			return false;
+		}
+	}
+	return true;
 }
 
 // Whether something may touch the blade in this step.
@@ -93,12 +106,11 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 		return;
 	}
 	measure_lengths(r_blade);
-	const auto near = is_near(r_blade, p_terms);
-	if (is_idle(r_blade, p_terms, near)) {
+	if (is_idle(r_blade, p_terms)) {
 		return;
 	}
 	if (p_terms.is_direct) {
-		step_direct(r_blade, p_terms, near);
+		step_direct(r_blade, p_terms, is_near(r_blade, p_terms));
 	} else {
 		step_pbd(r_blade, p_terms);
 	}

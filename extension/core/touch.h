@@ -38,9 +38,11 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 	const Vec3<T> to = p_blade.knots[p_knot];
 	const T l = p_blade.lengths[p_knot - 1];
 	const T skin = l * T(SKIN);
+	const Vec3<T> from = p_from + p_blade.root, place = to + p_blade.root;
 	Touch<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
-		if (!any(comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN)))) {
+		const auto is_clear = passes_by(collider, extent_of(from, from), extent_of(place, place), skin);
+		if (!any(comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN)) & !is_clear)) {
 			continue;
 		}
 		const Path<T> path = relative_path(collider, p_blade.root, p_from, to);
@@ -74,7 +76,7 @@ GRASS_INLINE Touch<T> find_edge_touch(
 	const T skin = l * T(SKIN);
 	Touch<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
-		if (!any(cuts(collider, l) & may_meet_edge(collider, p_blade.root, p_from_a, p_from_b, to_a, to_b, skin))) {
+		if (!any(cuts(collider, l) & !is_edge_clear(collider, p_blade.root, p_from_a, p_from_b, to_a, to_b, skin))) {
 			continue;
 		}
 		const Path<T> path_a = relative_path(collider, p_blade.root, p_from_a, to_a);

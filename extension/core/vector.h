@@ -34,6 +34,15 @@ template <class T> GRASS_INLINE Vec3<T> cross(const Vec3<T> &p_a, const Vec3<T> 
 template <class T> GRASS_INLINE T length(const Vec3<T> &p_a) {
 	return square_root(dot(p_a, p_a));
 }
+template <class T> GRASS_INLINE Vec3<T> minimum(const Vec3<T> &p_a, const Vec3<T> &p_b) {
+	return { minimum(p_a.x, p_b.x), minimum(p_a.y, p_b.y), minimum(p_a.z, p_b.z) };
+}
+template <class T> GRASS_INLINE Vec3<T> maximum(const Vec3<T> &p_a, const Vec3<T> &p_b) {
+	return { maximum(p_a.x, p_b.x), maximum(p_a.y, p_b.y), maximum(p_a.z, p_b.z) };
+}
+template <class T> GRASS_INLINE T largest_part(const Vec3<T> &p_a) {
+	return maximum(p_a.x, maximum(p_a.y, p_a.z));
+}
 template <class T, class Mask> GRASS_INLINE Vec3<T> select(const Mask &p_mask, const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return { select(p_mask, p_a.x, p_b.x), select(p_mask, p_a.y, p_b.y), select(p_mask, p_a.z, p_b.z) };
 }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
-## The simulation pass alone, without field, physics and frames: tiles of swinging blades, each with its own colliders
-## that move through it. Wall time of many dispatches, checked against the GPU's own timestamps.
+## The simulation pass alone, without field, physics and frames: tiles of swinging blades, each with its own colliders. Wall time of many
+## dispatches, checked against the GPU's own timestamps.
+##   0, 4: so many balls that move through each tile;  lid: a wide flat box that rises and falls in the tips;
+##   bodies: one of a ball, crate, capsule, drum and stone lies in every 25 tiles;  rolling: the same, turning to and fro.
 ##   bench.tscn -- --only kernel --spirv DIR [--out DIR]
 extends Node
 
@@ -17,6 +19,12 @@ const STEPS := 200
 const WARM_UP := 20
 const FLOOR_BYTES := 4 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: knots and knots before, read and written; texture
 enum { DIRECT, PBD }
+enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
+const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
+const MOST_TILES := 4096 # with a lid or bodies
+const HULL_PLANES := 22
+const BODY := 0.42 # metres
+const GROUP := 5 # tiles along the square of a body
 
 var _device: RenderingDevice
 var _made: Array[RID] = []
@@ -36,8 +44,10 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 		print("simulate%s: %d ms to compile, unless the driver has kept it" % [edges, Time.get_ticks_msec() - start])
 		for method: int in [DIRECT, PBD]:
 			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
-				for colliders: int in [0, 4]:
-					var row := _measure(method, 2, tiles, colliders, 4 if p_software else STEPS)
+				for scene in SCENES:
+					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
+						continue
+					var row := _measure(method, 2, tiles, scene, 4 if p_software else STEPS)
 					row.insert(4, "yes" if edges else "no")
 					rows.append(row)
 		_device.free_rid(_pipeline)
@@ -46,15 +56,18 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 	return rows
 
 
-func _measure(p_method: int, p_iterations: int, p_tiles: int, p_colliders: int, p_steps: int) -> PackedStringArray:
+func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p_steps: int) -> PackedStringArray:
 	var sets: Array[RID] = []
 	var shared := _shared_resources(p_tiles)
+	var colliders := int(p_scene) if p_scene.is_valid_int() else 1
 	for phase in 8: # the colliders go to and fro
-		sets.append(_uniform_set(shared, p_tiles, p_colliders, phase))
+		sets.append(_uniform_set(shared, p_tiles, p_scene, colliders, phase))
 	var bend := _push(p_method, p_iterations, Vector3(25.0, 0.0, 10.0))
 	var free := _push(p_method, p_iterations, Vector3.ZERO)
+	if colliders == 1:
+		bend = free # what no body touches stands at rest
 	_run(sets, bend, p_tiles, WARM_UP) # a strong wind bends all blades
-	_device.buffer_update(shared[0], 0, p_tiles * 48, _slots(p_tiles, p_colliders, 0))
+	_device.buffer_update(shared[0], 0, p_tiles * 48, _slots(p_tiles, colliders, 0))
 	_run(sets, bend, p_tiles, WARM_UP)
 	_device.capture_timestamp("begin")
 	var start := Time.get_ticks_usec()
@@ -68,7 +81,7 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_colliders: int, 
 	for rid in _made:
 		_device.free_rid(rid)
 	_made.clear()
-	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), str(p_colliders), "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES)]
+	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES)]
 
 
 func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:
@@ -127,10 +140,16 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	])
 
 
+## Tiles along a side of the square that p_tiles lie in.
+func _across(p_tiles: int) -> int:
+	return int(sqrt(p_tiles))
+
+
 func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 	var words := PackedInt32Array()
+	var across := _across(p_tiles)
 	for tile in p_tiles:
-		words.append_array([tile % 128, tile / 128, tile, tile, (tile * 8) % (PATCH_BLADES - BLADES), tile * p_colliders, p_colliders, p_bits, 0, 0, 0, 0])
+		words.append_array([tile % across, tile / across, tile, tile, (tile * 8) % (PATCH_BLADES - BLADES), tile * p_colliders, p_colliders, p_bits, 0, 0, 0, 0])
 	return words.to_byte_array()
 
 
@@ -145,24 +164,26 @@ func _patch_texels() -> PackedByteArray:
 	return image.get_data()
 
 
-func _uniform_set(p_shared: Array[RID], p_tiles: int, p_colliders: int, p_phase: int) -> RID:
+func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_colliders: int, p_phase: int) -> RID:
 	var lists := PackedInt32Array(range(maxi(1, p_tiles * p_colliders)))
-	var colliders := PackedByteArray()
-	for entry in p_colliders:
-		colliders.append_array(_collider(entry, p_phase))
 	var all := PackedByteArray()
+	var across := _across(p_tiles)
 	for tile in p_tiles:
+		var at := Vector2i(tile % across, tile / across)
 		for entry in p_colliders:
-			var record := colliders.slice(entry * 96, entry * 96 + 96)
-			record.encode_s32(0, tile % 128)
-			record.encode_s32(4, tile / 128)
+			var record := _lid(p_phase) if p_scene == "lid" else _ball(entry, p_phase)
+			if p_scene in ["bodies", "rolling"]:
+				at = at / GROUP * GROUP + Vector2i.ONE * (GROUP / 2)
+				record = _body((at.x + 3 * at.y) / GROUP % 5, p_phase, p_scene == "rolling")
+			record.encode_s32(0, at.x)
+			record.encode_s32(4, at.y)
 			all.append_array(record)
 	if all.is_empty():
 		all.resize(96)
 	var own := _keep([
 		_device.storage_buffer_create(all.size(), all),
 		_device.storage_buffer_create(lists.size() * 4, lists.to_byte_array()),
-		_device.storage_buffer_create(16),
+		_device.storage_buffer_create(16 * HULL_PLANES, _stone()),
 	])
 	var uniforms: Array[RDUniform] = []
 	var buffers: Array[RID] = [p_shared[0], own[0], own[1], own[2], p_shared[1], p_shared[2]]
@@ -175,12 +196,59 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_colliders: int, p_phase:
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 
+func _record(p_shape: int, p_size: Vector3, p_now: Vector3, p_before: Vector3, p_turn := Quaternion.IDENTITY, p_turn_before := Quaternion.IDENTITY) -> PackedByteArray:
+	var record := PackedFloat32Array([0, 0, 0, 0, p_now.x, p_now.y, p_now.z, 0.5, p_turn.x, p_turn.y, p_turn.z, p_turn.w,
+		p_before.x, p_before.y, p_before.z, HULL_PLANES if p_shape == HULL else 0, p_turn_before.x, p_turn_before.y, p_turn_before.z, p_turn_before.w,
+		p_size.x, p_size.y, p_size.z, 0]).to_byte_array()
+	record.encode_s32(8, p_shape)
+	return record
+
+
 ## Balls of 8 cm, one in each quarter of the tile, that go to and fro by 1 cm a step.
-func _collider(p_entry: int, p_phase: int) -> PackedByteArray:
+func _ball(p_entry: int, p_phase: int) -> PackedByteArray:
 	var place := Vector3(0.125 if p_entry & 1 else -0.125, 0.2, 0.125 if p_entry & 2 else -0.125)
-	var now := place + Vector3(0.01 * absi(p_phase - 4), 0.0, 0.0)
-	var before := place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0.0, 0.0)
-	return PackedFloat32Array([0, 0, 0, 0, now.x, now.y, now.z, 0.5, 0, 0, 0, 1, before.x, before.y, before.z, 0, 0, 0, 0, 1, 0.08, 0, 0, 0]).to_byte_array()
+	return _record(SPHERE, Vector3(0.08, 0, 0), place + Vector3(0.01 * absi(p_phase - 4), 0, 0), place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0, 0))
+
+
+## 32 metres wide, by 0.4 mm a step.
+func _lid(p_phase: int) -> PackedByteArray:
+	return _record(BOX, Vector3(16, 0.1, 16), Vector3(0, 0.45 + 0.0004 * absi(p_phase - 4), 0), Vector3(0, 0.45 + 0.0004 * absi((p_phase + 7) % 8 - 4), 0))
+
+
+## On the ground; rolling by 1 cm a step, a stone at 25 mrad.
+func _body(p_shape: int, p_phase: int, p_moves: bool) -> PackedByteArray:
+	var size := BODY * Vector3(0.5, 0.3, 0.4)
+	var height := size.y
+	var turn := Quaternion(Vector3.UP, 0.7)
+	match p_shape:
+		SPHERE:
+			height = size.x
+		CAPSULE:
+			size = BODY * Vector3(0.3, 0.5, 0)
+			height = size.x
+			turn = Quaternion(Vector3(1, 0, 0.3).normalized(), 0.5 * PI)
+		CYLINDER:
+			size = BODY * Vector3(0.45, 0.35, 0)
+			height = size.y
+		HULL:
+			size = BODY * Vector3(0.65, 0, 0)
+			height = 0.45 * BODY
+	var places: Array[Vector3] = []
+	var turns: Array[Quaternion] = []
+	for phase: int in [p_phase, (p_phase + 7) % 8] if p_moves else [4, 4]:
+		places.append(Vector3(0.01 * absi(phase - 4), height, 0))
+		turns.append(Quaternion(Vector3.BACK, 0.025 * absi(phase - 4)) * turn)
+	return _record(p_shape, size, places[0], places[1], turns[0], turns[1])
+
+
+## The planes of a stone.
+func _stone() -> PackedByteArray:
+	var planes := PackedFloat32Array()
+	for i in HULL_PLANES:
+		var y := 1.0 - (2.0 * i + 1.0) / HULL_PLANES
+		var across := sqrt(1.0 - y * y)
+		planes.append_array([across * cos(2.4 * i), y, across * sin(2.4 * i), BODY * (0.42 + 0.06 * fmod(0.618 * i, 1.0))])
+	return planes.to_byte_array()
 
 
 func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array[RID]) -> RDUniform:

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade. Dispatched over the GrassSlot
-// records. Twin of core/simulate.cpp.
+// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade; a thread whose own blade stands at rest takes one
+// that does not. Dispatched over the GrassSlot records. Twin of core/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
@@ -93,12 +93,13 @@ GrassSlot slot;
 ivec2 texel; // of its knot 0 in the patch
 GrassClump clump;
 uint pool_index; // of knot 2's x
+int pool_column; // of knot 0 in the pool texture
 
 uint pool_place(int p_knot, uint p_component) {
 	return pool_index + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
 }
 ivec2 pool_texel(int p_knot) {
-	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + int(gl_LocalInvocationID.x), slot.tile.w);
+	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + pool_column, slot.tile.w);
 }
 vec3 start_of(int p_knot) {
 	return vec3(pool_knots[pool_place(p_knot, 0u)], pool_knots[pool_place(p_knot, 1u)], pool_knots[pool_place(p_knot, 2u)]);
@@ -132,37 +133,8 @@ vec3 rest_of(int p_knot) {
 #include "compute/collide.inc"
 #include "compute/edge.inc"
 
-// The first colliders of the tile's list, which all of its blades share.
-shared TileCollider shared_colliders[GRASS_SHARED_COLLIDERS];
-shared uint shared_valid; // one bit for each
-
-void share_colliders(uint p_blade) {
-	if (p_blade == 0u) {
-		shared_valid = 0u;
-	}
-	barrier();
-	if (p_blade < min(slot.list.z, uint(GRASS_SHARED_COLLIDERS))) {
-		TileCollider collider;
-		if (make_tile_collider(collider_list[slot.list.y + p_blade], slot.tile.xy, step.field.x, collider)) {
-			atomicOr(shared_valid, 1u << p_blade);
-		}
-		shared_colliders[p_blade] = collider;
-	}
-	barrier();
-}
-
-// Collider p_entry of the tile's list.
-TileCollider tile_collider(uint p_entry) {
-	if (p_entry < uint(GRASS_SHARED_COLLIDERS)) {
-		return shared_colliders[p_entry];
-	}
-	TileCollider collider;
-	make_tile_collider(collider_list[slot.list.y + p_entry], slot.tile.xy, step.field.x, collider);
-	return collider;
-}
-
+#include "compute/share.inc"
 #include "compute/shape.inc"
-
 #include "compute/near.inc"
 #include "compute/contact.inc"
 #include "compute/touch.inc"
@@ -197,6 +169,7 @@ void find_blade(uint p_blade) {
 	blade += GRASS_PATCH_BLADES * find_species(p_blade);
 #endif
 	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
+	pool_column = int(p_blade);
 	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
 	float ground = 0.0;
@@ -226,23 +199,22 @@ void keep_shape() {
 }
 
 // The rest pose and the blade's length. A fresh tile's blades stand at rest.
-void load_rest() {
-	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+void load_rest(bool p_is_fresh) {
 	reach = 0.0;
 	vec3 parent = vec3(0.0);
 	for (int k = 1; k < KNOT_COUNT; k++) {
 		vec3 rest = rest_of(k);
 		reach = reach + length_of(rest - parent);
 		parent = rest;
-		if (is_fresh) {
+		if (p_is_fresh) {
 			imageStore(pool_texture, pool_texel(k), vec4(0.0));
 		}
-		if (is_fresh && k >= GRASS_CLAMPED_KNOTS) {
+		if (p_is_fresh && k >= GRASS_CLAMPED_KNOTS) {
 			set_start(k, rest);
 			set_before(k, rest);
 		}
 	}
-	if (!is_fresh && (slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+	if (!p_is_fresh && (slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
 		keep_shape();
 	}
 	knots[0] = vec3(0.0);
@@ -271,31 +243,35 @@ void main() {
 		return; // the other variant's
 	}
 #endif
-	uint blade = gl_LocalInvocationID.x;
+	uint thread = gl_LocalInvocationID.x;
 	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
-	if (blade == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
+	if (thread == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
 		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
 	}
 	if (is_retired) {
 		return;
 	}
-	share_colliders(blade);
-	find_blade(blade);
-	load_rest();
-	float energy = step_blade(slot.list.z);
-
-	if (blade == 0u) {
+	if (thread == 0u) {
 		liveliest = 0u;
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
-	barrier();
-	atomicMax(liveliest, floatBitsToUint(energy));
-	vec3 bend = measure_bend() * BEND_UNITS;
-	for (int c = 0; c < 3; c++) {
-		atomicAdd(bend_sum[c], int(round(bend[c])));
+	share_colliders(thread);
+	find_blade(thread);
+	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+	uint count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+	if (thread < count) {
+		if (count < uint(GRASS_BLADES_PER_TILE)) {
+			find_blade(blade_of[thread]);
+		}
+		load_rest(is_fresh);
+		atomicMax(liveliest, floatBitsToUint(step_blade(slot.list.z)));
+		vec3 bend = measure_bend() * BEND_UNITS;
+		for (int c = 0; c < 3; c++) {
+			atomicAdd(bend_sum[c], int(round(bend[c])));
+		}
 	}
 	barrier();
-	if (blade == 0u) {
+	if (thread == 0u) {
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
 		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
 	}

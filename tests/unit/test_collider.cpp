@@ -119,3 +119,62 @@ TEST_CASE("Colliders with a number that is not finite, or without planes, are le
 		CHECK(scene.is_exactly_at_rest());
 	}
 }
+
+namespace {
+
+// A collider of p_shape somewhere near the origin, at rest or on its way, and turning.
+TileCollider make_moving(int p_shape, std::mt19937 &r_random) {
+	std::uniform_real_distribution<float> share(-1.0f, 1.0f);
+	const auto vector = [&](float p_size) {
+		return Vec3<float>{ p_size * share(r_random), p_size * share(r_random), p_size * share(r_random) };
+	};
+	const float speed = share(r_random) < 0.0f ? 0.0f : 0.2f; // metres a step
+	BladeScene scene;
+	const Eigen::Vector3f size = 0.12f * Eigen::Vector3f(1.1f + share(r_random), 1.1f + share(r_random), 1.1f + share(r_random));
+	GrassCollider &collider = scene.add(p_shape, Eigen::Vector3f::Zero(), size);
+	const Turn<float> before = turn_by(vector(2.0f)), now = after(turn_by(vector(5.0f * speed)), before);
+	const Vec3<float> place = vector(0.1f), way = vector(speed);
+	BladeScene::place(collider, { place.x, place.y, place.z }, { place.x + way.x, place.y + way.y, place.z + way.z });
+	collider.rotation_before = { before.axis.x, before.axis.y, before.axis.z, before.w };
+	collider.rotation = { now.axis.x, now.axis.y, now.axis.z, now.w };
+	static std::vector<Eigen::Vector4f> planes;
+	planes = scene.planes;
+	TileCollider made;
+	REQUIRE(make_tile_collider(collider, 0, 0, 0.5f, planes, made));
+	return made;
+}
+
+} // namespace
+
+TEST_CASE("What passes by a collider touches it with no knot and no edge, whatever the shape, pose and path") {
+	constexpr float SKIN_DEPTH = 0.004f, LENGTH = 0.033f; // metres
+	const Ground<float> no_ground{ {}, 0.0f };
+	const Vec3<float> root{};
+	std::mt19937 random(11);
+	std::uniform_real_distribution<float> share(-1.0f, 1.0f);
+	const auto vector = [&](float p_size) { return Vec3<float>{ p_size * share(random), p_size * share(random), p_size * share(random) }; };
+	for (const int shape : SHAPES) {
+		CAPTURE(shape);
+		int passing = 0, beside = 0;
+		for (int i = 0; i < 20000; i++) {
+			const TileCollider collider = make_moving(shape, random);
+			const float speed = share(random) < 0.0f ? 0.002f : 0.1f; // metres a step
+			const Vec3<float> from_a = vector(0.4f), to_a = from_a + vector(speed);
+			const Vec3<float> from_b = from_a + normalized(vector(1.0f), { 0.0f, 1.0f, 0.0f }) * LENGTH,
+							  to_b = from_b + (to_a - from_a) + vector(0.01f);
+			const Path<float> path_a = relative_path(collider, root, from_a, to_a), path_b = relative_path(collider, root, from_b, to_b);
+			if (passes_by(collider, extent_of(from_a, from_a), extent_of(to_a, to_a), SKIN_DEPTH)) {
+				passing++;
+				CHECK(sweep(collider, path_a, no_ground).distance >= SKIN_DEPTH);
+			}
+			if (passes_by(collider, extent_of(from_a, from_b), extent_of(to_a, to_b), SKIN_DEPTH)) {
+				const Edge<float> edge = sweep_edge(collider, path_a, path_b, SKIN_DEPTH);
+				CHECK_FALSE((is_between_knots(edge) && edge.face.distance < SKIN_DEPTH));
+				const Vec3<float> middle = (to_a + to_b) * 0.5f - collider.centre;
+				beside += length(middle) < collider.bound + 0.5f * LENGTH ? 1 : 0;
+			}
+		}
+		CHECK(passing > 5000);
+		CHECK((shape != GRASS_BOX || beside > 300)); // what the sphere about it would not have told
+	}
+}
