@@ -71,12 +71,16 @@ float grass_lod_needed(float p_length, float p_error) {
 }
 
 int grass_lod_segments(float p_needed) {
-	return p_needed > 7.0f ? 15 : (p_needed > 3.0f ? 7 : (p_needed > 1.0f ? 3 : 1));
+	return p_needed > 7.0f ? 15 : (p_needed > 5.0f ? 7 : (p_needed > 3.0f ? 5 : (p_needed > 2.0f ? 3 : (p_needed > 1.0f ? 2 : 1))));
+}
+
+int grass_lod_coarser(int p_segments) {
+	return p_segments > 7 ? 7 : (p_segments > 5 ? 5 : (p_segments > 3 ? 3 : (p_segments > 2 ? 2 : 1)));
 }
 
 float grass_lod_morph(float p_needed, int p_segments) {
-	const float coarser = float((p_segments - 1) / 2);
-	return p_segments == 1 ? 0.0f : std::clamp((1.5f * coarser - p_needed) / (0.5f * coarser), 0.0f, 1.0f);
+	const float coarser = float(grass_lod_coarser(p_segments)), begin = std::min(1.5f * coarser, float(p_segments));
+	return p_segments == 1 ? 0.0f : std::clamp((begin - p_needed) / (begin - coarser), 0.0f, 1.0f);
 }
 
 int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Level of detail and visibility of a tile (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/shared/lod.inc.
+// Level of detail and visibility of a tile (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/shared/lod.inc
+// and levels.inc.
 #pragma once
 
 #include "core/layout.h"
@@ -59,12 +60,13 @@ struct LodLevel {
 // Level i of GRASS_ALL_LEVELS.
 LodLevel get_lod_level(int p_level);
 
-// The twins; see lod.inc.
+// The twins; see lod.inc and levels.inc.
 float grass_lod_blades(float p_distance, float p_near, float p_far); // [Eq L1]
 float grass_lod_blades_of_width(float p_width, float p_least); // [Eq L2]
 float grass_lod_shown(float p_blades, float p_hash); // [Eq L3]
 float grass_lod_needed(float p_length, float p_error); // [Eq L4]
 int grass_lod_segments(float p_needed);
+int grass_lod_coarser(int p_segments);
 float grass_lod_morph(float p_needed, int p_segments); // [Eq L5]
 int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end);
 uint32_t grass_lod_rank(int p_level, uint32_t p_turn);

@@ -12,6 +12,7 @@
 #include "structs.inc"
 #include "hash.inc"
 #include "lod.inc"
+#include "levels.inc"
 
 layout(local_size_x = GRASS_CULL_GROUP) in;
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-// shaders/shared/lod.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
+// shaders/shared/lod.inc and levels.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
 namespace twin {
 
 struct vec3 {
@@ -42,6 +42,7 @@ float sqrt(double p_value) {
 using uint = unsigned;
 
 #include "../../shaders/shared/lod.inc"
+#include "../../shaders/shared/levels.inc"
 
 } // namespace twin
 
@@ -101,7 +102,7 @@ TEST_CASE("lod: blades that would be thinner than pixels are fewer, and cover as
 
 TEST_CASE("lod: the level's mesh always holds the blades, has the segments, and is the smallest such one") {
 	for (const auto &[first, end] : { std::pair(0, GRASS_LOD_LEVELS), std::pair(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS) }) {
-		for (const int segments : { 1, 3, 7, 15 }) {
+		for (const int segments : { 1, 2, 3, 5, 7, 15 }) {
 			if (segments > get_lod_level(first).segments) {
 				continue;
 			}
