@@ -39,11 +39,9 @@ struct FieldSetup {
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
-	// Whether buffers, textures, meshes and shaders of the one fit the other, as long as the MultiMeshes are large enough.
-	bool has_kind_of(const FieldSetup &p_other) const {
-		return pool_tiles == p_other.pool_tiles && drawn_tiles_max == p_other.drawn_tiles_max && is_mapped == p_other.is_mapped &&
-				(species == nullptr) == (p_other.species == nullptr) && patch->species == p_other.patch->species &&
-				(card_size > 0.0f) == (p_other.card_size > 0.0f);
+	// Whether the meshes of the one fit the other, as long as the MultiMeshes are large enough.
+	bool has_meshes_of(const FieldSetup &p_other) const {
+		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
 	}
 	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
@@ -109,8 +107,10 @@ class Backend {
 public:
 	virtual ~Backend() = default;
 
-	// Goes on with another grid, other blades or both, all of them at rest; with a map, set_cover() follows. False if it cannot: then
-	// make another one.
+	// Gets ready for a field that has what this one has not yet: makes its shaders and passes, one a call at most. Whether all are there.
+	virtual bool prepare(const FieldSetup &p_setup) = 0;
+	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: then make another
+	// backend.
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;

@@ -4,7 +4,6 @@
 #include "convert.h"
 #include "core/hash.h"
 #include "draw/blade_mesh.h"
-#include "draw/patch_texture.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/time.hpp>
@@ -50,13 +49,19 @@ CpuBackend::~CpuBackend() {
 }
 
 bool CpuBackend::set_field(const FieldSetup &p_setup) {
-	if (!p_setup.has_kind_of(_setup)) {
+	if (!p_setup.has_meshes_of(_setup)) {
 		return false;
 	}
+	_materials.set_features(shader_features(p_setup));
 	if (p_setup.patch != _setup.patch) {
 		_pool.set_patch(p_setup.patch);
-		_patch_texture->update(make_patch_image(*p_setup.patch));
+		update_patch_texture(_patch_texture, *p_setup.patch);
 		_materials.set("blade_length", p_setup.blade_length());
+	}
+	if (p_setup.pool_tiles != _setup.pool_tiles) {
+		_pool.set_slots(p_setup.pool_tiles);
+		_changed_slots.reset(p_setup.pool_tiles, false);
+		_highest_slot = std::min(_highest_slot, p_setup.pool_tiles - 1);
 	}
 	_setup = p_setup;
 	_slot_of_tile.clear();

@@ -9,6 +9,7 @@
 #include "core/slot_set.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
+#include "draw/patch_texture.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 
@@ -21,6 +22,7 @@ public:
 	explicit CpuBackend(const FieldSetup &p_setup);
 	~CpuBackend() override;
 
+	bool prepare(const FieldSetup &p_setup) override { return BladeMaterials::prepare(shader_features(p_setup)); }
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void tidy() override;

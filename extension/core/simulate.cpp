@@ -67,6 +67,12 @@ CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
 
 CpuPool::~CpuPool() = default;
 
+void CpuPool::set_slots(int p_slots) {
+	_slots.resize(size_t(std::max(p_slots, 0)));
+	_energy.assign(_slots.size(), 0.0f);
+	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
+}
+
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, Precision p_precision) {
 	std::vector<const GrassSlot *> awake;
 	for (const GrassSlot &slot : p_input.slots) {

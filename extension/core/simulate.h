@@ -36,8 +36,9 @@ public:
 	CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots);
 	~CpuPool();
 
-	// Other blades. Tiles that are awake must wake anew.
+	// Other blades, another number of slots. Tiles that are awake must wake anew.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
+	void set_slots(int p_slots);
 
 	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
 	// and of blades beyond the patch are left out.

@@ -16,14 +16,17 @@ constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in g
 const std::vector<uint32_t> &noise_values() {
 	static const std::vector<uint32_t> values = [] {
 		constexpr uint32_t CELL = 8, SIDE = 64 * CELL; // 4096 cells, 64 places in each
-		std::vector<uint32_t> found;
-		found.reserve(SIDE * SIDE);
+		std::vector<uint32_t> counts(65536); // of each value
 		for (uint32_t z = 0; z < SIDE; z++) {
 			for (uint32_t x = 0; x < SIDE; x++) {
-				found.push_back(grass_stand_noise(x, z, CELL, 1));
+				counts[grass_stand_noise(x, z, CELL, 1)]++;
 			}
 		}
-		std::sort(found.begin(), found.end());
+		std::vector<uint32_t> found;
+		found.reserve(SIDE * SIDE);
+		for (uint32_t value = 0; value < uint32_t(counts.size()); value++) {
+			found.insert(found.end(), counts[value], value);
+		}
 		return found;
 	}();
 	return values;

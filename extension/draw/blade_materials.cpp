@@ -15,19 +15,38 @@ BladeMaterials::BladeMaterials(int p_features) {
 		if (first || lod_segments(level) != lod_segments(level - 1)) {
 			Ref<ShaderMaterial> material;
 			material.instantiate();
-			const bool is_seen = level < GRASS_LOD_LEVELS; // cards throw no shadow
-			material->set_shader(is_seen ? shared_shader(shader::BLADE_GDSHADER, p_features)
-										 : shared_shader(shader::SHADOW_GDSHADER, p_features & ~SHADER_CARDS));
 			material->set_shader_parameter("segments", lod_segments(level));
-			_materials.push_back(material);
+			_materials.push_back({ material, level < GRASS_LOD_LEVELS });
 		}
-		_levels[size_t(level)] = _materials.back();
+		_levels[size_t(level)] = _materials.back().material;
+	}
+	set_features(p_features);
+}
+
+namespace {
+int shadow_features(int p_features) {
+	return p_features & ~SHADER_CARDS; // cards throw no shadow
+}
+} // namespace
+
+bool BladeMaterials::prepare(int p_features) {
+	return prepare_shader(shader::BLADE_GDSHADER, p_features) && prepare_shader(shader::SHADOW_GDSHADER, shadow_features(p_features));
+}
+
+void BladeMaterials::set_features(int p_features) {
+	if (_features == p_features) {
+		return;
+	}
+	_features = p_features;
+	for (const Made &made : _materials) {
+		made.material->set_shader(made.is_seen ? shared_shader(shader::BLADE_GDSHADER, p_features)
+											   : shared_shader(shader::SHADOW_GDSHADER, shadow_features(p_features)));
 	}
 }
 
 void BladeMaterials::set(const StringName &p_uniform, const Variant &p_value) {
-	for (Ref<ShaderMaterial> &material : _materials) {
-		material->set_shader_parameter(p_uniform, p_value);
+	for (const Made &made : _materials) {
+		made.material->set_shader_parameter(p_uniform, p_value);
 	}
 }
 

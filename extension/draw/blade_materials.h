@@ -16,12 +16,21 @@ class BladeMaterials {
 public:
 	explicit BladeMaterials(int p_features); // ShaderFeature
 
+	// Makes one of the shaders that materials with p_features have, if it is not there. Whether all were.
+	static bool prepare(int p_features);
+	void set_features(int p_features);
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
 	// Sets a uniform in all of them; a shader ignores what it has not.
 	void set(const godot::StringName &p_uniform, const godot::Variant &p_value);
 
 private:
-	std::vector<godot::Ref<godot::ShaderMaterial>> _materials;
+	struct Made {
+		godot::Ref<godot::ShaderMaterial> material;
+		bool is_seen; // else it only casts shadows
+	};
+
+	std::vector<Made> _materials;
+	int _features = -1; // none yet
 	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_ALL_LEVELS> _levels; // each one of _materials
 };
 

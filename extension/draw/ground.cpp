@@ -16,6 +16,10 @@ namespace {
 constexpr real_t LIFT = 0.005f; // metres above the user's floor; less flickers with it, more shows at the field's edge
 } // namespace
 
+bool Ground::prepare(bool p_mapped) {
+	return prepare_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0);
+}
+
 void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	free();
 	const real_t x = real_t(0.5 * p_grid.get_size_x()), z = real_t(0.5 * p_grid.get_size_z());

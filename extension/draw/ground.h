@@ -18,6 +18,8 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
+	// Makes the shader that create() takes, if it is not there. Whether it was.
+	static bool prepare(bool p_mapped);
 	void create(const TileGrid &p_grid, bool p_mapped); // p_mapped: soil only where the map has grass
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
 	// Sets a uniform of the ground shader; it shares names with the blade shader and ignores the blades' own.

@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <bit>
 
 using namespace godot;
@@ -42,29 +43,46 @@ Ref<Image> MapTextures::image_of(const MapLayer *p_layer, Kind p_kind) const {
 	return make_image(side, Image::FORMAT_RGBA8, bytes);
 }
 
-void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_changed, bool p_species, const SetUniform &p_set) {
-	_kinds = p_species ? KINDS : int(SPECIES);
-	const bool grows = p_layers.get_count() > _room || _room == 0;
-	if (grows) {
-		_room = std::max(FIRST_ROOM, std::min(int(std::bit_ceil(unsigned(p_layers.get_count()))), GRASS_MAX_LAYERS));
+void MapTextures::make(const MapLayers &p_layers, Kind p_kind) {
+	const Ref<Image> empty = image_of(nullptr, p_kind);
+	TypedArray<Ref<Image>> images;
+	for (int layer = 0; layer < _room; layer++) {
+		images.push_back(layer < p_layers.get_count() ? image_of(&p_layers.get_layer(layer), p_kind) : empty);
+		_uploaded += empty->get_data_size();
 	}
+	_arrays[size_t(p_kind)].instantiate();
+	_arrays[size_t(p_kind)]->create_from_images(images);
+	_are_new = true;
+}
+
+bool MapTextures::make_one(const MapLayers &p_layers, int p_room) {
+	make_room(p_room);
 	for (int kind = 0; kind < _kinds; kind++) {
-		Ref<Texture2DArray> &array = _arrays[size_t(kind)];
-		if (grows) {
-			const Ref<Image> empty = image_of(nullptr, Kind(kind));
-			TypedArray<Ref<Image>> images;
-			for (int layer = 0; layer < _room; layer++) {
-				images.push_back(layer < p_layers.get_count() ? image_of(&p_layers.get_layer(layer), Kind(kind)) : empty);
-				_uploaded += empty->get_data_size();
-			}
-			array.instantiate();
-			array->create_from_images(images);
-			p_set(NAMES[kind], array);
+		if (_arrays[size_t(kind)].is_null()) {
+			make(p_layers, Kind(kind));
+			return true;
+		}
+	}
+	return false;
+}
+
+void MapTextures::make_room(int p_layers) {
+	if (_room == 0 || p_layers > _room) {
+		_arrays = {};
+		_room = std::max(FIRST_ROOM, std::min(int(std::bit_ceil(unsigned(p_layers))), GRASS_MAX_LAYERS));
+	}
+}
+
+void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_changed) {
+	make_room(p_layers.get_count());
+	for (int kind = 0; kind < _kinds; kind++) {
+		if (_arrays[size_t(kind)].is_null()) {
+			make(p_layers, Kind(kind));
 			continue;
 		}
 		for (const int layer : p_changed) {
 			const Ref<Image> image = image_of(&p_layers.get_layer(layer), Kind(kind));
-			array->update_layer(image, layer);
+			_arrays[size_t(kind)]->update_layer(image, layer);
 			_uploaded += image->get_data_size();
 		}
 	}
@@ -74,19 +92,30 @@ void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_ch
 		_pages = ImageTexture::create_from_image(
 				Image::create_from_data(p_layers.get_width(), p_layers.get_depth(), false, Image::FORMAT_RF, bytes));
 		_uploaded += bytes.size();
-		p_set("map_pages", _pages);
-		p_set("map_origin", Vector2(p_layers.get_first().x, p_layers.get_first().z));
+		_are_new = true;
 	}
+}
+
+void MapTextures::set_uniforms(const MapLayers &p_layers, const SetUniform &p_set) {
+	for (int kind = 0; kind < _kinds; kind++) {
+		p_set(NAMES[kind], _arrays[size_t(kind)]);
+	}
+	p_set("map_pages", _pages);
+	p_set("map_origin", Vector2(p_layers.get_first().x, p_layers.get_first().z));
+	_are_new = false;
+}
+
+void MapTextures::clear_uniforms(const SetUniform &p_set) {
+	for (const char *name : NAMES) {
+		p_set(name, Variant());
+	}
+	p_set("map_pages", Variant());
 }
 
 int64_t MapTextures::get_memory_usage() const {
 	constexpr int64_t LAYER = 4 * (int64_t(MapLayer::FINE) * MapLayer::FINE + 3 * int64_t(MapLayer::COARSE) * MapLayer::COARSE);
 	constexpr int64_t SPECIES_LAYER = int64_t(MapLayer::COARSE) * MapLayer::COARSE;
 	return _room * (LAYER + (_kinds == KINDS ? SPECIES_LAYER : 0)) + int64_t(_uploaded_pages.size()) * 4;
-}
-
-void MapTextures::free() {
-	*this = MapTextures();
 }
 
 } // namespace grass

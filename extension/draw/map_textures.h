@@ -16,23 +16,34 @@ class MapTextures {
 public:
 	using SetUniform = std::function<void(const char *p_name, const godot::Variant &p_value)>;
 
-	// Brings the textures to what the layers hold. p_changed: layers that differ from the last call; p_species: whether the field has
-	// any, the same until free(). p_set is told of textures that are new.
-	void update(const MapLayers &p_layers, const std::vector<int> &p_changed, bool p_species, const SetUniform &p_set);
+	// p_species: whether the field has any.
+	explicit MapTextures(bool p_species) : _kinds(p_species ? KINDS : int(SPECIES)) {}
+
+	// Makes one of the textures, with room for p_room layers. False: there is none left to make.
+	bool make_one(const MapLayers &p_layers, int p_room);
+	// Brings the textures to what the layers hold. p_changed: layers that differ from the last call.
+	void update(const MapLayers &p_layers, const std::vector<int> &p_changed);
+	// Whether set_uniforms() has something to say that it has not said yet.
+	bool are_new() const { return _are_new; }
+	void set_uniforms(const MapLayers &p_layers, const SetUniform &p_set);
+	// Lets go of the textures that set_uniforms() told of.
+	static void clear_uniforms(const SetUniform &p_set);
 	int64_t get_uploaded_bytes() const { return _uploaded; } // since made
 	int64_t get_memory_usage() const; // bytes
-	void free();
 
 private:
 	enum Kind { GROWTH, FORM, GROUND, TINT, SPECIES, KINDS };
 
 	godot::Ref<godot::Image> image_of(const MapLayer *p_layer, Kind p_kind) const;
+	void make_room(int p_layers);
+	void make(const MapLayers &p_layers, Kind p_kind);
 
 	std::array<godot::Ref<godot::Texture2DArray>, KINDS> _arrays;
 	godot::Ref<godot::ImageTexture> _pages;
 	std::vector<float> _uploaded_pages;
-	int _kinds = 0; // that there are: without SPECIES, one less
+	int _kinds; // that there are: without SPECIES, one less
 	int _room = 0; // layers in the arrays; grows by doubling
+	bool _are_new = false;
 	int64_t _uploaded = 0;
 };
 

@@ -19,6 +19,15 @@ Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
 	return ImageTexture::create_from_image(make_patch_image(p_patch));
 }
 
+void update_patch_texture(const Ref<ImageTexture> &p_texture, const Patch &p_patch) {
+	const Ref<Image> image = make_patch_image(p_patch);
+	if (p_texture->get_height() == image->get_height()) {
+		p_texture->update(image);
+	} else { // another number of species
+		p_texture->set_image(image);
+	}
+}
+
 namespace {
 
 Ref<ImageTexture> make_lattice_texture() {

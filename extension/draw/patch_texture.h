@@ -12,6 +12,7 @@ namespace grass {
 // RGBA16F, Patch::WIDTH x Patch::HEIGHT for each species, without mipmaps.
 godot::Ref<godot::Image> make_patch_image(const Patch &p_patch);
 godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
+void update_patch_texture(const godot::Ref<godot::ImageTexture> &p_texture, const Patch &p_patch);
 
 // RGBA8, GRASS_LATTICE_CELLS a side: the numbers that [Eq B1] blends, for the shaders that draw. One for all
 // fields, made when first asked for and kept until the extension ends.

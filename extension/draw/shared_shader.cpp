@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "draw/shared_shader.h"
 
+#include "draw/frame_share.h"
+
 #include <map>
 
 using namespace godot;
@@ -22,6 +24,16 @@ Ref<Shader> shared_shader(const char *p_code, int p_features) {
 		shader->set_code(String::utf8(p_code).replace("shader_type spatial;", head));
 	}
 	return shader;
+}
+
+bool prepare_shader(const char *p_code, int p_features) {
+	if (shaders.contains({ p_code, p_features })) {
+		return true;
+	}
+	if (FrameShare::has_time()) {
+		shared_shader(p_code, p_features)->get_rid(); // the engine compiles it when it is first asked for this
+	}
+	return false;
 }
 
 void free_shared_shaders() {

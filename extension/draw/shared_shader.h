@@ -16,6 +16,8 @@ enum ShaderFeature {
 
 // The shader of p_code (UTF-8, a string literal) with p_features, made when it is first asked for and kept.
 godot::Ref<godot::Shader> shared_shader(const char *p_code, int p_features = 0);
+// Makes it if it is not there and this frame has time for it; the engine takes some 20 ms. Whether it was there.
+bool prepare_shader(const char *p_code, int p_features = 0);
 // For when the library is unloaded.
 void free_shared_shaders();
 

@@ -26,6 +26,12 @@ void GpuBuffer::allocate(int64_t p_bytes) {
 	clear();
 }
 
+void GpuBuffer::resize(int64_t p_bytes) {
+	if (!_rid.is_valid() || _size != std::max<int64_t>(p_bytes, 16)) {
+		allocate(p_bytes);
+	}
+}
+
 void GpuBuffer::clear() {
 	main_device()->buffer_clear(_rid, 0, uint32_t(_size));
 	_uploaded = PackedByteArray();
@@ -48,14 +54,18 @@ int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {
 }
 
 int64_t GpuBuffer::write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes) {
-	ERR_FAIL_COND_V(p_offset < 0 || p_offset + p_bytes > _size, 0);
-	if (p_bytes > 0) {
-		PackedByteArray data;
-		data.resize(p_bytes);
-		std::memcpy(data.ptrw(), p_data, size_t(p_bytes));
-		main_device()->buffer_update(_rid, uint32_t(p_offset), uint32_t(p_bytes), data);
+	PackedByteArray data;
+	data.resize(p_bytes);
+	std::memcpy(data.ptrw(), p_data, size_t(p_bytes));
+	return write(p_offset, data);
+}
+
+int64_t GpuBuffer::write(int64_t p_offset, const PackedByteArray &p_bytes) {
+	ERR_FAIL_COND_V(p_offset < 0 || p_offset + p_bytes.size() > _size, 0);
+	if (!p_bytes.is_empty()) {
+		main_device()->buffer_update(_rid, uint32_t(p_offset), uint32_t(p_bytes.size()), p_bytes);
 	}
-	return p_bytes;
+	return p_bytes.size();
 }
 
 void GpuBuffer::free() {
@@ -72,7 +82,20 @@ std::atomic<int> GpuPass::_compiling = 0;
 
 void GpuPass::compile(void *p_pipeline) {
 	Pipeline &pipeline = *static_cast<Pipeline *>(p_pipeline);
-	pipeline.pipeline = main_device()->compute_pipeline_create(pipeline.shader);
+	PackedByteArray code;
+	code.resize(int64_t(pipeline.spirv.size_bytes()));
+	std::memcpy(code.ptrw(), pipeline.spirv.data(), pipeline.spirv.size_bytes());
+	Ref<RDShaderSPIRV> spirv;
+	spirv.instantiate();
+	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
+	RenderingDevice *device = main_device();
+	pipeline.shader = device->shader_create_from_spirv(spirv, pipeline.name);
+	if (pipeline.shader.is_valid()) {
+		pipeline.pipeline = device->compute_pipeline_create(pipeline.shader);
+	} else {
+		ERR_PRINT(
+				vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", pipeline.name));
+	}
 	pipeline.is_done = true;
 	_compiling--;
 }
@@ -85,20 +108,11 @@ bool GpuPass::is_compiled(Pipeline &r_pipeline, bool p_wait) {
 	return r_pipeline.task < 0;
 }
 
-void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
-	free();
+GpuPass::Pipeline &GpuPass::find(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
 	Pipeline &known = _pipelines[p_spirv.data()];
-	if (!known.shader.is_valid()) {
-		PackedByteArray code;
-		code.resize(int64_t(p_spirv.size_bytes()));
-		std::memcpy(code.ptrw(), p_spirv.data(), p_spirv.size_bytes());
-		Ref<RDShaderSPIRV> spirv;
-		spirv.instantiate();
-		spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
-		RenderingDevice *device = main_device();
-		known.shader = device->shader_create_from_spirv(spirv, p_name);
-		ERR_FAIL_COND_MSG(!known.shader.is_valid(),
-				vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", p_name));
+	if (known.name == nullptr) {
+		known.spirv = p_spirv;
+		known.name = p_name;
 		_compiling++;
 		if (p_when == Compile::LATER) {
 			known.task = WorkerThreadPool::get_singleton()->add_native_task(&GpuPass::compile, &known, false, p_name);
@@ -106,10 +120,19 @@ void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Comp
 			compile(&known);
 		}
 	}
-	_source = &known;
+	return known;
+}
+
+void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
+	free();
+	_source = &find(p_spirv, p_name, p_when);
 	if (p_when == Compile::NOW) {
-		is_compiled(known, true);
+		is_compiled(*_source, true);
 	}
+}
+
+bool GpuPass::prepare(std::span<const uint32_t> p_spirv, const char *p_name) {
+	return is_compiled(find(p_spirv, p_name, Compile::LATER), false);
 }
 
 bool GpuPass::is_ready() {

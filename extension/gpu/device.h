@@ -35,6 +35,8 @@ public:
 
 	// Allocates p_bytes, all zero: the device writes them, nothing travels. Frees what was there.
 	void allocate(int64_t p_bytes);
+	// Allocates them if it has another size.
+	void resize(int64_t p_bytes);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
 	template <typename T> int64_t upload(std::span<const T> p_records) {
@@ -44,6 +46,7 @@ public:
 	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) {
 		return write_bytes(p_offset, reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
 	}
+	int64_t write(int64_t p_offset, const godot::PackedByteArray &p_bytes);
 	void free();
 
 	godot::RID rid() const { return _rid; }
@@ -70,6 +73,8 @@ public:
 	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take seconds for it. LATER: a worker thread makes
 	// it, and until is_ready() the pass does nothing.
 	void create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when = Compile::NOW);
+	// Lets a worker thread make that pipeline, if nobody did. Whether it is there.
+	static bool prepare(std::span<const uint32_t> p_spirv, const char *p_name);
 	// Frees all pipelines, for when the library is unloaded.
 	static void free_pipelines();
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
@@ -96,11 +101,13 @@ private:
 	bool refresh_set();
 
 	struct Pipeline {
-		godot::RID shader;
-		godot::RID pipeline; // the task's until it is done
+		std::span<const uint32_t> spirv;
+		const char *name = nullptr; // null: not begun yet
+		godot::RID shader, pipeline; // the task's until it is done; invalid if the driver refuses them
 		int64_t task = -1; // of the WorkerThreadPool, until it has been waited for
 		std::atomic<bool> is_done = false; // by the task
 	};
+	static Pipeline &find(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when);
 	static void compile(void *p_pipeline);
 	// Whether the pipeline is there, or has been refused; waits for it if asked to.
 	static bool is_compiled(Pipeline &r_pipeline, bool p_wait);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
+#include "convert.h"
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
@@ -88,20 +89,36 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
+bool GpuBackend::prepare(const FieldSetup &p_setup) {
+	bool has_passes = true;
+	if ((p_setup.species != nullptr) != (_setup.species != nullptr)) {
+		RenderQueue::get_singleton()->post([field = _field, species = p_setup.species != nullptr] { field->prepare(species); });
+		std::lock_guard lock(_report->mutex);
+		has_passes = _report->is_prepared;
+	}
+	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes;
+}
+
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
-	if (!p_setup.has_kind_of(_setup) || p_setup.instance_capacity() > _picture.capacity() ||
+	if (!p_setup.has_meshes_of(_setup) || p_setup.instance_capacity() > _picture.capacity() ||
 			p_setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
 	}
 	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
-	if (has_other_blades) { // in the same texture, which the passes have bound
-		_patch_texture->update(make_patch_image(*_setup.patch));
+	_materials.set_features(shader_features(_setup));
+	if (has_other_blades) {
+		update_patch_texture(_patch_texture, *_setup.patch);
 		_materials.set("blade_length", _setup.blade_length());
 	}
 	_picture.set_bounds(field_bounds(_setup));
 	_shadows.set_bounds(field_bounds(_setup));
-	RenderQueue::get_singleton()->post([field = _field, tiles = _setup.grid.get_tile_count()] { field->set_tiles(tiles); });
+	{
+		std::lock_guard lock(_report->mutex);
+		_report->is_prepared = false;
+	}
+	RenderQueue::get_singleton()->post(
+			[field = _field, setup = _setup, patch = _patch_texture] { field->set_field(setup, patch->get_rid()); });
 	return true;
 }
 
@@ -127,9 +144,7 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	if (p_changed.count() > 0) { // whole rows: one copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
-		RenderQueue::get_singleton()->post([field = _field, first, changed = std::vector<TileCover::Tile>(tiles.begin(), tiles.end())] {
-			field->set_cover(first, changed);
-		});
+		RenderQueue::get_singleton()->post([field = _field, first, bytes = to_bytes(tiles)] { field->set_cover(first, bytes); });
 	}
 }
 

@@ -21,6 +21,7 @@ public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
+	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;

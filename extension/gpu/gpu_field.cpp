@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 using namespace godot;
 
@@ -21,27 +22,84 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
+using Code = std::span<const uint32_t>;
+constexpr const char *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges";
+
+Code simulate_code(bool p_species) {
+	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV);
+}
+
+Code edges_code(bool p_species) {
+	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV);
+}
+
 } // namespace
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
-	RenderingDevice *device = main_device();
-	_tiles = p_setup.grid.get_tile_count();
 	_instances = p_setup.instance_capacity();
 	_shadow_instances = p_setup.shadow_capacity();
-	_slots = p_setup.pool_tiles;
-	_knots.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_knots_before.allocate(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_energy.allocate(_slots * int64_t(sizeof(vec4)));
-	_is_mapped = p_setup.is_mapped;
-	_has_species = p_setup.species != nullptr;
-	set_tiles(_tiles);
 	_counts.allocate(COUNTS * 4);
-	_growth.allocate(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
-	if (_has_species) {
-		_blade_species.allocate(_slots * int64_t(sizeof(SlotGrowth::species)));
-		_species_steps.allocate(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
-	}
+	_pool = p_pool;
+	Ref<RDSamplerState> state;
+	state.instantiate();
+	_sampler = main_device()->sampler_create(state);
+	_cull.create(shader::CULL_SPIRV, "GrassField cull");
+	_has_species = p_setup.species != nullptr;
+	make_simulate();
+	set_field(p_setup, p_patch);
+}
 
+void GpuField::prepare(bool p_species) {
+	const bool is_prepared = GpuPass::prepare(simulate_code(p_species), SIMULATE_NAME);
+	GpuPass::prepare(edges_code(p_species), EDGES_NAME); // begun, but nobody waits for it
+	std::lock_guard lock(_report->mutex);
+	_report->is_prepared = is_prepared;
+}
+
+void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
+	const bool had_species = std::exchange(_has_species, p_setup.species != nullptr);
+	const int64_t slots_before = std::exchange(_slots, p_setup.pool_tiles);
+	_tiles = p_setup.grid.get_tile_count();
+	_is_mapped = p_setup.is_mapped;
+	_knots.resize(_slots * KNOT_FLOATS_PER_SLOT * 4);
+	_knots_before.resize(_slots * KNOT_FLOATS_PER_SLOT * 4);
+	_energy.resize(_slots * int64_t(sizeof(vec4)));
+	_growth.resize(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	if (_has_species) {
+		_blade_species.resize(_slots * int64_t(sizeof(SlotGrowth::species)));
+		_species_steps.resize(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
+	} else {
+		_blade_species.free();
+		_species_steps.free();
+	}
+	fit_tables();
+	if (_slots != slots_before) {
+		make_pool_texture();
+	}
+	if (_has_species != had_species) {
+		make_simulate();
+	}
+	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+}
+
+// What there is of each tile. With room to spare: a field that grows finds it at most times.
+void GpuField::fit_tables() {
+	_table_changed = true;
+	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles))), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
+	if (!_is_mapped || cover > _cover.size()) {
+		_cover.resize(cover);
+	}
+	if (_tiles * 4 <= _table.size()) {
+		_table.clear();
+	} else {
+		_table.allocate(room * 4);
+	}
+}
+
+void GpuField::make_pool_texture() {
+	RenderingDevice *device = main_device();
 	Ref<RDTextureFormat> format;
 	format.instantiate();
 	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
@@ -50,42 +108,20 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	format->set_usage_bits(RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT);
 	Ref<RDTextureView> view;
 	view.instantiate();
-	_pool_texture = device->texture_create(format, view);
-	_pool = p_pool;
-	_pool->set_texture_rd_rid(_pool_texture);
-	Ref<RDSamplerState> state;
-	state.instantiate();
-	_sampler = device->sampler_create(state);
-
-	using Code = std::span<const uint32_t>;
-	_simulate.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV), "GrassField simulate");
-	_simulate_edges.create(_has_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV),
-			"GrassField simulate edges", GpuPass::Compile::LATER);
-	_cull.create(shader::CULL_SPIRV, "GrassField cull");
-	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
-	std::lock_guard lock(_report->mutex);
-	report_memory();
-}
-
-void GpuField::set_tiles(int64_t p_tiles) {
-	_tiles = p_tiles;
-	_table_changed = true;
-	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles)));
-	if (const int64_t cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0; cover > _cover.size() || !_cover.rid().is_valid()) {
-		_cover.allocate(cover);
-	}
-	if (_tiles * 4 <= _table.size()) {
-		_table.clear();
-		return;
-	}
-	_table.allocate(room * 4);
-	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
-		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+	const RID before = std::exchange(_pool_texture, device->texture_create(format, view));
+	_pool->set_texture_rd_rid(_pool_texture); // it held a view of what is freed next
+	if (before.is_valid()) {
+		device->free_rid(before);
 	}
 }
 
-void GpuField::set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles) {
-	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), std::span<const TileCover::Tile>(p_tiles));
+void GpuField::make_simulate() {
+	_simulate.create(simulate_code(_has_species), SIMULATE_NAME);
+	_simulate_edges.create(edges_code(_has_species), EDGES_NAME, GpuPass::Compile::LATER);
+}
+
+void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
+	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), p_tiles);
 	_table_changed = true; // other tiles may be drawn now
 	std::lock_guard lock(_report->mutex);
 	_report->statistics.uploaded_bytes += uploaded;

@@ -47,6 +47,7 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
+	bool is_prepared = false; // what GpuField::prepare() was last asked for is there
 };
 
 class GpuField {
@@ -55,14 +56,16 @@ public:
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
-	// Another number of tiles, all at rest.
-	void set_tiles(int64_t p_tiles);
+	// Lets worker threads make the passes that such a field takes; GpuReport tells when they are there.
+	void prepare(bool p_species);
+	// Another field, all of it at rest, in the buffers that fit. p_patch: as for create().
+	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
 	// One tick: uploads the records, simulates their tiles, asks for their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
-	// The cover of consecutive tiles from p_first on.
-	void set_cover(int64_t p_first, const std::vector<TileCover::Tile> &p_tiles);
+	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
+	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
 	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
@@ -73,6 +76,9 @@ private:
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
+	void fit_tables();
+	void make_pool_texture();
+	void make_simulate();
 	void bind_simulate(const godot::RID &p_patch);
 	// Without edges where their pass cannot take them yet. Bytes.
 	int64_t upload_slots(const StepRecords &p_records, bool p_takes_edges);
@@ -82,7 +88,7 @@ private:
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
-	int64_t _tiles = 0, _slots = 0;
+	int64_t _tiles = 0, _slots = -1; // -1: none yet
 	int64_t _instances = 0, _shadow_instances = 0; // that the MultiMeshes hold
 	bool _table_changed = true; // since the last cull
 

@@ -3,10 +3,8 @@
 // grass_field_queries.cpp.
 #include "nodes/grass_field.h"
 
-#include "backend/cpu_backend.h"
 #include "convert.h"
 #include "core/cpu_clock.h"
-#include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
 #include "nodes/params.h"
 
@@ -77,80 +75,9 @@ void GrassField::leave() {
 	_backend.reset();
 	_ground.free();
 	tell_of_leaving();
-	_field_map.reset();
-	_map_textures.free();
+	_shown.reset();
+	_coming.reset();
 	_tiles.reset();
-}
-
-void GrassField::request_rebuild() {
-	_waits_for_patch = false;
-	_dirty = true; // however many properties change, the field is made once, at the next tick or frame
-	update_gizmos();
-	update_configuration_warnings();
-}
-
-void GrassField::build() {
-	if (!_dirty || !is_inside_tree()) {
-		return;
-	}
-	CpuClock clock;
-	start_fill();
-	_dirty = _is_crowded = false;
-	const FieldSetup before = _setup;
-	_setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
-	_setup.patch = find_patch();
-	_setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
-		float(param(PARAM_CLUMP_TINT)) };
-	_setup.pool_tiles = int(_pool_tiles);
-	_setup.drawn_tiles_max = int(param(PARAM_DRAWN_TILES_MAX));
-	_setup.seed = uint32_t(_seed);
-	_setup.is_mapped = _map.is_valid();
-	_setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
-	build_species();
-	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
-			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
-			before.card_size == _setup.card_size && before.follow_slope == _setup.follow_slope;
-	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
-						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
-	build_map();
-	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, _field_map.get());
-	_tiles.set_grid(_setup.grid);
-	_tiles.set_params(tile_params());
-	_tiles.set_bounds(_bounds);
-	_tiles.reset();
-	_clock.reset();
-	if (!Engine::get_singleton()->is_editor_hint()) { // the editor shows them beside the node
-		for (const String &warning : _get_configuration_warnings()) {
-			WARN_PRINT(vformat("%s: %s", label(), warning));
-		}
-	}
-	_ground.free();
-	_makings++;
-	if (_setup.patch->is_empty() || !_backend || !_backend->set_field(_setup)) {
-		make_backend();
-	}
-	if (_backend) {
-		_ground.create(_setup.grid, _setup.is_mapped);
-		follow();
-		set_all_uniforms();
-		update_map();
-	}
-	_build_ms = clock.lap();
-}
-
-void GrassField::make_backend() {
-	_backend.reset();
-	if (_setup.patch->is_empty()) {
-		return;
-	}
-	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
-	if (has_device && _backend_mode == BACKEND_AUTO) {
-		_backend = std::make_unique<GpuBackend>(_setup);
-	} else {
-		_backend = std::make_unique<CpuBackend>(_setup);
-	}
-	_backend->set_measure_time(_measure_time || _is_watched);
-	_builds++;
 }
 
 void GrassField::physics_tick(double p_delta) {
@@ -213,7 +140,6 @@ void GrassField::step(double p_delta) {
 }
 
 void GrassField::frame(double p_delta) {
-	look_at_patch();
 	build();
 	update_fill();
 	if (!_backend) {
@@ -236,7 +162,6 @@ void GrassField::follow() {
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
-	look_at_patch();
 	build(); // also where the tree is paused from the first frame on
 	if (!_backend) {
 		return;
@@ -337,13 +262,6 @@ Transform3D GrassField::field_transform() const {
 		turned.basis.scale_local(Vector3(-1, 1, 1));
 	}
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
-}
-
-std::shared_ptr<const Patch> GrassField::find_patch() const {
-	if (!_species.empty()) {
-		return join_species();
-	}
-	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
 }
 
 TileParams GrassField::tile_params() const {

@@ -5,11 +5,9 @@
 
 #include "backend/backend.h"
 #include "core/map/field_blades.h"
-#include "core/map/field_map.h"
 #include "core/map/live_fill.h"
 #include "core/tiles.h"
 #include "draw/ground.h"
-#include "draw/map_textures.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_monitors.h"
 #include "nodes/field_params.h"
@@ -19,6 +17,7 @@
 #include "nodes/grass_species.h"
 #include "nodes/ground_rays.h"
 #include "nodes/node_colliders.h"
+#include "nodes/shown_map.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
@@ -161,9 +160,6 @@ private:
 	// grass_field.cpp: the field's life and its ticks
 	void enter();
 	void leave();
-	void build();
-	void make_backend();
-	void request_rebuild();
 	void physics_tick(double p_delta);
 	void step(double p_delta);
 	void frame(double p_delta);
@@ -175,9 +171,18 @@ private:
 	bool is_listened_to() const;
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _patch_changed();
-	void look_at_patch();
+	// grass_field_making.cpp: from properties to a field
+	void request_rebuild();
+	void build();
+	void make();
+	bool prepare(bool p_in_parts);
+	bool prepare_patches() const;
+	bool prepare_map(bool p_in_parts);
+	FieldSetup find_setup() const;
+	void take_setup();
+	void make_backend();
 	// grass_field_map.cpp
-	void build_map();
+	void show_map();
 	void update_map();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
@@ -187,14 +192,14 @@ private:
 	void _species_changed();
 	std::vector<godot::Ref<GrassSpecies>> used_species() const;
 	std::vector<SpeciesParams> species_mix() const;
+	std::vector<double> species_shares() const;
+	bool are_species_joined() const;
 	std::vector<std::shared_ptr<const Patch>> species_patches() const;
 	std::shared_ptr<const Patch> join_species() const;
 	float card_size() const;
-	void build_species();
 	std::span<const GrassStep> species_steps();
 	double calm_energy() const;
-	std::array<float, GRASS_MAX_SPECIES> shares_at(const Eigen::Vector2f &p_place) const;
-	double mean_height_at(const Eigen::Vector3d &p_place) const;
+	double mean_height_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 	RecoveryRates recovery_rates() const;
 	void set_species_uniforms();
 	void warn_of_species(godot::PackedStringArray &r_warnings) const;
@@ -212,7 +217,9 @@ private:
 	// grass_field_game.cpp
 	void make_map();
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
-	Growth growth_at(const Eigen::Vector3d &p_place) const;
+	const MapLayers *layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const;
+	const MapLayers *shown_layers() const { return _shown ? &_shown->get_field().get_layers() : nullptr; }
+	Growth growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 	GrassKind grass_kind() const;
 	GrassMap *find_map(const char *p_method);
 	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
@@ -249,8 +256,8 @@ private:
 	std::array<double, FIELD_PARAMS.size()> _params;
 	std::array<godot::Color, FIELD_COLORS.size()> _colors;
 
-	bool _dirty = false; // the field must be made again
-	bool _waits_for_patch = false; // then too, as soon as its blades are there
+	bool _dirty = false; // the field must be made again; one that stands goes on as it is until prepare() has all it takes
+	std::optional<FieldSetup> _next; // what it will be, once that is known
 	int64_t _makings = 0; // times that it was made again
 	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made
@@ -259,23 +266,28 @@ private:
 	int64_t _unseen_ticks = 0, _wind_updates = 0; // ticks left out; frames in which the wind's clock went to the materials
 	bool _is_watched = false; // somebody reads the monitors of times
 	WindClock _wind_clock;
-	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field.
+	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field
+	// (the most that one frame had to do for it).
 	double _gather_ms = 0.0, _tiles_ms = 0.0, _frame_ms = 0.0, _build_ms = 0.0;
 	FieldSetup _setup;
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
 	std::shared_ptr<TileBounds> _bounds;
-	std::unique_ptr<FieldMap> _field_map; // null: no map
+	std::unique_ptr<ShownMap> _shown, _coming; // null: no map; what _next will show
 	FieldBlades _blades;
-	std::vector<SpeciesParams> _mix; // that _setup.species was made of
+	// That _setup was made of: `species` may have others already.
+	struct GrownSpecies {
+		godot::Ref<GrassSpecies> species;
+		std::shared_ptr<const Patch> patch;
+		bool operator==(const GrownSpecies &) const = default;
+	};
+	std::vector<GrownSpecies> _grown;
+	std::vector<SpeciesParams> _mix;
 	std::vector<GrassStep> _species_steps; // of this tick
 	Cards _cards;
 	mutable std::shared_ptr<const Patch> _joined; // of the species' patches and shares
 	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
 	mutable std::vector<double> _joined_shares;
-	MapTextures _map_textures;
-	bool _map_has_changed = false;
-	MapRegion _changed_region; // where
 	TileRange _regrown; // tiles below which the map changed since the last tick
 	std::vector<SlotGrowth> _growth; // of this tick
 	TileManager _tiles;

@@ -78,7 +78,7 @@ void GrassField::look_at_rule() {
 	_fill.state.set(_fill.rule->get_rule(region), _fill.gatherer.gather(**_fill.rule, this, field_transform()), region);
 }
 
-// The first time all at once: a field that comes into the tree is full from its first frame on.
+// A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
 void GrassField::start_fill() {
 	if (_fill.rule.is_null() || !_fill.is_live || _fill.state.is_set()) {
 		return;
@@ -87,8 +87,10 @@ void GrassField::start_fill() {
 		make_map();
 	}
 	look_at_rule();
-	change_map([&](PaintMap &r_map) { return _fill.state.work(r_map, -1, on_all_threads); });
-	_fill.has_finished = true;
+	if (!_backend) {
+		change_map([&](PaintMap &r_map) { return _fill.state.work(r_map, -1, on_all_threads); });
+	}
+	_fill.has_finished = _fill.state.get_waiting() == 0;
 	_fill.replacements = _map->get_replacements();
 	_fill.base_density = _map->get_base_density();
 }

@@ -34,17 +34,17 @@ bool GrassField::find_place(const Vector3 &p_global, Eigen::Vector3d &r_place) {
 	return r_place.allFinite() && _setup.grid.has_tile(tile.x, tile.z);
 }
 
-Growth GrassField::growth_at(const Eigen::Vector3d &p_place) const {
+Growth GrassField::growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
 	Growth here;
 	here.density = 1.0f;
-	return _field_map ? _field_map->get_layers().sample({ float(p_place.x()), float(p_place.z()) }, _setup.follow_slope) : here;
+	return p_layers != nullptr ? p_layers->sample(p_place, _setup.follow_slope) : here;
 }
 
 GrassKind GrassField::grass_kind() const {
 	const double tile = _setup.grid.get_tile_size();
 	GrassKind kind{ _setup.patch->mean_height, _setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile), {} };
 	if (_setup.species) {
-		kind.height_at = [this](const Eigen::Vector2d &p_place) { return mean_height_at({ p_place.x(), 0.0, p_place.y() }); };
+		kind.height_at = [this](const Eigen::Vector2d &p_place) { return mean_height_at(p_place.cast<float>(), shown_layers()); };
 	}
 	return kind;
 }
@@ -55,7 +55,12 @@ bool GrassField::is_grass_at(const Vector3 &p_global_position) {
 
 double GrassField::density_at(const Vector3 &p_global_position) {
 	Eigen::Vector3d place;
-	return find_place(p_global_position, place) ? double(growth_at(place).density) : 0.0;
+	if (!find_place(p_global_position, place)) {
+		return 0.0;
+	}
+	MapLayers own;
+	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
+	return growth_at(ground, layers_at(ground, own)).density;
 }
 
 double GrassField::height_at(const Vector3 &p_global_position) {
@@ -63,14 +68,17 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	if (!find_place(p_global_position, place)) {
 		return 0.0;
 	}
-	const Growth here = growth_at(place);
-	const double clump = clump_at(Eigen::Vector2f(float(place.x()), float(place.z())), _setup.clump).height;
-	return here.density > 0.0f ? std::min(mean_height_at(place) * clump * here.height, double(here.cut)) : 0.0;
+	MapLayers own;
+	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
+	const MapLayers *layers = layers_at(ground, own);
+	const Growth here = growth_at(ground, layers);
+	const double clump = clump_at(ground, _setup.clump).height;
+	return here.density > 0.0f ? std::min(mean_height_at(ground, layers) * clump * here.height, double(here.cut)) : 0.0;
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 	Eigen::Vector3d place;
-	if (!find_place(p_global_position, place) || growth_at(place).density <= 0.0f) {
+	if (density_at(p_global_position) <= 0.0 || !find_place(p_global_position, place)) {
 		return Vector3();
 	}
 	const TilePlace tile = _setup.grid.get_place(place);
@@ -200,7 +208,9 @@ void GrassField::unregister_collider(Node3D *p_node) {
 void GrassField::recover(double p_delta) {
 	const RecoveryRates rates = recovery_rates();
 	if (_map.is_valid() && _map->is_readable() && !rates.is_none()) {
-		const SharesAt shares = [this](const Eigen::Vector2d &p_place) { return shares_at(p_place.cast<float>()); };
+		const SharesAt shares = [this](const Eigen::Vector2d &p_place) {
+			return _setup.species->get_shares_at(p_place.cast<float>(), shown_layers());
+		};
 		_map->change([&](PaintMap &r_map) {
 			return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta, _setup.species ? shares : nullptr);
 		});

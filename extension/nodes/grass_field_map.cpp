@@ -3,12 +3,19 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
+#include "draw/frame_share.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 using namespace godot;
 
 namespace grass {
+
+namespace {
+// Chunks of the map (64 m) that may change without waiting for anything: less than 1 ms each. More: frames stutter when a large brush is
+// used. Less: what is painted with it comes in pieces.
+constexpr int CHUNKS_AT_ONCE = 4;
+} // namespace
 
 void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	const Callable changed = callable_mp(this, &GrassField::_map_changed);
@@ -28,44 +35,61 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
 	touch_fill(p_chunks);
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
-	_changed_region = _map_has_changed ? _changed_region.joined(region) : region;
-	_map_has_changed = true;
+	for (ShownMap *map : { _shown.get(), _coming.get() }) {
+		if (map != nullptr && map->get_map() == _map) {
+			map->touch(region);
+		}
+	}
 	request_draw();
 }
 
-// Before the backend is made.
-void GrassField::build_map() {
-	_field_map.reset();
-	_map_textures.free();
+// All of it, to a backend that has not seen it yet.
+void GrassField::show_map() {
 	_regrown = {};
-	_bounds->set_cover(nullptr, 0.0);
-	if (_setup.is_mapped && !_setup.patch->is_empty()) {
-		_field_map = std::make_unique<FieldMap>(_setup.grid, _setup.blade_length(), _setup.follow_slope);
-		_changed_region = _field_map->get_region();
-		_map_has_changed = true;
-		_bounds->set_cover(_field_map->get_cover(), slope_lean(_setup.follow_slope) * _setup.blade_length());
-	}
-}
-
-// Takes over what changed in the map since the last call.
-void GrassField::update_map() {
-	if (!_field_map || !_map_has_changed) {
+	const auto set = [this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); };
+	if (!_shown) {
+		MapTextures::clear_uniforms(set);
 		return;
 	}
-	_map_has_changed = false;
-	const FieldMap::Changes changes = _field_map->update(_map->get_map(), _changed_region);
-	_regrown = _regrown.count() > 0 ? _regrown.joined(changes.tiles) : changes.tiles;
-	const auto set = [this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); };
-	_map_textures.update(_field_map->get_layers(), changes.layers, _setup.species != nullptr, set);
-	set_uniform("map_base_density", _map->get_base_density());
-	_backend->set_cover(_field_map->get_cover(), changes.tiles);
+	_shown->set_uniforms(set);
+	const TileGrid &grid = _setup.grid;
+	_backend->set_cover(_shown->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
 	_tiles.set_params(tile_params()); // lowest and highest ground
-	if (_field_map->get_layers().is_full()) {
+}
+
+// Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time.
+void GrassField::update_map() {
+	if (!_shown || _shown->get_waiting() == 0) {
+		return;
+	}
+	const bool are_few = _shown->get_waiting() <= CHUNKS_AT_ONCE;
+	const FieldMap::Changes changes = _shown->update([are_few] { return are_few || FrameShare::has_time(); });
+	if (changes.tiles.count() == 0) {
+		return;
+	}
+	_regrown = _regrown.count() > 0 ? _regrown.joined(changes.tiles) : changes.tiles;
+	_shown->set_uniforms([this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); });
+	_backend->set_cover(_shown->get_field().get_cover(), changes.tiles);
+	_tiles.set_params(tile_params());
+	if (shown_layers()->is_full()) {
 		WARN_PRINT_ONCE(vformat(
 				"%s: `map` has more painted chunks under the field than it can show (%d, about 8 km\u00b2); the rest stays bare. Use "
 				"several smaller fields.",
 				label(), GRASS_MAX_LAYERS));
 	}
+}
+
+// What the map says about a place, as it is now: what the field shows of it, or r_own, where that waits to change. Null without a map.
+const MapLayers *GrassField::layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const {
+	if (_map.is_null()) {
+		return nullptr;
+	}
+	if (_shown && _shown->get_map() == _map && !_shown->get_field().is_waiting_at(p_place)) {
+		return shown_layers();
+	}
+	r_own.reset(_setup.grid, _setup.blade_length());
+	r_own = r_own.read(_map->get_map(), p_place);
+	return &r_own;
 }
 
 // How the blades grow of tiles that woke in this tick, and of those awake below which the map changed.
@@ -85,12 +109,12 @@ std::span<const SlotGrowth> GrassField::grow_tiles() {
 
 // Metres that the ground rises above or falls below the field.
 double GrassField::ground_reach() const {
-	return _field_map ? std::max(-_field_map->get_cover()->get_low(), _field_map->get_cover()->get_high()) : 0.0;
+	return _shown ? std::max(-_shown->get_field().get_cover()->get_low(), _shown->get_field().get_cover()->get_high()) : 0.0;
 }
 
 // Metres from the lowest ground to the highest.
 double GrassField::ground_range() const {
-	return _field_map ? double(_field_map->get_cover()->get_high()) - double(_field_map->get_cover()->get_low()) : 0.0;
+	return _shown ? double(_shown->get_field().get_cover()->get_high()) - double(_shown->get_field().get_cover()->get_low()) : 0.0;
 }
 
 } // namespace grass

@@ -39,17 +39,10 @@ void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
 	_patch_changed();
 }
 
-// Where grass stands already it stands on until the new blades are there, some frames later.
 void GrassField::_patch_changed() {
-	_waits_for_patch = _backend && !_dirty && _species.empty() && _patch.is_valid() && !_patch->prepare();
-	if (!_waits_for_patch) {
-		request_rebuild();
-	}
-}
-
-void GrassField::look_at_patch() {
-	if (_waits_for_patch && (_patch.is_null() || _patch->prepare())) {
-		request_rebuild();
+	request_rebuild();
+	if (_backend) {
+		prepare_patches();
 	}
 }
 

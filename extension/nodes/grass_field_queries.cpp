@@ -90,8 +90,11 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 
 int64_t GrassField::get_memory_usage() const {
 	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
-	const int64_t map = _field_map ? int64_t(_field_map->get_memory_usage()) + _map_textures.get_memory_usage() : 0;
-	return map + int64_t(tiles) + _cards.get_memory_usage() + (_backend ? _backend->get_memory_usage() : 0);
+	int64_t maps = 0;
+	for (const ShownMap *map : { _shown.get(), _coming.get() }) {
+		maps += map != nullptr ? int64_t(map->get_field().get_memory_usage()) + map->get_textures().get_memory_usage() : 0;
+	}
+	return maps + int64_t(tiles) + _cards.get_memory_usage() + (_backend ? _backend->get_memory_usage() : 0);
 }
 
 double GrassField::get_monitor(FieldMonitor p_monitor) {
@@ -140,8 +143,10 @@ Dictionary GrassField::get_statistics() const {
 	result["backend"] = _backend ? _backend->get_name() : "none";
 	result["tiles"] = _backend ? int64_t(_setup.grid.get_tile_count()) : int64_t(0);
 	result["blades"] = get_blade_count();
-	result["bare_tiles"] = _field_map ? int64_t(_field_map->get_cover()->get_bare_count()) : int64_t(0);
-	result["map_bytes"] = _map_textures.get_uploaded_bytes();
+	result["bare_tiles"] = _shown ? int64_t(_shown->get_field().get_cover()->get_bare_count()) : int64_t(0);
+	result["map_bytes"] = _shown ? _shown->get_textures().get_uploaded_bytes() : int64_t(0);
+	result["map_waiting"] = int64_t(_shown ? _shown->get_waiting() : 0) + int64_t(_coming ? _coming->get_waiting() : 0);
+	result["waiting"] = _dirty;
 	result["fill_cells"] = _fill.cells;
 	result["fill_waiting"] = _fill.state.get_waiting();
 	result["awake_tiles"] = tiles.awake;
@@ -195,8 +200,8 @@ Dictionary GrassField::get_statistics() const {
 AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
-	setup.patch = find_patch();
-	return field_bounds(setup, _field_map ? _field_map->get_cover().get() : nullptr);
+	setup.patch = _backend ? _setup.patch : find_patch();
+	return field_bounds(setup, _shown ? _shown->get_field().get_cover().get() : nullptr);
 }
 
 String GrassField::crowded_warning() const {
@@ -209,7 +214,7 @@ String GrassField::crowded_warning() const {
 
 PackedStringArray GrassField::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (find_patch()->is_empty()) {
+	if (prepare_patches() && find_patch()->is_empty()) {
 		warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
 	}
 	warn_of_species(warnings);

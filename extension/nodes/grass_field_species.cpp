@@ -38,7 +38,7 @@ TypedArray<GrassSpecies> GrassField::get_species() const {
 
 // Colours and frequencies take effect at once; what changes blades makes the field anew.
 void GrassField::_species_changed() {
-	if (_backend && !_dirty && find_patch() == _setup.patch && species_mix() == _mix && card_size() == _setup.card_size) {
+	if (_backend && !_dirty && prepare_patches() && are_species_joined() && species_mix() == _mix && card_size() == _setup.card_size) {
 		set_species_uniforms();
 		update_tiles();
 	} else {
@@ -75,9 +75,8 @@ std::vector<std::shared_ptr<const Patch>> GrassField::species_patches() const {
 	return patches;
 }
 
-// All species' blades as one patch, the same one until they change.
-std::shared_ptr<const Patch> GrassField::join_species() const {
-	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+// Of all blades, together 1.
+std::vector<double> GrassField::species_shares() const {
 	std::vector<double> shares;
 	double total = 0.0;
 	for (const SpeciesParams &mix : species_mix()) {
@@ -87,10 +86,19 @@ std::shared_ptr<const Patch> GrassField::join_species() const {
 	for (size_t s = 0; s < shares.size(); s++) {
 		shares[s] = total > 0.0 ? shares[s] / total : (s == 0 ? 1.0 : 0.0);
 	}
-	if (!_joined || _joined_from != patches || _joined_shares != shares) {
-		_joined = std::make_shared<const Patch>(join_patches(patches, shares));
-		_joined_from = patches;
-		_joined_shares = shares;
+	return shares;
+}
+
+bool GrassField::are_species_joined() const {
+	return _joined && _joined_from == species_patches() && _joined_shares == species_shares();
+}
+
+// All species' blades as one patch, the same one until they change.
+std::shared_ptr<const Patch> GrassField::join_species() const {
+	if (!are_species_joined()) {
+		_joined_from = species_patches();
+		_joined_shares = species_shares();
+		_joined = std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares));
 	}
 	return _joined;
 }
@@ -104,19 +112,12 @@ float GrassField::card_size() const {
 	return float(most);
 }
 
-// Before the backend is made.
-void GrassField::build_species() {
-	_mix = species_mix();
-	_setup.card_size = card_size();
-	_setup.species = _mix.empty() ? nullptr : std::make_shared<const SpeciesMix>(_mix, _setup.grid, _setup.seed);
-}
-
 // The step as each species takes it.
 std::span<const GrassStep> GrassField::species_steps() {
 	_species_steps.clear();
 	const SolverParams field = solver_params();
-	for (const Ref<GrassSpecies> &species : used_species()) {
-		_species_steps.push_back(_clock.repeat(species->get_solver(field)));
+	for (const GrownSpecies &grown : _grown) {
+		_species_steps.push_back(_clock.repeat(grown.species->get_solver(field)));
 	}
 	return _species_steps;
 }
@@ -125,28 +126,22 @@ std::span<const GrassStep> GrassField::species_steps() {
 double GrassField::calm_energy() const {
 	const double distance = 1e-3 * param(PARAM_SLEEP_MOTION);
 	const SolverParams field = solver_params();
-	double energy = _species.empty() ? field.energy_within(distance) : std::numeric_limits<double>::max();
-	for (const Ref<GrassSpecies> &species : used_species()) {
-		energy = std::min(energy, species->get_solver(field).energy_within(distance));
+	double energy = _grown.empty() ? field.energy_within(distance) : std::numeric_limits<double>::max();
+	for (const GrownSpecies &grown : _grown) {
+		energy = std::min(energy, grown.species->get_solver(field).energy_within(distance));
 	}
 	return energy;
 }
 
-// Only where there are species.
-std::array<float, GRASS_MAX_SPECIES> GrassField::shares_at(const Eigen::Vector2f &p_place) const {
-	return _setup.species->get_shares_at(p_place, _field_map ? &_field_map->get_layers() : nullptr);
-}
-
-// Of the grass around a place, metres, without clump and map.
-double GrassField::mean_height_at(const Eigen::Vector3d &p_place) const {
+// Of the grass around a place, metres, without clump and map. p_layers: what is painted there, or null.
+double GrassField::mean_height_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
 	if (!_setup.species) {
 		return _setup.patch->mean_height;
 	}
-	const auto shares = shares_at({ float(p_place.x()), float(p_place.z()) });
-	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+	const std::array<float, GRASS_MAX_SPECIES> shares = _setup.species->get_shares_at(p_place, p_layers);
 	double height = 0.0;
-	for (size_t s = 0; s < patches.size(); s++) {
-		height += double(shares[s] * patches[s]->mean_height);
+	for (size_t s = 0; s < _grown.size(); s++) {
+		height += double(shares[s] * _grown[s].patch->mean_height);
 	}
 	return height;
 }
@@ -155,9 +150,8 @@ RecoveryRates GrassField::recovery_rates() const {
 	RecoveryRates rates;
 	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
 	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
-	const std::vector<Ref<GrassSpecies>> species = used_species();
-	for (size_t s = 0; s < species.size(); s++) {
-		rates.wear[s] = species[s]->get_wear_recovery() / 60.0;
+	for (size_t s = 0; s < _grown.size(); s++) {
+		rates.wear[s] = _grown[s].species->get_wear_recovery() / 60.0;
 	}
 	return rates;
 }
@@ -179,12 +173,11 @@ void GrassField::set_species_uniforms() {
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
 	std::vector<SpeciesLook> looks;
-	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
-	for (const Ref<GrassSpecies> &species : used_species()) {
-		SpeciesLook look = species->get_look();
-		const float own = patches[looks.size()]->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
-		const float alone = float(species->get_mix().stand_strength);
-		look.blade_area = COVERS * patches[looks.size()]->mean_width * patches[looks.size()]->mean_length;
+	for (const GrownSpecies &grown : _grown) {
+		SpeciesLook look = grown.species->get_look();
+		const float own = grown.patch->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
+		const float alone = float(grown.species->get_mix().stand_strength);
+		look.blade_area = COVERS * grown.patch->mean_width * grown.patch->mean_length;
 		look.canopy_alone = std::max(own, 0.01f);
 		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
 		looks.push_back(look);
@@ -213,7 +206,7 @@ void GrassField::warn_of_species(PackedStringArray &r_warnings) const {
 		if (_species[i].is_null()) {
 			r_warnings.push_back(
 					vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
-		} else if (_species[i]->find_patch()->is_empty()) {
+		} else if (_species[i]->prepare_patch() && _species[i]->find_patch()->is_empty()) {
 			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _species[i]->find_patch()->empty_because));
 		}
 	}

@@ -82,6 +82,10 @@ std::shared_ptr<const Patch> GrassSpecies::find_patch() const {
 	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
 }
 
+bool GrassSpecies::prepare_patch() const {
+	return _patch.is_null() || const_cast<GrassPatch *>(_patch.ptr())->prepare();
+}
+
 SpeciesParams GrassSpecies::get_mix() const {
 	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH) };
 }

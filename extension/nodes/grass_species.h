@@ -31,6 +31,7 @@ public:
 	godot::Color get_color(int p_index) const;
 
 	std::shared_ptr<const Patch> find_patch() const;
+	bool prepare_patch() const; // whether find_patch() has it at once. If not, it is being made from now on
 	SpeciesParams get_mix() const;
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;

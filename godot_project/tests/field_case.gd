@@ -28,6 +28,16 @@ func made(field: GrassField, makings: int) -> void:
 	fail("it is not made")
 
 
+## Frames until the field is what its properties and its map say.
+func grown(field: GrassField) -> void:
+	for i in 2000:
+		await frames(1)
+		var now := field.get_statistics()
+		if not now.waiting and now.map_waiting == 0:
+			return
+	fail("it waits for ever")
+
+
 ## `body` in the tree at `place` with `shape`, or with nothing where that is null.
 func add_body(body: PhysicsBody3D, shape: Shape3D, place: Vector3) -> PhysicsBody3D:
 	if shape:

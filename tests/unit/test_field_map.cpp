@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -205,6 +206,64 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	CHECK(cover.get_bare_count() == 6400);
 	CHECK(cover.get_low() == 0.0f);
 	CHECK(cover.get_high() == 0.0f);
+}
+
+TEST_CASE("field_map: laid out chunk by chunk, with changes in between, it says what it says when laid out at once") {
+	PaintMap map;
+	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 18.0));
+	lay_slope(map);
+	FieldMap field(GRID, TALLEST, 0.25f);
+	CHECK(field.get_waiting() == 4);
+	CHECK(field.count_painted(map) == 4);
+	CHECK(field.work(map).layers == std::vector<int>{ 0 });
+	CHECK_FALSE(field.is_waiting_at({ -5.0f, -5.0f }));
+	CHECK(field.is_waiting_at({ 5.0f, 5.0f }));
+	for (const double x : { -10.0, 0.5, 10.0 }) { // in a chunk that is done, at a border, in one that waits
+		const BrushResult result = paint(map, MapTool::ERASE, 0.0, disc(x, -3.0, 2.0));
+		field.touch({ result.min, result.max });
+	}
+	CHECK(field.is_waiting_at({ -5.0f, -5.0f }));
+	CHECK_FALSE(field.is_waiting_at({ 1e9f, 0.0f }));
+	FieldMap::Changes changes;
+	while (field.get_waiting() > 0) {
+		changes.add(field.work(map));
+	}
+	CHECK(changes.tiles == TileRange{ 0, 80, 0, 80 });
+	FieldMap fresh(GRID, TALLEST, 0.25f);
+	fresh.update(map, fresh.get_region());
+	for (int layer = 0; layer < 4; layer++) {
+		CHECK(field.get_layers().get_layer(layer).growth == fresh.get_layers().get_layer(layer).growth);
+		CHECK(field.get_layers().get_layer(layer).ground == fresh.get_layers().get_layer(layer).ground);
+	}
+	CHECK(field.get_layers().get_pages() == fresh.get_layers().get_pages());
+	CHECK(std::ranges::equal(field.get_cover()->get_tiles(), fresh.get_cover()->get_tiles()));
+	CHECK(field.get_cover()->get_bare_count() == fresh.get_cover()->get_bare_count());
+	CHECK(field.work(map).tiles.count() == 0);
+}
+
+TEST_CASE("map_layers: what is read around one place is what the layers say there") {
+	PaintMap map;
+	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 12.0));
+	paint(map, MapTool::HEIGHT, 0.5, disc(-3.0, 2.0, 9.0));
+	lay_slope(map);
+	MapLayers layers;
+	layers.reset(GRID);
+	const MapLayers empty = layers;
+	layers.update(map, { { -20, -20 }, { 20, 20 } });
+	std::mt19937 random(1);
+	std::uniform_real_distribution<float> place(-25.0f, 25.0f);
+	for (int n = 0; n < 200; n++) {
+		const Eigen::Vector2f at = n == 0 ? Eigen::Vector2f(0.0f, 0.0f) : Eigen::Vector2f(place(random), place(random));
+		const Growth here = empty.read(map, at).sample(at, 0.25f), there = layers.sample(at, 0.25f);
+		CHECK(here.density == there.density);
+		CHECK(here.height == there.height);
+		CHECK(here.cut == there.cut);
+		CHECK(here.lean == there.lean);
+		CHECK(here.tilt == there.tilt);
+		CHECK(here.ground == there.ground);
+	}
+	CHECK(empty.read(map, { 1e9f, 0.0f }).get_count() == 0);
+	CHECK(empty.read(map, { std::nanf(""), 0.0f }).get_count() == 0);
 }
 
 TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is") {

@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: MIT
-// A map laid out on a field: its layers, and what each tile makes of them. Lives as long as the field is built.
+// A map laid out on a field: its layers, and what each tile makes of them. Chunk by chunk, so that a large change may be spread over
+// frames.
 #pragma once
 
 #include "core/map/tile_cover.h"
 
+#include <map>
 #include <memory>
 
 namespace grass {
 
 class FieldMap {
 public:
-	// p_tallest: metres, of the longest blade; p_follow: FOLLOW_SLOPE.
+	// p_tallest: metres, of the longest blade; p_follow: FOLLOW_SLOPE. The whole map waits to be laid out.
 	FieldMap(const TileGrid &p_grid, double p_tallest, float p_follow);
 
+	// What the map says about a region waits to be taken over.
+	void touch(const MapRegion &p_region);
 	struct Changes {
-		std::vector<int> layers; // that look different now, rising
+		std::vector<int> layers; // that look different now, in no order
 		TileRange tiles; // that may have changed
+		void add(const Changes &p_changes);
 	};
-	// Takes over what p_map says about a region.
+	// Takes over one chunk of those that wait, if there are any.
+	Changes work(const PaintMap &p_map);
+	// Takes over a region, and all that waits, at once.
 	Changes update(const PaintMap &p_map, const MapRegion &p_region);
+
+	int get_waiting() const { return int(_waiting.size()); } // chunks
+	bool is_waiting_at(const Eigen::Vector2f &p_place) const; // field-space x, z in metres
+	int count_painted(const PaintMap &p_map) const; // chunks under the field that have or get a layer
 	MapRegion get_region() const { return MapRegion::of_grid(_grid); } // the whole field
 
 	const MapLayers &get_layers() const { return _layers; }
@@ -31,6 +42,7 @@ private:
 	float _follow;
 	MapLayers _layers;
 	std::shared_ptr<TileCover> _cover = std::make_shared<TileCover>();
+	std::map<std::pair<int, int>, MapRegion> _waiting; // by chunk, row by row (z, x): what of it, and a little around
 };
 
 } // namespace grass

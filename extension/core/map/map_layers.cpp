@@ -23,7 +23,7 @@ TexelRange texels_in(const MapRegion &p_region, const MapKey &p_key, int p_side)
 }
 
 uint8_t to_byte(double p_share) {
-	return uint8_t(std::clamp(std::round(p_share * 255.0), 0.0, 255.0));
+	return uint8_t(std::clamp(p_share, 0.0, 1.0) * 255.0 + 0.5);
 }
 
 // Puts one layer together.
@@ -68,11 +68,20 @@ private:
 	// [Eq M1]
 	void compose_fine(int p_i, int p_j, uint8_t *r_texel) {
 		const int i = _key.x * GRASS_FINE_TEXELS + p_i - 1, j = _key.z * GRASS_FINE_TEXELS + p_j - 1;
-		const double wear = _wear.value(0, i, j), size = info_of(MAP_DENSITY).texel_size();
+		const double wear = _wear.value(0, i, j);
 		put(r_texel[0], to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
-		put(r_texel[1], to_byte(_height.sample(0, { (i + 0.5) * size, (j + 0.5) * size }) * (1.0 - GRASS_WEAR_PRESSES * wear)));
+		put(r_texel[1], to_byte(height_at(i, j) * (1.0 - GRASS_WEAR_PRESSES * wear)));
 		put(r_texel[2], uint8_t(std::min(_cut.code(0, i, j), _uncut)));
 		put(r_texel[3], to_byte(wear));
+	}
+
+	// At the middle of a fine texel, which lies a quarter of a coarse one from the middle of that and towards three others.
+	double height_at(int p_i, int p_j) {
+		static_assert(GRASS_FINE_TEXELS == 2 * GRASS_COARSE_TEXELS);
+		const int i = p_i >> 1, j = p_j >> 1, i_next = i + (p_i & 1) * 2 - 1, j_next = j + (p_j & 1) * 2 - 1;
+		const int code = 3 * (3 * _height.code(0, i, j) + _height.code(0, i_next, j)) + 3 * _height.code(0, i, j_next) +
+				_height.code(0, i_next, j_next);
+		return info_of(MAP_HEIGHT).unit / 16.0 * code;
 	}
 
 	void compose_coarse(int p_i, int p_j, size_t p_texel, MapLayer &r_layer) {
@@ -153,48 +162,83 @@ void MapLayers::reset(const TileGrid &p_grid, double p_tallest) {
 	_is_full = false;
 }
 
+bool MapLayers::has_chunk(const MapKey &p_key) const {
+	return p_key.x >= _first.x && p_key.z >= _first.z && p_key.x < _first.x + _width && p_key.z < _first.z + _depth;
+}
+
 int MapLayers::find(const MapKey &p_key) const {
-	const int x = p_key.x - _first.x, z = p_key.z - _first.z;
-	return x < 0 || z < 0 || x >= _width || z >= _depth ? GRASS_NO_LAYER : int(_pages[size_t(z * _width + x)]);
+	return has_chunk(p_key) ? int(_pages[index_of(p_key)]) : GRASS_NO_LAYER;
+}
+
+std::vector<MapKey> MapLayers::get_chunks(const MapRegion &p_region) const {
+	const MapRegion region = p_region.grown(REACH);
+	const auto clip = [](double p_place, int p_first, int p_count) {
+		return int(std::clamp(std::floor(p_place / MAP_CHUNK_SIZE), double(p_first) - 1.0, double(p_first + p_count)));
+	};
+	std::vector<MapKey> chunks;
+	for (int z = clip(region.min.y(), _first.z, _depth); z <= clip(region.max.y(), _first.z, _depth); z++) {
+		for (int x = clip(region.min.x(), _first.x, _width); x <= clip(region.max.x(), _first.x, _width); x++) {
+			if (has_chunk({ x, z })) {
+				chunks.push_back({ x, z });
+			}
+		}
+	}
+	return chunks;
+}
+
+int MapLayers::add_layer(const MapKey &p_key) {
+	constexpr size_t FINE = size_t(MapLayer::FINE) * MapLayer::FINE, COARSE = size_t(MapLayer::COARSE) * MapLayer::COARSE;
+	_layers.push_back({ std::vector<uint8_t>(FINE * 4), std::vector<uint8_t>(COARSE * 4), std::vector<float>(COARSE),
+			std::vector<uint8_t>(COARSE * 4), std::vector<uint8_t>(COARSE) });
+	const int layer = int(_layers.size()) - 1;
+	_pages[index_of(p_key)] = float(layer);
+	return layer;
+}
+
+int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region) {
+	_base_density = float(p_map.get_base_density());
+	int layer = find(p_key);
+	const bool is_new = layer == GRASS_NO_LAYER;
+	if (is_new && p_map.find(p_key) == nullptr) {
+		return GRASS_NO_LAYER; // nobody painted there
+	}
+	if (is_new && _layers.size() >= GRASS_MAX_LAYERS) {
+		_is_full = true;
+		return GRASS_NO_LAYER;
+	}
+	if (is_new) {
+		layer = add_layer(p_key);
+	}
+	const MapRegion region = is_new ? MapRegion::of_chunk(p_key) : p_region;
+	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * REACH), _layers[size_t(layer)]);
+	return differs || is_new ? layer : GRASS_NO_LAYER;
 }
 
 std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_region) {
 	_base_density = float(p_map.get_base_density());
-	const MapRegion region = p_region.grown(info_of(MAP_HEIGHT).texel_size()); // borders, and what is blended into finer texels
-	const auto clip = [](double p_place, int p_first, int p_count) {
-		return int(std::clamp(std::floor(p_place / MAP_CHUNK_SIZE), double(p_first) - 1.0, double(p_first + p_count)));
-	};
 	std::vector<int> changed;
-	for (int z = std::max(clip(region.min.y(), _first.z, _depth), _first.z);
-			z <= clip(region.max.y(), _first.z, _depth) && z < _first.z + _depth; z++) {
-		for (int x = std::max(clip(region.min.x(), _first.x, _width), _first.x);
-				x <= clip(region.max.x(), _first.x, _width) && x < _first.x + _width; x++) {
-			const MapKey key{ x, z };
-			int layer = find(key);
-			const bool is_new = layer == GRASS_NO_LAYER;
-			if (is_new && p_map.find(key) == nullptr) {
-				continue; // nobody painted there
-			}
-			if (is_new && _layers.size() >= GRASS_MAX_LAYERS) {
-				_is_full = true;
-				continue;
-			}
-			if (is_new) {
-				layer = int(_layers.size());
-				_pages[size_t((z - _first.z) * _width + x - _first.x)] = float(layer);
-				constexpr size_t FINE = size_t(MapLayer::FINE) * MapLayer::FINE, COARSE = size_t(MapLayer::COARSE) * MapLayer::COARSE;
-				_layers.push_back({ std::vector<uint8_t>(FINE * 4), std::vector<uint8_t>(COARSE * 4), std::vector<float>(COARSE),
-						std::vector<uint8_t>(COARSE * 4), std::vector<uint8_t>(COARSE) });
-			}
-			const bool differs =
-					Composer(p_map, key, _uncut).compose(is_new ? MapRegion::of_chunk(key).grown(1.0) : region, _layers[size_t(layer)]);
-			if (differs || is_new) {
-				changed.push_back(layer);
-			}
+	for (const MapKey &key : get_chunks(p_region)) {
+		if (const int layer = update(p_map, key, p_region); layer != GRASS_NO_LAYER) {
+			changed.push_back(layer);
 		}
 	}
 	std::sort(changed.begin(), changed.end());
 	return changed;
+}
+
+MapLayers MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place) const {
+	MapLayers there;
+	there._first = _first;
+	there._width = _width;
+	there._depth = _depth;
+	there._uncut = _uncut;
+	there._base_density = float(p_map.get_base_density());
+	there._pages.assign(_pages.size(), float(GRASS_NO_LAYER));
+	const Eigen::Vector2d place = p_place.cast<double>();
+	if (const MapKey key = key_at(place); there.has_chunk(key) && p_map.find(key) != nullptr) {
+		Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(REACH), there._layers[size_t(there.add_layer(key))]);
+	}
+	return there;
 }
 
 int MapLayers::get_species(int p_texel_x, int p_texel_z) const {

@@ -40,8 +40,12 @@ public:
 	// The chunks under a field, all without a layer. p_tallest: metres, of its longest blade. Uncut grass counts as cut at
 	// this length: what is blended between it and a cut beside it then changes where blades are.
 	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
-	// Brings the layers in p_region up to date. Returns which of them changed, rising. Chunks get layers as they come.
+	// Brings a chunk's layer up to date in p_region. Returns it if it changed, else GRASS_NO_LAYER. Chunks get layers as they come.
+	int update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
+	// All layers in p_region: which of them changed, rising.
 	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
+	// The same field's layers as p_map has them now, but around p_place only: field-space x, z in metres.
+	MapLayers read(const PaintMap &p_map, const Eigen::Vector2f &p_place) const;
 
 	int get_count() const { return int(_layers.size()); }
 	const MapLayer &get_layer(int p_layer) const { return _layers[size_t(p_layer)]; }
@@ -54,7 +58,11 @@ public:
 	int get_depth() const { return _depth; }
 	const std::vector<float> &get_pages() const { return _pages; }
 
+	bool has_chunk(const MapKey &p_key) const; // under the field
 	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
+	std::vector<MapKey> get_chunks(const MapRegion &p_region) const; // under the field, in which a change of p_region shows; row by row
+	// A change shows so much farther: in the borders of layers, and where coarse texels blend into finer ones. Metres.
+	static constexpr double REACH = 2.0 * info_of(MAP_HEIGHT).texel_size();
 
 	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
 	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
@@ -62,6 +70,9 @@ public:
 	int get_species(int p_texel_x, int p_texel_z) const;
 
 private:
+	size_t index_of(const MapKey &p_key) const { return size_t(p_key.z - _first.z) * size_t(_width) + size_t(p_key.x - _first.x); }
+	int add_layer(const MapKey &p_key);
+
 	MapKey _first;
 	int _width = 0, _depth = 0;
 	bool _is_full = false;

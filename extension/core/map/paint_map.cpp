@@ -2,6 +2,7 @@
 #include "core/map/paint_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <set>
 
@@ -9,21 +10,12 @@ namespace grass {
 
 namespace {
 
-constexpr int floor_div(int p_a, int p_b) {
-	return p_a >= 0 ? p_a / p_b : -((p_b - 1 - p_a) / p_b);
-}
+// Which chunk holds a texel is a matter of bits.
+static_assert(std::all_of(MAP_CHANNEL_INFO.begin(), MAP_CHANNEL_INFO.end(),
+		[](const MapChannelInfo &p_info) { return std::has_single_bit(unsigned(p_info.side)); }));
 
 bool is_in_reach(const MapKey &p_key) {
 	return p_key.x >= -PaintMap::REACH && p_key.z >= -PaintMap::REACH && p_key.x < PaintMap::REACH && p_key.z < PaintMap::REACH;
-}
-
-int32_t read_code(const uint8_t *p_texels, const MapChannelInfo &p_info, size_t p_index) {
-	if (p_info.bytes == 1) {
-		return p_texels[p_index];
-	}
-	int32_t code;
-	std::memcpy(&code, p_texels + p_index * 4, 4);
-	return code;
 }
 
 void write_code(uint8_t *r_texels, const MapChannelInfo &p_info, size_t p_index, int32_t p_code) {
@@ -47,8 +39,8 @@ bool same(const std::shared_ptr<const MapTexels> &p_a, const std::shared_ptr<con
 } // namespace
 
 MapKey key_of(MapChannel p_channel, int p_i, int p_j) {
-	const int side = info_of(p_channel).side;
-	return { floor_div(p_i, side), floor_div(p_j, side) };
+	const int shift = std::countr_zero(unsigned(info_of(p_channel).side));
+	return { p_i >> shift, p_j >> shift };
 }
 
 MapKey key_at(const Eigen::Vector2d &p_place) {
@@ -221,29 +213,30 @@ size_t PaintMap::get_memory_usage() const {
 	return bytes;
 }
 
-int32_t MapReader::code(int p_component, int p_i, int p_j) {
-	const MapKey key = key_of(_channel, p_i, p_j);
-	if (key != _key) {
-		const MapChunk *chunk = _map.find(key);
-		const MapTexels *texels = chunk ? chunk->channels[size_t(_channel)].get() : nullptr;
-		_texels = texels ? texels->data() : nullptr;
-		_key = key;
+MapReader::MapReader(const PaintMap &p_map, MapChannel p_channel) :
+		_map(p_map), _info(info_of(p_channel)), _channel(p_channel), _shift(std::countr_zero(unsigned(_info.side))) {
+	for (int component = 0; component < 4; component++) {
+		_initial[size_t(component)] = _map.initial_code(_channel, component);
 	}
-	const MapChannelInfo &info = info_of(_channel);
-	return _texels ? read_code(_texels, info, index_of(info, key, p_component, p_i, p_j)) : _map.initial_code(_channel, p_component);
+}
+
+void MapReader::seek(const MapKey &p_key) {
+	const MapChunk *chunk = _map.find(p_key);
+	const MapTexels *texels = chunk ? chunk->channels[size_t(_channel)].get() : nullptr;
+	_texels = texels ? texels->data() : nullptr;
+	_key = p_key;
 }
 
 double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
-	const MapChannelInfo &info = info_of(_channel);
 	const MapKey key = key_at(p_place);
 	if (!is_in_reach(key)) {
-		return info.value(_map.initial_code(_channel, p_component));
+		return _info.value(_map.initial_code(_channel, p_component));
 	}
-	if (!info.blends) {
-		const Eigen::Array2d texel = (p_place.array() / info.texel_size()).floor();
+	if (!_info.blends) {
+		const Eigen::Array2d texel = (p_place.array() / _info.texel_size()).floor();
 		return value(p_component, int(texel.x()), int(texel.y()));
 	}
-	const Eigen::Array2d between = p_place.array() / info.texel_size() - 0.5; // texel centres are whole numbers
+	const Eigen::Array2d between = p_place.array() / _info.texel_size() - 0.5; // texel centres are whole numbers
 	const Eigen::Array2d corner = between.floor(), t = between - corner;
 	const int i = int(corner.x()), j = int(corner.y());
 	const double near_row = value(p_component, i, j) * (1.0 - t.x()) + value(p_component, i + 1, j) * t.x();

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <compare>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <span>
@@ -79,18 +80,41 @@ private:
 	int32_t _base_density = info_of(MAP_DENSITY).initial[0];
 };
 
+inline int32_t read_code(const uint8_t *p_texels, const MapChannelInfo &p_info, size_t p_index) {
+	if (p_info.bytes == 1) {
+		return p_texels[p_index];
+	}
+	int32_t code;
+	std::memcpy(&code, p_texels + p_index * 4, 4);
+	return code;
+}
+
 // Reads texels of one channel; quick where consecutive ones lie in the same chunk. Holds until the map changes.
 class MapReader {
 public:
-	MapReader(const PaintMap &p_map, MapChannel p_channel) : _map(p_map), _channel(p_channel) {}
+	MapReader(const PaintMap &p_map, MapChannel p_channel);
 
-	int32_t code(int p_component, int p_i, int p_j);
-	double value(int p_component, int p_i, int p_j) { return info_of(_channel).value(code(p_component, p_i, p_j)); }
+	int32_t code(int p_component, int p_i, int p_j) {
+		if ((p_i >> _shift) != _key.x || (p_j >> _shift) != _key.z) {
+			seek({ p_i >> _shift, p_j >> _shift });
+		}
+		if (_texels == nullptr) {
+			return _initial[size_t(p_component)];
+		}
+		const int column = p_i & (_info.side - 1), row = p_j & (_info.side - 1);
+		return read_code(_texels, _info, size_t(((row << _shift) + column) * _info.components + p_component));
+	}
+	double value(int p_component, int p_i, int p_j) { return _info.value(code(p_component, p_i, p_j)); }
 	double sample(int p_component, const Eigen::Vector2d &p_place);
 
 private:
+	void seek(const MapKey &p_key);
+
 	const PaintMap &_map;
+	const MapChannelInfo &_info;
 	MapChannel _channel;
+	int _shift; // a chunk has 2^_shift texels along a side
+	std::array<int32_t, 4> _initial;
 	MapKey _key{ PaintMap::REACH, PaintMap::REACH }; // of _texels; none yet
 	const uint8_t *_texels = nullptr;
 };

@@ -22,14 +22,16 @@ void TileCover::widen(const Tile &p_tile) {
 }
 
 TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region) {
-	const MapRegion region = p_region.grown(2.0 * info_of(MAP_HEIGHT).texel_size());
+	const MapRegion region = p_region.grown(MapLayers::REACH);
 	const TileRange range = _grid.get_range(region.min.x(), region.max.x(), region.min.y(), region.max.y(), 0.0);
+	const std::vector<Stretch> columns = stretches(range.x_begin, range.x_end, _grid.get_tiles_x()),
+							   rows = stretches(range.z_begin, range.z_end, _grid.get_tiles_z());
 	bool has_shrunk = false; // the lowest or highest ground may have gone
 	for (int z = range.z_begin; z < range.z_end; z++) {
 		for (int x = range.x_begin; x < range.x_end; x++) {
 			Tile &tile = _tiles[size_t(_grid.get_index(x, z))];
 			_bare -= tile.is_bare() ? 1 : 0;
-			const Tile before = std::exchange(tile, find(p_layers, x, z));
+			const Tile before = std::exchange(tile, find(p_layers, columns[size_t(x - range.x_begin)], rows[size_t(z - range.z_begin)]));
 			has_shrunk = has_shrunk || (!before.is_bare() && before != tile && (before.low == _low || before.high == _high));
 			_bare += tile.is_bare() ? 1 : 0;
 			widen(tile);
@@ -44,36 +46,54 @@ TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region
 	return range;
 }
 
-// Looks at every texel that has a say in what is sampled within the tile's square.
-TileCover::Tile TileCover::find(const MapLayers &p_layers, int p_x, int p_z) const {
-	const Eigen::Vector3d centre = _grid.get_centre(p_x, p_z);
-	const double half = 0.5 * _grid.get_tile_size();
-	const Eigen::Array2d low(centre.x() - half, centre.z() - half), high(centre.x() + half, centre.z() + half);
-	const Eigen::Array2i first = (low / MAP_CHUNK_SIZE).floor().cast<int>(), last = (high / MAP_CHUNK_SIZE).floor().cast<int>();
+// Along one axis, of tiles p_begin to p_end - 1 of p_count.
+std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int p_count) const {
+	std::vector<Stretch> found;
+	found.reserve(size_t(std::max(p_end - p_begin, 0)));
+	for (int tile = p_begin; tile < p_end; tile++) {
+		const double low = (tile - 0.5 * p_count) * _grid.get_tile_size(), high = low + _grid.get_tile_size();
+		Stretch &stretch = found.emplace_back();
+		stretch.first_chunk = int(std::floor(low / MAP_CHUNK_SIZE));
+		stretch.chunks = int(std::floor(high / MAP_CHUNK_SIZE)) - stretch.first_chunk + 1;
+		for (int c = 0; c < stretch.chunks; c++) {
+			const double corner = (stretch.first_chunk + c) * MAP_CHUNK_SIZE;
+			const auto texels = [&](int p_side) {
+				const double scale = p_side / MAP_CHUNK_SIZE;
+				const auto texel = [&](double p_place) {
+					return int(std::clamp(std::floor((p_place - corner) * scale + 0.5), 0.0, double(p_side)));
+				};
+				return Stretch::Texels{ texel(low), texel(high) + 1 };
+			};
+			stretch.fine[size_t(c)] = texels(GRASS_FINE_TEXELS);
+			stretch.coarse[size_t(c)] = texels(GRASS_COARSE_TEXELS);
+		}
+	}
+	return found;
+}
+
+TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_column, const Stretch &p_row) const {
 	bool stands = false;
 	Tile ground{ 1e9f, -1e9f };
-	for (int z = first.y(); z <= last.y(); z++) {
-		for (int x = first.x(); x <= last.x(); x++) {
-			const int found = p_layers.find({ x, z });
+	for (int z = 0; z < p_row.chunks; z++) {
+		for (int x = 0; x < p_column.chunks; x++) {
+			const int found = p_layers.find({ p_column.first_chunk + x, p_row.first_chunk + z });
 			if (found == GRASS_NO_LAYER) {
 				stands = stands || p_layers.get_base_density() > 0.0f;
 				ground = { std::min(ground.low, 0.0f), std::max(ground.high, 0.0f) };
 				continue;
 			}
 			const MapLayer &layer = p_layers.get_layer(found);
-			const Eigen::Array2d corner(x * MAP_CHUNK_SIZE, z * MAP_CHUNK_SIZE);
-			const auto each = [&](int p_side, const auto &p_visit) {
-				const double scale = p_side / MAP_CHUNK_SIZE;
-				const auto begin = ((low - corner) * scale + 0.5).floor().max(0.0).min(double(p_side)).cast<int>().eval();
-				const auto end = ((high - corner) * scale + 0.5).floor().max(0.0).min(double(p_side)).cast<int>().eval();
-				for (int j = begin.y(); j <= end.y() + 1; j++) {
-					for (int i = begin.x(); i <= end.x() + 1; i++) {
-						p_visit(size_t(j * (p_side + 2) + i));
+			const auto each = [](const Stretch::Texels &p_i, const Stretch::Texels &p_j, int p_side, const auto &p_visit) {
+				for (int j = p_j.first; j <= p_j.last; j++) {
+					for (int i = p_i.first; i <= p_i.last; i++) {
+						p_visit(size_t(j * p_side + i));
 					}
 				}
 			};
-			each(GRASS_FINE_TEXELS, [&](size_t p_texel) { stands = stands || layer.growth[p_texel * 4] > 0; });
-			each(GRASS_COARSE_TEXELS, [&](size_t p_texel) {
+			const size_t c = size_t(x), r = size_t(z);
+			each(p_column.fine[c], p_row.fine[r], MapLayer::FINE,
+					[&](size_t p_texel) { stands = stands || layer.growth[p_texel * 4] > 0; });
+			each(p_column.coarse[c], p_row.coarse[r], MapLayer::COARSE, [&](size_t p_texel) {
 				ground = { std::min(ground.low, layer.ground[p_texel]), std::max(ground.high, layer.ground[p_texel]) };
 			});
 		}

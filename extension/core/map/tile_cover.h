@@ -29,8 +29,19 @@ public:
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
+	// Along one axis: the chunks that a row or column of tiles lies in, and in each of them the texels of its layer that have a say in what
+	// is sampled within these tiles.
+	struct Stretch {
+		struct Texels {
+			int first = 0, last = 0;
+		};
+		int first_chunk = 0, chunks = 0; // at most two: no tile is as large as a chunk
+		std::array<Texels, 2> fine, coarse;
+	};
+
 	void widen(const Tile &p_tile);
-	Tile find(const MapLayers &p_layers, int p_x, int p_z) const;
+	std::vector<Stretch> stretches(int p_begin, int p_end, int p_count) const;
+	Tile find(const MapLayers &p_layers, const Stretch &p_column, const Stretch &p_row) const;
 
 	TileGrid _grid;
 	std::vector<Tile> _tiles;

@@ -29,6 +29,35 @@ func test_six_hundred_steps_without_contact() -> void:
 	assert_eq(gpu.get_statistics().simulated_blades, cpu.get_statistics().simulated_blades)
 
 
+func test_fields_that_changed_while_they_stood() -> void:
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.1, settle_time = 0.1}):
+		return
+	var reed := GrassSpecies.new()
+	reed.patch = GrassPatch.new()
+	reed.patch.length_max = 0.9
+	reed.natural_frequency = 1.0
+	var map := full_map()
+	map.stroke(brush(GrassBrush.TOOL_CUT, 0.6, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
+	for change: Dictionary in [{pool_tiles = 64}, {map = map}, {species = [GrassSpecies.new(), reed]}, {pool_tiles = 900}, {map = null}, {species = []}]:
+		var property: String = change.keys()[0]
+		for field: GrassField in [gpu, cpu]:
+			field.set(property, change[property])
+		for field: GrassField in [gpu, cpu]:
+			await grown(field)
+		await compiled(gpu)
+		var body := add_held_body(ball(0.2), PLACE)
+		await ticks(4)
+		var tiles := awake_tiles(cpu)
+		assert_eq(awake_tiles(gpu), tiles, property)
+		assert_greater(tiles.size(), 3, property)
+		var off := difference(tiles)
+		print("    parity after another `%s`: %s of a blade's length" % [property, String.num_scientific(off)])
+		assert_less(off, MANY_STEPS, property)
+		body.free()
+		await ticks(30)
+		assert_eq(gpu.get_awake_tile_count() + cpu.get_awake_tile_count(), 0, property)
+
+
 func test_the_same_tiles_are_awake_in_every_tick() -> void:
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.3, settle_time = 0.2, pool_tiles = 24}):
 		return

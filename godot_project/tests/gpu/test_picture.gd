@@ -37,6 +37,41 @@ func test_compatibility_says_where_it_becomes_imprecise() -> void:
 	assert_eq(field.get_tiles(), Vector2i(2400, 2))
 
 
+## Everything that a standing field keeps its buffers, textures and materials through, one after the other.
+func test_a_field_that_changed_looks_as_if_it_had_been_made_so() -> void:
+	var short := GrassSpecies.new()
+	short.patch = GrassPatch.new()
+	short.patch.length_max = 0.3
+	short.tip_color = Color.YELLOW
+	var map := full_map()
+	map.stroke(brush(GrassBrush.TOOL_HEIGHT, 0.8, {target = 0.4}), Vector2(0.8, 0.8), Vector2(0.8, 0.8))
+	var body := add_ball(Vector3(0, 0.2, 0.5), 0.3)
+	var changed := add_seen_field({seed = 5})
+	await drawn()
+	var builds: int = changed.get_statistics().builds
+	var before: Image = null
+	for change: Dictionary in [{pool_tiles = 200}, {map = map}, {species = [GrassSpecies.new(), short]}, {map = null, pool_tiles = 900}, {species = []}]:
+		for property: String in change:
+			changed.set(property, change[property])
+		await grown(changed)
+		await ticks(40)
+		var image := await picture()
+		assert_greater(changed.get_awake_tile_count(), 0, str(change))
+		changed.hide()
+		var fresh := add_seen_field({seed = 5, pool_tiles = changed.pool_tiles, map = changed.map, species = changed.species})
+		await ticks(40)
+		var off := difference(await picture(), image)
+		print("    after %s: %s" % [change.keys(), off])
+		assert_less(off.y, UNSEEN, str(change))
+		if before and not change.has("pool_tiles"):
+			assert_greater(difference(before, image).y, 10.0 * UNSEEN, "it shows: %s" % change)
+		before = image
+		fresh.free()
+		changed.show()
+	assert_eq(changed.get_statistics().builds, builds)
+	body.free()
+
+
 func test_grass_covers_the_ground_green() -> void:
 	var empty := await picture()
 	assert_less(share_of(empty, is_green), 0.001, "nothing green without a field")

@@ -122,7 +122,7 @@ func test_a_live_rule_is_followed_a_few_chunks_a_frame() -> void:
 	field.fill_rule = null
 	assert_eq(_density(field, 100, 100), 1.0, "the field's map is full where no rule fills it")
 	field.fill_rule = rule
-	await frames(2)
+	await _follow()
 	assert_near(_density(field, 100, 100), 0.5, 0.01)
 
 
@@ -388,7 +388,7 @@ func test_two_fields_of_one_rule_and_a_new_map() -> void:
 	var other := await _add_filled(rule, {position = Vector3(500, 0, 0)})
 	assert_eq(one.map.get_data(), other.map.get_data())
 	one.map = GrassMap.new()
-	await frames(2)
+	await _follow()
 	assert_eq(one.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(200, 0)), 0.0, "beside the field the new map is bare")
 	for n in 50:
 		assert_eq(_density(one, n * 2.0, 3.0), _density(other, n * 2.0, 3.0))

@@ -75,11 +75,11 @@ func test_a_field_keeps_its_species_and_says_what_is_wrong_with_them() -> void:
 	expect_error("`species` has more than 8 entries")
 	expect_error("`patch` is not used")
 	expect_error("Species 3 has no blades")
-	await ticks(2)
+	await grown(field)
 	assert_eq(field.get_blade_count(), 64 * 64)
 	field.species = []
 	field.patch = null
-	await ticks(2)
+	await grown(field)
 	assert_eq(field.get_blade_species(Vector2i.ZERO, 5), 0)
 
 
@@ -146,7 +146,7 @@ func test_species_swing_by_their_own_numbers() -> void:
 	await ticks(60)
 	assert_less(farthest(tile_knots(field, tile), rest), 0.02)
 	species[1].patch.length_max = 0.9
-	await ticks(2)
+	await grown(field)
 	assert_eq(field.get_statistics().makings, makings + 1)
 
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "draw/frame_share.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/time.hpp>
+
+namespace grass {
+
+namespace {
+// From the first piece of work in a frame on no other one begins later. More: frames stutter. Less: changes take longer to show.
+constexpr uint64_t SHARE = 4000; // microseconds
+} // namespace
+
+bool FrameShare::has_time() {
+	static uint64_t frame = UINT64_MAX, begin = 0;
+	const uint64_t now = godot::Time::get_singleton()->get_ticks_usec();
+	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); frame != this_frame) {
+		frame = this_frame;
+		begin = now;
+	}
+	return now - begin < SHARE;
+}
+
+} // namespace grass

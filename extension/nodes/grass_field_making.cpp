@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// GrassField's making: from properties to a field. One that enters the tree is made at once, so that its grass is there from the first
+// tick on. One that stands goes on as it is until all that takes long has been made beside it: patches and passes by other threads,
+// shaders and the map piece by piece, as frames have time for it (draw/frame_share.h).
+#include "nodes/grass_field.h"
+
+#include "backend/cpu_backend.h"
+#include "core/cpu_clock.h"
+#include "draw/frame_share.h"
+#include "gpu/gpu_backend.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+// However many properties change, the field is made once, at the next tick or frame.
+void GrassField::request_rebuild() {
+	_dirty = true;
+	_build_ms = 0.0;
+	_next.reset();
+	_coming.reset();
+	update_gizmos();
+	update_configuration_warnings();
+}
+
+void GrassField::build() {
+	if (!_dirty || !is_inside_tree()) {
+		return;
+	}
+	CpuClock clock;
+	start_fill();
+	if (prepare(_backend != nullptr)) {
+		make();
+	}
+	_build_ms = std::max(_build_ms, clock.lap());
+}
+
+void GrassField::make() {
+	_dirty = _is_crowded = false;
+	take_setup();
+	_tiles.set_grid(_setup.grid);
+	_tiles.set_params(tile_params());
+	_tiles.set_bounds(_bounds);
+	_tiles.reset();
+	_clock.reset();
+	if (Engine::get_singleton()->is_editor_hint()) { // there they stand beside the node
+		update_configuration_warnings();
+	} else {
+		for (const String &warning : _get_configuration_warnings()) {
+			WARN_PRINT(vformat("%s: %s", label(), warning));
+		}
+	}
+	_ground.free();
+	_makings++;
+	if (_setup.patch->is_empty() || !_backend || !_backend->set_field(_setup)) {
+		make_backend();
+	}
+	if (_backend) {
+		_ground.create(_setup.grid, _setup.is_mapped);
+		follow();
+		set_all_uniforms();
+		show_map();
+	}
+}
+
+// Whether all is there that a field of these properties takes. In parts: does no more of it than this frame has time for.
+bool GrassField::prepare(bool p_in_parts) {
+	if (p_in_parts && !prepare_patches()) {
+		return false;
+	}
+	if (!_next) {
+		_next = find_setup();
+	}
+	const bool has_shaders = !p_in_parts || (_backend->prepare(*_next) && Ground::prepare(_next->is_mapped));
+	return has_shaders && prepare_map(p_in_parts);
+}
+
+// Those that are not there are being made from now on.
+bool GrassField::prepare_patches() const {
+	bool are_there = true;
+	for (const Ref<GrassSpecies> &species : _species) {
+		are_there = (species.is_null() || species->prepare_patch()) && are_there;
+	}
+	return are_there && (!_species.empty() || _patch.is_null() || const_cast<GrassPatch *>(_patch.ptr())->prepare());
+}
+
+bool GrassField::prepare_map(bool p_in_parts) {
+	if (!_next->is_mapped || _next->patch->is_empty()) {
+		return true;
+	}
+	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
+	if (!_coming && has_time()) {
+		_coming = std::make_unique<ShownMap>(_map, *_next);
+	}
+	while (_coming && has_time()) {
+		if (!_coming->work()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+FieldSetup GrassField::find_setup() const {
+	FieldSetup setup;
+	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
+	setup.patch = find_patch();
+	setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
+		float(param(PARAM_CLUMP_TINT)) };
+	setup.pool_tiles = int(_pool_tiles);
+	setup.drawn_tiles_max = int(param(PARAM_DRAWN_TILES_MAX));
+	setup.seed = uint32_t(_seed);
+	setup.is_mapped = _map.is_valid();
+	setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
+	setup.card_size = card_size();
+	setup.species = _species.empty() ? nullptr : std::make_shared<const SpeciesMix>(species_mix(), setup.grid, setup.seed);
+	return setup;
+}
+
+std::shared_ptr<const Patch> GrassField::find_patch() const {
+	if (!_species.empty()) {
+		return join_species();
+	}
+	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
+}
+
+// From here on the field is what was prepared.
+void GrassField::take_setup() {
+	const FieldSetup before = std::exchange(_setup, *_next);
+	_next.reset();
+	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
+			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
+			before.card_size == _setup.card_size && before.follow_slope == _setup.follow_slope;
+	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
+						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_mix = species_mix();
+	_grown.clear();
+	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		_grown.push_back({ species, patches[_grown.size()] });
+	}
+	_shown = std::move(_coming);
+	_bounds->set_cover(
+			_shown ? _shown->get_field().get_cover() : nullptr, _shown ? slope_lean(_setup.follow_slope) * _setup.blade_length() : 0.0);
+	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, _shown ? &_shown->get_field() : nullptr);
+}
+
+void GrassField::make_backend() {
+	_backend.reset();
+	if (_setup.patch->is_empty()) {
+		return;
+	}
+	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
+	if (has_device && _backend_mode == BACKEND_AUTO) {
+		_backend = std::make_unique<GpuBackend>(_setup);
+	} else {
+		_backend = std::make_unique<CpuBackend>(_setup);
+	}
+	_backend->set_measure_time(_measure_time || _is_watched);
+	_builds++;
+}
+
+} // namespace grass

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A GrassMap as a field shows it: laid out, and as textures. Lives as long as the field is built.
+#pragma once
+
+#include "core/map/field_map.h"
+#include "draw/map_textures.h"
+#include "nodes/grass_map.h"
+
+namespace grass {
+
+struct FieldSetup;
+
+class ShownMap {
+public:
+	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup);
+
+	void touch(const MapRegion &p_region) { _field.touch(p_region); }
+	int get_waiting() const { return _field.get_waiting(); } // chunks
+	// Takes over what the map says, chunk by chunk as long as p_go_on says so.
+	FieldMap::Changes update(const std::function<bool()> &p_go_on);
+	// A piece of that, or of making the textures: for a map that is not shown yet. False: there is nothing left to do.
+	bool work();
+
+	const FieldMap &get_field() const { return _field; }
+	MapTextures &get_textures() { return _textures; }
+	const MapTextures &get_textures() const { return _textures; }
+	const godot::Ref<GrassMap> &get_map() const { return _map; }
+	// Tells the shaders of what is new.
+	void set_uniforms(const MapTextures::SetUniform &p_set);
+
+private:
+	godot::Ref<GrassMap> _map;
+	FieldMap _field;
+	MapTextures _textures;
+};
+
+} // namespace grass
