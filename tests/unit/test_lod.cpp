@@ -41,8 +41,8 @@ float sqrt(double p_value) {
 
 using uint = unsigned;
 
-#include "../../shaders/shared/lod.inc"
 #include "../../shaders/shared/levels.inc"
+#include "../../shaders/shared/lod.inc"
 
 } // namespace twin
 
