@@ -127,10 +127,10 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
 	Mask is_hit = none, touches = none, sticks = none;
-	const int count = std::max(p_terms.iterations, 2); // 2: of one iteration, too, a blade may take so many alone
-	for (int i = 0; i < count + CONTACT_SOLVES;) {
+	for (int i = 0; i < p_terms.iterations + CONTACT_SOLVES;) {
 		const bool is_again = any(is_hit);
-		const Mask wants_more = i < count ? p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near) : touches;
+		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
+		const Mask wants_more = i < p_terms.iterations ? by_count : by_count | touches;
 		const Mask is_active = is_again ? is_hit : wants_more & !sticks;
 		if (!any(is_active)) {
 			return;

@@ -119,13 +119,25 @@ template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerm
 	}
 }
 
+// [Eq 5] A segment's error. One that is folded back on the segment before it is drawn aside: along itself nothing would unfold it.
+template <class T> GRASS_INLINE Vec3<T> shape_error(const Vec3<T> &p_wanted, const Vec3<T> &p_found) {
+	const Vec3<T> error = p_wanted - p_found;
+	const T squared = dot(p_wanted, p_wanted), along = dot(p_wanted, p_found);
+	const auto is_opposite = (along < T(0.0f)) & (along * along > squared * dot(p_found, p_found) * T(1.0f - 2.0f * OPPOSITE));
+	if (!any(is_opposite)) {
+		return error;
+	}
+	const Vec3<T> aside = perpendicular(normalized(p_wanted, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
+	return select(is_opposite, aside * square_root(squared), error);
+}
+
 // [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is drawn to where the segment before it, by its
 // transported frame (bend and twist), wants it. Weights 1, -2, 1 keep momentum; clamped knots do not take part.
 template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	Turn<T> frame;
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> wanted = turned(frame, rest_segment(r_blade, k));
-		const Vec3<T> error = wanted - segment(r_blade, k);
+		const Vec3<T> error = shape_error(wanted, segment(r_blade, k));
 		const float share = k == 1 ? 1.0f : k == 2 ? 0.2f : 1.0f / 6.0f;
 		const Vec3<T> change = error * (p_terms.straighten * T(share));
 		r_blade.knots[k + 1] = r_blade.knots[k + 1] + change;

@@ -131,6 +131,22 @@ TEST_CASE_TEMPLATE("One step in float is within 1e-5 of the length of one in dou
 	}
 }
 
+TEST_CASE_TEMPLATE("A straight blade whose last segments are folded back exactly on it unfolds", M, Direct, Pbd) {
+	for (const int folded : { 1, 2, 3, 8 }) {
+		BladeScene scene(M::METHOD);
+		const int fold = GRASS_KNOTS - 1 - folded; // the knot at which it turns round
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			scene.set_rest(0, k, Eigen::Vector3f(0.0f, scene.length * float(k) / GRASS_SEGMENTS, 0.0f));
+		}
+		for (int k = fold + 1; k < GRASS_KNOTS; k++) {
+			scene.set_knot(0, k, scene.rest(0, 2 * fold - k));
+		}
+		scene.step_for(4.0);
+		CAPTURE(folded);
+		CHECK((scene.knot(0, GRASS_KNOTS - 1) - scene.rest(0, GRASS_KNOTS - 1)).norm() < 0.01f * scene.length);
+	}
+}
+
 TEST_CASE_TEMPLATE("A world scaled by 1/1000 or 1000 moves as the world itself", M, Direct, Pbd) {
 	for (const float scale : { 1e-3f, 1e3f }) {
 		BladeScene scene(M::METHOD), scaled(0.5f * scale, M::METHOD);
