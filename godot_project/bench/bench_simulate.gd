@@ -22,6 +22,7 @@ func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 	field.size = Vector2(64.0, 64.0)
 	field.measure_time = true
 	add_child(field)
+	await Scenery.compiled(field)
 	var body := Scenery.add_lid(self, p_side)
 	var simulate: Array[float] = []
 	var management: Array[float] = []

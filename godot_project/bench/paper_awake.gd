@@ -43,6 +43,7 @@ func _measure(p_series: String, p_side: float, p_tiles: int) -> Dictionary:
 	field.pool_tiles = p_tiles # so no more than these are awake
 	field.measure_time = true
 	add_child(field)
+	await Scenery.compiled(field)
 	var lid := Scenery.add_lid(self, 0.1)
 	await _frames(3)
 	var box: BoxShape3D = lid.get_child(0).shape

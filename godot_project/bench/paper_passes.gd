@@ -35,6 +35,7 @@ func run(r_table: Table, p_software: bool) -> void:
 	field.measure_time = true
 	field.sleep_mode = GrassField.SLEEP_TIMER # as in the paper
 	add_child(field)
+	await Scenery.compiled(field)
 	get_tree().call_group("thrown", "queue_free")
 	Scenery.throw(self, 8 if p_software else BODIES, side, 7)
 	var tick := 0

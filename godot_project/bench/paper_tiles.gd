@@ -41,7 +41,7 @@ func _measure(p_fields: int, p_throw: int, p_side: float, p_bodies: int, p_secon
 		field.measure_time = true # a field's time is the mean of all that are measured in a frame
 		add_child(field)
 		fields.append(field)
-	await get_tree().process_frame
+	await Scenery.compiled(fields[0])
 	var bodies := Scenery.throw(self, p_bodies, p_side, 100 + p_throw)
 	var simulate: Array[float] = []
 	var ticks := roundi(p_seconds * Engine.physics_ticks_per_second)
