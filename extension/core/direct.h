@@ -165,9 +165,9 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const Mask is_single = p_is_near | (fastest > r_blade.reach * p_terms.wild_move) | (p_terms.free_solves < T(2.0f));
-	const T seconds = p_terms.seconds;
 	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
+	const Mask is_single = p_is_near | is_one | (fastest > r_blade.reach * p_terms.wild_move);
+	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, select(is_one, p_terms.free_bending, p_terms.bending));
 	const T drag = select(is_one, p_terms.free_drag, p_terms.drag);
 	const Vec3<T> load = p_terms.load * select(is_one, p_terms.free_bending / p_terms.bending, T(1.0f)); // bends the blade as much as ever

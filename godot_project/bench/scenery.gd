@@ -28,6 +28,8 @@ static func compiled(p_field: GrassField) -> void:
 		await p_field.get_tree().process_frame
 	while p_field.get_statistics().compiling > 0 and Time.get_ticks_msec() - start < 120000:
 		await p_field.get_tree().process_frame
+	if p_field.get_statistics().compiling > 0:
+		push_error("The pass for tiles near something sharp has not been compiled in two minutes: the times that follow are not its own.")
 
 
 ## The demo's bodies, thrown across p_side metres. The same seed throws the same.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 using namespace grass;
@@ -83,6 +84,33 @@ double order_of(int p_iterations, double p_push) {
 	return std::log2(error_of(p_iterations, p_push, 60.0) / error_of(p_iterations, p_push, 480.0)) / 3.0;
 }
 
+// Frequencies (Hz) and steps a second of which a step is at most 0.2 radians of the swing: there one solve is all.
+constexpr std::pair<double, double> ONE_SOLVE[] = { { 0.6, 30.0 }, { 0.9, 30.0 }, { 1.2, 60.0 }, { 1.9, 60.0 }, { 2.5, 144.0 },
+	{ 4.5, 144.0 } };
+bool takes_one_solve(const SolverParams &p_params, double p_rate) {
+	return StepClock().advance(p_params, 1.0 / p_rate).motion.z == 1.0f;
+}
+
+// How far an energy rises above its least so far in p_steps steps, shares of p_first. p_next: takes a step and tells the energy.
+template <class Next> double most_growth(double p_first, int p_steps, const Next &p_next) {
+	double least = p_first, most = 0.0;
+	for (int i = 0; i < p_steps; i++) {
+		const double energy = p_next();
+		most = std::max(most, (energy - least) / p_first);
+		least = std::min(least, energy);
+	}
+	return most;
+}
+
+// The energy at the blade's place of the step before: of the speed between the steps on both sides, and of its joints. J/kg.
+double energy_between(const ElasticBlade &p_before, const ElasticBlade &p_here, const ElasticBlade &p_after, double p_delta) {
+	ElasticBlade here = p_here;
+	for (int k = 0; k < GRASS_KNOTS; k++) {
+		here.blade.before[k] = here.blade.knots[k] - (p_after.blade.knots[k] - p_before.blade.knots[k]) * 0.5;
+	}
+	return here.energy(p_delta);
+}
+
 } // namespace
 
 TEST_CASE("METHOD_DIRECT: a heavy blade hangs as the elastica within 2 %, from a slight sag to a blade that hangs down") {
@@ -101,11 +129,13 @@ TEST_CASE("METHOD_DIRECT: the elastica that it is held against has the drop of s
 }
 
 TEST_CASE("METHOD_DIRECT: a blade swings at its natural frequency within 3 % at 60 Hz, and undamped keeps 95 % of a swing") {
-	for (const auto &[frequency, iterations] : { std::pair(1.2, 2), std::pair(2.5, 2), std::pair(1.2, 4), std::pair(2.5, 4) }) {
+	for (const auto &[frequency, iterations, is_one_solve] : { std::tuple(1.2, 2, true), std::tuple(1.5, 2, true),
+				 std::tuple(1.2, 4, false), std::tuple(2.5, 2, false), std::tuple(2.5, 4, false) }) {
 		CAPTURE(frequency);
 		CAPTURE(iterations);
 		ElasticBlade blade = make_swinging(frequency);
-		blade.params.iterations = iterations; // one solve a step, two
+		blade.params.iterations = iterations;
+		REQUIRE(takes_one_solve(blade.params, 60.0) == is_one_solve);
 		constexpr int SWINGS = 10;
 		double first = blade.place(TIP).x(), last = 0.0, before = first, most = 0.0, start = 0.0, end = 0.0;
 		int crossings = 0;
@@ -142,41 +172,30 @@ TEST_CASE(
 	CHECK(error_of(2, STRONG, 60.0) < 1e-2 * 0.5);
 }
 
-// The energy at the blade's place of the step before: of the speed between the steps on both sides, and of its joints. J/kg.
-double energy_between(const ElasticBlade &p_before, const ElasticBlade &p_here, const ElasticBlade &p_after, double p_delta) {
-	ElasticBlade here = p_here;
-	for (int k = 0; k < GRASS_KNOTS; k++) {
-		here.blade.before[k] = here.blade.knots[k] - (p_after.blade.knots[k] - p_before.blade.knots[k]) * 0.5;
-	}
-	return here.energy(p_delta);
-}
-
-TEST_CASE("METHOD_DIRECT with one solve: the energy of a released blade never grows, undamped as damped, at any share of a swing a step") {
+TEST_CASE("METHOD_DIRECT with one solve: the energy of a released blade never grows, undamped as damped") {
 	for (const double damping : { 0.0, 0.5 }) {
-		for (const double frequency : { 0.6, 1.2, 4.0, 8.0 }) {
-			for (const double rate : { 30.0, 60.0, 144.0 }) {
-				CAPTURE(damping);
-				CAPTURE(frequency);
-				CAPTURE(rate);
-				ElasticBlade after = ElasticBlade::straight();
-				after.params.damping_ratio = damping;
-				after.params.natural_frequency = frequency;
-				after.bend(2.0);
-				ElasticBlade here = after, before = after;
-				double least = 1e30, most_growth = 0.0, first = 0.0;
-				for (int i = 0; i < int(20.0 * rate); i++) {
-					before = here;
-					here = after;
-					after.step(1.0 / rate);
-					const double energy = energy_between(before, here, after, 1.0 / rate);
-					first = i == 0 ? energy : first;
-					most_growth = std::max(most_growth, (energy - least) / first);
-					least = std::min(least, energy);
-				}
-				// Of a swing by w the speed between steps falls short of its own by the share (w h)^2 / 6.
-				const double turn = 2.0 * std::numbers::pi * frequency / rate;
-				CHECK(most_growth <= 2e-3 + turn * turn / 3.0);
-			}
+		for (const auto &[frequency, rate] : ONE_SOLVE) {
+			CAPTURE(damping);
+			CAPTURE(frequency);
+			CAPTURE(rate);
+			ElasticBlade after = ElasticBlade::straight();
+			after.params.damping_ratio = damping;
+			after.params.natural_frequency = frequency;
+			REQUIRE(takes_one_solve(after.params, rate));
+			after.bend(2.0);
+			ElasticBlade here = after, before = after;
+			const double delta = 1.0 / rate;
+			const auto next = [&] {
+				before = here;
+				here = after;
+				after.step(delta);
+				return energy_between(before, here, after, delta);
+			};
+			const double first = next(); // as it is let go its speed has a jump, which no mean of both sides tells
+			const double growth = most_growth(first, int(20.0 * rate), next);
+			// Of a swing by w the speed between steps falls short of its own by the share (w h)^2 / 6.
+			const double turn = 2.0 * std::numbers::pi * frequency / rate;
+			CHECK(growth <= 2e-3 + turn * turn / 3.0);
 		}
 	}
 }
@@ -193,16 +212,13 @@ TEST_CASE("METHOD_DIRECT in two stages: the energy of a released blade, of its s
 				blade.params.iterations = iterations;
 				blade.bend(2.0);
 				const double first = blade.energy(1.0 / rate);
-				double least = first, most_growth = 0.0, energy = first;
-				for (int i = 0; i < int(5.0 * rate); i++) {
+				const double growth = most_growth(first, int(5.0 * rate), [&] {
 					blade.step(1.0 / rate);
-					energy = blade.energy(1.0 / rate);
-					most_growth = std::max(most_growth, (energy - least) / first);
-					least = std::min(least, energy);
-				}
+					return blade.energy(1.0 / rate);
+				});
 				// What two stages err by on the wildest swing is a thousandth, once; a tenth of that for most rates.
-				CHECK(most_growth <= 2e-3);
-				CHECK(energy <= first);
+				CHECK(growth <= 2e-3);
+				CHECK(blade.energy(1.0 / rate) <= first);
 			}
 		}
 	}
@@ -237,8 +253,7 @@ TEST_CASE("METHOD_DIRECT: an even load across the plane of a quarter circle bend
 }
 
 TEST_CASE("METHOD_DIRECT with one solve: a slight undamped swing does not grow, of a straight blade or a curved one, in any direction") {
-	for (const auto &[frequency, rate] :
-			{ std::pair(0.6, 30.0), std::pair(1.2, 60.0), std::pair(2.5, 60.0), std::pair(4.0, 30.0), std::pair(8.0, 144.0) }) {
+	for (const auto &[frequency, rate] : ONE_SOLVE) {
 		for (const bool is_curved : { false, true }) {
 			for (const int axis : { 0, 2 }) {
 				CAPTURE(frequency);
@@ -248,6 +263,7 @@ TEST_CASE("METHOD_DIRECT with one solve: a slight undamped swing does not grow, 
 				ElasticBlade blade = is_curved ? ElasticBlade::quarter_circle() : ElasticBlade::straight();
 				const Eigen::Vector3d rest = blade.place(TIP);
 				blade.params.natural_frequency = frequency;
+				REQUIRE(takes_one_solve(blade.params, rate));
 				blade.params.damping_ratio = 0.7;
 				blade.params.load[axis] = 0.05 * bending_of(blade.params) * blade.length();
 				blade.step_for(12.0 / frequency, 60.0);

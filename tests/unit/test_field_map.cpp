@@ -56,13 +56,19 @@ GrassSlot slot_of(int p_x, int p_z, int p_slot = 0) {
 	return slot;
 }
 
-} // namespace
-
-TEST_CASE("map_layers: a layer sampled by itself says what the map says, over chunk borders, too") {
+// Of other density, height and ground everywhere.
+PaintMap paint_varied() {
 	PaintMap map;
 	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 12.0));
 	paint(map, MapTool::HEIGHT, 0.5, disc(-3.0, 2.0, 9.0));
 	lay_slope(map);
+	return map;
+}
+
+} // namespace
+
+TEST_CASE("map_layers: a layer sampled by itself says what the map says, over chunk borders, too") {
+	const PaintMap map = paint_varied();
 	MapLayers layers;
 	layers.reset(GRID);
 	CHECK(layers.update(map, { { -20, -20 }, { 20, 20 } }) == std::vector<int>{ 0, 1, 2, 3 });
@@ -242,10 +248,7 @@ TEST_CASE("field_map: laid out chunk by chunk, with changes in between, it says 
 }
 
 TEST_CASE("map_layers: what is read around one place is what the layers say there") {
-	PaintMap map;
-	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 12.0));
-	paint(map, MapTool::HEIGHT, 0.5, disc(-3.0, 2.0, 9.0));
-	lay_slope(map);
+	const PaintMap map = paint_varied();
 	MapLayers layers;
 	layers.reset(GRID);
 	const MapLayers empty = layers;
