@@ -147,12 +147,12 @@ template <class T> GRASS_INLINE T push_at(const T &p_hard, const T &p_depth, con
 // the lever moves along. p_weight: the knot's inertia.
 template <class T>
 GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
-		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending) {
+		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending, const T &p_share) {
 	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
 	r_beyond.contacts.depth = maximum(r_beyond.contacts.depth, p_touch.depth);
 	r_beyond.contacts.blow = maximum(r_beyond.contacts.blow, select(is_blow, p_touch.depth, T(0.0f)));
-	const T hard = p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED));
+	const T hard = p_share * (p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
 	const T stiffness = hard * in_skin;
@@ -177,7 +177,7 @@ GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const 
 // [Eq 26] A knot's inertia, and what touches it.
 template <class T>
 GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_touch, const T &p_bending) {
 	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
 	const Vec3<T> force = (p_stage.target[p_knot] - p_blade.knots[p_knot]) * weight;
 	r_beyond.pull = r_beyond.pull + force;
@@ -186,19 +186,18 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
 	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
 	if (any(ground.depth > T(0.0f))) {
-		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 	}
-	const Touch<T> touch = find_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
-	if (!any(touch.depth > T(0.0f))) {
+	if (!any(p_touch.depth > T(0.0f))) {
 		return;
 	}
-	add_touch(r_beyond, touch, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+	add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 }
 
 // What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former.
 template <class T>
 GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_first, const Touch<T> &p_second, const T &p_bending) {
 	if (p_terms.colliders.empty()) {
 		return;
 	}
@@ -210,8 +209,10 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}
+	const T felt = maximum(p_first.depth * dot(p_first.normal, touch.normal), p_second.depth * dot(p_second.normal, touch.normal));
+	const T own = maximum(T(1.0f) - maximum(felt, T(0.0f)) / maximum(touch.depth, T(1e-12f)), T(0.0f));
 	add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, p_blade.lengths[p_knot - 1],
-			knot_mass(p_blade, p_knot, p_chain) * p_stage.weight, p_bending);
+			knot_mass(p_blade, p_knot, p_chain) * p_stage.weight, p_bending, own);
 }
 
 // [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
@@ -268,11 +269,15 @@ GRASS_INLINE Contacts<T> solve_chain(
 	measure_joints(r_blade, gains);
 	Beyond<T> beyond{};
 	beyond.caution = p_stage.caution;
+	Touch<T> touch = find_touch(r_blade, p_terms, p_stage.base[GRASS_SEGMENTS], GRASS_SEGMENTS);
 	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
+		Touch<T> first;
+		if (s >= GRASS_CLAMPED_KNOTS) { first = find_touch(r_blade, p_terms, p_stage.base[s], s); }
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
-		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
+		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
-		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
+		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
+		touch = first;
 		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};
