@@ -261,7 +261,7 @@ int64_t CpuBackend::leave_out(int p_first, int p_end, uint32_t p_room) {
 void CpuBackend::update_pool_texture() {
 	const int rows = rows_for(_highest_slot);
 	const bool is_resized = rows != _pool_rows;
-	if (!is_resized && _changed_slots.find(0) == SlotSet::NONE) {
+	if (!is_resized && _changed_slots.is_empty()) {
 		return;
 	}
 	_pool_rows = rows;

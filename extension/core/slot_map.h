@@ -35,10 +35,11 @@ public:
 
 	// Empties it, with room for p_capacity tiles.
 	void reserve(int p_capacity) {
-		_entries.assign(std::bit_ceil(size_t(std::max(p_capacity, 1)) * 2), {});
+		_entries.assign(FIRST_ENTRIES, {});
 		_squares.resize(size_t(p_capacity));
 		_free.reset(p_capacity, true);
 		_mask = uint32_t(_entries.size() - 1);
+		_count = 0;
 	}
 
 	// The square of a tile, none of negative numbers; one without slots if none of its tiles has one.
@@ -56,12 +57,16 @@ public:
 	// The map must not hold its full capacity.
 	void insert(int p_x, int p_z, int p_slot) {
 		const uint32_t key = key_of(p_x, p_z);
-		Entry &entry = _entries[seek(key)];
-		if (entry.key == NO_KEY) {
-			entry = { key, uint32_t(_free.take_lowest()) };
-			_squares[entry.square] = NO_SLOTS;
+		uint32_t place = seek(key);
+		if (_entries[place].key == NO_KEY) {
+			if (++_count * 2 > _entries.size()) {
+				grow();
+				place = seek(key);
+			}
+			_entries[place] = { key, uint32_t(_free.take_lowest()) };
+			_squares[_entries[place].square] = NO_SLOTS;
 		}
-		_squares[entry.square].slots[Square::place(p_x, p_z)] = p_slot;
+		_squares[_entries[place].square].slots[Square::place(p_x, p_z)] = p_slot;
 	}
 
 	// Nothing if the tile is not in the map.
@@ -73,7 +78,8 @@ public:
 		Square &square = _squares[_entries[place].square];
 		square.slots[Square::place(p_x, p_z)] = NONE;
 		if (square.slots == NO_SLOTS.slots) {
-			_free.insert(int(_entries[place].square));
+			_free.give_back(int(_entries[place].square));
+			_count--;
 			remove(place);
 		}
 	}
@@ -84,6 +90,7 @@ public:
 	}
 
 private:
+	static constexpr size_t FIRST_ENTRIES = 256; // a power of two
 	static constexpr uint32_t NO_KEY = 0xffffffffu; // fields have up to 2^13 tiles along a side
 	struct Entry {
 		uint32_t key = NO_KEY;
@@ -118,7 +125,19 @@ private:
 		_entries[p_hole] = {};
 	}
 
-	std::vector<Entry> _entries = std::vector<Entry>(2);
+	void grow() {
+		std::vector<Entry> before(_entries.size() * 2);
+		before.swap(_entries);
+		_mask = uint32_t(_entries.size() - 1);
+		for (const Entry &entry : before) {
+			if (entry.key != NO_KEY) {
+				_entries[seek(entry.key)] = entry;
+			}
+		}
+	}
+
+	std::vector<Entry> _entries = std::vector<Entry>(2); // as few as what it has held allows: they stay in the caches
+	size_t _count = 0; // squares in use, at most half of the entries
 	std::vector<Square> _squares; // those in use come first: what a step needs lies close together
 	SlotSet _free;
 	uint32_t _mask = 1;

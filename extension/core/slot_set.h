@@ -2,6 +2,7 @@
 // A set of slots of the pool, one bit each: lowest first, in time that does not grow with how many are in it.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -22,33 +23,42 @@ public:
 		_first = 0;
 	}
 
-	void insert(int p_slot) {
-		_words[size_t(p_slot) / 64] |= uint64_t(1) << (p_slot % 64);
-		_first = size_t(p_slot) / 64 < _first ? size_t(p_slot) / 64 : _first;
+	void insert(int p_slot) { insert_if(p_slot, true); }
+
+	// Inserts it, or does nothing: without a jump, which could not be foreseen.
+	void insert_if(int p_slot, bool p_condition) { _words[size_t(p_slot) / 64] |= uint64_t(p_condition) << (p_slot % 64); }
+
+	// Inserts it into a set that take_lowest() takes slots from.
+	void give_back(int p_slot) {
+		insert(p_slot);
+		_first = std::min(_first, size_t(p_slot) / 64);
 	}
 
 	void erase(int p_slot) { _words[size_t(p_slot) / 64] &= ~(uint64_t(1) << (p_slot % 64)); }
 
 	bool has(int p_slot) const { return (_words[size_t(p_slot) / 64] >> (p_slot % 64) & 1) != 0; }
 
-	// The lowest slot at or above p_from, or NONE.
-	int find(int p_from) const {
-		size_t word = size_t(p_from) / 64;
-		word = word < _first ? _first : word;
-		if (word >= _words.size()) {
-			return NONE;
+	void clear() { std::fill(_words.begin(), _words.end(), 0); }
+
+	int count() const {
+		int count = 0;
+		for (const uint64_t word : _words) {
+			count += std::popcount(word);
 		}
-		uint64_t bits = _words[word];
-		if (word == size_t(p_from) / 64) {
-			bits &= ~uint64_t(0) << (p_from % 64);
+		return count;
+	}
+
+	// Becomes what p_a has and p_b, of the same size, has not.
+	void take_difference(const SlotSet &p_a, const SlotSet &p_b) {
+		_words.resize(p_a._words.size());
+		for (size_t i = 0; i < _words.size(); i++) {
+			_words[i] = p_a._words[i] & ~p_b._words[i];
 		}
-		while (bits == 0) {
-			if (++word == _words.size()) {
-				return NONE;
-			}
-			bits = _words[word];
-		}
-		return int(word * 64) + std::countr_zero(bits);
+		_first = 0;
+	}
+
+	bool is_empty() const {
+		return std::all_of(_words.begin(), _words.end(), [](uint64_t p_word) { return p_word == 0; });
 	}
 
 	// All slots, rising: `for (const int slot : set)`. The one at hand may be taken out meanwhile.
@@ -80,11 +90,14 @@ public:
 
 	// Takes the lowest slot out of the set, or returns NONE.
 	int take_lowest() {
-		const int slot = find(0);
-		_first = slot == NONE ? _words.size() : size_t(slot) / 64;
-		if (slot != NONE) {
-			erase(slot);
+		while (_first < _words.size() && _words[_first] == 0) {
+			_first++;
 		}
+		if (_first == _words.size()) {
+			return NONE;
+		}
+		const int slot = int(_first * 64) + std::countr_zero(_words[_first]);
+		erase(slot);
 		return slot;
 	}
 
@@ -92,7 +105,7 @@ public:
 
 private:
 	std::vector<uint64_t> _words;
-	size_t _first = 0; // No word below this one holds a slot.
+	size_t _first = 0; // No word below this one holds a slot that was given back.
 };
 
 } // namespace grass

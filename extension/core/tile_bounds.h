@@ -8,6 +8,7 @@
 #include "core/map/tile_cover.h"
 #include "core/patch.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -21,10 +22,14 @@ public:
 	// The same blades on another grid: much less work.
 	TileBounds(const TileBounds &p_other, const TileGrid &p_grid);
 
+	// A tile's place in the grid.
+	struct Tile {
+		uint16_t x = 0, z = 0;
+	};
 	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
-	// The same for tiles p_begin <= x < p_end of row p_z: writes x of those that are met to r_x, which has room for all; how many.
-	int find_met(int p_begin, int p_end, int p_z, const Bounds &p_bounds, int *r_x) const;
+	// The same for all tiles of the range: writes those that are met, row by row, to r_tiles, which has room for all; how many.
+	int find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const;
 	// The ground that the tiles stand on, and those that are bare; null: all stand on level ground. p_lean: metres by which
 	// blades lean farther on slopes.
 	void set_cover(std::shared_ptr<const TileCover> p_cover, double p_lean) {
@@ -35,6 +40,8 @@ public:
 	double get_reach() const { return _reach + _lean; }
 	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
 	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }
+	// Asks for what the next find_met() of many tiles reads, all at once: it lies in the order of a hash.
+	void prefetch() const;
 	size_t get_memory_usage() const; // bytes
 
 private:
@@ -45,8 +52,9 @@ private:
 
 		// Without jumps: which of the sides decides cannot be foreseen.
 		bool meets(const Box &p_other, float p_other_bottom) const {
-			return bool(int(p_other.min_x <= max_x) & int(p_other.max_x >= min_x) & int(p_other.min_z <= max_z) &
-					int(p_other.max_z >= min_z) & int(p_other_bottom <= height));
+			const float x = std::min(max_x - p_other.min_x, p_other.max_x - min_x),
+						z = std::min(max_z - p_other.min_z, p_other.max_z - min_z);
+			return std::min(std::min(x, z), height - p_other_bottom) >= 0.0f;
 		}
 	};
 

@@ -22,7 +22,9 @@ int count_tiles(double p_size, double p_tile_size, bool &r_limited) {
 
 // The tile along one axis that holds p_tiles, a coordinate in tiles; clamped so that int cannot overflow.
 int floor_to_int(double p_tiles) {
-	return int(std::floor(std::clamp(p_tiles, -16777216.0, 16777216.0)));
+	const double limited = std::clamp(p_tiles, -16777216.0, 16777216.0);
+	const int whole = int(limited); // towards zero; std::floor() is a call on older processors
+	return whole - (double(whole) > limited ? 1 : 0);
 }
 
 } // namespace

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which tiles wake, and who gives way. How they sleep: tiles_sleep.cpp; what comes of it: tiles_records.cpp.
+// Which tiles wake. Who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it: tiles_records.cpp.
 #include "core/tiles.h"
 
-#include <array>
-#include <bit>
 #include <cmath>
-#include <functional>
-#include <numeric>
 
 namespace grass {
 
@@ -47,6 +43,7 @@ TileParams TileParams::sanitised() const {
 	params.reach = limit(reach, 100.0, defaults.reach);
 	params.low = std::isfinite(low) ? low : defaults.low;
 	params.height = std::isfinite(height) ? height : defaults.height;
+	params.segment = limit(segment, 100.0, defaults.segment);
 	return params;
 }
 
@@ -68,20 +65,22 @@ void TileManager::set_params(const TileParams &p_params) {
 void TileManager::reset() {
 	_time = 0.0;
 	_has_passed_unseen = false;
-	_awake.assign(size_t(_params.pool_size), {});
-	_marks.assign(size_t(_params.pool_size), {});
+	_times.assign(size_t(_params.pool_size), {});
+	_motions.assign(size_t(_params.pool_size), {});
 	_places.assign(size_t(_params.pool_size), {});
 	_lives.assign(size_t(_params.pool_size), {});
+	_entries.assign(size_t(_params.pool_size), 0);
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_free.reset(_params.pool_size, true);
-	_used.reset(_params.pool_size, false);
-	_touched.reset(_params.pool_size, false);
-	_stirred.reset(_params.pool_size, false);
+	for (SlotSet *set : { &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+		set->reset(_params.pool_size, false);
+	}
 	_slot_of_tile.reserve(_params.pool_size);
 	_place_of_tile.clear();
 	_touches.clear();
-	_records.clear();
+	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be given away and live on
+	_record_count = 0;
 	_colliders.clear();
 	_collider_list.clear();
 	_planes.clear();
@@ -106,7 +105,8 @@ void TileManager::begin_step() {
 	_touches.clear();
 	_to_activate.clear();
 	_yielding_known = false;
-	_records.clear();
+	_record_count = 0;
+	find_tile_frustums();
 }
 
 void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
@@ -140,6 +140,9 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		left -= range.count();
 		find_squares(range);
 	}
+	if (_bounds && total > GRASS_START_COUNT / 4) {
+		_bounds->prefetch();
+	}
 	size_t square = 0;
 	for (size_t i = 0; i < _ranges.size(); i++) {
 		if (_ranges[i].count() > 0) {
@@ -163,31 +166,37 @@ void TileManager::find_squares(const TileRange &p_range) {
 // Touches the tiles of the range, whose squares are p_squares, whose blades' box the collider's meets; whether there is any.
 bool TileManager::touch_range(
 		const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves) {
-	const size_t before = _touches.size();
+	const size_t count = size_t(find_met(p_range, p_swept)), before = _touches.size();
 	const TileRange squares = SlotMap::squares_of(p_range);
-	_met.resize(size_t(p_range.width()));
-	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
-		const SlotMap::Square *const *row = p_squares + (z / SlotMap::SIDE - squares.z_begin) * squares.width();
-		int count = p_range.width();
-		if (_bounds) {
-			count = _bounds->find_met(p_range.x_begin, p_range.x_end, z, p_swept, _met.data());
+	const int width = squares.width();
+	_touches.resize(before + count);
+	for (size_t n = 0; n < count; n++) {
+		const int x = _met[n].x, z = _met[n].z;
+		int slot = p_squares[(z / SlotMap::SIDE - squares.z_begin) * width + x / SlotMap::SIDE - squares.x_begin]->at(x, z);
+		if (slot != SlotMap::NONE) {
+			_touched.insert(slot);
+			_stirred.insert_if(slot, p_moves);
 		} else {
-			std::iota(_met.begin(), _met.end(), p_range.x_begin);
+			slot = touch_asleep(_grid.get_index(x, z));
 		}
-		for (int n = 0; n < count; n++) {
-			const int x = _met[size_t(n)], slot = row[x / SlotMap::SIDE - squares.x_begin]->at(x, z);
-			if (slot != SlotMap::NONE) { // its mark is left alone, which is far away in memory
-				_touched.insert(slot);
-				if (p_moves) {
-					_stirred.insert(slot);
-				}
-				_touches.push_back({ slot, p_collider });
-			} else {
-				touch_asleep(_grid.get_index(x, z), p_collider);
-			}
+		_touches[before + n] = { slot, p_collider };
+	}
+	return count > 0;
+}
+
+// Writes those tiles of the range to _met whose blades' box the collider's meets; how many.
+int TileManager::find_met(const TileRange &p_range, const Bounds &p_swept) {
+	_met.resize(std::max(_met.size(), size_t(p_range.count())));
+	if (_bounds) {
+		return _bounds->find_met(p_range, p_swept, _met.data());
+	}
+	int count = 0;
+	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
+		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
+			_met[size_t(count++)] = { uint16_t(x), uint16_t(z) };
 		}
 	}
-	return _touches.size() > before;
+	return count;
 }
 
 // The tiles whose box could meet the collider's: squares grown by the farthest reach, lowest ground to highest tip.
@@ -198,14 +207,15 @@ TileRange TileManager::find_range(const Bounds &p_swept) const {
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);
 }
 
-void TileManager::touch_asleep(int p_tile, uint32_t p_collider) {
+// What stands for the slot in Touch.
+int TileManager::touch_asleep(int p_tile) {
 	int place = _place_of_tile.find(p_tile);
 	if (place == TileMap::NONE) {
 		place = int(_to_activate.size());
 		_to_activate.push_back(p_tile);
 		_place_of_tile.insert(p_tile, place);
 	}
-	_touches.push_back({ ~place, p_collider });
+	return ~place;
 }
 
 void TileManager::activate_tiles() {
@@ -227,80 +237,16 @@ void TileManager::activate_tiles() {
 
 void TileManager::activate(int p_slot, int p_tile) {
 	const int x = _grid.get_x(p_tile), z = _grid.get_z(p_tile);
-	_places[size_t(p_slot)] = { x, z, p_tile, grass_tile_start(uint32_t(x), uint32_t(z), _params.seed) };
-	_awake[size_t(p_slot)] = {};
-	_lives[size_t(p_slot)] = { _step_number, 0.0 };
-	Mark &mark = _marks[size_t(p_slot)];
-	mark = {};
-	mark.is_fresh = true;
+	_places[size_t(p_slot)] = { { uint16_t(x), uint16_t(z) }, grass_tile_start(uint32_t(x), uint32_t(z), _params.seed) };
+	_times[size_t(p_slot)] = {};
+	_motions[size_t(p_slot)] = {};
+	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
+	_fresh.insert(p_slot);
 	_touched.insert(p_slot); // deactivate_tiles() sets the timestamps
 	_stirred.insert(p_slot);
 	_slot_of_tile.insert(x, z, p_slot);
 	_used.insert(p_slot);
 	_statistics.woken++;
-}
-
-// The slot of the calmest tile that no object touches in this step, retired; NONE if all are touched: two tiles under
-// objects would otherwise take the slot from each other in every step. p_wanted: how many slots are asked for in this
-// step from now on.
-int TileManager::take_calmest_slot(size_t p_wanted) {
-	if (!_yielding_known) {
-		_yielding_known = true;
-		find_yielding(p_wanted);
-	}
-	if (_yielding.empty()) {
-		return SlotSet::NONE;
-	}
-	const int slot = int(_yielding.back() & ((1 << SLOT_BITS) - 1));
-	_yielding.pop_back();
-	retire(slot);
-	return slot;
-}
-
-TileManager::Calm TileManager::calm_of(int p_slot) const {
-	const Awake &awake = _awake[size_t(p_slot)];
-	constexpr uint32_t OLDEST = (1u << AGE_BITS) - 1;
-	const uint32_t age = std::min(uint32_t(_step_number) - awake.touched_step, OLDEST); // steps since the last touch
-	const Calm is_up = _marks[size_t(p_slot)].is_settling ? 0 : 1;
-	return (((is_up << 31 | std::bit_cast<uint32_t>(awake.energy)) << AGE_BITS) | (OLDEST - age)) << SLOT_BITS | Calm(p_slot);
-}
-
-// The calmest p_wanted tiles, calmest last.
-void TileManager::find_yielding(size_t p_wanted) {
-	constexpr size_t SAMPLES = 64;
-	_calm.resize(size_t(_params.pool_size));
-	_yielding.resize(size_t(_params.pool_size));
-	size_t count = 0;
-	for (const int slot : _used) {
-		_calm[count] = calm_of(slot);
-		count += _touched.has(slot) ? 0 : 1; // no jump: it could not be foreseen
-	}
-	// Few of many are wanted: a sample tells about how calm they are, and all others are out without being sorted.
-	Calm bound = ~Calm(0);
-	if (count > SAMPLES * 4) {
-		std::array<Calm, SAMPLES> samples;
-		for (size_t i = 0; i < SAMPLES; i++) {
-			samples[i] = _calm[i * count / SAMPLES];
-		}
-		std::sort(samples.begin(), samples.end());
-		const size_t rank = p_wanted * SAMPLES / count + SAMPLES / 16;
-		bound = rank < SAMPLES ? samples[rank] : bound;
-	}
-	size_t chosen = 0;
-	for (size_t i = 0; i < count; i++) {
-		_yielding[chosen] = _calm[i];
-		chosen += _calm[i] <= bound ? 1 : 0;
-	}
-	if (chosen < p_wanted) { // the sample was wrong
-		std::copy_n(_calm.begin(), count, _yielding.begin());
-		chosen = count;
-	}
-	_yielding.resize(chosen);
-	if (p_wanted < chosen) {
-		std::nth_element(_yielding.begin(), _yielding.begin() + std::ptrdiff_t(p_wanted), _yielding.end());
-		_yielding.resize(p_wanted);
-	}
-	std::sort(_yielding.begin(), _yielding.end(), std::greater());
 }
 
 int TileManager::get_slot_of(int p_tile) const {
@@ -309,7 +255,11 @@ int TileManager::get_slot_of(int p_tile) const {
 }
 
 int TileManager::get_tile_of(int p_slot) const {
-	return p_slot >= 0 && p_slot < _params.pool_size ? _places[size_t(p_slot)].tile : TileMap::NONE;
+	if (p_slot < 0 || p_slot >= _params.pool_size || !_used.has(p_slot)) {
+		return TileMap::NONE;
+	}
+	const TileBounds::Tile tile = _places[size_t(p_slot)].tile;
+	return _grid.get_index(tile.x, tile.z);
 }
 
 bool TileManager::is_awake(int p_tile) const {
@@ -318,7 +268,7 @@ bool TileManager::is_awake(int p_tile) const {
 
 bool TileManager::is_settling(int p_tile) const {
 	const int slot = get_slot_of(p_tile);
-	return slot != GRASS_NO_SLOT && _marks[size_t(slot)].is_settling;
+	return slot != GRASS_NO_SLOT && _settling.has(slot);
 }
 
 Eigen::Vector3f TileManager::get_bend(int p_tile) const {
@@ -329,11 +279,14 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
-	return bytes(_awake) + bytes(_marks) + bytes(_places) + bytes(_lives) + bytes(_bends) + _free.get_memory_usage() +
-			_used.get_memory_usage() + _touched.get_memory_usage() + _stirred.get_memory_usage() + _slot_of_tile.get_memory_usage() +
-			bytes(_ranges) + bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_met) + bytes(_squares) + bytes(_to_activate) +
-			bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) +
-			bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
+	size_t sets = 0;
+	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+		sets += set->get_memory_usage();
+	}
+	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) +
+			_slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_met) +
+			bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_calm) +
+			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
 }
 
 } // namespace grass

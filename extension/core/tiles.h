@@ -47,6 +47,7 @@ struct TileParams {
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
+	double segment = 0.0; // Metres, of the longest blade. Too short: its edges meet no sharp bodies, see is_sharp().
 	bool is_mapped = false; // StepInput::growth says how the blades grow.
 
 	// The same within limits; NaN becomes the default.
@@ -60,6 +61,7 @@ struct TileStatistics {
 	int settling = 0; // now: those of them that are on the way back to rest
 	int colliders = 0; // now: that touch an awake tile
 	int list_entries = 0; // now: sum over the tiles of their objects
+	int sharp_tiles = 0; // now: simulated tiles with GRASS_SLOT_EDGES
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
 	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
@@ -105,7 +107,7 @@ public:
 	uint64_t get_step_number() const { return _step_number; }
 
 	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
-	std::span<const GrassSlot> get_slots() const { return _records; }
+	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders; }
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
 	std::span<const Eigen::Vector4f> get_planes() const { return _planes; }
@@ -135,40 +137,35 @@ private:
 	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
 	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-	// What is known of an awake tile, in four parts: a step goes through all awake tiles, and what costs then is the memory
-	// that it has to fetch. When things happened:
-	struct Awake {
-		double touched = 0.0; // timestamp, seconds on _time: the last step in which an object was in the tile
-		double stirred = 0.0; // timestamp: the last step in which an object moved in the tile
-		double calm_since = NEVER; // timestamp
-		float energy = NO_ENERGY; // since the last touch
-		uint32_t touched_step = 0; // number of the step of `touched`, its lower half
+	// What is known of an awake tile, in parts: a step goes through all awake tiles, and what costs then is the memory that it has
+	// to fetch. When things happened, seconds on _time:
+	struct Times {
+		double touched = 0.0; // the last step in which an object was in the tile
+		double stirred = 0.0; // the last step in which an object moved in the tile
+		double calm_since = NEVER;
 	};
-	static_assert(sizeof(Awake) == 32);
 
-	// What this step does with it. All but the last line is cleared after each step.
-	struct Mark {
-		uint32_t list_count = 0; // objects
-		uint32_t list_next = 0; // entry of the collider list to write next
-		bool is_fresh : 1 = false; // awake since this step
-		bool is_unseen : 1 = false; // not simulated
-		bool is_settling : 1 = false;
-		float blend = 0.0f; // of this step's record; 1: at rest after it
+	// How calm it is.
+	struct Motion {
+		float energy = NO_ENERGY; // since the last touch
+		uint32_t touched_step = 0; // number of the step of Times::touched, its lower half
 	};
-	static_assert(sizeof(Mark) == 16);
 
 	// Where it is.
 	struct Place {
-		int x = 0, z = 0, tile = TileMap::NONE;
+		TileBounds::Tile tile;
 		uint32_t start = 0; // first blade in the patch
 	};
-	static_assert(sizeof(Place) == 16);
 
 	// What is seldom asked for.
 	struct Life {
 		uint64_t woken_step = 0; // number of the step
 		double settle_left = 0.0; // seconds to rest, while settling
+		float blend = 0.0f; // while settling: of this step's record; 1: at rest after it
 	};
+
+	// A frustum as tiles meet it: outside of a plane are those with x * first + z * second > third.
+	using TileFrustum = std::array<Eigen::Vector3f, 6>;
 
 	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
 	struct Touch {
@@ -188,7 +185,8 @@ private:
 	void find_squares(const TileRange &p_range);
 	bool touch_range(
 			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
-	void touch_asleep(int p_tile, uint32_t p_collider);
+	int find_met(const TileRange &p_range, const Bounds &p_swept);
+	int touch_asleep(int p_tile);
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
@@ -198,13 +196,15 @@ private:
 
 	void deactivate_tiles(double p_delta);
 	void keep_awake(int p_slot, bool p_is_stirred);
-	bool is_calm(const Awake &p_awake) const;
+	bool is_calm(int p_slot) const;
+	bool is_idle(int p_slot) const;
 	bool should_settle(int p_slot) const;
 	void settle(int p_slot, double p_delta);
-	void retire(int p_slot);
+	float blend_of(int p_slot) const { return _settling.has(p_slot) ? _lives[size_t(p_slot)].blend : 0.0f; }
+	void retire(int p_slot, bool p_is_at_rest);
 
+	void find_tile_frustums();
 	bool is_seen(const Place &p_place) const;
-	bool is_box_seen(const Eigen::Vector3d &p_centre, double p_half_x, double p_half_z) const;
 	bool is_past(int p_slot) const;
 
 	void count_touches(std::span<const ColliderShape> p_colliders);
@@ -219,16 +219,19 @@ private:
 	bool _has_passed_unseen = false; // since the last step
 	std::vector<Frustum> _frustums;
 	float _margin = 0.0f; // metres
+	std::vector<TileFrustum> _tile_frustums; // of _frustums, in this step
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
 
 	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
-	std::vector<Awake> _awake;
-	std::vector<Mark> _marks;
+	std::vector<Times> _times;
+	std::vector<Motion> _motions;
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
-	SlotSet _free, _used;
-	SlotSet _touched, _stirred; // in this step: by an object, by one that moves
+	std::vector<uint32_t> _entries; // of this step: objects; then where in the collider list the next of them is written
+	SlotSet _free, _used, _settling;
+	// Of this step: touched by an object, by one that moves, by none; awake since; not simulated; with sharp objects.
+	SlotSet _touched, _stirred, _left, _fresh, _unseen, _sharp;
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
@@ -237,7 +240,7 @@ private:
 	std::vector<TileRange> _ranges;
 	std::vector<Bounds> _swept; // of the colliders
 	std::vector<uint8_t> _has_met; // of the colliders: grass
-	std::vector<int> _met; // x of the tiles of a row
+	std::vector<TileBounds::Tile> _met; // of a range
 	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other
 	std::vector<Touch> _touches;
 	std::vector<int> _to_activate, _given_slots;
@@ -246,7 +249,8 @@ private:
 	std::vector<Calm> _yielding; // those that will, calmest last
 	bool _yielding_known = false;
 
-	std::vector<GrassSlot> _records;
+	std::vector<GrassSlot> _records; // room for all there can be
+	size_t _record_count = 0;
 	std::vector<GrassCollider> _colliders;
 	std::vector<uint32_t> _collider_list;
 	std::vector<Eigen::Vector4f> _planes;

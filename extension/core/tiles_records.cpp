@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What TileManager hands to the backend.
+#include "core/collider.h"
 #include "core/tiles.h"
 
 #include <limits>
+#include <utility>
 
 namespace grass {
 
@@ -10,16 +12,21 @@ namespace grass {
 void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
+	_sharp.clear();
+	std::fill(_entries.begin(), _entries.end(), 0);
 	size_t kept = 0;
 	uint32_t last = std::numeric_limits<uint32_t>::max();
+	bool last_is_sharp = false;
 	for (const Touch &touch : _touches) { // rising by collider
 		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
-		if (slot != SlotSet::NONE && !_marks[size_t(slot)].is_unseen) {
+		if (slot != SlotSet::NONE && !_unseen.has(slot)) {
 			if (touch.collider != last) {
 				last = touch.collider;
 				pack_collider(p_colliders[last]);
+				last_is_sharp = is_sharp(_colliders.back(), float(_params.segment));
 			}
-			_marks[size_t(slot)].list_count++;
+			_entries[size_t(slot)]++;
+			_sharp.insert_if(slot, last_is_sharp);
 			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
 		}
 	}
@@ -35,41 +42,39 @@ void TileManager::pack_collider(const ColliderShape &p_collider) {
 	}
 }
 
-// One pass over the awake tiles, which also readies them for the next step: they are many, and lie far apart in memory.
+// One record each of the awake tiles that are simulated.
 void TileManager::write_records() {
-	_statistics.awake = _statistics.simulated = _statistics.settling = 0;
+	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
 	uint32_t entries = 0;
-	for (const int slot : _used) {
+	GrassSlot *record = _records.data() + _record_count;
+	_left.take_difference(_used, _unseen);
+	for (const int slot : _left) {
 		const Place &place = _places[size_t(slot)];
-		Mark &mark = _marks[size_t(slot)];
-		_statistics.awake++;
-		if (mark.is_unseen) {
-			_statistics.unseen_steps++;
-		} else {
-			const uint32_t flags = (mark.is_fresh ? GRASS_SLOT_FRESH : 0) | (mark.is_settling ? GRASS_SLOT_SETTLING : 0) |
-					(_params.is_mapped ? GRASS_SLOT_MAPPED : 0);
-			_records.push_back({ { place.x, place.z, place.tile, slot }, { place.start, entries, mark.list_count, flags },
-					{ mark.blend, 0.0f, 0.0f, 0.0f } });
-			_statistics.simulated++;
-		}
-		_statistics.settling += mark.is_settling ? 1 : 0;
-		const uint32_t count = mark.list_count;
-		mark.list_count = 0;
-		mark.list_next = entries;
-		mark.is_fresh = mark.is_unseen = false;
+		const int x = place.tile.x, z = place.tile.z;
+		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
+		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) |
+				(_sharp.has(slot) ? GRASS_SLOT_EDGES : 0) | mapped;
+		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags }, { blend_of(slot), 0.0f, 0.0f, 0.0f } };
 		entries += count;
 	}
-	_touched.reset(_params.pool_size, false);
-	_stirred.reset(_params.pool_size, false);
+	_record_count = size_t(record - _records.data());
+	_statistics.awake = _used.count();
+	_statistics.simulated = _left.count();
+	_statistics.settling = _settling.count();
+	_statistics.sharp_tiles = _sharp.count();
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
+	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
+	_touched.clear();
+	_stirred.clear();
+	_fresh.clear();
 }
 
 // Each tile's objects, in the order in which they were given.
 void TileManager::write_list() {
 	_collider_list.resize(_touches.size());
 	for (const Touch &touch : _touches) {
-		_collider_list[_marks[size_t(touch.slot)].list_next++] = touch.collider;
+		_collider_list[_entries[size_t(touch.slot)]++] = touch.collider;
 	}
 }
 

@@ -32,39 +32,39 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 		if (size_t(slot) >= p_report.energies.size()) {
 			break;
 		}
-		Awake &awake = _awake[size_t(slot)];
+		Motion &motion = _motions[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
-		const bool is_older = int32_t(uint32_t(p_report.step) - awake.touched_step) < 0;
+		const bool is_older = int32_t(uint32_t(p_report.step) - motion.touched_step) < 0;
 		if (is_older || !std::isfinite(energy)) {
 			continue;
 		}
-		awake.energy = energy > 0.0f ? energy : 0.0f; // and no zero with a sign
-		if (awake.energy > CALM_ENDS * float(_params.sleep_energy)) {
-			awake.calm_since = NEVER;
-		} else if (awake.energy <= float(_params.sleep_energy)) {
-			awake.calm_since = std::min(awake.calm_since, _time);
+		motion.energy = energy > 0.0f ? energy : 0.0f; // and no zero with a sign
+		double &calm_since = _times[size_t(slot)].calm_since;
+		if (motion.energy > CALM_ENDS * float(_params.sleep_energy)) {
+			calm_since = NEVER;
+		} else if (motion.energy <= float(_params.sleep_energy)) {
+			calm_since = std::min(calm_since, _time);
 		}
 	}
 }
 
+// Those that are touched first, then the others: which of the two a slot is cannot be foreseen.
 void TileManager::deactivate_tiles(double p_delta) {
-	for (const int slot : _used) {
-		Mark &mark = _marks[size_t(slot)];
-		const bool is_touched = _touched.has(slot), is_stirred = _stirred.has(slot);
-		if (is_touched) {
-			keep_awake(slot, is_stirred);
-		}
-		// No object has moved in it for a while.
-		const bool is_idle = !is_stirred && _time - _awake[size_t(slot)].stirred >= CALM_TIME;
-		mark.is_unseen = is_idle && !is_seen(_places[size_t(slot)]);
-		if (is_touched) {
-			continue;
-		}
-		mark.blend = (mark.is_unseen || _has_passed_unseen) && is_past(slot) ? 1.0f : mark.blend;
-		if (mark.blend >= 1.0f) {
-			retire(slot);
-			_free.insert(slot);
-		} else if (!mark.is_unseen && should_settle(slot)) {
+	_unseen.clear();
+	_settling.take_difference(_settling, _touched);
+	for (const int slot : _touched) {
+		keep_awake(slot, _stirred.has(slot));
+		_unseen.insert_if(slot, is_idle(slot) && !is_seen(_places[size_t(slot)]));
+	}
+	_left.take_difference(_used, _touched);
+	for (const int slot : _left) {
+		const bool is_unseen = is_idle(slot) && !is_seen(_places[size_t(slot)]);
+		if (blend_of(slot) >= 1.0f || ((is_unseen || _has_passed_unseen) && is_past(slot))) {
+			retire(slot, true);
+			_free.give_back(slot);
+		} else if (is_unseen) {
+			_unseen.insert(slot);
+		} else if (should_settle(slot)) {
 			settle(slot, p_delta);
 		}
 	}
@@ -72,59 +72,59 @@ void TileManager::deactivate_tiles(double p_delta) {
 }
 
 void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
-	Mark &mark = _marks[size_t(p_slot)];
-	_awake[size_t(p_slot)] = { _time, p_is_stirred ? _time : _awake[size_t(p_slot)].stirred, NEVER, NO_ENERGY, uint32_t(_step_number) };
-	mark.is_settling = false;
-	mark.blend = 0.0f;
+	Times &times = _times[size_t(p_slot)];
+	times = { _time, p_is_stirred ? _time : times.stirred, NEVER };
+	_motions[size_t(p_slot)] = { NO_ENERGY, uint32_t(_step_number) };
 }
 
-bool TileManager::is_calm(const Awake &p_awake) const {
-	return _params.sleep_mode == SleepMode::ENERGY && p_awake.energy <= float(_params.sleep_energy) &&
-			_time - p_awake.calm_since >= CALM_TIME;
+// No object has moved in it for a while.
+bool TileManager::is_idle(int p_slot) const {
+	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
+}
+
+bool TileManager::is_calm(int p_slot) const {
+	return _params.sleep_mode == SleepMode::ENERGY && _motions[size_t(p_slot)].energy <= float(_params.sleep_energy) &&
+			_time - _times[size_t(p_slot)].calm_since >= CALM_TIME;
 }
 
 // Would be at rest by now, for all that anybody can tell who did not see it.
 bool TileManager::is_past(int p_slot) const {
-	const Awake &awake = _awake[size_t(p_slot)];
-	return _marks[size_t(p_slot)].is_settling || is_calm(awake) || _time - awake.touched >= _params.sleep_delay + _params.settle_time;
+	return _settling.has(p_slot) || is_calm(p_slot) || _time - _times[size_t(p_slot)].touched >= _params.sleep_delay + _params.settle_time;
 }
 
 bool TileManager::should_settle(int p_slot) const {
-	const Awake &awake = _awake[size_t(p_slot)];
-	if (_marks[size_t(p_slot)].is_settling || is_calm(awake)) {
+	if (_settling.has(p_slot) || is_calm(p_slot)) {
 		return true;
 	}
 	double delay = _params.sleep_delay;
 	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer holds where nothing is reported
-		delay = awake.energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
+		delay = _motions[size_t(p_slot)].energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
 	}
-	return _time - awake.touched >= delay;
+	return _time - _times[size_t(p_slot)].touched >= delay;
 }
 
 // Takes the share of what is left of the way that brings the tile to rest in time, at even pace.
 void TileManager::settle(int p_slot, double p_delta) {
-	Mark &mark = _marks[size_t(p_slot)];
-	double &left = _lives[size_t(p_slot)].settle_left;
-	if (!mark.is_settling) {
-		mark.is_settling = true;
-		left = is_calm(_awake[size_t(p_slot)]) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
+	Life &life = _lives[size_t(p_slot)];
+	if (!_settling.has(p_slot)) {
+		_settling.insert(p_slot);
+		life.settle_left = is_calm(p_slot) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
 	}
 	// What rounding leaves of a step is no step of its own.
-	const bool arrives = left <= p_delta * 1.0001;
-	mark.blend = arrives ? 1.0f : float(p_delta / left);
-	left -= p_delta;
+	const bool arrives = life.settle_left <= p_delta * 1.0001;
+	life.blend = arrives ? 1.0f : float(p_delta / life.settle_left);
+	life.settle_left -= p_delta;
 }
 
-// Announces that the slot's tile is at rest from now on. The slot is its caller's.
-void TileManager::retire(int p_slot) {
-	Place &place = _places[size_t(p_slot)];
-	(_marks[size_t(p_slot)].blend >= 1.0f ? _statistics.slept : _statistics.evicted)++;
-	_records.push_back({ { place.x, place.z, place.tile, p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {} });
-	_slot_of_tile.erase(place.x, place.z);
+// Announces that the slot's tile is at rest from now on. The slot is its caller's. p_is_at_rest: it was so before.
+void TileManager::retire(int p_slot, bool p_is_at_rest) {
+	const Place &place = _places[size_t(p_slot)];
+	const int x = place.tile.x, z = place.tile.z;
+	(p_is_at_rest ? _statistics.slept : _statistics.evicted)++;
+	_records[_record_count++] = { { x, z, _grid.get_index(x, z), p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {} };
+	_slot_of_tile.erase(x, z);
 	_used.erase(p_slot);
-	place = {};
-	_awake[size_t(p_slot)] = {};
-	_marks[size_t(p_slot)] = {};
+	_settling.erase(p_slot);
 }
 
 } // namespace grass

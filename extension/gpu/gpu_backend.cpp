@@ -123,8 +123,8 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 }
 
 void GpuBackend::step(const StepInput &p_input) {
-	RenderQueue::get_singleton()->post([field = _field, records = StepRecords(p_input, float(_setup.blade_length() / GRASS_SEGMENTS)),
-											   measure = _measure] { field->step(records, measure); });
+	RenderQueue::get_singleton()->post(
+			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {
@@ -157,9 +157,12 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
 
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
-	_energy = _report->energy;
-	_bends = _report->bends;
-	return { _report->energy_step, _energy, _bends };
+	if (_energy_step != _report->energy_step) { // swapped: what comes next is written over what was read before
+		_energy_step = _report->energy_step;
+		_energy.swap(_report->energy);
+		_bends.swap(_report->bends);
+	}
+	return { _energy_step, _energy, _bends };
 }
 
 BackendStatistics GpuBackend::get_statistics() {

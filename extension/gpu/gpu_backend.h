@@ -46,6 +46,7 @@ private:
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
 	std::shared_ptr<GpuReport> _report;
+	uint64_t _energy_step = 0; // after which `_energy` and `_bends` were read
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only

@@ -22,11 +22,10 @@ struct StepRecords {
 	std::vector<SlotGrowth> growth;
 	std::vector<GrassStep> species;
 	GrassStep step;
-	int sharp_slots = 0; // with GRASS_SLOT_EDGES
+	int sharp_slots; // with GRASS_SLOT_EDGES
 	double copy_ms; // CPU time of this copy
 
-	// p_segment: of the longest blade, metres.
-	StepRecords(const StepInput &p_input, float p_segment);
+	explicit StepRecords(const StepInput &p_input);
 };
 
 // The records of one drawn frame.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A tick of GpuField: what travels to the device, the simulation pass, and what comes back of it.
-#include "core/collider.h"
 #include "core/cpu_clock.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
@@ -13,7 +12,7 @@ using namespace godot;
 
 namespace grass {
 
-StepRecords::StepRecords(const StepInput &p_input, float p_segment) : number(p_input.number), step(p_input.step) {
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step), sharp_slots(p_input.sharp_slots) {
 	CpuClock clock;
 	slots.assign(p_input.slots.begin(), p_input.slots.end());
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
@@ -21,17 +20,6 @@ StepRecords::StepRecords(const StepInput &p_input, float p_segment) : number(p_i
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
 	growth.assign(p_input.growth.begin(), p_input.growth.end());
 	species.assign(p_input.species.begin(), p_input.species.end());
-	std::vector<bool> sharp;
-	for (const GrassCollider &collider : colliders) {
-		sharp.push_back(is_sharp(collider, p_segment));
-	}
-	for (GrassSlot &slot : slots) {
-		const auto begin = collider_list.begin() + slot.list.y, end = begin + slot.list.z;
-		if (std::any_of(begin, end, [&](uint32_t p_collider) { return p_collider >= sharp.size() || sharp[p_collider]; })) {
-			slot.list.w |= GRASS_SLOT_EDGES;
-			sharp_slots++;
-		}
-	}
 	copy_ms = clock.lap();
 }
 
@@ -105,17 +93,16 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		device->compute_list_end();
 	}
 	const double upload_ms = clock.lap();
-	int64_t live = 0;
-	for (const GrassSlot &slot : p_records.slots) {
-		live += (slot.list.w & GRASS_SLOT_RETIRED) == 0 ? 1 : 0;
-		_table_changed = _table_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
-	}
+	const auto is_retired = [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_RETIRED) != 0; };
+	const auto is_fresh = [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_FRESH) != 0; };
+	const auto end = p_records.slots.end(), live = std::find_if_not(p_records.slots.begin(), end, is_retired);
+	_table_changed = _table_changed || live != p_records.slots.begin() || std::any_of(live, end, is_fresh);
 	{
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
 		statistics.edge_tile_steps += takes_edges ? p_records.sharp_slots : 0;
-		statistics.simulated_blades += live * GRASS_BLADES_PER_TILE;
+		statistics.simulated_blades += int64_t(end - live) * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;

@@ -21,10 +21,10 @@ constexpr double BLADE_FRICTION = 0.5;
 
 // Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
 // grass notices a change later.
-constexpr int LOOK_EVERY = 4, LIVELY_LOOKS = 60;
+constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
 // Looks from one at everything to the next: at friction, and which shapes are disabled. Of the latter the server tells, too, as
 // far as they touch grass: an overlap begins or ends.
-constexpr int LOOK_AT_ALL_EVERY = 4;
+constexpr int LOOK_AT_ALL_EVERY = 2;
 
 // Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
 bool is_driven_by_velocity(int64_t p_mode) {

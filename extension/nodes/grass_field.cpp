@@ -126,6 +126,7 @@ void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
+	input.sharp_slots = _tiles.get_statistics().sharp_tiles;
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
@@ -274,6 +275,7 @@ TileParams GrassField::tile_params() const {
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
 	params.is_mapped = _blades.is_told();
 	params.seed = _setup.seed;
 	return params;

@@ -204,3 +204,25 @@ TEST_CASE("tiles: another grid or seed puts all to rest, other parameters do not
 	step(manager, { make_ball(manager, 1, 1) });
 	CHECK(manager.get_slots()[0].tile == ivec4{ 1, 1, 7, 0 });
 }
+
+TEST_CASE("tiles: those with a collider that is sharp beside a segment say so, even if others of it are not") {
+	TileManager manager = make_manager();
+	TileParams params = manager.get_params();
+	params.segment = 0.04;
+	manager.set_params(params);
+	ColliderShape box = make_ball(manager, 3, 5);
+	box.type = GRASS_BOX;
+	box.size = Eigen::Vector3d::Constant(0.1);
+	std::vector<ColliderShape> colliders{ box, make_ball(manager, 3, 5), make_ball(manager, 7, 7) };
+	REQUIRE(step(manager, colliders) == 2);
+	CHECK((flags_of(manager.get_slots()[0]) & GRASS_SLOT_EDGES) != 0);
+	CHECK((flags_of(manager.get_slots()[1]) & GRASS_SLOT_EDGES) == 0);
+	CHECK(manager.get_statistics().sharp_tiles == 1);
+	colliders[0].now.position.y() = colliders[0].before.position.y() = 50.0;
+	step(manager, colliders);
+	CHECK(manager.get_statistics().sharp_tiles == 0);
+	params.segment = 0.2; // a ball is as sharp as that is long
+	manager.set_params(params);
+	step(manager, colliders);
+	CHECK(manager.get_statistics().sharp_tiles == 2);
+}
