@@ -24,6 +24,8 @@ inline constexpr float MOST_DEPTH = 0.5f;
 // What one solve found of the surfaces.
 template <class T> struct Contacts {
 	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
+	T deepest; // of the touches of colliders, skins
+	T grip; // most that friction at colliders takes of the blade's motion, metres times the inertia that a mean knot has without drag
 	T blow; // of the deepest touch that the solve had to leave out, metres; 0: there was none
 };
 
@@ -144,22 +146,24 @@ template <class T> GRASS_INLINE T push_at(const T &p_hard, const T &p_depth, con
 }
 
 // [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
-// the lever moves along. p_weight: the knot's inertia.
+// the lever moves along. p_weight: the knot's inertia, p_own: the share of the push that is this point's. Returns the most that friction
+// pulls with.
 template <class T>
-GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
-		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending) {
+GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
+		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending, const T &p_own) {
 	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
 	r_beyond.contacts.depth = maximum(r_beyond.contacts.depth, p_touch.depth);
 	r_beyond.contacts.blow = maximum(r_beyond.contacts.blow, select(is_blow, p_touch.depth, T(0.0f)));
-	const T hard = p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED));
+	const T hard = p_own *
+			(p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
 	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
 	const T stiffness = hard * in_skin;
 	const T push = push_at(hard, depth, skin);
 	const T held = select(is_blow, T(0.0f), minimum(p_touch.held, depth));
-	const T grip = minimum(
-			hard * T(FRICTION_OVER_CONTACT), p_touch.friction * push_at(hard, held, skin) / maximum(length(p_touch.slip), T(1e-12f)));
+	const T friction = p_touch.friction * push_at(hard, held, skin);
+	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), friction / maximum(length(p_touch.slip), T(1e-12f)));
 	r_beyond.caution = minimum(r_beyond.caution, p_stage.caution * maximum(T(1.0f) - depth / (skin * T(HIT)), T(0.0f)));
 	const Vec3<T> force = p_touch.normal * push - p_touch.slip * grip;
 	Symmetric<T> P;
@@ -172,12 +176,19 @@ GRASS_INLINE void add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const 
 	const Rows<T> S = crossed(p_lever, Q);
 	add(r_beyond.S, Symmetric<T>{ S.x.x, S.y.y, S.z.z, S.y.x, S.x.z, S.y.z });
 	r_beyond.q = r_beyond.q + cross(p_lever, force);
+	return friction;
 }
 
-// [Eq 26] A knot's inertia, and what touches it.
+// [Eq 36] Keeps what a collider's touch, with such a friction, says of how the blade is held.
+template <class T> GRASS_INLINE void keep_hold(Contacts<T> &r_contacts, const Touch<T> &p_touch, const T &p_length, const T &p_friction) {
+	r_contacts.grip = r_contacts.grip + p_friction;
+	r_contacts.deepest = maximum(r_contacts.deepest, p_touch.depth / maximum(p_length * T(SKIN), T(1e-12f)));
+}
+
+// [Eq 26] A knot's inertia, and what touches it. p_touch: of the colliders.
 template <class T>
 GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_touch, const T &p_bending) {
 	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
 	const Vec3<T> force = (p_stage.target[p_knot] - p_blade.knots[p_knot]) * weight;
 	r_beyond.pull = r_beyond.pull + force;
@@ -186,19 +197,21 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
 	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
 	if (any(ground.depth > T(0.0f))) {
-		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 	}
-	const Touch<T> touch = find_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
-	if (!any(touch.depth > T(0.0f))) {
+	if (!any(p_touch.depth > T(0.0f))) {
 		return;
 	}
-	add_touch(r_beyond, touch, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending);
+	const T length = p_blade.lengths[p_knot - 1];
+	keep_hold(r_beyond.contacts, p_touch, length,
+			add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, length, weight, p_bending, T(1.0f)));
 }
 
-// What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former.
+// What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: what touches these
+// knots; what they feel of the edge's surface it does not feel again.
 template <class T>
 GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Stage<T> &p_stage, int p_knot, const T &p_bending) {
+		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_first, const Touch<T> &p_second, const T &p_bending) {
 	if (p_terms.colliders.empty()) {
 		return;
 	}
@@ -210,8 +223,11 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	if (!any(touch.depth > T(0.0f))) {
 		return;
 	}
-	add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, p_blade.lengths[p_knot - 1],
-			knot_mass(p_blade, p_knot, p_chain) * p_stage.weight, p_bending);
+	const T own = own_share(touch, p_first, p_second);
+	const T length = p_blade.lengths[p_knot - 1];
+	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
+	keep_hold(r_beyond.contacts, touch, length,
+			add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, length, weight, p_bending, own));
 }
 
 // [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
@@ -268,11 +284,18 @@ GRASS_INLINE Contacts<T> solve_chain(
 	measure_joints(r_blade, gains);
 	Beyond<T> beyond{};
 	beyond.caution = p_stage.caution;
-	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
+	Touch<T> touch{}; // of knot s + 1
+	for (int s = GRASS_SEGMENTS; s >= 1; s--) {
+		const Touch<T> first = s >= GRASS_CLAMPED_KNOTS ? find_touch(r_blade, p_terms, p_stage.base[s], s) : Touch<T>{};
+		if (s == GRASS_SEGMENTS) {
+			touch = first;
+			continue;
+		}
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
-		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
+		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
-		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, stiffness);
+		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
+		touch = first;
 		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};

@@ -137,6 +137,14 @@ template <class T> GRASS_INLINE auto comes_within(const TileCollider &p_collider
 	return dot(nearest, nearest) < reach * reach;
 }
 
+// Whether the collider stands still in this step.
+GRASS_INLINE bool is_still(const TileCollider &p_collider) {
+	const Vec3<float> way = p_collider.centre - p_collider.centre_before;
+	const Vec3<float> axis = p_collider.turn.axis - p_collider.turn_before.axis;
+	const float w = p_collider.turn.w - p_collider.turn_before.w;
+	return dot(way, way) + dot(axis, axis) + w * w <= 0.0f;
+}
+
 // A box with sides along the field's axes that holds some points of a blade, metres from the tile's centre on the ground.
 template <class T> struct Extent {
 	Vec3<T> low, high;

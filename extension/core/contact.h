@@ -180,8 +180,9 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 }
 
 // [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
-// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit.
-template <class T> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit. p_is_held: [Eq 36], those
+// that nothing pushes: in a wedge it would turn them on and on.
+template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_held) {
 	const T zero(0.0f);
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -207,6 +208,7 @@ template <class T> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T
 				break;
 			}
 		}
+		segment = select(p_is_held, straight, segment);
 		const Vec3<T> change = segment - straight;
 		carry = carry + change;
 		r_blade.knots[k] = knot + change;

@@ -27,6 +27,10 @@ inline constexpr float RUB = 30.0f;
 // lying flat.
 inline constexpr float STICK = 2e-4f;
 inline constexpr float STICK_FORCE = 0.02f;
+// Among colliders that stand still it is held where it is slower than this, blade lengths a second, and friction could take back what
+// forces do in the step. A point at the surface is one skin deep; this deep, skins, it is inside and has to come out.
+inline constexpr float HOLD_BELOW = 0.15f;
+inline constexpr float INSIDE = 1.01f;
 
 // A blade's places and speeds at the start of the step.
 template <class T> struct Start {
@@ -81,28 +85,51 @@ GRASS_INLINE void take_blows(
 	}
 }
 
+// [Eq 36] Whether no collider that may touch the blade moves in this step.
+template <class T> GRASS_INLINE auto is_all_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	auto is_moved = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		if (!is_still(collider)) {
+			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		}
+	}
+	return !is_moved;
+}
+
+// [Eq 36] Which blades may stick in a step, and which do.
+template <class Mask> struct Hold {
+	Mask may_stick; // slow and near something
+	Mask may_be_held; // and slower, near nothing but what stands still
+	Mask sticks; // where it was at the start of the step
+	Mask is_held; // of those, the ones which nothing may push, either
+};
+
 // [Eq 36] After the first solve of slow blades: those that touch nothing get back the speed that rubbing took, those that touch something
-// and stick go back to where they were. Which ones stick is returned.
+// and stick go back to where they were. p_is_slow: of r_hold.may_stick, the ones that nothing has hit.
 template <class T, class Mask>
-GRASS_INLINE Mask hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
-		const Mask &p_touches) {
+GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
+		const Mask &p_touches, const Contacts<T> &p_contacts, Hold<Mask> &r_hold) {
 	const Mask is_free = p_is_slow & !p_touches;
 	const T lost = T(RUB) * r_stage.span; // of what is left
 	const Vec3<T> load = p_terms.load * (r_stage.span * r_stage.span / r_stage.weight);
-	T farthest(0.0f); // squared, square metres
+	T farthest(0.0f), forced(0.0f); // squared, square metres
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> moved = r_blade.knots[k] - p_start.place[k];
+		const Vec3<T> carried = r_stage.target[k] - p_start.place[k] - load;
+		const Vec3<T> changed = moved - carried;
 		farthest = maximum(farthest, dot(moved, moved));
-		const Vec3<T> back = (r_stage.target[k] - p_start.place[k] - load) * lost;
-		r_stage.target[k] = select(is_free, r_stage.target[k] + back, r_stage.target[k]);
+		forced = maximum(forced, dot(changed, changed));
+		r_stage.target[k] = select(is_free, r_stage.target[k] + carried * lost, r_stage.target[k]);
 	}
 	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const Mask sticks = p_is_slow & p_touches & (farthest < limit * limit);
+	const T grip = p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight);
+	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_contacts.deepest < T(INSIDE));
+	r_hold.sticks = p_is_slow & p_touches & ((farthest < limit * limit) | is_held);
+	r_hold.is_held = r_hold.sticks & is_held;
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		r_blade.knots[k] = select(sticks, p_start.place[k], r_blade.knots[k]);
-		r_blade.twist[k - 1] = select(sticks, p_start.twist[k - 1], r_blade.twist[k - 1]);
+		r_blade.knots[k] = select(r_hold.sticks, p_start.place[k], r_blade.knots[k]);
+		r_blade.twist[k - 1] = select(r_hold.sticks, p_start.twist[k - 1], r_blade.twist[k - 1]);
 	}
-	return sticks;
 }
 
 // Which blades take the i-th solve of a stage by their number of solves: those that something is near `iterations`, others all of theirs
@@ -115,10 +142,10 @@ GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &
 }
 
 // [Eq 30] The solves of a stage of p_takes_part; CONTACT_SOLVES more where a blade touches something. Blades that the first one shows to be
-// hit start again, from the blow; p_is_slow: those that may stick.
+// hit start again, from the blow.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
-		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, const Mask &p_is_slow) {
+		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, Hold<Mask> &r_hold) {
 	const Mask none = p_is_single & !p_is_single;
 	Vec3<T> guess[GRASS_KNOTS];
 	T twist[GRASS_SEGMENTS];
@@ -126,12 +153,13 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		guess[k] = r_blade.knots[k];
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
-	Mask is_hit = none, touches = none, sticks = none;
+	Mask is_hit = none, touches = none;
+	r_hold.sticks = r_hold.is_held = none;
 	for (int i = 0; i < p_terms.iterations + CONTACT_SOLVES;) {
 		const bool is_again = any(is_hit);
 		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
 		const Mask wants_more = i < p_terms.iterations ? by_count : by_count | touches;
-		const Mask is_active = is_again ? is_hit : wants_more & !sticks;
+		const Mask is_active = is_again ? is_hit : wants_more & !r_hold.sticks;
 		if (!any(is_active)) {
 			return;
 		}
@@ -143,9 +171,9 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 			i++;
 			continue;
 		}
-		const Mask is_slow = p_is_slow & !is_blow;
+		const Mask is_slow = r_hold.may_stick & !is_blow;
 		if (any(is_slow)) {
-			sticks = hold(r_blade, p_terms, p_start, r_stage, is_slow, touches);
+			hold(r_blade, p_terms, p_start, r_stage, is_slow, touches, contacts, r_hold);
 		}
 		if (!any(is_blow)) {
 			i++;
@@ -161,8 +189,8 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 }
 
 // [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step with `iterations` as rounds of contact;
-// else two stages with half of its solves each, or, where it has one only, that of [Eq 38].
-template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
+// else two stages with half of its solves each, or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
+template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
@@ -176,14 +204,18 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 	stage.span = select(is_single, seconds, seconds * T(STAGE_SHARE));
 	stage.weight = T(1.0f) + drag * stage.span;
 	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
-	const Mask is_slow = p_is_near & (fastest < r_blade.reach * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
-	const T kept = select(is_slow, rubbed(seconds), T(1.0f));
+	const Mask none = is_single & !is_single;
+	Hold<Mask> hold{ none, none, none, none }, no_hold = hold;
+	hold.may_stick = p_is_near & (fastest < r_blade.reach * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
+	if (any(hold.may_stick)) {
+		hold.may_be_held = hold.may_stick & (fastest < r_blade.reach * (seconds * T(HOLD_BELOW))) & is_all_still(r_blade, p_terms);
+	}
+	const T kept = select(hold.may_stick, rubbed(seconds), T(1.0f));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		set_target(stage, k, start.place[k], start.speed[k] * kept, load);
 	}
 	follow_targets(r_blade, stage);
-	const Mask none = is_single & !is_single;
-	solve_stage(r_blade, p_terms, chain, start, stage, !none, is_single, p_is_near, is_slow);
+	solve_stage(r_blade, p_terms, chain, start, stage, !none, is_single, p_is_near, hold);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
@@ -198,7 +230,7 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, load);
 		}
 		follow_targets(r_blade, stage);
-		solve_stage(r_blade, p_terms, chain, start, stage, !is_single, is_single, none, none);
+		solve_stage(r_blade, p_terms, chain, start, stage, !is_single, is_single, none, no_hold);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;
 			r_blade.knots[k] = select(is_single, first[k], r_blade.knots[k]);
@@ -209,6 +241,7 @@ template <class T, class Mask> GRASS_INLINE void step_direct(Blade<T> &r_blade, 
 			r_blade.before[k] = start.place[k];
 		}
 	}
+	return hold.is_held;
 }
 
 } // namespace grass

@@ -109,16 +109,18 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	if (is_idle(r_blade, p_terms)) {
 		return;
 	}
+	auto is_held = T(0.0f) > T(1.0f);
 	if (p_terms.is_direct) {
-		step_direct(r_blade, p_terms, is_near(r_blade, p_terms));
+		is_held = step_direct(r_blade, p_terms, is_near(r_blade, p_terms));
 	} else {
 		step_pbd(r_blade, p_terms);
 	}
 	if (any(p_terms.blend > T(0.0f))) {
 		settle(r_blade, p_terms);
+		is_held = is_held & !(p_terms.blend > T(0.0f));
 	}
 	mend(r_blade);
-	finish(r_blade, p_terms);
+	finish(r_blade, p_terms, is_held);
 	mend(r_blade); // what a body of absurd size did in finish()
 }
 

@@ -103,4 +103,11 @@ GRASS_INLINE Touch<T> find_edge_touch(
 	return deepest;
 }
 
+// [Eq 33] The share of an edge's touch that its knots' touches, p_first and p_second, do not feel already. So what the edge does begins
+// with nothing where its deepest point leaves a knot.
+template <class T> GRASS_INLINE T own_share(const Touch<T> &p_edge, const Touch<T> &p_first, const Touch<T> &p_second) {
+	const T felt = maximum(p_first.depth * dot(p_first.normal, p_edge.normal), p_second.depth * dot(p_second.normal, p_edge.normal));
+	return T(1.0f) - minimum(maximum(felt, T(0.0f)) / maximum(p_edge.depth, T(1e-12f)), T(1.0f));
+}
+
 } // namespace grass
