@@ -89,6 +89,12 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
+void GpuBackend::begin_passes(bool p_species) {
+	if (main_device() != nullptr) {
+		RenderQueue::get_singleton()->post([p_species] { GpuField::begin_passes(p_species); });
+	}
+}
+
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	bool has_passes = true;
 	if ((p_setup.species != nullptr) != (_setup.species != nullptr)) {
@@ -104,7 +110,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 			p_setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
 	}
-	const bool has_other_blades = p_setup.patch != _setup.patch;
+	const bool has_other_blades = p_setup.patch != _setup.patch, has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
 	_setup = p_setup;
 	_materials.set_features(shader_features(_setup));
 	if (has_other_blades) {
@@ -116,10 +122,21 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->is_prepared = false;
+		_report->can_simulate = _report->can_simulate && !has_other_passes;
 	}
+	_can_simulate = _can_simulate && !has_other_passes;
 	RenderQueue::get_singleton()->post(
 			[field = _field, setup = _setup, patch = _patch_texture] { field->set_field(setup, patch->get_rid()); });
 	return true;
+}
+
+bool GpuBackend::can_simulate() {
+	if (!_can_simulate) {
+		RenderQueue::get_singleton()->post([field = _field] { field->look_for_passes(); });
+		std::lock_guard lock(_report->mutex);
+		_can_simulate = _report->can_simulate;
+	}
+	return _can_simulate;
 }
 
 void GpuBackend::step(const StepInput &p_input) {
