@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "draw/blade_mesh.h"
+#include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
 #include "gpu/render_queue.h"
@@ -102,7 +103,19 @@ bool GpuBackend::prepare(const FieldSetup &p_setup) {
 		std::lock_guard lock(_report->mutex);
 		has_passes = _report->is_prepared;
 	}
-	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes;
+	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes && prepare_patch(p_setup.patch);
+}
+
+// Some megabytes.
+bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
+	if (p_patch == _setup.patch || p_patch == _next_patch || p_patch->is_empty()) {
+		return true;
+	}
+	if (FrameShare::has_time()) {
+		_next_patch_texture = make_patch_texture(*p_patch);
+		_next_patch = p_patch;
+	}
+	return p_patch == _next_patch;
 }
 
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
@@ -110,13 +123,17 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 			p_setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
 	}
-	const bool has_other_blades = p_setup.patch != _setup.patch, has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
+	const bool has_other_blades = p_setup.patch != _setup.patch,
+			   has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
 	_setup = p_setup;
 	_materials.set_features(shader_features(_setup));
 	if (has_other_blades) {
-		update_patch_texture(_patch_texture, *_setup.patch);
+		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : make_patch_texture(*_setup.patch);
+		_materials.set("patch_knots", _patch_texture);
 		_materials.set("blade_length", _setup.blade_length());
 	}
+	_next_patch_texture.unref();
+	_next_patch.reset();
 	_picture.set_bounds(field_bounds(_setup));
 	_shadows.set_bounds(field_bounds(_setup));
 	{

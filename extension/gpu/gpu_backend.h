@@ -42,11 +42,14 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
+	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 
 	FieldSetup _setup;
 	bool _measure = false;
 	bool _can_simulate = false;
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
+	std::shared_ptr<const Patch> _next_patch; // of the field that comes, once its texture is there
+	godot::Ref<godot::ImageTexture> _next_patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture;
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
