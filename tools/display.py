@@ -10,7 +10,7 @@ import signal
 import subprocess
 import tempfile
 
-from tools import machine
+from tools import machine, settle
 from tools.places import UNPACKED
 from tools.say import Failure
 
@@ -32,6 +32,13 @@ def server_command(number_pipe, size):
 	return command
 
 
+def server_environment():
+	"""Environment of the X server: a fetched one finds no OpenGL drivers in the system's folder."""
+	drivers = UNPACKED / settle.LIBRARIES / "dri"
+	fetched = str(UNPACKED) in machine.x_server() and drivers.is_dir()
+	return {**os.environ, "LIBGL_DRIVERS_PATH": str(drivers)} if fetched else None
+
+
 @contextlib.contextmanager
 def virtual(size="1920x1080"):
 	"""Starts Xvfb on a free display number; yields the environment additions that name it; stops it."""
@@ -39,7 +46,7 @@ def virtual(size="1920x1080"):
 	folder = pathlib.Path(machine.x_server()).parent  # a fetched server looks for xkbcomp in its working folder
 	words = tempfile.TemporaryFile("w+")
 	server = subprocess.Popen(
-		server_command(writing, size), cwd=folder, pass_fds=[writing], preexec_fn=die_with_parent,
+		server_command(writing, size), cwd=folder, env=server_environment(), pass_fds=[writing], preexec_fn=die_with_parent,
 		stdin=subprocess.DEVNULL, stdout=words, stderr=words,
 	)  # fmt: skip
 	os.close(writing)

@@ -112,27 +112,30 @@ class Reports:
 
 	def end(self, how):
 		"""What had not run when the engine ended has failed; so has an engine that ended badly, or leaked."""
-		planned = self.open or self.tally.count()
+		planned, died = self.open or self.tally.count(), how.startswith("the engine died")
 		for name in self.open:
 			reason = f"while it ran, {how}" if name == self.running else f"not run: {how}"
 			self.tally.failed.append(f"{name}: {reason}")
-		if not planned and not self.may_be_none:
+		if not planned and (died or not self.may_be_none):
 			self.tally.failed.append(f"{self.title}: no test was found ({how})")
-		elif how.startswith("the engine died") and not self.open:
+		elif died and not self.open:
 			self.tally.failed.append(f"{self.title}: after the last test {how}")
 		if self.leaks:
 			self.tally.failed.append(f"{self.title}: leaks at exit: {'; '.join(self.leaks)}")
 		return self.tally
 
 
-def in_engine(layer, command, environment, only, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT):
-	reports = Reports(layer, bool(only), title)
+def in_engine(
+	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT
+):  # fmt: skip
+	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose)."""
+	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title)
 	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
 	try:
 		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT)
-		clean = code in (0, 1)  # 1: the runner says that a test failed
+		clean = code == 0 or code == 1 and reports.tally.failed  # 1: the runner says that a test failed, or the engine did not start
 		how = f"the engine ended with code {code}" if clean else f"the engine died with code {code} (negative: a signal)"
 	except Failure as failure:
 		how = f"the engine died: {failure}"
@@ -148,7 +151,7 @@ def gpu(only):
 		tally = in_engine("gpu", command, environment, only)
 	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
 		with engine.window(method, "320x180", software=True) as (command, environment):
-			tally.add(in_engine("gpu", command, environment, only or PICTURES, f"gpu ({method})"))
+			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})"))
 	return tally
 
 
