@@ -114,6 +114,8 @@ public:
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and nobody calls step().
 	virtual bool can_simulate() { return true; }
+	// Whether blades are simulated as they always will be: no pass is being compiled that another one stands in for.
+	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
 	// In every tick, whether there is a step or not: gives back memory that nothing has needed for a while.

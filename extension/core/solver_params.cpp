@@ -92,6 +92,11 @@ double SolverParams::energy_within(double p_distance) const {
 	return 0.5 * speed * speed / GRASS_FREE_KNOTS;
 }
 
+double SolverParams::calm_time() const {
+	const SolverParams params = sanitised();
+	return std::clamp(std::log(100.0) / std::max(TURN * params.natural_frequency * params.damping_ratio, 1e-6), 1.0, 10.0);
+}
+
 GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
 	const bool passes = p_delta > 0.0 && std::isfinite(p_delta);
 	if (passes) {

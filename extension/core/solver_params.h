@@ -43,6 +43,8 @@ struct SolverParams {
 	// [Eq S1] The energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast
 	// enough to swing farther. J/kg.
 	double energy_within(double p_distance) const;
+	// [Eq S2] Seconds in which a swing dies down to a hundredth, 1 to 10.
+	double calm_time() const;
 	// The same within the tunables' ranges; what is not a number becomes the default.
 	SolverParams sanitised() const;
 };

@@ -40,6 +40,7 @@ TileParams TileParams::sanitised() const {
 	params.sleep_delay = limit(sleep_delay, 3600.0, defaults.sleep_delay);
 	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
+	params.still_delay = limit(still_delay, 3600.0, defaults.still_delay);
 	params.reach = limit(reach, 100.0, defaults.reach);
 	params.low = std::isfinite(low) ? low : defaults.low;
 	params.height = std::isfinite(height) ? height : defaults.height;
@@ -70,6 +71,8 @@ void TileManager::reset() {
 	_places.assign(size_t(_params.pool_size), {});
 	_lives.assign(size_t(_params.pool_size), {});
 	_entries.assign(size_t(_params.pool_size), 0);
+	_signatures.assign(size_t(_params.pool_size), 0);
+	_signatures_before.assign(size_t(_params.pool_size), 0);
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_free.reset(_params.pool_size, true);
@@ -95,6 +98,7 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	begin_step();
 	find_touched_tiles(p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
+	sign_touches(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25
 	count_touches(p_colliders);
 	write_records();
@@ -283,10 +287,11 @@ size_t TileManager::get_memory_usage() const {
 	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
 		sets += set->get_memory_usage();
 	}
-	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) +
-			_slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_has_met) + bytes(_touches) + bytes(_met) +
-			bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_calm) +
-			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes);
+	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
+			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_has_met) +
+			bytes(_touches) + bytes(_met) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
+			_place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) +
+			bytes(_collider_list) + bytes(_planes);
 }
 
 } // namespace grass

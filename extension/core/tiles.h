@@ -43,6 +43,9 @@ struct TileParams {
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
+	// SleepMode::ENERGY: a tile on which nothing changed for so long is left as it is. Too short: blades stop while they still swing.
+	// Seconds.
+	double still_delay = SolverParams().calm_time();
 	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
@@ -59,12 +62,14 @@ struct TileStatistics {
 	int awake = 0; // now: tiles that have a slot
 	int simulated = 0; // now: those of them that this step moves
 	int settling = 0; // now: those of them that are on the way back to rest
+	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
 	int colliders = 0; // now: that touch an awake tile
 	int list_entries = 0; // now: sum over the tiles of their objects
 	int sharp_tiles = 0; // now: simulated tiles with GRASS_SLOT_EDGES
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
 	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
+	uint64_t still_steps = 0; // awake tiles that were not, since nothing changed on them
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
@@ -141,7 +146,7 @@ private:
 	// to fetch. When things happened, seconds on _time:
 	struct Times {
 		double touched = 0.0; // the last step in which an object was in the tile
-		double stirred = 0.0; // the last step in which an object moved in the tile
+		double stirred = 0.0; // the last step in which an object moved in the tile, came or left
 		double calm_since = NEVER;
 	};
 
@@ -194,10 +199,12 @@ private:
 	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
 
+	void sign_touches(std::span<const ColliderShape> p_colliders);
 	void deactivate_tiles(double p_delta);
 	void keep_awake(int p_slot, bool p_is_stirred);
 	bool is_calm(int p_slot) const;
 	bool is_idle(int p_slot) const;
+	bool is_still(int p_slot) const;
 	bool should_settle(int p_slot) const;
 	void settle(int p_slot, double p_delta);
 	float blend_of(int p_slot) const { return _settling.has(p_slot) ? _lives[size_t(p_slot)].blend : 0.0f; }
@@ -230,8 +237,9 @@ private:
 	std::vector<Life> _lives;
 	std::vector<uint32_t> _entries; // of this step: objects; then where in the collider list the next of them is written
 	SlotSet _free, _used, _settling;
-	// Of this step: touched by an object, by one that moves, by none; awake since; not simulated; with sharp objects.
+	// Of this step: touched by an object, by one that moves, comes or has left, by none; awake since; not simulated; with sharp objects.
 	SlotSet _touched, _stirred, _left, _fresh, _unseen, _sharp;
+	std::vector<uint64_t> _signatures, _signatures_before; // by slot: which objects stand where in its tile, in this step and the last one
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported

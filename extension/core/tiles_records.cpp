@@ -63,7 +63,8 @@ void TileManager::write_records() {
 	_statistics.settling = _settling.count();
 	_statistics.sharp_tiles = _sharp.count();
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
-	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated);
+	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated - _statistics.still);
+	_statistics.still_steps += uint64_t(_statistics.still);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
 	_touched.clear();
 	_stirred.clear();

@@ -2,7 +2,9 @@
 // How TileManager puts tiles to sleep: by a timer as in section 5.2 of Fan et al. 2015, or by energy, their future work.
 #include "core/tiles.h"
 
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace grass {
 
@@ -16,6 +18,25 @@ constexpr float CALM_ENDS = 4.0f;
 constexpr double CALM_SETTLE_TIME = 0.1;
 // Seconds after the last touch at which a tile settles that never calmed down. Very soft blades swing this long.
 constexpr double LONGEST_AWAKE = 10.0;
+
+// An object that stands elsewhere than by these steps, metres and shares of a turn, is another one.
+constexpr double PLACE_STEP = 1e-3, TURN_STEP = 5e-3;
+
+uint64_t mix(uint64_t p_signature, uint64_t p_word) {
+	const uint64_t product = (p_signature ^ p_word) * 0x9e3779b97f4a7c15u;
+	return product ^ (product >> 32);
+}
+
+uint64_t sign_of(const ColliderShape &p_shape) {
+	uint64_t signature = mix(p_shape.owner, uint64_t(p_shape.type) + (uint64_t(p_shape.planes.size()) << 8));
+	const Eigen::Vector4d turn = p_shape.now.rotation.coeffs();
+	for (int i = 0; i < 3; i++) {
+		signature = mix(signature, std::bit_cast<uint64_t>(p_shape.size[i]));
+		signature = mix(signature, uint64_t(std::llround(p_shape.now.position[i] / PLACE_STEP)));
+		signature = mix(signature, uint64_t(std::llround(turn[i] / TURN_STEP)));
+	}
+	return signature;
+}
 
 } // namespace
 
@@ -48,13 +69,40 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 	}
 }
 
+// Which objects stand where: not how they tremble, but neither farther than that. A slot whose objects are others than in the last step
+// is stirred.
+void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
+	std::swap(_signatures, _signatures_before);
+	std::fill(_signatures.begin(), _signatures.end(), 0);
+	uint32_t last = std::numeric_limits<uint32_t>::max();
+	uint64_t sign = 0;
+	for (const Touch &touch : _touches) { // rising by collider
+		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
+		if (slot == SlotSet::NONE) {
+			continue;
+		}
+		if (touch.collider != last) {
+			last = touch.collider;
+			sign = sign_of(p_colliders[last]);
+		}
+		uint64_t &signature = _signatures[size_t(slot)];
+		signature = mix(signature, sign);
+	}
+	for (const int slot : _touched) {
+		_stirred.insert_if(slot, _signatures[size_t(slot)] != _signatures_before[size_t(slot)]);
+	}
+}
+
 // Those that are touched first, then the others: which of the two a slot is cannot be foreseen.
 void TileManager::deactivate_tiles(double p_delta) {
 	_unseen.clear();
 	_settling.take_difference(_settling, _touched);
+	_statistics.still = 0;
 	for (const int slot : _touched) {
 		keep_awake(slot, _stirred.has(slot));
-		_unseen.insert_if(slot, is_idle(slot) && !is_seen(_places[size_t(slot)]));
+		const bool still = is_still(slot);
+		_statistics.still += still;
+		_unseen.insert_if(slot, still || (is_idle(slot) && !is_seen(_places[size_t(slot)])));
 	}
 	_left.take_difference(_used, _touched);
 	for (const int slot : _left) {
@@ -80,6 +128,13 @@ void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
 // No object has moved in it for a while.
 bool TileManager::is_idle(int p_slot) const {
 	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
+}
+
+// And for so long that its blades, whatever they do, are where they will be. Those that two bodies mash, or whose root is in one, would
+// tremble for ever.
+bool TileManager::is_still(int p_slot) const {
+	return _params.sleep_mode == SleepMode::ENERGY && _time - _times[size_t(p_slot)].stirred >= _params.still_delay &&
+			!_stirred.has(p_slot);
 }
 
 bool TileManager::is_calm(int p_slot) const {

@@ -156,6 +156,10 @@ bool GpuBackend::can_simulate() {
 	return _can_simulate;
 }
 
+bool GpuBackend::is_complete() const {
+	return GpuPass::compiling() == 0;
+}
+
 void GpuBackend::step(const StepInput &p_input) {
 	RenderQueue::get_singleton()->post(
 			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });

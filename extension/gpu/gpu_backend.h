@@ -27,6 +27,7 @@ public:
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
 	bool can_simulate() override;
+	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;

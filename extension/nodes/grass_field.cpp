@@ -118,7 +118,7 @@ void GrassField::physics_tick(double p_delta) {
 	_node_colliders.collect(transform, _colliders);
 	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
-	_tiles.stir(_regrown);
+	_tiles.stir(_backend->is_complete() ? _regrown : all_tiles());
 	_tiles.update(p_delta, _colliders);
 	_tiles_ms = clock.lap();
 	if (!can_simulate) {
@@ -272,12 +272,17 @@ Transform3D GrassField::field_transform() const {
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
 }
 
+TileRange GrassField::all_tiles() const {
+	return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() };
+}
+
 TileParams GrassField::tile_params() const {
 	TileParams params;
 	params.pool_size = int(_pool_tiles);
 	params.sleep_mode = grass::SleepMode(_sleep_mode);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
 	params.sleep_energy = calm_energy();
+	params.still_delay = calm_time();
 	params.settle_time = param(PARAM_SETTLE_TIME);
 	params.reach = _bounds ? _bounds->get_reach() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;

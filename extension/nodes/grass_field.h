@@ -200,6 +200,7 @@ private:
 	float card_size() const;
 	std::span<const GrassStep> species_steps();
 	double calm_energy() const;
+	double calm_time() const; // of the species that swings longest, seconds
 	double mean_height_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 	RecoveryRates recovery_rates() const;
 	void set_species_uniforms();
@@ -238,6 +239,7 @@ private:
 	TileGrid find_grid() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
+	TileRange all_tiles() const;
 	void update_tiles();
 	godot::String label() const; // of this node, for messages
 	godot::String message(const char *p_text) const;

@@ -71,6 +71,7 @@ void GrassField::set_backend(BackendMode p_mode) {
 void GrassField::set_method(SolverMethod p_method) {
 	ERR_FAIL_INDEX_MSG(int(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	_solver_method = p_method;
+	update_tiles();
 }
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
@@ -129,6 +130,7 @@ void GrassField::set_param(int p_param, double p_value) {
 void GrassField::update_tiles() {
 	if (_backend) { // else build() will
 		_tiles.set_params(tile_params());
+		_tiles.stir(all_tiles()); // what stands still may move
 	}
 }
 

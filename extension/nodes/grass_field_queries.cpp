@@ -151,8 +151,10 @@ Dictionary GrassField::get_statistics() const {
 	result["fill_waiting"] = _fill.state.get_waiting();
 	result["awake_tiles"] = tiles.awake;
 	result["settling_tiles"] = tiles.settling;
+	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
 	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
+	result["still_tile_steps"] = int64_t(tiles.still_steps);
 	result["unseen_ticks"] = _unseen_ticks;
 	result["wind_updates"] = _wind_updates;
 	result["woken"] = int64_t(tiles.woken);

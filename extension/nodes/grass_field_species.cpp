@@ -123,6 +123,15 @@ std::span<const GrassStep> GrassField::species_steps() {
 }
 
 // Up to here the blades of every species are calm, J/kg.
+double GrassField::calm_time() const {
+	const SolverParams field = solver_params();
+	double time = _grown.empty() ? field.calm_time() : 0.0;
+	for (const GrownSpecies &grown : _grown) {
+		time = std::max(time, grown.species->get_solver(field).calm_time());
+	}
+	return time;
+}
+
 double GrassField::calm_energy() const {
 	const double distance = 1e-3 * param(PARAM_SLEEP_MOTION);
 	const SolverParams field = solver_params();

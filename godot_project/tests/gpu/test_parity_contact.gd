@@ -122,6 +122,8 @@ func test_the_first_contact_of_edges() -> void:
 func test_held_blades_stand_still_on_both() -> void:
 	if not await add_pair():
 		return
+	cpu.sleep_mode = GrassField.SLEEP_TIMER # which leaves no tile as it is
+	gpu.sleep_mode = GrassField.SLEEP_TIMER
 	var slab := BoxShape3D.new()
 	slab.size = Vector3(0.8, 0.1, 0.8)
 	var body := add_held_body(slab, PLACE + Vector3(0, 0.5, 0))
@@ -148,6 +150,37 @@ func test_held_blades_stand_still_on_both() -> void:
 	assert_greater(still_now[0], BLADES / 2)
 	assert_near(still_now[1], still_now[0], 3)
 	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
+
+
+## Tiles below what stands still are left as they are, on both, and taken up again when it moves.
+func test_left_alone_under_what_stands_still() -> void:
+	if not await add_pair():
+		return
+	var body := add_held_body(ball(0.3), PLACE + Vector3(0, 0.25, 0))
+	await ticks(150)
+	for field: GrassField in [cpu, gpu]:
+		assert_eq(field.get_statistics().still_tiles, field.get_awake_tile_count())
+	assert_greater(gpu.get_awake_tile_count(), 0)
+	var tile := gpu.get_tile_at(PLACE)
+	var steps: int = gpu.get_statistics().steps
+	var height := height_of(gpu, tile)
+	await ticks(30)
+	assert_eq(gpu.get_statistics().steps, steps, "no dispatch")
+	assert_eq(height_of(gpu, tile), height)
+	assert_near(height_of(cpu, tile), height, 0.02 * height, "mm")
+	body.free()
+	await ticks(90)
+	assert_greater(height_of(gpu, tile), height + 5.0, "mm")
+	assert_near(height_of(gpu, tile), height_of(cpu, tile), 0.02 * height, "mm")
+
+
+## Of a tile's knots on average, mm.
+func height_of(field: GrassField, tile: Vector2i) -> float:
+	var sum := 0.0
+	var knots := tile_knots(field, tile)
+	for knot in knots:
+		sum += knot.y
+	return 1e3 * sum / knots.size()
 
 
 ## Contacts amplify rounding, so the long run is compared as a whole: how far blades are bent on average.

@@ -4,7 +4,7 @@ extends "res://tests/field_case.gd"
 
 const MONITORS: Array[String] = ["awake_tiles", "simulated_blades", "drawn_blades", "drawn_triangles", "management", "simulate", "cull", "memory"]
 const STATISTICS: Array[String] = [
-	"backend", "tiles", "bare_tiles", "blades", "map_bytes", "awake_tiles", "settling_tiles", "tile_steps", "woken", "slept", "evicted", "refused", "capped", "bodies",
+	"backend", "tiles", "bare_tiles", "blades", "map_bytes", "awake_tiles", "settling_tiles", "still_tiles", "still_tile_steps", "tile_steps", "woken", "slept", "evicted", "refused", "capped", "bodies",
 	"body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "colliders", "list_entries", "bad_colliders", "steps", "simulated_blades", "uploaded_bytes",
 	"culls", "instance_updates", "drawn_tiles", "drawn_blades", "drawn_triangles", "left_out_tiles",
 	"shadow_tiles", "shadow_blades", "shadow_triangles", "left_out_shadow_tiles",

@@ -161,6 +161,39 @@ func test_memory_of_a_crowd_comes_back() -> void:
 	assert_true(all_finite(field, awake_near(field, bodies[-1].position)))
 
 
+## Bodies that rest on the grass for long cost nothing but the look at where they are, until one moves.
+func test_bodies_that_stand_still_cost_no_simulation() -> void:
+	var field := add_field({natural_frequency = 2.0, damping_ratio = 0.6})
+	var bodies: Array[PhysicsBody3D] = []
+	for x: float in [-1.0, 1.0]:
+		bodies.append(add_held_body(ball(0.2), Vector3(x, 0.15, 0.1)))
+	await ticks(20)
+	var early := field.get_statistics()
+	assert_eq(early.still_tiles, 0)
+	await ticks(100)
+	var before := field.get_statistics()
+	assert_eq(before.still_tiles, before.awake_tiles)
+	await ticks(40)
+	var after := field.get_statistics()
+	for key: String in ["steps", "tile_steps", "simulated_blades", "uploaded_bytes"]:
+		assert_eq(after[key], before[key], key)
+	assert_eq(after.still_tile_steps - before.still_tile_steps, 40 * before.awake_tiles)
+	assert_eq(after.awake_tiles, before.awake_tiles)
+	assert_greater(field.bend_at(bodies[0].position).length(), 0.05, "and the grass stays down")
+	bodies[0].position.x += 0.05
+	await ticks(2)
+	var moved := field.get_statistics()
+	assert_less(moved.still_tiles, before.still_tiles)
+	assert_greater(moved.still_tiles, 0, "the other one's")
+	field.damping_ratio = 0.7
+	await ticks(1)
+	assert_eq(field.get_statistics().still_tiles, 0, "other blades")
+	for body in bodies:
+		body.free()
+	await ticks(240)
+	assert_eq(field.get_awake_tile_count(), 0, "they have risen")
+
+
 func test_a_scene_file_is_small() -> void:
 	var root := Node3D.new()
 	var field := GrassField.new()

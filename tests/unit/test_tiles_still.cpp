@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Tiles that are left as they are, since the objects on them stand still.
+#include <doctest/doctest.h>
+
+#include "tile_scene.h"
+
+using namespace grass;
+using namespace grass::test;
+
+namespace {
+
+// A manager that puts tiles to sleep by energy, with objects that have stood in one of its tiles until that was left as it is.
+struct StillScene {
+	TileManager manager = make_manager();
+	std::vector<ColliderShape> balls{ make_ball(manager, 3, 5) };
+
+	StillScene() {
+		balls[0].size = Eigen::Vector3d::Constant(0.1);
+		balls[0].owner = 7;
+		TileParams params = manager.get_params();
+		params.sleep_mode = SleepMode::ENERGY;
+		params.still_delay = 1.0;
+		manager.set_params(params);
+	}
+
+	// Whether the tile is simulated in the next step, of a quarter of a second.
+	bool is_simulated() {
+		const int records = step(manager, balls);
+		CHECK(manager.get_statistics().awake == 1);
+		CHECK(manager.get_statistics().still == 1 - records);
+		CHECK(manager.get_statistics().simulated == records);
+		return records == 1;
+	}
+	// Steps until the tile is left as it is.
+	int steps_until_still() {
+		int steps = 0;
+		while (steps < 20 && is_simulated()) {
+			steps++;
+		}
+		return steps;
+	}
+};
+
+constexpr int STEPS = 4; // of the delay
+
+} // namespace
+
+TEST_CASE("tiles: one whose objects have stood still for long is left as it is, without a record, until anything changes") {
+	StillScene scene;
+	CHECK(scene.steps_until_still() == STEPS);
+	CHECK(scene.manager.get_colliders().empty());
+	CHECK(scene.manager.get_collider_list().empty());
+	CHECK(scene.manager.get_statistics().sharp_tiles == 0);
+	CHECK(!scene.is_simulated());
+	CHECK(scene.manager.get_statistics().still_steps == 2);
+	CHECK(scene.manager.get_statistics().unseen_steps == 0);
+	SUBCASE("an object that moves") {
+		scene.balls[0].now.position.y() += 0.01;
+		CHECK(scene.is_simulated());
+		scene.balls[0].before = scene.balls[0].now;
+		CHECK(scene.steps_until_still() == STEPS - 1);
+	}
+	SUBCASE("one that is elsewhere without having moved, or has turned so") {
+		scene.balls[0].now.position.y() = scene.balls[0].before.position.y() += 0.01;
+		CHECK(scene.steps_until_still() == STEPS);
+		scene.balls[0].now.rotation = scene.balls[0].before.rotation = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ());
+		CHECK(scene.steps_until_still() == STEPS);
+	}
+	SUBCASE("one that creeps more slowly than what counts as motion") {
+		int simulated = 0;
+		for (int i = 0; i < 250; i++) {
+			scene.balls[0].before = scene.balls[0].now;
+			scene.balls[0].now.position.y() += 9e-6;
+			simulated += scene.is_simulated();
+		}
+		CHECK(simulated >= STEPS); // at each millimetre
+	}
+	SUBCASE("one that trembles") {
+		scene.balls[0].now.position.y() += 4e-4;
+		scene.balls[0].before = scene.balls[0].now;
+		scene.steps_until_still();
+		for (int i = 0; i < 20; i++) {
+			std::swap(scene.balls[0].before, scene.balls[0].now);
+			scene.balls[0].now.position.y() = scene.balls[0].before.position.y() + (i % 2 ? 5e-6 : -5e-6);
+			CHECK(!scene.is_simulated());
+		}
+	}
+	SUBCASE("another shape, another size, another one in its place") {
+		scene.balls[0].size *= 1.001;
+		CHECK(scene.steps_until_still() == STEPS);
+		scene.balls[0].type = GRASS_BOX;
+		CHECK(scene.steps_until_still() == STEPS);
+		scene.balls[0].owner = 8;
+		CHECK(scene.steps_until_still() == STEPS);
+	}
+	SUBCASE("one that comes, and goes") {
+		scene.balls.push_back(scene.balls[0]);
+		CHECK(scene.steps_until_still() == STEPS);
+		scene.balls.pop_back();
+		CHECK(scene.steps_until_still() == STEPS);
+	}
+	SUBCASE("the ground below it") {
+		scene.manager.stir({ 3, 4, 5, 6 });
+		CHECK(scene.steps_until_still() == STEPS);
+		scene.manager.stir({ 7, 8, 5, 6 });
+		CHECK(!scene.is_simulated());
+	}
+	SUBCASE("no object any more") {
+		scene.balls.clear();
+		CHECK(step(scene.manager, {}) == 1);
+	}
+	SUBCASE("others that come before it in the order of all") {
+		scene.balls.insert(scene.balls.begin(), make_ball(scene.manager, 9, 9));
+		CHECK(step(scene.manager, scene.balls) == 1);
+		CHECK(scene.manager.get_slots()[0].tile.x == 9);
+	}
+}
+
+TEST_CASE("tiles: put to sleep by the timer, they are simulated as long as an object is in them, as in the paper") {
+	StillScene scene;
+	TileParams params = scene.manager.get_params();
+	params.sleep_mode = SleepMode::TIMER;
+	scene.manager.set_params(params);
+	CHECK(scene.steps_until_still() == 20);
+}
+
+TEST_CASE("solver: the time in which a swing dies down: to a hundredth, within a second and ten") {
+	SolverParams params;
+	params.natural_frequency = 1.0;
+	params.damping_ratio = 0.2;
+	CHECK(params.calm_time() == doctest::Approx(3.665).epsilon(1e-3));
+	params.damping_ratio = 0.0;
+	CHECK(params.calm_time() == 10.0);
+	params.damping_ratio = 1.0;
+	params.natural_frequency = 8.0;
+	CHECK(params.calm_time() == 1.0);
+}
