@@ -16,7 +16,7 @@ inline constexpr float STAGE_SHARE = 0.29289322f;
 // Rounds of blows in one step, at most.
 inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
-inline constexpr float CAUTION = 4.0f;
+inline constexpr float CAUTION = 6.0f;
 // Solves on top of `iterations` for blades that touch something: what touches changes from solve to solve.
 inline constexpr int CONTACT_SOLVES = 2;
 
@@ -28,8 +28,10 @@ inline constexpr float RUB = 30.0f;
 inline constexpr float STICK = 2e-4f;
 inline constexpr float STICK_FORCE = 0.02f;
 // Among colliders that stand still it is held where it is slower than this, blade lengths a second, and friction could take back what
-// forces do in the step. A point at the surface is one skin deep; this deep, skins, it is inside and has to come out.
-inline constexpr float HOLD_BELOW = 0.15f;
+// forces do in the step, up to this share of how far a step moves a blade from lying flat. A point at the surface is one skin deep; this
+// deep, skins, it is inside and has to come out.
+inline constexpr float HOLD_BELOW = 0.3f;
+inline constexpr float HOLD_FORCE = 0.05f;
 inline constexpr float INSIDE = 1.01f;
 
 // A blade's places and speeds at the start of the step.
@@ -122,7 +124,8 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 		r_stage.target[k] = select(is_free, r_stage.target[k] + carried * lost, r_stage.target[k]);
 	}
 	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const T grip = p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight);
+	const T force = r_blade.reach * (T(HOLD_FORCE) * p_terms.wild_move * p_terms.wild_move);
+	const T grip = minimum(p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight), force);
 	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_contacts.deepest < T(INSIDE));
 	r_hold.sticks = p_is_slow & p_touches & ((farthest < limit * limit) | is_held);
 	r_hold.is_held = r_hold.sticks & is_held;
