@@ -112,6 +112,8 @@ public:
 	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: then make another
 	// backend.
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
+	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and nobody calls step().
+	virtual bool can_simulate() { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
 	// In every tick, whether there is a step or not: gives back memory that nothing has needed for a while.

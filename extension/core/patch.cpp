@@ -178,6 +178,7 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 	const Patch &first = **found;
 	Patch joined;
 	joined.species = int(p_patches.size());
+	joined.texels.reserve(p_patches.size() * first.texels.size());
 	for (size_t s = 0; s < p_patches.size(); s++) {
 		const Patch &own = p_patches[s]->is_empty() ? first : *p_patches[s];
 		joined.texels.insert(joined.texels.end(), own.texels.begin(), own.texels.end());

@@ -79,60 +79,93 @@ void GpuBuffer::free() {
 
 std::map<const uint32_t *, GpuPass::Pipeline> GpuPass::_pipelines;
 std::atomic<int> GpuPass::_compiling = 0;
+int64_t GpuPass::_task = -1;
+std::mutex GpuPass::_mutex;
+std::condition_variable GpuPass::_is_done;
+std::deque<GpuPass::Pipeline *> GpuPass::_waiting;
+bool GpuPass::_is_working = false;
 
-void GpuPass::compile(void *p_pipeline) {
-	Pipeline &pipeline = *static_cast<Pipeline *>(p_pipeline);
+// Whoever calls it has made its state COMPILING.
+void GpuPass::compile(Pipeline &r_pipeline) {
 	PackedByteArray code;
-	code.resize(int64_t(pipeline.spirv.size_bytes()));
-	std::memcpy(code.ptrw(), pipeline.spirv.data(), pipeline.spirv.size_bytes());
+	code.resize(int64_t(r_pipeline.spirv.size_bytes()));
+	std::memcpy(code.ptrw(), r_pipeline.spirv.data(), r_pipeline.spirv.size_bytes());
 	Ref<RDShaderSPIRV> spirv;
 	spirv.instantiate();
 	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
 	RenderingDevice *device = main_device();
-	pipeline.shader = device->shader_create_from_spirv(spirv, pipeline.name);
-	if (pipeline.shader.is_valid()) {
-		pipeline.pipeline = device->compute_pipeline_create(pipeline.shader);
+	r_pipeline.shader = device->shader_create_from_spirv(spirv, r_pipeline.name);
+	if (r_pipeline.shader.is_valid()) {
+		r_pipeline.pipeline = device->compute_pipeline_create(r_pipeline.shader);
 	} else {
-		ERR_PRINT(
-				vformat("GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", pipeline.name));
+		ERR_PRINT(vformat(
+				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.name));
 	}
-	pipeline.is_done = true;
+	std::lock_guard lock(_mutex);
+	r_pipeline.state = State::DONE;
 	_compiling--;
+	_is_done.notify_all();
+}
+
+void GpuPass::compile_waiting(void *) {
+	std::unique_lock lock(_mutex);
+	while (!_waiting.empty()) {
+		Pipeline &pipeline = *_waiting.front();
+		_waiting.pop_front();
+		pipeline.state = State::COMPILING;
+		lock.unlock();
+		compile(pipeline);
+		lock.lock();
+	}
+	_is_working = false;
 }
 
 bool GpuPass::is_compiled(Pipeline &r_pipeline, bool p_wait) {
-	if (r_pipeline.task >= 0 && (p_wait || r_pipeline.is_done)) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(r_pipeline.task);
-		r_pipeline.task = -1;
+	std::unique_lock lock(_mutex);
+	if (p_wait && r_pipeline.state == State::WAITING) {
+		std::erase(_waiting, &r_pipeline);
+		r_pipeline.state = State::COMPILING;
+		lock.unlock();
+		compile(r_pipeline);
+		return true;
 	}
-	return r_pipeline.task < 0;
+	_is_done.wait(lock, [&] { return !p_wait || r_pipeline.state == State::DONE; });
+	return r_pipeline.state == State::DONE;
 }
 
-GpuPass::Pipeline &GpuPass::find(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
+// Asks a worker thread for it if nobody has yet.
+GpuPass::Pipeline &GpuPass::find(std::span<const uint32_t> p_spirv, const char *p_name) {
 	Pipeline &known = _pipelines[p_spirv.data()];
-	if (known.name == nullptr) {
-		known.spirv = p_spirv;
-		known.name = p_name;
-		_compiling++;
-		if (p_when == Compile::LATER) {
-			known.task = WorkerThreadPool::get_singleton()->add_native_task(&GpuPass::compile, &known, false, p_name);
-		} else {
-			compile(&known);
+	if (known.name != nullptr) {
+		return known;
+	}
+	known.spirv = p_spirv;
+	known.name = p_name;
+	_compiling++;
+	std::unique_lock lock(_mutex);
+	_waiting.push_back(&known);
+	if (!_is_working) {
+		_is_working = true;
+		lock.unlock();
+		WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+		if (_task >= 0) {
+			pool->wait_for_task_completion(_task); // it has done its work
 		}
+		_task = pool->add_native_task(&GpuPass::compile_waiting, nullptr, true, "GrassField's compute passes");
 	}
 	return known;
 }
 
 void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
 	free();
-	_source = &find(p_spirv, p_name, p_when);
+	_source = &find(p_spirv, p_name);
 	if (p_when == Compile::NOW) {
 		is_compiled(*_source, true);
 	}
 }
 
 bool GpuPass::prepare(std::span<const uint32_t> p_spirv, const char *p_name) {
-	return is_compiled(find(p_spirv, p_name, Compile::LATER), false);
+	return is_compiled(find(p_spirv, p_name), false);
 }
 
 bool GpuPass::is_ready() {
@@ -143,8 +176,16 @@ bool GpuPass::is_ready() {
 }
 
 void GpuPass::free_pipelines() {
+	{
+		std::lock_guard lock(_mutex);
+		_compiling -= int(_waiting.size());
+		_waiting.clear();
+	}
+	if (_task >= 0) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(_task);
+		_task = -1;
+	}
 	for (auto &[code, known] : _pipelines) {
-		is_compiled(known, true);
 		if (known.shader.is_valid()) { // takes the pipeline with it
 			main_device()->free_rid(known.shader);
 		}

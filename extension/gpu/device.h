@@ -9,9 +9,12 @@
 #include <godot_cpp/variant/rid.hpp>
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <map>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -71,7 +74,7 @@ public:
 	enum class Compile { NOW, LATER };
 
 	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take seconds for it. LATER: a worker thread makes
-	// it, and until is_ready() the pass does nothing.
+	// it, after those that were asked for before, and until is_ready() the pass does nothing.
 	void create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when = Compile::NOW);
 	// Lets a worker thread make that pipeline, if nobody did. Whether it is there.
 	static bool prepare(std::span<const uint32_t> p_spirv, const char *p_name);
@@ -86,7 +89,7 @@ public:
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_ready();
-	// Passes that worker threads are making. From any thread.
+	// Passes that are being made, or wait for that. From any thread.
 	static int compiling() { return _compiling; }
 	// Whether it binds something else than in its last dispatch.
 	bool has_changed() const { return _changed; }
@@ -100,20 +103,28 @@ private:
 	void bind(int p_binding, const Binding &p_to);
 	bool refresh_set();
 
+	enum class State { WAITING, COMPILING, DONE };
 	struct Pipeline {
 		std::span<const uint32_t> spirv;
 		const char *name = nullptr; // null: not begun yet
-		godot::RID shader, pipeline; // the task's until it is done; invalid if the driver refuses them
-		int64_t task = -1; // of the WorkerThreadPool, until it has been waited for
-		std::atomic<bool> is_done = false; // by the task
+		godot::RID shader, pipeline; // whose compiles them until they are done; invalid if the driver refuses them
+		State state = State::WAITING; // guarded by _mutex
 	};
-	static Pipeline &find(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when);
-	static void compile(void *p_pipeline);
-	// Whether the pipeline is there, or has been refused; waits for it if asked to.
+	static Pipeline &find(std::span<const uint32_t> p_spirv, const char *p_name);
+	static void compile(Pipeline &r_pipeline);
+	static void compile_waiting(void *);
+	// Whether the pipeline is there, or has been refused; waits for it if asked to, or compiles it itself.
 	static bool is_compiled(Pipeline &r_pipeline, bool p_wait);
 
-	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code
+	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code; render thread only
 	static std::atomic<int> _compiling;
+	// One task of the WorkerThreadPool compiles one after the other: several would hold up the engine's own tasks, and one that is
+	// still queued when the game ends is never run.
+	static int64_t _task; // -1: none; render thread only
+	static std::mutex _mutex;
+	static std::condition_variable _is_done; // a pipeline
+	static std::deque<Pipeline *> _waiting; // guarded by _mutex
+	static bool _is_working; // the task; guarded by _mutex
 
 	Pipeline *_source = nullptr; // of _pipelines
 	godot::RID _pipeline, _set;

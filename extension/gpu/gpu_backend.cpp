@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "draw/blade_mesh.h"
+#include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
 #include "gpu/render_queue.h"
@@ -89,6 +90,12 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
+void GpuBackend::begin_passes(bool p_species) {
+	if (main_device() != nullptr) {
+		RenderQueue::get_singleton()->post([p_species] { GpuField::begin_passes(p_species); });
+	}
+}
+
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	bool has_passes = true;
 	if ((p_setup.species != nullptr) != (_setup.species != nullptr)) {
@@ -96,7 +103,19 @@ bool GpuBackend::prepare(const FieldSetup &p_setup) {
 		std::lock_guard lock(_report->mutex);
 		has_passes = _report->is_prepared;
 	}
-	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes;
+	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes && prepare_patch(p_setup.patch);
+}
+
+// Some megabytes.
+bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
+	if (p_patch == _setup.patch || p_patch == _next_patch || p_patch->is_empty()) {
+		return true;
+	}
+	if (FrameShare::has_time()) {
+		_next_patch_texture = make_patch_texture(*p_patch);
+		_next_patch = p_patch;
+	}
+	return p_patch == _next_patch;
 }
 
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
@@ -104,22 +123,37 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 			p_setup.shadow_capacity() > _shadows.capacity()) {
 		return false;
 	}
-	const bool has_other_blades = p_setup.patch != _setup.patch;
+	const bool has_other_blades = p_setup.patch != _setup.patch,
+			   has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
 	_setup = p_setup;
 	_materials.set_features(shader_features(_setup));
 	if (has_other_blades) {
-		update_patch_texture(_patch_texture, *_setup.patch);
+		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : make_patch_texture(*_setup.patch);
+		_materials.set("patch_knots", _patch_texture);
 		_materials.set("blade_length", _setup.blade_length());
 	}
+	_next_patch_texture.unref();
+	_next_patch.reset();
 	_picture.set_bounds(field_bounds(_setup));
 	_shadows.set_bounds(field_bounds(_setup));
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->is_prepared = false;
+		_report->can_simulate = _report->can_simulate && !has_other_passes;
 	}
+	_can_simulate = _can_simulate && !has_other_passes;
 	RenderQueue::get_singleton()->post(
 			[field = _field, setup = _setup, patch = _patch_texture] { field->set_field(setup, patch->get_rid()); });
 	return true;
+}
+
+bool GpuBackend::can_simulate() {
+	if (!_can_simulate) {
+		RenderQueue::get_singleton()->post([field = _field] { field->look_for_passes(); });
+		std::lock_guard lock(_report->mutex);
+		_can_simulate = _report->can_simulate;
+	}
+	return _can_simulate;
 }
 
 void GpuBackend::step(const StepInput &p_input) {

@@ -21,8 +21,12 @@ public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
+	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
+	static void begin_passes(bool p_species);
+
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
+	bool can_simulate() override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
@@ -38,10 +42,14 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
+	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 
 	FieldSetup _setup;
 	bool _measure = false;
+	bool _can_simulate = false;
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
+	std::shared_ptr<const Patch> _next_patch; // of the field that comes, once its texture is there
+	godot::Ref<godot::ImageTexture> _next_patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture;
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;

@@ -23,7 +23,7 @@ namespace {
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
 using Code = std::span<const uint32_t>;
-constexpr const char *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges";
+constexpr const char *CULL_NAME = "GrassField cull", *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges";
 
 Code simulate_code(bool p_species) {
 	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV);
@@ -43,10 +43,21 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	Ref<RDSamplerState> state;
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
-	_cull.create(shader::CULL_SPIRV, "GrassField cull");
+	_cull.create(shader::CULL_SPIRV, CULL_NAME);
 	_has_species = p_setup.species != nullptr;
 	make_simulate();
 	set_field(p_setup, p_patch);
+}
+
+void GpuField::begin_passes(bool p_species) {
+	GpuPass::prepare(shader::CULL_SPIRV, CULL_NAME);
+	GpuPass::prepare(simulate_code(p_species), SIMULATE_NAME);
+}
+
+void GpuField::look_for_passes() {
+	const bool is_ready = _simulate.is_ready();
+	std::lock_guard lock(_report->mutex);
+	_report->can_simulate = is_ready;
 }
 
 void GpuField::prepare(bool p_species) {
@@ -116,7 +127,7 @@ void GpuField::make_pool_texture() {
 }
 
 void GpuField::make_simulate() {
-	_simulate.create(simulate_code(_has_species), SIMULATE_NAME);
+	_simulate.create(simulate_code(_has_species), SIMULATE_NAME, GpuPass::Compile::LATER);
 	_simulate_edges.create(edges_code(_has_species), EDGES_NAME, GpuPass::Compile::LATER);
 }
 

@@ -47,6 +47,7 @@ struct GpuReport {
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
 	bool is_prepared = false; // what GpuField::prepare() was last asked for is there
+	bool can_simulate = false; // the simulation pass is there
 };
 
 class GpuField {
@@ -55,6 +56,10 @@ public:
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
+	// Lets worker threads make the passes of a first field, those first that it needs first.
+	static void begin_passes(bool p_species);
+	// Tells GpuReport whether the simulation pass is there.
+	void look_for_passes();
 	// Lets worker threads make the passes that such a field takes; GpuReport tells when they are there.
 	void prepare(bool p_species);
 	// Another field, all of it at rest, in the buffers that fit. p_patch: as for create().

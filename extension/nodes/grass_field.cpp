@@ -5,6 +5,7 @@
 
 #include "convert.h"
 #include "core/cpu_clock.h"
+#include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
 #include "nodes/params.h"
 
@@ -63,6 +64,9 @@ void GrassField::enter() {
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_collision_mask));
 	}
+	if (_backend_mode == BACKEND_AUTO) {
+		GpuBackend::begin_passes(!_species.empty());
+	}
 	request_rebuild();
 }
 
@@ -90,9 +94,10 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	_backend->tidy();
-	if (!_is_seen && !is_listened_to()) {
+	const bool can_simulate = _backend->can_simulate();
+	if ((!_is_seen || !can_simulate) && !is_listened_to()) {
 		_unseen_time += p_delta;
-		_unseen_ticks++;
+		_unseen_ticks += can_simulate ? 1 : 0;
 		_tracker.forget_left();
 		return; // nobody would know
 	}
@@ -116,7 +121,9 @@ void GrassField::physics_tick(double p_delta) {
 	_tiles.stir(_regrown);
 	_tiles.update(p_delta, _colliders);
 	_tiles_ms = clock.lap();
-	if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
+	if (!can_simulate) {
+		_tiles.reset(); // whom the bodies meet is known; the blades stand
+	} else if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
 		step(p_delta);
 	}
 	tell_of_bodies();

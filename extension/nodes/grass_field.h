@@ -179,6 +179,7 @@ private:
 	bool prepare_patches() const;
 	bool prepare_map(bool p_in_parts);
 	FieldSetup find_setup() const;
+	std::shared_ptr<TileBounds> find_bounds(const FieldSetup &p_next) const;
 	void take_setup();
 	void make_backend();
 	// grass_field_map.cpp
@@ -258,6 +259,7 @@ private:
 
 	bool _dirty = false; // the field must be made again; one that stands goes on as it is until prepare() has all it takes
 	std::optional<FieldSetup> _next; // what it will be, once that is known
+	std::shared_ptr<TileBounds> _next_bounds; // the same of _bounds
 	int64_t _makings = 0; // times that it was made again
 	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made

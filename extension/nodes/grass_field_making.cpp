@@ -24,6 +24,7 @@ void GrassField::request_rebuild() {
 	_dirty = true;
 	_build_ms = 0.0;
 	_next.reset();
+	_next_bounds.reset();
 	_coming.reset();
 	update_gizmos();
 	update_configuration_warnings();
@@ -35,7 +36,8 @@ void GrassField::build() {
 	}
 	CpuClock clock;
 	start_fill();
-	if (prepare(_backend != nullptr)) {
+	const bool in_parts = _backend != nullptr;
+	if (prepare(in_parts) && (!in_parts || FrameShare::has_time())) {
 		make();
 	}
 	_build_ms = std::max(_build_ms, clock.lap());
@@ -74,8 +76,15 @@ bool GrassField::prepare(bool p_in_parts) {
 	if (p_in_parts && !prepare_patches()) {
 		return false;
 	}
-	if (!_next) {
+	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
+	if (!_next && has_time()) {
 		_next = find_setup();
+	}
+	if (_next && !_next_bounds && has_time()) {
+		_next_bounds = find_bounds(*_next);
+	}
+	if (!_next_bounds) {
+		return false;
 	}
 	const bool has_shaders = !p_in_parts || (_backend->prepare(*_next) && Ground::prepare(_next->is_mapped));
 	return has_shaders && prepare_map(p_in_parts);
@@ -122,6 +131,16 @@ FieldSetup GrassField::find_setup() const {
 	return setup;
 }
 
+// The boxes of the tiles of a field that follows this one.
+std::shared_ptr<TileBounds> GrassField::find_bounds(const FieldSetup &p_next) const {
+	const FieldSetup &now = _setup;
+	const bool same_blades = _bounds && now.patch == p_next.patch && now.clump == p_next.clump && now.seed == p_next.seed &&
+			now.is_mapped == p_next.is_mapped && (now.species == nullptr) == (p_next.species == nullptr) &&
+			now.card_size == p_next.card_size && now.follow_slope == p_next.follow_slope;
+	return same_blades ? std::make_shared<TileBounds>(*_bounds, p_next.grid)
+					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
+}
+
 std::shared_ptr<const Patch> GrassField::find_patch() const {
 	if (!_species.empty()) {
 		return join_species();
@@ -131,13 +150,9 @@ std::shared_ptr<const Patch> GrassField::find_patch() const {
 
 // From here on the field is what was prepared.
 void GrassField::take_setup() {
-	const FieldSetup before = std::exchange(_setup, *_next);
+	_setup = *_next;
 	_next.reset();
-	const bool same_blades = _bounds && before.patch == _setup.patch && before.clump == _setup.clump && before.seed == _setup.seed &&
-			before.is_mapped == _setup.is_mapped && (before.species == nullptr) == (_setup.species == nullptr) &&
-			before.card_size == _setup.card_size && before.follow_slope == _setup.follow_slope;
-	_bounds = same_blades ? std::make_shared<TileBounds>(*_bounds, _setup.grid)
-						  : std::make_shared<TileBounds>(*_setup.patch, _setup.grid, _setup.clump, _setup.seed);
+	_bounds = std::move(_next_bounds);
 	_mix = species_mix();
 	_grown.clear();
 	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();

@@ -3,6 +3,8 @@
 ## field. Bodies float to and fro among the blades and never meet each other, so that physics has little to do.
 extends Node3D
 
+const Scenery := preload("res://bench/scenery.gd")
+
 const FILE := "cpu.csv"
 const CROWD := 70.0 # metres: the bodies stay together on any field
 const SIZES: Array[float] = [70.5, 500.0, 2000.0] # metres: 20 thousand, 1 million, 16 million tiles
@@ -38,6 +40,7 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 	camera.position = Vector3(0.0, CROWD, 0.0) # sees all of the crowd: nothing of it is left out
 	camera.rotation_degrees.x = -90.0
 	add_child(camera)
+	await Scenery.compiled(field)
 	var bodies: Array[RigidBody3D] = []
 	for i in p_bodies:
 		bodies.append(_add_body(i))

@@ -4,6 +4,7 @@
 extends Node3D
 
 const Bodies := preload("res://demo/bodies.gd")
+const Scenery := preload("res://bench/scenery.gd")
 
 const FILE := "sleep.csv"
 const SECONDS := 10.0 # as long as the demo waits before it throws again
@@ -22,6 +23,7 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 	var fields: Array[GrassField] = []
 	for mode in MODES:
 		fields.append(_add_field(MODES[mode]))
+	await Scenery.compiled(fields[0])
 	var source := Bodies.new(7)
 	for i in BODIES:
 		var body := source.make()

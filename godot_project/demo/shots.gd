@@ -3,6 +3,8 @@
 ## seconds for a frame, does not hold up the physics.
 extends RefCounted
 
+const COMPILING := 120_000 # milliseconds
+
 var draw_ms := 0.0 ## GPU time of the last picture's frame, as the engine measures it (0: unknown)
 
 var _viewport: Viewport
@@ -16,9 +18,13 @@ func _init(p_viewport: Viewport, p_folder: String) -> void:
 	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
 
 
-## Draws once, so that shaders are compiled.
+## Draws once, so that shaders are compiled, and waits for the passes of the grass, which stands until they are.
 func warm_up() -> void:
 	await _draw(2)
+	var deadline := Time.get_ticks_msec() + COMPILING
+	for field: GrassField in _viewport.find_children("*", "GrassField", true, false):
+		while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
+			await _viewport.get_tree().process_frame
 
 
 func take(p_name: String) -> void:

@@ -10,6 +10,7 @@ extends Node
 
 const TIME_LIMIT := 180.0 # seconds; a test that takes longer is taken for hung
 const Case := preload("res://tests/case.gd")
+const FieldCase := preload("res://tests/field_case.gd")
 
 
 ## Collects what the engine and scripts report as errors, from whatever thread.
@@ -49,6 +50,8 @@ func _ready() -> void:
 	for test: Dictionary in plan:
 		_report("plan", test.name)
 	await get_tree().process_frame
+	if RenderingServer.get_rendering_device() and not Engine.is_editor_hint():
+		await FieldCase.warm_up(self)
 	for test: Dictionary in plan:
 		await _run(test)
 	OS.remove_logger(_listener)

@@ -96,10 +96,10 @@ func test_each_species_has_its_share_and_its_blades() -> void:
 		assert_near(length_of(knots, blade), [0.3, 0.6, 0.9][species], 0.01)
 	var before := found
 	field.seed = 5
-	await ticks(2)
+	await grown(field)
 	assert_ne(count(field), before)
 	field.seed = 0
-	await ticks(2)
+	await grown(field)
 	assert_eq(count(field), before)
 
 
