@@ -87,9 +87,9 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 36] Whether no collider that may touch the blade moves in this step.
+// [Eq 36] Whether no collider that may touch the blade moves in this step; not known where there are more than the shared ones.
 template <class T> GRASS_INLINE auto is_all_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	auto is_moved = T(0.0f) > T(1.0f);
+	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
 		if (!is_still(collider)) {
 			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
