@@ -16,7 +16,7 @@ inline constexpr float STAGE_SHARE = 0.29289322f;
 // Rounds of blows in one step, at most.
 inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
-inline constexpr float CAUTION = 6.0f;
+inline constexpr float CAUTION = 4.0f;
 // Solves on top of `iterations` for blades that touch something: what touches changes from solve to solve.
 inline constexpr int CONTACT_SOLVES = 2;
 
