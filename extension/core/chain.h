@@ -11,6 +11,8 @@ namespace grass {
 // Added to what a joint's spring and a knot's inertia resist with, to make contact stiffer than both.
 inline constexpr float CONTACT_OVER_INERTIA = 300.0f;
 inline constexpr float CONTACT_OVER_BENDING = 16.0f;
+// So many times harder at the first free segment: there a blade that is held down bends with all of its length on the shortest lever.
+inline constexpr float CONTACT_AT_ROOT = 8.0f;
 // How much more a knot that sticks is held along the surface than across it: what it gives is creep.
 inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
 // Depth in skins from which on a touch is a hit, which bends the blade without caution.
@@ -179,6 +181,10 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Cha
 	return friction;
 }
 
+inline constexpr float root_contact(int p_knot) {
+	return p_knot == GRASS_CLAMPED_KNOTS ? CONTACT_AT_ROOT : 1.0f;
+}
+
 // [Eq 36] Keeps what a collider's touch, with such a friction, says of how the blade is held.
 template <class T> GRASS_INLINE void keep_hold(Contacts<T> &r_contacts, const Touch<T> &p_touch, const T &p_length, const T &p_friction) {
 	r_contacts.grip = r_contacts.grip + p_friction;
@@ -204,7 +210,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	}
 	const T length = p_blade.lengths[p_knot - 1];
 	keep_hold(r_beyond.contacts, p_touch, length,
-			add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, length, weight, p_bending, T(1.0f)));
+			add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, length, weight, p_bending * T(root_contact(p_knot)), T(1.0f)));
 }
 
 // What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: what touches these
@@ -227,7 +233,8 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	const T length = p_blade.lengths[p_knot - 1];
 	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
 	keep_hold(r_beyond.contacts, touch, length,
-			add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, length, weight, p_bending, own));
+			add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, length, weight,
+					p_bending * T(root_contact(p_knot)), own));
 }
 
 // [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.

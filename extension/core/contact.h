@@ -181,7 +181,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 
 // [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
 // colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit. p_is_held: [Eq 36], those
-// that nothing pushes: in a wedge it would turn them on and on.
+// that stay as they are: in a wedge surfaces would turn them on and on.
 template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_held) {
 	const T zero(0.0f);
 	Vec3<T> carry{};
@@ -211,7 +211,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 		segment = select(p_is_held, straight, segment);
 		const Vec3<T> change = segment - straight;
 		carry = carry + change;
-		r_blade.knots[k] = knot + change;
+		r_blade.knots[k] = select(p_is_held, r_blade.knots[k], knot + change);
 		// What a surface had to push back stands still afterwards: no bounce, no jitter, no speed from an overlap.
 		const auto is_pushed = dot(change, change) > zero;
 		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);

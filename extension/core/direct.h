@@ -28,8 +28,10 @@ inline constexpr float RUB = 30.0f;
 inline constexpr float STICK = 2e-4f;
 inline constexpr float STICK_FORCE = 0.02f;
 // Among colliders that stand still it is held where it is slower than this, blade lengths a second, and friction could take back what
-// forces do in the step. A point at the surface is one skin deep; this deep, skins, it is inside and has to come out.
-inline constexpr float HOLD_BELOW = 0.15f;
+// forces do in the step, up to this share of how far a step moves a blade from lying flat. A point at the surface is one skin deep; this
+// deep, skins, it is inside and has to come out.
+inline constexpr float HOLD_BELOW = 0.3f;
+inline constexpr float HOLD_FORCE = 0.05f;
 inline constexpr float INSIDE = 1.01f;
 
 // A blade's places and speeds at the start of the step.
@@ -85,9 +87,9 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 36] Whether no collider that may touch the blade moves in this step.
+// [Eq 36] Whether no collider that may touch the blade moves in this step; not known where there are more than the shared ones.
 template <class T> GRASS_INLINE auto is_all_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	auto is_moved = T(0.0f) > T(1.0f);
+	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
 		if (!is_still(collider)) {
 			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
@@ -122,7 +124,8 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 		r_stage.target[k] = select(is_free, r_stage.target[k] + carried * lost, r_stage.target[k]);
 	}
 	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const T grip = p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight);
+	const T force = r_blade.reach * (T(HOLD_FORCE) * p_terms.wild_move * p_terms.wild_move);
+	const T grip = minimum(p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight), force);
 	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_contacts.deepest < T(INSIDE));
 	r_hold.sticks = p_is_slow & p_touches & ((farthest < limit * limit) | is_held);
 	r_hold.is_held = r_hold.sticks & is_held;
