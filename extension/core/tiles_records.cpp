@@ -31,7 +31,6 @@ void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 		}
 	}
 	_touches.resize(kept);
-	_statistics.colliders = int(_colliders.size());
 	_statistics.list_entries = int(kept);
 }
 

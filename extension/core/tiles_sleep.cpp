@@ -76,6 +76,7 @@ void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
 	std::fill(_signatures.begin(), _signatures.end(), 0);
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	uint64_t sign = 0;
+	_statistics.colliders = 0;
 	for (const Touch &touch : _touches) { // rising by collider
 		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
 		if (slot == SlotSet::NONE) {
@@ -83,6 +84,7 @@ void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
 		}
 		if (touch.collider != last) {
 			last = touch.collider;
+			_statistics.colliders++;
 			sign = sign_of(p_colliders[last]);
 		}
 		uint64_t &signature = _signatures[size_t(slot)];
