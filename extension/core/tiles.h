@@ -148,6 +148,7 @@ private:
 		double touched = 0.0; // the last step in which an object was in the tile
 		double stirred = 0.0; // the last step in which an object moved in the tile, came or left
 		double calm_since = NEVER;
+		double simulated = 0.0; // not when: for how long since it was stirred
 	};
 
 	// How calm it is.

@@ -104,7 +104,9 @@ void TileManager::deactivate_tiles(double p_delta) {
 		keep_awake(slot, _stirred.has(slot));
 		const bool still = is_still(slot);
 		_statistics.still += still;
-		_unseen.insert_if(slot, still || (is_idle(slot) && !is_seen(_places[size_t(slot)])));
+		const bool unseen = still || (is_idle(slot) && !is_seen(_places[size_t(slot)]));
+		_unseen.insert_if(slot, unseen);
+		_times[size_t(slot)].simulated += unseen ? 0.0 : p_delta;
 	}
 	_left.take_difference(_used, _touched);
 	for (const int slot : _left) {
@@ -123,7 +125,7 @@ void TileManager::deactivate_tiles(double p_delta) {
 
 void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
 	Times &times = _times[size_t(p_slot)];
-	times = { _time, p_is_stirred ? _time : times.stirred, NEVER };
+	times = { _time, p_is_stirred ? _time : times.stirred, NEVER, p_is_stirred ? 0.0 : times.simulated };
 	_motions[size_t(p_slot)] = { NO_ENERGY, uint32_t(_step_number) };
 }
 
@@ -132,11 +134,10 @@ bool TileManager::is_idle(int p_slot) const {
 	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
 }
 
-// And for so long that its blades, whatever they do, are where they will be. Those that two bodies mash, or whose root is in one, would
-// tremble for ever.
+// Simulated for so long since then that its blades, whatever they do, are where they will be. Those that two bodies mash, or whose root is
+// in one, would tremble for ever.
 bool TileManager::is_still(int p_slot) const {
-	return _params.sleep_mode == SleepMode::ENERGY && _time - _times[size_t(p_slot)].stirred >= _params.still_delay &&
-			!_stirred.has(p_slot);
+	return _params.sleep_mode == SleepMode::ENERGY && _times[size_t(p_slot)].simulated >= _params.still_delay;
 }
 
 bool TileManager::is_calm(int p_slot) const {

@@ -116,6 +116,26 @@ TEST_CASE("tiles: one whose objects have stood still for long is left as it is, 
 	}
 }
 
+TEST_CASE("tiles: only time in which blades are simulated counts: what goes on moving when it is seen again is not left as it is") {
+	StillScene scene;
+	CHECK(scene.is_simulated());
+	CHECK(scene.is_simulated());
+	SUBCASE("its tile was out of view") {
+		const Frustum nothing = { Eigen::Vector4f(1.0f, 0.0f, 0.0f, -1e6f), Eigen::Vector4f(-1.0f, 0.0f, 0.0f, -1e6f) };
+		scene.manager.see(std::vector<Frustum>{ nothing }, 0.0f);
+		for (int i = 0; i < 20; i++) {
+			step(scene.manager, scene.balls);
+		}
+		CHECK(scene.manager.get_statistics().simulated == 0);
+		CHECK(scene.manager.get_statistics().still == 0);
+		scene.manager.see_all();
+	}
+	SUBCASE("the field was") {
+		scene.manager.pass_unseen(60.0);
+	}
+	CHECK(scene.is_simulated());
+}
+
 TEST_CASE("tiles: put to sleep by the timer, they are simulated as long as an object is in them, as in the paper") {
 	StillScene scene;
 	TileParams params = scene.manager.get_params();
