@@ -24,6 +24,7 @@ const PaperTiles := preload("res://bench/paper_tiles.gd")
 const PaperLists := preload("res://bench/paper_lists.gd")
 const PaperMemory := preload("res://bench/paper_memory.gd")
 const PaperRivals := preload("res://bench/paper_rivals.gd")
+const Measure := preload("res://bench/measure.gd")
 const Table := preload("res://bench/table.gd")
 
 const PAPER: Array[GDScript] = [PaperMemory, PaperLists, PaperAwake, PaperTiles, PaperPasses, PaperTable1, PaperRivals]
@@ -43,7 +44,7 @@ func _ready() -> void:
 			part.free()
 			continue
 		add_child(part)
-		var rows: Array[PackedStringArray] = await part.run.callv(arguments + [is_software()])
+		var rows: Array[PackedStringArray] = await part.run.callv(arguments + [Measure.is_software()])
 		part.queue_free()
 		_write(folder.path_join(part.FILE), rows)
 	if only.begins_with("paper"):
@@ -60,21 +61,10 @@ func _run_paper(p_only: String, p_folder: String, p_spirv: String) -> void:
 			add_child(part)
 			var table := Table.new(p_folder.path_join(part.FILE))
 			var start := Time.get_ticks_msec()
-			await part.run.callv(wants.get(script, []) + [table, is_software() or _argument("--quick", "") == "yes"])
+			await part.run.callv(wants.get(script, []) + [table, Measure.is_software() or _argument("--quick", "") == "yes"])
 			print("%s: %.1f s" % [part.FILE, (Time.get_ticks_msec() - start) * 1e-3])
 		part.queue_free()
 		await get_tree().process_frame
-
-
-static func is_software() -> bool:
-	return RenderingServer.get_rendering_device() == null or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
-
-
-## Middle value; 0 of nothing.
-static func median(p_values: Array[float]) -> float:
-	var sorted := p_values.duplicate()
-	sorted.sort()
-	return sorted[sorted.size() >> 1] if sorted else 0.0
 
 
 func _argument(p_name: String, p_default: String) -> String:

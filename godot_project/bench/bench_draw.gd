@@ -49,4 +49,4 @@ func _measure(p_view: String, p_side: float, p_shadows: bool, p_msaa: int, p_fra
 	var statistics := _field.get_statistics()
 	var blades: int = statistics.blades if _field.visible else 0
 	return [str(blades), p_view, "on" if p_shadows else "off", str(p_msaa), str(statistics.drawn_blades if blades else 0),
-			str(statistics.drawn_triangles if blades else 0), "%.3f" % preload("res://bench/bench.gd").median(times), "%.4f" % statistics.cull_ms]
+			str(statistics.drawn_triangles if blades else 0), "%.3f" % preload("res://bench/measure.gd").median(times), "%.4f" % statistics.cull_ms]

@@ -37,7 +37,7 @@ func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 			simulate.append(field.get_statistics().simulate_ms)
 			management.append(field.get_statistics().management_ms)
 	var statistics := field.get_statistics()
-	var median := preload("res://bench/bench.gd").median
+	var median := preload("res://bench/measure.gd").median
 	var blades: int = statistics.awake_tiles * 64
 	var ms: float = median.call(simulate)
 	body.queue_free()

@@ -21,7 +21,7 @@ func _init(p_viewport: Viewport) -> void:
 func measure(p_camera: Camera3D) -> Dictionary:
 	await _draw(p_camera, frames / 2, 0.5 * seconds, WARM_UP)
 	var times := await _draw(p_camera, frames, seconds, LEAST)
-	var median := preload("res://bench/bench.gd").median
+	var median := preload("res://bench/measure.gd").median
 	return { gpu_ms = median.call(times[0]), wall_ms = median.call(times[1]) }
 
 

@@ -54,7 +54,7 @@ func _measure(p_series: String, p_side: float, p_tiles: int) -> Dictionary:
 	var times := await _shake(field, lid)
 	var awake := field.get_awake_tile_count()
 	var row := { series = p_series, blades = field.get_blade_count(), awake_blades = awake * 64,
-		simulate_ms = preload("res://bench/bench.gd").median(times[0]), management_ms = preload("res://bench/bench.gd").median(times[1]) }
+		simulate_ms = preload("res://bench/measure.gd").median(times[0]), management_ms = preload("res://bench/measure.gd").median(times[1]) }
 	if awake < p_tiles:
 		row.outcome = "%d of %d tiles awake" % [awake, p_tiles]
 	elif row.simulate_ms <= 0.0:

@@ -50,7 +50,7 @@ func run(r_table: Table, p_software: bool) -> void:
 			values.cull.append(now.cull_ms)
 			values.frame.append(RenderingServer.viewport_get_measured_render_time_gpu(get_viewport().get_viewport_rid()))
 			values.awake.append(float(now.awake_tiles) * 64.0)
-	var median := preload("res://bench/bench.gd").median
+	var median := preload("res://bench/measure.gd").median
 	var blades := field.get_blade_count()
 	var awake := int(median.call(values.awake))
 	var frame: float = median.call(values.frame)

@@ -55,7 +55,7 @@ func _measure(p_fields: int, p_throw: int, p_side: float, p_bodies: int, p_secon
 		awake += field.get_awake_tile_count()
 		blades += field.get_blade_count()
 	var row := { blades_a_tile = 64 * p_fields, throw = p_throw, blades = blades, awake_tiles = awake / p_fields, awake_blades = awake * 64,
-		simulate_ms = preload("res://bench/bench.gd").median(simulate) }
+		simulate_ms = preload("res://bench/measure.gd").median(simulate) }
 	if awake == 0:
 		row.outcome = "nothing was awake"
 	elif row.simulate_ms <= 0.0:

@@ -2,6 +2,8 @@
 ## A CSV that is written row by row, so that what was measured stays if the rest fails. Its first line names the device.
 extends RefCounted
 
+const Measure := preload("res://bench/measure.gd")
+
 var _file: FileAccess
 var _columns: PackedStringArray
 
@@ -11,7 +13,7 @@ func _init(p_path: String) -> void:
 	if _file == null:
 		push_error("Bench: cannot write %s (%s)." % [p_path, error_string(FileAccess.get_open_error())])
 		return
-	var software := ", software" if preload("res://bench/bench.gd").is_software() else ""
+	var software := ", software" if Measure.is_software() else ""
 	var size: Vector2i = DisplayServer.window_get_size()
 	_file.store_line("# %s, %s, Godot %s, %d x %d%s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(),
 			Engine.get_version_info().string, size.x, size.y, software])

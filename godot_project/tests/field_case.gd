@@ -19,11 +19,10 @@ func add_field(properties := {}) -> GrassField:
 	return field
 
 
-static var first_field := {} ## what the first field of the process did: ticks and blades until its pass was there, and after
-
-
-## Waits until the driver has compiled all passes that fields take, so that tests may count ticks: until then grass stands.
-static func warm_up(to: Node) -> void:
+## Waits until the driver has compiled all passes that fields take, so that tests may count ticks: until then grass stands. Returns what the
+## first field of the process did: ticks and blades until its pass was there, and after.
+static func warm_up(to: Node) -> Dictionary:
+	var first_field := {}
 	var field := GrassField.new()
 	field.size = Vector2(4, 4)
 	to.add_child(field)
@@ -48,6 +47,7 @@ static func warm_up(to: Node) -> void:
 		await to.get_tree().process_frame
 	field.free()
 	body.free()
+	return first_field
 
 
 ## Frames until the field has been made as often as that.

@@ -51,7 +51,7 @@ func _ready() -> void:
 		_report("plan", test.name)
 	await get_tree().process_frame
 	if RenderingServer.get_rendering_device() and not Engine.is_editor_hint():
-		await FieldCase.warm_up(self)
+		get_tree().set_meta("first_field", await FieldCase.warm_up(self)) # no static variable: it would keep scripts alive for ever
 	for test: Dictionary in plan:
 		await _run(test)
 	OS.remove_logger(_listener)

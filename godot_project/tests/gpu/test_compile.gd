@@ -5,6 +5,7 @@ extends "res://tests/parity_case.gd"
 
 
 func test_the_first_field_stands_until_its_pass_is_there() -> void:
+	var first_field: Dictionary = get_tree().get_meta("first_field")
 	print("    %s" % first_field)
 	if first_field.has("ticks"): # else the driver was faster than the first tick
 		assert_eq(first_field.steps, 0, "nothing is simulated")
