@@ -64,7 +64,7 @@ struct TileStatistics {
 	int settling = 0; // now: those of them that are on the way back to rest
 	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
 	int colliders = 0; // now: that touch an awake tile
-	int list_entries = 0; // now: sum over the tiles of their objects
+	int list_entries = 0; // now: sum over the simulated tiles of their objects
 	int sharp_tiles = 0; // now: simulated tiles with GRASS_SLOT_EDGES
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps

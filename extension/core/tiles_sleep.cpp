@@ -69,8 +69,8 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 	}
 }
 
-// Which objects stand where: not how they tremble, but neither farther than that. A slot whose objects are others than in the last step
-// is stirred.
+// Notes which objects stand where, so coarsely that trembling does not show but creeping does. Tiles whose objects are others than in the
+// last step are stirred.
 void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
 	std::swap(_signatures, _signatures_before);
 	std::fill(_signatures.begin(), _signatures.end(), 0);

@@ -122,7 +122,6 @@ std::span<const GrassStep> GrassField::species_steps() {
 	return _species_steps;
 }
 
-// Up to here the blades of every species are calm, J/kg.
 double GrassField::calm_time() const {
 	const SolverParams field = solver_params();
 	double time = _grown.empty() ? field.calm_time() : 0.0;
@@ -132,6 +131,7 @@ double GrassField::calm_time() const {
 	return time;
 }
 
+// Up to here the blades of every species are calm, J/kg.
 double GrassField::calm_energy() const {
 	const double distance = 1e-3 * param(PARAM_SLEEP_MOTION);
 	const SolverParams field = solver_params();
