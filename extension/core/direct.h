@@ -17,8 +17,6 @@ inline constexpr float STAGE_SHARE = 0.29289322f;
 inline constexpr int BLOWS = 3;
 // Resistance of the joints of a blade near something.
 inline constexpr float CAUTION = 4.0f;
-// Solves on top of `iterations` for blades that touch something: what touches changes from solve to solve.
-inline constexpr int CONTACT_SOLVES = 2;
 
 // [Eq 36] What touches something and is slower than this, blade lengths a second, loses its speed at this rate, 1/s,
 inline constexpr float RUB_BELOW = 0.6f;
@@ -31,7 +29,7 @@ inline constexpr float STICK_FORCE = 0.02f;
 // forces do in the step, up to this share of how far a step moves a blade from lying flat. A point at the surface is one skin deep; this
 // deep, skins, it is inside and has to come out.
 inline constexpr float HOLD_BELOW = 0.3f;
-inline constexpr float HOLD_FORCE = 0.05f;
+inline constexpr float HOLD_FORCE = 0.08f;
 inline constexpr float INSIDE = 1.01f;
 
 // A blade's places and speeds at the start of the step.
@@ -141,11 +139,10 @@ template <class T, class Mask>
 GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_is_near) {
 	const Mask by_solves =
 			(p_is_single & (T(float(p_i)) < p_terms.free_solves)) | ((!p_is_single) & (T(float(2 * p_i)) < p_terms.free_solves));
-	return p_i < p_terms.iterations ? p_is_near | by_solves : (!p_is_near) & by_solves;
+	return p_is_near | by_solves;
 }
 
-// [Eq 30] The solves of a stage of p_takes_part; CONTACT_SOLVES more where a blade touches something. Blades that the first one shows to be
-// hit start again, from the blow.
+// [Eq 30] The solves of a stage of p_takes_part. Blades that the first one shows to be hit start again, from the blow.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, Hold<Mask> &r_hold) {
@@ -156,18 +153,17 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		guess[k] = r_blade.knots[k];
 		twist[k - 1] = r_blade.twist[k - 1];
 	}
-	Mask is_hit = none, touches = none;
+	Mask is_hit = none;
 	r_hold.sticks = r_hold.is_held = none;
-	for (int i = 0; i < p_terms.iterations + CONTACT_SOLVES;) {
+	for (int i = 0; i < p_terms.iterations;) {
 		const bool is_again = any(is_hit);
 		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
-		const Mask wants_more = i < p_terms.iterations ? by_count : by_count | touches;
-		const Mask is_active = is_again ? is_hit : wants_more & !r_hold.sticks;
+		const Mask is_active = is_again ? is_hit : by_count & !r_hold.sticks;
 		if (!any(is_active)) {
 			return;
 		}
 		const Contacts<T> contacts = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
-		touches = touches | (is_active & p_is_near & (contacts.depth > T(0.0f)));
+		const Mask touches = is_active & p_is_near & (contacts.depth > T(0.0f));
 		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
 		if (i > 0 || is_again) {
 			is_hit = none;
