@@ -133,13 +133,13 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 }
 
-// Which blades take the i-th solve of a stage by their number of solves: those that something is near `iterations`, others all of theirs
-// where they take the step in one stage, else half of them in each of two.
+// Which blades take the i-th solve of a stage: those that may stick `iterations`, others all of theirs where they take the step in one
+// stage, else half of them in each of two.
 template <class T, class Mask>
-GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_is_near) {
+GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_may_stick) {
 	const Mask by_solves =
 			(p_is_single & (T(float(p_i)) < p_terms.free_solves)) | ((!p_is_single) & (T(float(2 * p_i)) < p_terms.free_solves));
-	return p_is_near | by_solves;
+	return p_i < p_terms.iterations ? p_may_stick | by_solves : by_solves;
 }
 
 // [Eq 30] The solves of a stage of p_takes_part. Blades that the first one shows to be hit start again, from the blow.
@@ -155,9 +155,9 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 	Mask is_hit = none;
 	r_hold.sticks = r_hold.is_held = none;
-	for (int i = 0; i < p_terms.iterations;) {
+	for (int i = 0;;) {
 		const bool is_again = any(is_hit);
-		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
+		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, r_hold.may_stick);
 		const Mask is_active = is_again ? is_hit : by_count & !r_hold.sticks;
 		if (!any(is_active)) {
 			return;
@@ -187,8 +187,8 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step with `iterations` as rounds of contact;
-// else two stages with half of its solves each, or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
+// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step; else two stages with half of its solves
+// each, or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
 template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
