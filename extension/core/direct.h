@@ -29,7 +29,7 @@ inline constexpr float STICK_FORCE = 0.02f;
 // forces do in the step, up to this share of how far a step moves a blade from lying flat. A point at the surface is one skin deep; this
 // deep, skins, it is inside and has to come out.
 inline constexpr float HOLD_BELOW = 0.3f;
-inline constexpr float HOLD_FORCE = 0.08f;
+inline constexpr float HOLD_FORCE = 0.09f;
 inline constexpr float INSIDE = 1.01f;
 
 // A blade's places and speeds at the start of the step.
@@ -133,16 +133,16 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 }
 
-// Which blades take the i-th solve of a stage: those that may stick `iterations`, others all of theirs where they take the step in one
-// stage, else half of them in each of two.
+// Which blades take the i-th solve of a stage: those that something is near `iterations`, others all of theirs where they take the step
+// in one stage, else half of them in each of two.
 template <class T, class Mask>
-GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_may_stick) {
+GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_is_near) {
 	const Mask by_solves =
 			(p_is_single & (T(float(p_i)) < p_terms.free_solves)) | ((!p_is_single) & (T(float(2 * p_i)) < p_terms.free_solves));
-	return p_i < p_terms.iterations ? p_may_stick | by_solves : by_solves;
+	return p_i < p_terms.iterations ? p_is_near | by_solves : (!p_is_near) & by_solves;
 }
 
-// [Eq 30] The solves of a stage of p_takes_part. Blades that the first one shows to be hit start again, from the blow.
+// [Eq 30] The solves of a stage of p_takes_part. Blades that the first one shows to be hit go on from the blow, with one solve at least.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, Hold<Mask> &r_hold) {
@@ -155,19 +155,17 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 	Mask is_hit = none;
 	r_hold.sticks = r_hold.is_held = none;
-	for (int i = 0;;) {
-		const bool is_again = any(is_hit);
-		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, r_hold.may_stick);
-		const Mask is_active = is_again ? is_hit : by_count & !r_hold.sticks;
+	for (int i = 0;; i++) {
+		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
+		const Mask is_active = is_hit | (by_count & !r_hold.sticks);
 		if (!any(is_active)) {
 			return;
 		}
 		const Contacts<T> contacts = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
 		const Mask touches = is_active & p_is_near & (contacts.depth > T(0.0f));
 		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
-		if (i > 0 || is_again) {
-			is_hit = none;
-			i++;
+		is_hit = none;
+		if (i > 0) {
 			continue;
 		}
 		const Mask is_slow = r_hold.may_stick & !is_blow;
@@ -175,7 +173,6 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 			hold(r_blade, p_terms, p_start, r_stage, is_slow, touches, contacts, r_hold);
 		}
 		if (!any(is_blow)) {
-			i++;
 			continue;
 		}
 		is_hit = is_blow;

@@ -211,14 +211,14 @@ TEST_CASE("METHOD_DIRECT: nor does one in a thousand under balls, boxes, capsule
 	}
 }
 
-TEST_CASE("METHOD_DIRECT: of stiff blades one in a hundred moves, of soft and slippery ones, which slide on for seconds, six") {
+TEST_CASE("METHOD_DIRECT: of stiff blades and of tall dry ones one in a hundred moves, of soft and slippery ones, which slide on for seconds, two") {
 	struct Grass {
 		std::string name;
 		double frequency, damping, friction; // Hz, -, times the body's
 		int most; // that move, of a hundred
 	};
 	for (const Grass &grass :
-			{ Grass{ "lawn", 4.0, 0.8, 1.0, 1 }, Grass{ "reed", 0.8, 0.15, 0.5, 6 }, Grass{ "tall dry grass", 0.7, 0.9, 1.5, 6 } }) {
+			{ Grass{ "lawn", 4.0, 0.8, 1.0, 1 }, Grass{ "reed", 0.8, 0.15, 0.5, 2 }, Grass{ "tall dry grass", 0.7, 0.9, 1.5, 1 } }) {
 		SolverParams params;
 		params.natural_frequency = grass.frequency;
 		params.damping_ratio = grass.damping;
