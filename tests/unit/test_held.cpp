@@ -211,7 +211,8 @@ TEST_CASE("METHOD_DIRECT: nor does one in a thousand under balls, boxes, capsule
 	}
 }
 
-TEST_CASE("METHOD_DIRECT: of stiff blades and of tall dry ones one in a hundred moves, of soft and slippery ones, which slide on for seconds, two") {
+TEST_CASE("METHOD_DIRECT: of stiff blades and of tall dry ones one in a hundred moves, of soft and slippery ones, which slide on for "
+		  "seconds, two") {
 	struct Grass {
 		std::string name;
 		double frequency, damping, friction; // Hz, -, times the body's
