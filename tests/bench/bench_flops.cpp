@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// How many floating-point operations a blade's step takes: the solver over numbers that count what is done with them. With it, the least
+// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each.
+#include "blade_scene.h"
+#include "core/step_tile.h"
+
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+namespace grass {
+
+// A float that counts.
+struct Counted {
+	static inline long operations = 0;
+	float value = 0.0f;
+
+	Counted() = default;
+	explicit Counted(float p_value) : value(p_value) {}
+
+	static Counted made(float p_value) {
+		operations++;
+		return Counted(p_value);
+	}
+	static bool compared(bool p_result) {
+		operations++;
+		return p_result;
+	}
+	Counted operator-() const { return Counted(-value); } // part of the next operation, on a GPU
+	Counted operator+(const Counted &p_b) const { return made(value + p_b.value); }
+	Counted operator-(const Counted &p_b) const { return made(value - p_b.value); }
+	Counted operator*(const Counted &p_b) const { return made(value * p_b.value); }
+	Counted operator/(const Counted &p_b) const { return made(value / p_b.value); }
+	bool operator<(const Counted &p_b) const { return compared(value < p_b.value); }
+	bool operator>(const Counted &p_b) const { return compared(value > p_b.value); }
+	bool operator<=(const Counted &p_b) const { return compared(value <= p_b.value); }
+	bool operator>=(const Counted &p_b) const { return compared(value >= p_b.value); }
+	bool operator==(const Counted &p_b) const { return compared(value == p_b.value); }
+	bool operator!=(const Counted &p_b) const { return compared(value != p_b.value); }
+};
+
+Counted select(bool p_mask, const Counted &p_a, const Counted &p_b) {
+	return p_mask ? p_a : p_b;
+}
+Counted square_root(const Counted &p_a) {
+	return Counted::made(std::sqrt(p_a.value));
+}
+void store(const Counted &p_value, float *r_to) {
+	*r_to = p_value.value;
+}
+float largest(const Counted &p_value) {
+	return p_value.value;
+}
+
+float step_counted(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
+	return step_tile<Counted>(r_state, p_steps, p_blend, p_colliders);
+}
+
+} // namespace grass
+
+using namespace grass;
+using namespace grass::test;
+
+namespace {
+
+constexpr double PEAK = 66.9e12; // of an H100, operations a second, two in each fused one
+constexpr double BANDWIDTH = 3.0e12; // of the same, bytes a second
+constexpr double BYTES = 800.0; // that a blade's step must move: bench_kernel.gd
+constexpr int STEPS = 48;
+
+// The scenes `0` and `4` of bench_kernel.gd: blades over a tile that swing, alone or among balls that go to and fro by 1 cm a step.
+BladeScene play(Method p_method, int p_balls, Step p_step) {
+	BladeScene scene(p_method);
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		scene.tile->root[0][b] = 0.0625f * (float(b % 8) - 3.5f);
+		scene.tile->root[2][b] = 0.0625f * (float(b / 8) - 3.5f);
+	}
+	const auto place = [](int p_ball, int p_phase) {
+		const float x = (p_ball & 1 ? 0.125f : -0.125f) + 0.01f * float(std::abs(p_phase % 8 - 4));
+		return Eigen::Vector3f(x, 0.2f, p_ball & 2 ? 0.125f : -0.125f);
+	};
+	for (int i = 0; i < p_balls; i++) {
+		scene.add(GRASS_SPHERE, place(i, 0), { 0.08f, 0.0f, 0.0f });
+	}
+	scene.bend(1.0f);
+	const auto run = [&](int p_steps) {
+		for (int step = 0; step < p_steps; step++) {
+			for (int i = 0; i < p_balls; i++) {
+				BladeScene::place(scene.colliders[i], place(i, step + 7), place(i, step + 8));
+			}
+			scene.step();
+		}
+	};
+	run(STEPS / 2); // until all of them have met
+	scene.step_function = p_step;
+	Counted::operations = 0;
+	run(STEPS);
+	return scene;
+}
+
+// A blade's step.
+double count(Method p_method, int p_balls) {
+	const BladeScene plain = play(p_method, p_balls, step_scalar_float);
+	const BladeScene counted = play(p_method, p_balls, step_counted);
+	if (std::memcmp(plain.tile->knots, counted.tile->knots, sizeof(plain.tile->knots)) != 0) {
+		throw std::logic_error("numbers that count do not move blades as plain ones do");
+	}
+	return double(Counted::operations) / double(STEPS * GRASS_BLADES_PER_TILE);
+}
+
+} // namespace
+
+int main() {
+	std::printf("Floating-point operations a blade's step, and the least time that an H100 needs for 65,536 and 1,048,576 of them,\n"
+				"by %.1f thousand million a millisecond and by %.1f GB a millisecond (%.0f bytes a blade)\n",
+			PEAK * 1e-12, BANDWIDTH * 1e-12, BYTES);
+	for (const Method method : { Method::DIRECT, Method::PBD }) {
+		for (const int balls : { 0, 4 }) {
+			const double operations = count(method, balls);
+			const auto floor = [&](double p_blades) { return p_blades * 1e3 * std::max(operations / PEAK, BYTES / BANDWIDTH); };
+			std::printf("  METHOD_%-6s, %d balls: %7.0f operations: %.4f and %.3f ms; floor %.4f and %.3f ms\n",
+					method == Method::DIRECT ? "DIRECT" : "PBD", balls, operations, 65536e3 * operations / PEAK, 1048576e3 * operations / PEAK,
+					floor(65536.0), floor(1048576.0));
+		}
+	}
+}
