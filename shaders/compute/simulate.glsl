@@ -142,6 +142,7 @@ vec3 rest_of(int p_knot) {
 #include "compute/touch.inc"
 #include "compute/matrix.inc"
 #include "compute/joint.inc"
+#include "compute/beyond.inc"
 #include "compute/chain.inc"
 #include "compute/finish.inc"
 #include "compute/direct.inc"
