@@ -41,18 +41,19 @@ GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_bas
 	r_stage.target[p_knot] = p_base + (p_speed * r_stage.span + p_load * (r_stage.span * r_stage.span)) * (T(1.0f) / r_stage.weight);
 }
 
-// [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths.
-template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage) {
+// [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths. p_lacks: what it leaves out of them, metres.
+template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage, const Vec3<T> &p_lacks) {
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		const Vec3<T> found = (p_stage.target[k] + carry) - r_blade.knots[k - 1];
+		const Vec3<T> guess = p_stage.target[k] - p_lacks;
+		const Vec3<T> found = (guess + carry) - r_blade.knots[k - 1];
 		const T squared = dot(found, found);
 		const auto is_long = squared > T(TINY_SQUARED);
 		const T found_length = square_root(select(is_long, squared, T(1.0f)));
 		const Vec3<T> change =
 				select(is_long, found * ((r_blade.lengths[k - 1] - found_length) / found_length), rest_segment(r_blade, k - 1) - found);
 		carry = carry + change;
-		r_blade.knots[k] = p_stage.target[k] + carry;
+		r_blade.knots[k] = guess + carry;
 	}
 }
 

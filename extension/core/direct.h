@@ -2,8 +2,8 @@
 // METHOD_DIRECT over time: one implicit step of a chain, or two of the second order. Twin of shaders/compute/direct.inc.
 #pragma once
 
-#include "core/chain.h"
 #include "core/contact.h"
+#include "core/quick.h"
 
 #include <algorithm>
 
@@ -210,8 +210,14 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		set_target(stage, k, start.place[k], start.speed[k] * kept, load);
 	}
-	follow_targets(r_blade, stage);
-	solve_stage(r_blade, p_terms, chain, start, stage, !none, is_single, p_is_near, hold);
+	const T lacks = select(is_one, stage.span * stage.span / stage.weight, T(0.0f)); // [Eq 38]
+	follow_targets(r_blade, stage, load * lacks);
+	Mask is_quick = is_one & (p_terms.free_quick > T(0.0f)) & !(fastest > r_blade.reach * p_terms.wild_move);
+	if (any(is_quick)) {
+		is_quick = is_quick & is_simple(r_blade, p_terms, chain);
+		solve_quick(r_blade, p_terms, chain, stage, is_quick);
+	}
+	solve_stage(r_blade, p_terms, chain, start, stage, !is_quick, is_single, p_is_near, hold);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
@@ -225,7 +231,7 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 			const Vec3<T> gain = (speed - start.speed[k]) * (T((1.0f - STAGE_SHARE) / STAGE_SHARE));
 			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, load);
 		}
-		follow_targets(r_blade, stage);
+		follow_targets(r_blade, stage, Vec3<T>{});
 		solve_stage(r_blade, p_terms, chain, start, stage, !is_single, is_single, none, no_hold);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;

@@ -28,26 +28,60 @@ template <class T> struct Blade {
 	T reach; // of the whole blade
 };
 
+// [Eq 39] One joint of a straight blade whose segments have length and mass 1. Turns are radians.
+template <class T> struct QuickJoint {
+	T pass; // share of a moment, and of a turn, that goes on to the next joint
+	T shift; // what a shift of the knot takes of the turn
+	T soft; // turn by a moment
+	T stiffness;
+};
+
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
 template <class T> struct StepTerms {
 	T keep, pull, pull_root, straighten;
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
-	T free_bending, free_drag, free_solves; // GrassStep.motion of METHOD_DIRECT
+	T free_bending, free_drag, free_solves, free_quick; // GrassStep.motion of METHOD_DIRECT
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
 	int iterations;
 	bool is_direct;
 	std::span<const TileCollider> colliders;
+	QuickJoint<T> quick[GRASS_SEGMENTS]; // METHOD_DIRECT
 };
 
+// [Eq 39] From the terms of free motion.
+template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
+	constexpr float COUNT = float(GRASS_SEGMENTS), FREE = COUNT - 1.0f, REST = COUNT - 1.5f, FOURTH = COUNT * COUNT * COUNT * COUNT;
+	constexpr float FIRST = 4.0f * FREE * FREE * FREE / (FOURTH - REST * REST * REST * REST);
+	const T stiffness = r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
+	T P(0.0f), Q(0.0f), S(0.0f);
+	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
+		const T own = s == 1 ? stiffness * T(FIRST) : stiffness;
+		P = P + T(s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f);
+		S = S + Q;
+		Q = Q + P;
+		S = S + Q;
+		const T soft = T(1.0f) / (S + own);
+		const T shift = Q * soft;
+		r_terms.quick[s] = { own * soft, shift, soft, own };
+		P = P - shift * Q;
+		Q = shift * own;
+		S = own - own * own * soft;
+	}
+}
+
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
-	return { T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
+	StepTerms<T> terms{ T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
-		T(p_step.motion.z), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y),
-		T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
+		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y),
+		T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
+	if (terms.is_direct) {
+		make_quick_joints(terms);
+	}
+	return terms;
 }
 
 // [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.

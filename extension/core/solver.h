@@ -40,7 +40,7 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	}
 }
 
-// [Eq 19] Half the speed squared and the pull to rest, the mean of the free knots: J per kg of blade.
+// [Eq 19] Half the speed squared and the pull to rest at the start of a step, the mean of the free knots: J per kg of blade.
 template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {

@@ -33,6 +33,8 @@ constexpr double MOST_TURN = 2.5;
 constexpr double FIRST_MODE = 3.5160152685;
 // Of the first mode in a step, radians: below it one solve is enough.
 constexpr double ONE_SOLVE_TURN = 0.2;
+// And from this on a quick one is, too: what it leaves is less than what so long a step errs by.
+constexpr double QUICK_TURN = 0.04;
 // A chain of so many knots swings slower: by less than this share of the frequency's square.
 constexpr double CHAIN_SLOWER = 1.3 / (GRASS_KNOTS * GRASS_KNOTS);
 
@@ -139,10 +141,11 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
 		const int solves = params.iterations >= 4 ? params.iterations / 2 : swing * std::max(h, g) <= ONE_SOLVE_TURN ? 1 : 2;
 		const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, h, g) : EulerSwing{ swing * swing, 2.0 * damping };
-		step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), 0.0f };
+		const bool is_quick = solves == 1 && swing * std::max(h, g) >= QUICK_TURN;
+		step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
 	}
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
-	step.energy = { float(1.0 / (h * h)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
+	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
 	return step;
 }
 

@@ -81,9 +81,13 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 	r_terms.free_bending = r_terms.keep;
 	r_terms.free_drag = r_terms.pull;
 	r_terms.free_solves = r_terms.pull_root;
+	r_terms.free_quick = own(&GrassStep::motion, &vec4::w);
 	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
 	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
 	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);
+	if (r_terms.is_direct) {
+		make_quick_joints(r_terms);
+	}
 }
 
 template <class T>
@@ -106,13 +110,13 @@ GRASS_INLINE float step_tile(
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
+		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
 		step_blade(blade, terms);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
 			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
 			store(blade.twist[k - 1], &r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
-		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
 	}
 	return liveliest;
 }

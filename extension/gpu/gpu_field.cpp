@@ -23,7 +23,8 @@ namespace {
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
 using Code = std::span<const uint32_t>;
-constexpr const char *CULL_NAME = "GrassField cull", *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges";
+constexpr const char *CULL_NAME = "GrassField cull", *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges",
+					 *FREE_NAME = "GrassField simulate free";
 
 Code simulate_code(bool p_species) {
 	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV);
@@ -31,6 +32,10 @@ Code simulate_code(bool p_species) {
 
 Code edges_code(bool p_species) {
 	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV);
+}
+
+Code free_code(bool p_species) {
+	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV) : Code(shader::SIMULATE_GRASS_FREE_SPIRV);
 }
 
 } // namespace
@@ -62,7 +67,8 @@ void GpuField::look_for_passes() {
 
 void GpuField::prepare(bool p_species) {
 	const bool is_prepared = GpuPass::prepare(simulate_code(p_species), SIMULATE_NAME);
-	GpuPass::prepare(edges_code(p_species), EDGES_NAME); // begun, but nobody waits for it
+	GpuPass::prepare(free_code(p_species), FREE_NAME); // begun, but nobody waits for them
+	GpuPass::prepare(edges_code(p_species), EDGES_NAME);
 	std::lock_guard lock(_report->mutex);
 	_report->is_prepared = is_prepared;
 }
@@ -72,8 +78,9 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	const int64_t slots_before = std::exchange(_slots, p_setup.pool_tiles);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
-	_knots.resize(_slots * KNOT_FLOATS_PER_SLOT * 4);
-	_knots_before.resize(_slots * KNOT_FLOATS_PER_SLOT * 4);
+	_knots.resize(_slots * 2 * KNOT_FLOATS_PER_HALF * 4);
+	_halves.resize(_slots * 4);
+	_twists.resize(_slots * TWIST_WORDS_PER_SLOT * 4);
 	_energy.resize(_slots * int64_t(sizeof(vec4)));
 	_growth.resize(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 	if (_has_species) {
@@ -128,6 +135,7 @@ void GpuField::make_pool_texture() {
 
 void GpuField::make_simulate() {
 	_simulate.create(simulate_code(_has_species), SIMULATE_NAME, GpuPass::Compile::LATER);
+	_simulate_free.create(free_code(_has_species), FREE_NAME, GpuPass::Compile::LATER);
 	_simulate_edges.create(edges_code(_has_species), EDGES_NAME, GpuPass::Compile::LATER);
 }
 
@@ -154,9 +162,10 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_pool_texture = _sampler = RID();
 	_simulate.free();
 	_simulate_edges.free();
+	_simulate_free.free();
 	_cull.free();
-	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table, &_growth,
-				 &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
+	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy, &_table,
+				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		buffer->free();
 	}
 }
@@ -172,8 +181,8 @@ void GpuField::report_times() {
 // The report's mutex is held.
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
-	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_knots_before, &_energy, &_table,
-				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
+	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy,
+				 &_table, &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

@@ -23,6 +23,7 @@ struct StepRecords {
 	std::vector<GrassStep> species;
 	GrassStep step;
 	int sharp_slots; // with GRASS_SLOT_EDGES
+	int free_slots = 0; // with GRASS_SLOT_FREE, which is set here
 	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);
@@ -75,7 +76,8 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
-	static constexpr int64_t KNOT_FLOATS_PER_SLOT = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
+	static constexpr int64_t KNOT_FLOATS_PER_HALF = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
+	static constexpr int64_t TWIST_WORDS_PER_SLOT = GRASS_FREE_KNOTS / 2 * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: of those that tell what is drawn, and where some of them stand; of all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
@@ -84,8 +86,8 @@ private:
 	void make_pool_texture();
 	void make_simulate();
 	void bind_simulate(const godot::RID &p_patch);
-	// Without edges where their pass cannot take them yet. Bytes.
-	int64_t upload_slots(const StepRecords &p_records, bool p_takes_edges);
+	// p_left: bits of slots that the pass for all kinds takes, too, since their own is not there yet. Bytes.
+	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void report_counts(int64_t p_uploaded);
 	void report_times();
@@ -98,8 +100,9 @@ private:
 
 	// Written by the main thread's records every step, read by simulate, one step long.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes;
-	// Written and read by simulate, as long as the field: knots of awake tiles now and a step before, energy per slot.
-	GpuBuffer _knots, _knots_before, _energy;
+	// Written and read by simulate, as long as the field: knots of awake tiles, now and a step before in two halves; which half is which;
+	// twists of their joints; energy. All by slot.
+	GpuBuffer _knots, _halves, _twists, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
 	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
@@ -116,7 +119,7 @@ private:
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler;
 	godot::Ref<godot::Texture2DRD> _pool;
-	GpuPass _simulate, _simulate_edges, _cull; // of tiles without and with GRASS_SLOT_EDGES
+	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
 };
 
 } // namespace grass

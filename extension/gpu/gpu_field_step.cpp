@@ -15,6 +15,12 @@ namespace grass {
 StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step), sharp_slots(p_input.sharp_slots) {
 	CpuClock clock;
 	slots.assign(p_input.slots.begin(), p_input.slots.end());
+	for (GrassSlot &slot : slots) {
+		if (slot.list.z == 0 && !(slot.list.w & GRASS_SLOT_RETIRED)) {
+			slot.list.w |= GRASS_SLOT_FREE;
+			free_slots++;
+		}
+	}
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
@@ -24,9 +30,10 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 }
 
 void GpuField::bind_simulate(const RID &p_patch) {
-	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {
 		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
-		pass->bind_buffer(GRASS_BINDING_KNOTS_BEFORE, _knots_before.rid());
+		pass->bind_buffer(GRASS_BINDING_HALVES, _halves.rid());
+		pass->bind_buffer(GRASS_BINDING_TWISTS, _twists.rid());
 		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, p_patch);
 		pass->bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
@@ -39,13 +46,13 @@ void GpuField::bind_simulate(const RID &p_patch) {
 	}
 }
 
-int64_t GpuField::upload_slots(const StepRecords &p_records, bool p_takes_edges) {
-	if (p_records.sharp_slots == 0 || p_takes_edges) {
+int64_t GpuField::upload_slots(const StepRecords &p_records, uint32_t p_left) {
+	if (p_left == 0) {
 		return _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
 	}
-	std::vector<GrassSlot> slots = p_records.slots; // the driver still compiles: the other pass takes all of them
+	std::vector<GrassSlot> slots = p_records.slots;
 	for (GrassSlot &slot : slots) {
-		slot.list.w &= ~GRASS_SLOT_EDGES;
+		slot.list.w &= ~p_left;
 	}
 	return _slot_records.upload(std::span<const GrassSlot>(slots));
 }
@@ -59,8 +66,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		report_times();
 	}
 	int64_t uploaded = 0;
-	const bool takes_edges = p_records.sharp_slots > 0 && _simulate_edges.is_ready();
-	uploaded += upload_slots(p_records, takes_edges);
+	const uint32_t slots = uint32_t(p_records.slots.size()); // each is one of the passes'; the others leave it at once
+	const uint32_t sharp = p_records.sharp_slots > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.sharp_slots) : 0;
+	const uint32_t free = p_records.free_slots > 0 && _simulate_free.is_ready() ? uint32_t(p_records.free_slots) : 0;
+	const uint32_t sharp_left = p_records.sharp_slots > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
+	const uint32_t free_left = p_records.free_slots > 0 && free == 0 ? GRASS_SLOT_FREE : 0;
+	uploaded += upload_slots(p_records, sharp_left | free_left);
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
@@ -73,7 +84,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_has_species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
-	for (GpuPass *pass : { &_simulate, &_simulate_edges }) {
+	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {
 		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -83,12 +94,15 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		const uint32_t slots = uint32_t(p_records.slots.size()), sharp = takes_edges ? uint32_t(p_records.sharp_slots) : 0;
-		if (sharp < slots) { // each tile is one of the passes'; the other leaves it at once
-			_simulate.dispatch(list, record_bytes(p_records.step), slots);
+		const PackedByteArray constants = record_bytes(p_records.step);
+		if (sharp + free < slots) {
+			_simulate.dispatch(list, constants, slots);
+		}
+		if (free > 0) {
+			_simulate_free.dispatch(list, constants, slots);
 		}
 		if (sharp > 0) {
-			_simulate_edges.dispatch(list, record_bytes(p_records.step), slots);
+			_simulate_edges.dispatch(list, constants, slots);
 		}
 		device->compute_list_end();
 	}
@@ -101,7 +115,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
-		statistics.edge_tile_steps += takes_edges ? p_records.sharp_slots : 0;
+		statistics.edge_tile_steps += sharp;
+		statistics.free_tile_steps += free;
 		statistics.simulated_blades += int64_t(end - live) * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
@@ -126,8 +141,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 
 std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
 	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
-	const PackedByteArray data =
-			main_device()->buffer_get_data(_knots.rid(), uint32_t(p_slot * KNOT_FLOATS_PER_SLOT * 4), uint32_t(KNOT_FLOATS_PER_SLOT * 4));
+	const PackedByteArray half = main_device()->buffer_get_data(_halves.rid(), uint32_t(p_slot * 4), 4);
+	if (half.is_empty()) {
+		return knots;
+	}
+	const int64_t first = (2 * p_slot + int64_t(half.decode_u32(0) & 1)) * KNOT_FLOATS_PER_HALF * 4;
+	const PackedByteArray data = main_device()->buffer_get_data(_knots.rid(), uint32_t(first), uint32_t(KNOT_FLOATS_PER_HALF * 4));
 	for (int component = 0; component < 3 && !data.is_empty(); component++) {
 		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++) {
 			const int at = (component * GRASS_FREE_KNOTS + knot - GRASS_CLAMPED_KNOTS) * GRASS_BLADES_PER_TILE + p_blade;

@@ -173,6 +173,7 @@ Dictionary GrassField::get_statistics() const {
 	result["steps"] = backend.steps;
 	result["simulated_blades"] = backend.simulated_blades;
 	result["edge_tile_steps"] = backend.edge_tile_steps;
+	result["free_tile_steps"] = backend.free_tile_steps;
 	result["compiling"] = backend.compiling;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["culls"] = backend.culls;

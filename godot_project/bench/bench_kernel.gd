@@ -107,7 +107,7 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	var bending := pow(w / 3.516, 2.0)
 	var motion: Array[float] = [0.9, pull, pull, 0.5]
 	if p_method == DIRECT:
-		motion = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 0.0]
+		motion = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
 	return PackedFloat32Array(motion + [
 		p_load.x * (1.0 if p_method == DIRECT else h * h), p_load.y, p_load.z * (1.0 if p_method == DIRECT else h * h), 20.0 * h,
 		p_iterations, 1.0, 0.02, p_method, # contact
@@ -162,9 +162,10 @@ func _patch_texels() -> PackedByteArray:
 	for blade in PATCH_BLADES:
 		var at := Vector2i(blade % BLADES, blade / BLADES)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
-		for knot in range(1, KNOTS):
-			var lean := 0.3 * knot * knot / 225.0 * LENGTH
-			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(lean * cos(blade), LENGTH * knot / 15.0, lean * sin(blade)))
+		var place := Vector3.ZERO
+		for knot in range(1, KNOTS): # of equal segments, as any patch's: bent by half a radian
+			place += Vector3.UP.rotated(Vector3(sin(blade), 0.0, -cos(blade)), 0.5 * (knot - 0.5) / 15.0) * (LENGTH / 15.0)
+			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(place.x, place.y, place.z))
 	return image.get_data()
 
 

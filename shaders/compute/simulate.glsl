@@ -6,9 +6,15 @@
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
 #pragma variant GRASS_SPECIES_EDGES
+#pragma variant GRASS_FREE // for tiles without colliders: a third of the code, and a quarter less time
+#pragma variant GRASS_SPECIES_FREE
 #ifdef GRASS_SPECIES_EDGES
 #define GRASS_SPECIES
 #define GRASS_EDGES
+#endif
+#ifdef GRASS_SPECIES_FREE
+#define GRASS_SPECIES
+#define GRASS_FREE
 #endif
 
 #include "constants.inc"
@@ -28,12 +34,17 @@ layout(push_constant, std430) uniform StepBlock {
 };
 #ifdef GRASS_SPECIES
 GrassStep step; // this thread's: as its blade's species takes it
+int own_species;
 #endif
 
+#ifdef GRASS_FREE
+#define KNOT_COUNT GRASS_KNOTS
+#else
 // GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
 // and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
 // colliders, METHOD_PBD 20 %.
 #define KNOT_COUNT int(step.field.w)
+#endif
 // The same for any number of rounds.
 #define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
 
@@ -52,20 +63,25 @@ layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer
 };
 
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
-// [slot][component][knot][blade]. Within a step they are what is called start and before below: METHOD_DIRECT keeps what its
-// stage starts from and aims at there, since what else a thread keeps for itself would push it out of the caches.
+// [slot][half][component][knot][blade]. One half holds the places now, the other one those of the step before; a step writes its places over the
+// latter, and the halves change roles: so nothing is copied. Within a step the places now are what is called start below, and the
+// other half is `before`: METHOD_DIRECT keeps there what its stage aims at, since what else a thread keeps for itself would push it out of the caches.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
-layout(set = 0, binding = GRASS_BINDING_KNOTS_BEFORE, std430) restrict buffer KnotBeforeBuffer {
-	float pool_before[]; // one step earlier
+// Which half holds the places now, by slot.
+layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
+	uint pool_half[];
+};
+// Twist of the joints below knots 2 .. 15, radians, as [slot][pair of joints][blade], two 16-bit floats each.
+layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
+	uint pool_twists[];
 };
 
 // Written once, when the field is made.
 layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
-// Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians, which
-// this pass reads again.
-layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict image2D pool_texture;
+// Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians.
+layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict writeonly image2D pool_texture;
 // Written here, read by the CPU some frames later; by slot: the liveliest blade's energy, J/kg; the tile's bend, [Eq M5].
 layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
 	vec4 slot_report[];
@@ -92,32 +108,53 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 
 // This thread's blade.
 GrassSlot slot;
+uint half_now; // that holds the slot's places now
 ivec2 texel; // of its knot 0 in the patch
 GrassClump clump;
-uint pool_index; // of knot 2's x
+uint pool_start, pool_before; // of knot 2's x in either half
+uint twist_index; // of the first pair of joints
 int pool_column; // of knot 0 in the pool texture
 
-uint pool_place(int p_knot, uint p_component) {
-	return pool_index + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
-}
 ivec2 pool_texel(int p_knot) {
 	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + pool_column, slot.tile.w);
 }
+uint pool_place(uint p_half, int p_knot, uint p_component) {
+	return p_half + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
+}
+vec3 place_of(uint p_half, int p_knot) {
+	return vec3(pool_knots[pool_place(p_half, p_knot, 0u)], pool_knots[pool_place(p_half, p_knot, 1u)], pool_knots[pool_place(p_half, p_knot, 2u)]);
+}
+void set_place(uint p_half, int p_knot, vec3 p_place) {
+	pool_knots[pool_place(p_half, p_knot, 0u)] = p_place.x;
+	pool_knots[pool_place(p_half, p_knot, 1u)] = p_place.y;
+	pool_knots[pool_place(p_half, p_knot, 2u)] = p_place.z;
+}
 vec3 start_of(int p_knot) {
-	return vec3(pool_knots[pool_place(p_knot, 0u)], pool_knots[pool_place(p_knot, 1u)], pool_knots[pool_place(p_knot, 2u)]);
+	return place_of(pool_start, p_knot);
 }
 void set_start(int p_knot, vec3 p_place) {
-	pool_knots[pool_place(p_knot, 0u)] = p_place.x;
-	pool_knots[pool_place(p_knot, 1u)] = p_place.y;
-	pool_knots[pool_place(p_knot, 2u)] = p_place.z;
+	set_place(pool_start, p_knot, p_place);
 }
 vec3 before_of(int p_knot) {
-	return vec3(pool_before[pool_place(p_knot, 0u)], pool_before[pool_place(p_knot, 1u)], pool_before[pool_place(p_knot, 2u)]);
+	return place_of(pool_before, p_knot);
 }
 void set_before(int p_knot, vec3 p_place) {
-	pool_before[pool_place(p_knot, 0u)] = p_place.x;
-	pool_before[pool_place(p_knot, 1u)] = p_place.y;
-	pool_before[pool_place(p_knot, 2u)] = p_place.z;
+	set_place(pool_before, p_knot, p_place);
+}
+// The step is over: its places, which stand where those before the step stood, are where the next one starts.
+void change_halves() {
+	uint start = pool_start;
+	pool_start = pool_before;
+	pool_before = start;
+}
+// Of joint p_joint, as the step before has left it, radians.
+float start_twist_of(int p_joint) {
+	uint pair = pool_twists[twist_index + uint(p_joint - 1) / 2u * GRASS_BLADES_PER_TILE];
+	return unpackHalf2x16(pair)[(p_joint - 1) & 1];
+}
+// Of joint p_joint, which is the second of its pair, and of the one before it.
+void set_twists(int p_joint, vec2 p_twists) {
+	pool_twists[twist_index + uint(p_joint - 1) / 2u * GRASS_BLADES_PER_TILE] = packHalf2x16(p_twists);
 }
 
 // grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
@@ -144,6 +181,7 @@ vec3 rest_of(int p_knot) {
 #include "compute/joint.inc"
 #include "compute/beyond.inc"
 #include "compute/chain.inc"
+#include "compute/quick.inc"
 #include "compute/finish.inc"
 #include "compute/direct.inc"
 #include "compute/solve.inc"
@@ -151,6 +189,20 @@ vec3 rest_of(int p_knot) {
 shared uint liveliest; // the bits of a float that is not negative order as the float does
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
+
+// Before the barriers of share_colliders().
+void share_quick_joints(uint p_thread) {
+#ifdef GRASS_SPECIES
+	if (p_thread < GRASS_MAX_SPECIES && p_thread < species_steps.length()) {
+		vec4 motion = species_steps[p_thread].motion;
+		make_quick_joints(int(p_thread), motion.x, motion.y, step.chain.x);
+	}
+#else
+	if (p_thread == 0u) {
+		make_quick_joints(0, step.motion.x, step.motion.y, step.chain.x);
+	}
+#endif
+}
 
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
@@ -162,7 +214,8 @@ int find_species(uint p_blade) {
 	step.load = own.load;
 	step.chain = own.chain;
 	step.energy = own.energy;
-	return int(species);
+	own_species = int(species);
+	return own_species;
 }
 #endif
 
@@ -173,7 +226,11 @@ void find_blade(uint p_blade) {
 #endif
 	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
 	pool_column = int(p_blade);
-	pool_index = uint(slot.tile.w) * (3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE) + p_blade;
+	const uint places = 3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE; // in a half
+	uint first = 2u * places * uint(slot.tile.w) + p_blade;
+	pool_start = first + half_now * places;
+	pool_before = first + (1u - half_now) * places;
+	twist_index = uint(slot.tile.w) * (GRASS_FREE_KNOTS / 2u * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
 	float ground = 0.0;
 	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
@@ -184,6 +241,7 @@ void find_blade(uint p_blade) {
 		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
 	}
 	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
+	energy = 0.0;
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
@@ -215,6 +273,7 @@ void load_rest(bool p_is_fresh) {
 		if (p_is_fresh && k >= GRASS_CLAMPED_KNOTS) {
 			set_start(k, rest);
 			set_before(k, rest);
+			set_twists(k - 1, vec2(0.0));
 		}
 	}
 	if (!p_is_fresh && (slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
@@ -237,13 +296,15 @@ void main() {
 #endif
 	slot = slots[gl_WorkGroupID.x];
 #ifndef GRASS_EVERY_SLOT
-#ifdef GRASS_EDGES
-	const bool takes_edges = true;
+#if defined(GRASS_EDGES)
+	const uint own = GRASS_SLOT_EDGES;
+#elif defined(GRASS_FREE)
+	const uint own = GRASS_SLOT_FREE;
 #else
-	const bool takes_edges = false;
+	const uint own = 0u;
 #endif
-	if (((slot.list.w & GRASS_SLOT_EDGES) != 0u) != takes_edges) {
-		return; // the other variant's
+	if ((slot.list.w & (GRASS_SLOT_EDGES | GRASS_SLOT_FREE)) != own) {
+		return; // another variant's
 	}
 #endif
 	uint thread = gl_LocalInvocationID.x;
@@ -258,6 +319,8 @@ void main() {
 		liveliest = 0u;
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
+	half_now = pool_half[slot.tile.w] & 1u;
+	share_quick_joints(thread);
 	share_colliders(thread);
 	find_blade(thread);
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
@@ -267,7 +330,10 @@ void main() {
 			find_blade(blade_of[thread]);
 		}
 		load_rest(is_fresh);
-		atomicMax(liveliest, floatBitsToUint(step_blade(slot.list.z)));
+		if (step.contact.x >= 1.0) { // else no time passes
+			step_blade(slot.list.z);
+		}
+		atomicMax(liveliest, floatBitsToUint(measured_energy()));
 		vec3 bend = measure_bend() * BEND_UNITS;
 		for (int c = 0; c < 3; c++) {
 			atomicAdd(bend_sum[c], int(round(bend[c])));
@@ -275,6 +341,9 @@ void main() {
 	}
 	barrier();
 	if (thread == 0u) {
+		if (step.contact.x >= 1.0) {
+			pool_half[slot.tile.w] = 1u - half_now;
+		}
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
 		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
 	}
