@@ -212,7 +212,7 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	}
 	const T lacks = select(is_one, stage.span * stage.span / stage.weight, T(0.0f)); // [Eq 38]
 	follow_targets(r_blade, stage, load * lacks);
-	Mask is_quick = is_one & (p_terms.free_quick > T(0.0f)) & !(fastest > r_blade.reach * p_terms.wild_move);
+	Mask is_quick = is_one & (p_terms.free_quick > T(p_terms.colliders.empty() ? 0.0f : 1.0f));
 	if (any(is_quick)) {
 		is_quick = is_quick & is_simple(r_blade, p_terms, chain);
 		solve_quick(r_blade, p_terms, chain, stage, is_quick);

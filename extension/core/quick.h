@@ -69,26 +69,41 @@ GRASS_INLINE void quick_turn(
 	r_back.along = along;
 }
 
-// [Eq 42] What turns about the normal of the plane that a blade is bent in, and what turns about axes in that plane.
-template <class T> struct InPlaneOrNot {
-	T in_plane, out_of_it;
+// [Eq 42] How far a blade goes by turns about the normal of the plane that it is bent in, as a share of how far it would if it were straight.
+template <class T> struct Stride {
+	Vec3<T> normal;
+	T more; // beyond 1
 };
-
-// [Eq 42] Of the plane that its first and last segments lie in; of a straight blade any will do.
-template <class T> GRASS_INLINE Vec3<T> bend_normal(const Blade<T> &p_blade) {
-	return normalized(cross(segment(p_blade, 1), segment(p_blade, GRASS_SEGMENTS - 1)), Vec3<T>{ T(0.0f), T(0.0f), T(1.0f) });
+// [Eq 42] How much segment p_segment turns in the first swing, as a share of what the last one does: as by an even load.
+inline constexpr float first_swing(int p_segment) {
+	const float to_tip = (float(GRASS_SEGMENTS - p_segment) - 0.5f) / float(GRASS_SEGMENTS - 1);
+	return 1.0f - to_tip * to_tip * to_tip;
+}
+// The plane is that of the first and the last segment; of a straight blade any will do.
+template <class T> GRASS_INLINE Stride<T> find_stride(const Blade<T> &p_blade, const ChainTerms<T> &p_chain) {
+	Vec3<T> moved{};
+	T inertia(0.0f);
+	float straight = 0.0f, inertia_straight = 0.0f;
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const float mass = s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f;
+		moved = moved + segment(p_blade, s) * T(first_swing(s));
+		inertia = inertia + dot(moved, moved) * T(mass);
+		straight += first_swing(s);
+		inertia_straight += straight * straight * mass;
+	}
+	const T most = p_chain.mean_length * p_chain.mean_length * T(inertia_straight);
+	const Vec3<T> across = cross(segment(p_blade, 1), segment(p_blade, GRASS_SEGMENTS - 1));
+	return { normalized(across, Vec3<T>{ T(0.0f), T(0.0f), T(1.0f) }), minimum(maximum(most / inertia - T(1.0f), T(0.0f)), T(MOST_STRIDE - 1.0f)) };
 }
 
-// [Eq 39] to [Eq 41] Tip to root. Returns how much the turns would gain, in a blade that is straight. p_normal: bend_normal().
+// [Eq 39] to [Eq 41] Tip to root.
 template <class T>
-GRASS_INLINE InPlaneOrNot<T> sweep_quick(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Stage<T> &p_stage, const Vec3<T> &p_normal, const JointGain<T> (&p_measured)[GRASS_SEGMENTS],
-		QuickGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+GRASS_INLINE void sweep_quick(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
+		const JointGain<T> (&p_measured)[GRASS_SEGMENTS], QuickGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	constexpr int LAST = GRASS_SEGMENTS - 1;
 	const T inverse_length = T(1.0f) / p_chain.mean_length;
 	Vec3<T> force{}, moment{}, bend_moment{}, p{}, q{};
 	T spin_moment(0.0f), spin_stiffness(0.0f), cosine_beyond(1.0f);
-	InPlaneOrNot<T> gain{ T(0.0f), T(0.0f) };
 	Vec3<T> along = segment(p_blade, LAST) * inverse_length;
 	Vec3<T> beyond = along;
 	for (int s = LAST; s >= 1; s--) {
@@ -113,45 +128,13 @@ GRASS_INLINE InPlaneOrNot<T> sweep_quick(const Blade<T> &p_blade, const StepTerm
 		const Carrier<T> carrier = carrier_between(beyond, along, cosine_beyond);
 		p = carried(carrier, p);
 		q = carried(carrier, q) + p + (left - along * about);
-		const Vec3<T> gained = q * joint.soft;
-		const T in_plane = dot(q, p_normal);
-		gain.in_plane = gain.in_plane + in_plane * in_plane * joint.soft;
-		gain.out_of_it = gain.out_of_it + (dot(q, q) - in_plane * in_plane) * joint.soft;
+		r_gains[s] = { q * joint.soft, spin, spin_pass };
 		p = p - q * joint.shift;
 		q = q * joint.pass;
-
-		r_gains[s] = { gained, spin, spin_pass };
 		beyond = along;
 		cosine_beyond = cosine;
 		along = before;
 	}
-	return gain;
-}
-
-// [Eq 42] How far to go, as a share of what a straight blade would. p_less: how much less the shifts of the knots cost than there.
-template <class T> GRASS_INLINE T stride_of(const T &p_gain, const T &p_less) {
-	return minimum(maximum(p_gain / maximum(p_gain - p_less, T(1e-30f)), T(1.0f)), T(MOST_STRIDE));
-}
-
-// [Eq 42] Root to tip. p_gain: what sweep_quick() returns.
-template <class T>
-GRASS_INLINE InPlaneOrNot<T> find_stride(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
-		const Vec3<T> &p_normal, const QuickGain<T> (&p_gains)[GRASS_SEGMENTS], const InPlaneOrNot<T> &p_gain) {
-	QuickBack<T> back{};
-	Vec3<T> along_sum{}, moved{}; // segment lengths
-	InPlaneOrNot<T> less{ T(0.0f), T(0.0f) };
-	for (int s = 1; s < GRASS_SEGMENTS; s++) {
-		quick_turn(back, p_terms.quick[s], p_gains[s].turn, segment(p_blade, s), p_chain);
-		const T away_in = dot(back.away, p_normal);
-		along_sum = along_sum + back.along * dot(back.turn, p_normal);
-		moved = moved + cross(back.turn, back.along);
-		const Vec3<T> moved_in = cross(p_normal, along_sum);
-		const Vec3<T> moved_out = moved - moved_in;
-		const T mass(s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f);
-		less.in_plane = less.in_plane + (away_in * away_in - dot(moved_in, moved_in)) * mass;
-		less.out_of_it = less.out_of_it + (dot(back.away, back.away) - away_in * away_in - dot(moved_out, moved_out)) * mass;
-	}
-	return { stride_of(p_gain.in_plane, less.in_plane), stride_of(p_gain.out_of_it, less.out_of_it) };
 }
 
 // [Eq 39] One quick solve. p_active: which lanes' blades move.
@@ -161,9 +144,8 @@ GRASS_INLINE void solve_quick(
 	JointGain<T> measured[GRASS_SEGMENTS];
 	measure_joints(r_blade, measured);
 	QuickGain<T> gains[GRASS_SEGMENTS];
-	const Vec3<T> normal = bend_normal(r_blade);
-	const InPlaneOrNot<T> gain = sweep_quick(r_blade, p_terms, p_chain, p_stage, normal, measured, gains);
-	const InPlaneOrNot<T> stride = find_stride(r_blade, p_terms, p_chain, normal, gains, gain);
+	sweep_quick(r_blade, p_terms, p_chain, p_stage, measured, gains);
+	const Stride<T> stride = find_stride(r_blade, p_chain);
 	QuickBack<T> back{};
 	Vec3<T> shift{};
 	T spin(0.0f);
@@ -176,7 +158,7 @@ GRASS_INLINE void solve_quick(
 		const T twisted = minimum(
 				maximum(r_blade.twist[s] + (own_spin - spin * dot(before, back.along)) * T(SPIN_SHARE), T(-MOST_TWIST)), T(MOST_TWIST));
 		spin = own_spin;
-		const Vec3<T> turn = back.turn * stride.out_of_it + normal * (dot(back.turn, normal) * (stride.in_plane - stride.out_of_it));
+		const Vec3<T> turn = back.turn + stride.normal * (dot(back.turn, stride.normal) * stride.more);
 		shift = shift + turn_change(turn_by(turn), e);
 		parent = knot;
 		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);

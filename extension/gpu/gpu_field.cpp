@@ -80,7 +80,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	_is_mapped = p_setup.is_mapped;
 	_knots.resize(_slots * 2 * KNOT_FLOATS_PER_HALF * 4);
 	_halves.resize(_slots * 4);
-	_twists.resize(_slots * TWIST_WORDS_PER_SLOT * 4);
+	_twists.resize(_slots * TWIST_FLOATS_PER_SLOT * 4);
 	_energy.resize(_slots * int64_t(sizeof(vec4)));
 	_growth.resize(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
 	if (_has_species) {

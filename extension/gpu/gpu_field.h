@@ -77,7 +77,7 @@ public:
 
 private:
 	static constexpr int64_t KNOT_FLOATS_PER_HALF = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
-	static constexpr int64_t TWIST_WORDS_PER_SLOT = GRASS_FREE_KNOTS / 2 * GRASS_BLADES_PER_TILE;
+	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: of those that tell what is drawn, and where some of them stand; of all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
@@ -101,7 +101,7 @@ private:
 	// Written by the main thread's records every step, read by simulate, one step long.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes;
 	// Written and read by simulate, as long as the field: knots of awake tiles, now and a step before in two halves; which half is which;
-	// twists of their joints; energy. All by slot.
+	// twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;

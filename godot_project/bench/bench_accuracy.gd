@@ -2,7 +2,7 @@
 ## Runs on the GPU what tests/bench/accuracy/tape.h recorded: the reference problems of `./grass bench accuracy`, whose
 ## errors are computed from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
 ##   bench.tscn -- --only accuracy --packs DIR --spirv DIR --out DIR
-## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h says what is in them.
+## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h says what is in them.
 extends Node
 
 const SimulatePass := preload("res://bench/simulate_pass.gd")
@@ -19,7 +19,7 @@ const BATCHES := 5
 enum Keep { TIP, KNOTS, TIME }
 
 var _device: RenderingDevice
-var _passes: Array[SimulatePass] = [] # the one of tiles near nothing sharp, and the one that meets colliders with edges too
+var _passes: Array[SimulatePass] = [] # the one of tiles without colliders, and the one that meets colliders with edges too
 var _pass: SimulatePass # that of the take
 var _software := false
 var _knots := 0 # of a blade
@@ -60,7 +60,7 @@ func _play(p_path: String, p_spirv: String, p_result: String) -> Array:
 		_states.append(_bytes(pack, 3 * (_knots - 2) * SimulatePass.BLADES * 4))
 	var error := "no RenderingDevice" if _device == null else ""
 	_passes.clear()
-	for suffix: String in ["", "_edges"]:
+	for suffix: String in ["_free", "_edges"]:
 		_passes.append(SimulatePass.new())
 		if not error:
 			error = _passes[-1].load_shader(_device, p_spirv.path_join("simulate_%d%s.spv" % [_knots, suffix]))
@@ -112,14 +112,13 @@ func _play_take(p_pack: StreamPeerBuffer, r_result: StreamPeerBuffer) -> int:
 
 func _set_up(p_tiles: int, p_state: int, p_colliders: int) -> bool:
 	var words := PackedInt32Array()
-	var knots := PackedByteArray()
-	var before := PackedByteArray()
+	var state := PackedByteArray()
 	for tile in p_tiles: # all at one place: each has a slot of its own
 		words.append_array(SimulatePass.slot_words(0, 0, tile, 0, 0, p_colliders, 0))
-		knots.append_array(_states[2 * p_state])
-		before.append_array(_states[2 * p_state + 1])
+		state.append_array(_states[2 * p_state])
+		state.append_array(_states[2 * p_state + 1])
 	return _pass.set_up(p_tiles, _knots, _patch, RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT, SimulatePass.BLADES * _knots,
-			words.to_byte_array(), PackedByteArray(), [0], knots, before)
+			words.to_byte_array(), PackedByteArray(), [0], state)
 
 
 ## What is to be kept of a take, as floats.
@@ -137,7 +136,7 @@ func _track(p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[P
 		_pass.step(p_pushes[i], 1)
 		if (i + 1) % p_stride == 0:
 			_pass.pause()
-			_device.buffer_copy(_pass.knots, track, from, kept * size, size)
+			_device.buffer_copy(_pass.knots, track, _pass.half_now() * _states[0].size() + from, kept * size, size)
 			kept += 1
 		if i % STEPS_IN_FLIGHT == STEPS_IN_FLIGHT - 1:
 			_pass.finish()
@@ -153,10 +152,11 @@ func _time(p_state: int, p_pushes: Array[PackedByteArray]) -> float:
 	var start := Time.get_ticks_msec()
 	while Time.get_ticks_msec() - start < WARM_UP * 1e3 and not _software:
 		_pass.time(p_pushes[0], tiles, BATCH * p_pushes.size())
-	for half in 2:
+	for part in 2: # now, before
 		for tile in tiles: # back to the start: blades that swing, as on the CPU
-			var bytes := _states[2 * p_state + half]
-			_device.buffer_update(_pass.knots if half == 0 else _pass.knots_before, tile * bytes.size(), bytes.size(), bytes)
+			var bytes := _states[2 * p_state + part]
+			var half := part if _pass.half_now() == 0 else 1 - part
+			_device.buffer_update(_pass.knots, (2 * tile + half) * bytes.size(), bytes.size(), bytes)
 	_pass.finish()
 	var best := INF
 	for batch in 1 if _software else BATCHES:

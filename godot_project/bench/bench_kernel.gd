@@ -17,7 +17,7 @@ const FREQUENCY := 1.2 # Hz
 const RATE := 60.0 # steps a second
 const STEPS := 200
 const WARM_UP := 20
-const FLOOR_BYTES := 4 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: knots and knots before, read and written; texture
+const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + 2 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: knots and knots before read, knots written; twists; texture
 enum { DIRECT, PBD }
 enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
 const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
@@ -33,23 +33,23 @@ var _shader: RID
 
 
 func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
-	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "edges", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
+	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "pass", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
 	_device = RenderingServer.create_local_rendering_device()
-	for edges: String in ["", "_edges"]: # of tiles near nothing sharp; of the others
+	for variant: String in ["", "_edges", "_free"]: # of tiles near nothing sharp; near something sharp; without colliders
 		var code := RDShaderSPIRV.new()
-		code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, edges])))
+		code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, variant])))
 		var start := Time.get_ticks_msec()
 		_shader = _device.shader_create_from_spirv(code)
 		_pipeline = _device.compute_pipeline_create(_shader)
-		print("simulate%s: %d ms to compile, unless the driver has kept it" % [edges, Time.get_ticks_msec() - start])
+		print("simulate%s: %d ms to compile, unless the driver has kept it" % [variant, Time.get_ticks_msec() - start])
 		for method: int in [DIRECT, PBD]:
 			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
-				for scene in SCENES:
+				for scene in SCENES if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
 					for iterations: int in [2, 4] if method == DIRECT and scene == "0" else [2]: # free blades: one solve, two stages
 						var row := _measure(method, iterations, tiles, scene, 4 if p_software else STEPS)
-						row.insert(4, "yes" if edges else "no")
+						row.insert(4, "simulate" + variant)
 						rows.append(row)
 		_device.free_rid(_pipeline)
 		_device.free_rid(_shader)
@@ -118,9 +118,10 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	]).to_byte_array()
 
 
-## Slots (all fresh), knots, knots before, patch, its sampler, pool texture, energy and bend, tile table, growth (no tile has a map).
+## Slots (all fresh), knots now and before, which half is which, patch, its sampler, pool texture, energy and bend, tile table, growth (no
+## tile has a map), twists.
 func _shared_resources(p_tiles: int) -> Array[RID]:
-	var pool := p_tiles * 3 * FREE_KNOTS * BLADES * 4
+	var pool := p_tiles * 2 * 3 * FREE_KNOTS * BLADES * 4
 	var patch := RDTextureFormat.new()
 	patch.format = RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT
 	patch.width = KNOTS * BLADES
@@ -134,13 +135,14 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	return _keep([
 		_device.storage_buffer_create(p_tiles * 48, _slots(p_tiles, 0, 1)),
 		_device.storage_buffer_create(pool),
-		_device.storage_buffer_create(pool),
+		_device.storage_buffer_create(p_tiles * 4),
 		_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
 		_device.sampler_create(RDSamplerState.new()),
 		_device.texture_create(pool_texture, RDTextureView.new()),
 		_device.storage_buffer_create(p_tiles * 16),
 		_device.storage_buffer_create(p_tiles * 4),
 		_device.storage_buffer_create(16),
+		_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
 	])
 
 
@@ -196,8 +198,8 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
 	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
 	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
-	for i in 3:
-		uniforms.append(_uniform(8 + i, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
+	for i in 4:
+		uniforms.append(_uniform([8, 9, 10, 13][i], RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 

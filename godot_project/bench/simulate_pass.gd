@@ -10,8 +10,7 @@ const SLOT_BYTES := 48
 const COLLIDER_BYTES := 96
 
 var device: RenderingDevice
-var knots: RID ## places of the free knots, [slot][component][knot][blade], metres
-var knots_before: RID
+var knots: RID ## places of the free knots, now and a step before, [slot][half][component][knot][blade], metres
 var slots: RID
 var colliders: RID
 
@@ -20,6 +19,7 @@ var _shader: RID
 var _made: Array[RID] = [] # in the order in which they may be freed
 var _set: RID
 var _list := -1 # the open compute list
+var _steps := 0 # since set_up()
 var _pushed := PackedByteArray()
 
 
@@ -44,19 +44,20 @@ func load_shader(p_device: RenderingDevice, p_spirv: String) -> String:
 
 
 ## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
-## is made of zeros. False if the device has no room.
+## is made of zeros. p_state: of each tile the places now, then those before. False if the device has no room.
 func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: RenderingDevice.DataFormat, p_patch_width: int,
-		p_slots: PackedByteArray, p_colliders := PackedByteArray(), p_list := PackedInt32Array(), p_state := PackedByteArray(),
-		p_before := PackedByteArray()) -> bool:
+		p_slots: PackedByteArray, p_colliders := PackedByteArray(), p_list := PackedInt32Array(), p_state := PackedByteArray()) -> bool:
 	clear()
-	var pool := p_tiles * 3 * (p_knots - 2) * BLADES * 4
+	_steps = 0
+	var pool := p_tiles * 2 * 3 * (p_knots - 2) * BLADES * 4
 	var texel := 16 if p_format == RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT else 8
 	slots = _buffer(p_slots.size(), p_slots)
 	colliders = _buffer(p_colliders.size(), p_colliders)
 	var list := _buffer(p_list.size() * 4, p_list.to_byte_array())
 	var planes := _buffer(16)
 	knots = _buffer(pool, p_state)
-	knots_before = _buffer(pool, p_before)
+	var halves := _zeros(p_tiles * 4)
+	var twists := _zeros(p_tiles * (p_knots - 1) * BLADES * 4)
 	var patch := _texture(p_format, p_patch_width, p_patch.size() / (texel * p_patch_width), RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT, [p_patch])
 	var offsets := PackedByteArray()
 	offsets.resize(p_tiles * p_knots * BLADES * 8)
@@ -69,8 +70,10 @@ func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: Rend
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
-	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [knots_before], [sampler, patch], [pool_texture], [energy], [table], [growth]]
+	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [halves], [sampler, patch], [pool_texture], [energy], [table], [growth], [], [], [twists]]
 	for binding in bound.size():
+		if bound[binding].is_empty():
+			continue # of fields with species
 		var type := RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER
 		if bound[binding].has(patch):
 			type = RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE
@@ -91,6 +94,12 @@ func step(p_push: PackedByteArray, p_tiles: int) -> void:
 	device.compute_list_set_push_constant(_list, p_push, p_push.size())
 	device.compute_list_dispatch(_list, p_tiles, 1, 1)
 	device.compute_list_add_barrier(_list)
+	_steps += 1
+
+
+## Which half of a tile's knots holds the places now, after steps that all took time.
+func half_now() -> int:
+	return _steps % 2
 
 
 ## Ends the open list of steps, as a copy or an upload between steps asks for.
@@ -140,6 +149,12 @@ func make_buffer(p_bytes: int) -> RID:
 	return _buffer(p_bytes)
 
 
+func _zeros(p_bytes: int) -> RID:
+	var data := PackedByteArray()
+	data.resize(p_bytes)
+	return _buffer(p_bytes, data)
+
+
 func _buffer(p_bytes: int, p_data := PackedByteArray()) -> RID:
 	var data := p_data
 	if data.is_empty() and p_bytes <= 1 << 20: # zeros; a large one is written before it is read
@@ -182,7 +197,7 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
-	var motion: Array[float] = [bending, 0.2 * w, 1.0, 0.0] # DIRECT: one solve where nothing is near
+	var motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0] # DIRECT: one quick solve where nothing is near
 	if p_method != 0:
 		motion = [0.9, pull, pull, 0.5]
 	return PackedFloat32Array(motion + [

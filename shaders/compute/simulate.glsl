@@ -73,9 +73,9 @@ layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffe
 layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
 	uint pool_half[];
 };
-// Twist of the joints below knots 2 .. 15, radians, as [slot][pair of joints][blade], two 16-bit floats each.
+// Twists of the joints below knots 2 .. 15, radians, and the blade's length, metres, as [slot][joint, the length last][blade].
 layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
-	uint pool_twists[];
+	float pool_twists[];
 };
 
 // Written once, when the field is made.
@@ -112,7 +112,7 @@ uint half_now; // that holds the slot's places now
 ivec2 texel; // of its knot 0 in the patch
 GrassClump clump;
 uint pool_start, pool_before; // of knot 2's x in either half
-uint twist_index; // of the first pair of joints
+uint twist_index; // of the first joint
 int pool_column; // of knot 0 in the pool texture
 
 ivec2 pool_texel(int p_knot) {
@@ -149,12 +149,16 @@ void change_halves() {
 }
 // Of joint p_joint, as the step before has left it, radians.
 float start_twist_of(int p_joint) {
-	uint pair = pool_twists[twist_index + uint(p_joint - 1) / 2u * GRASS_BLADES_PER_TILE];
-	return unpackHalf2x16(pair)[(p_joint - 1) & 1];
+	return pool_twists[twist_index + uint(p_joint - 1) * GRASS_BLADES_PER_TILE];
 }
-// Of joint p_joint, which is the second of its pair, and of the one before it.
-void set_twists(int p_joint, vec2 p_twists) {
-	pool_twists[twist_index + uint(p_joint - 1) / 2u * GRASS_BLADES_PER_TILE] = packHalf2x16(p_twists);
+void set_twist(int p_joint, float p_twist) {
+	pool_twists[twist_index + uint(p_joint - 1) * GRASS_BLADES_PER_TILE] = p_twist;
+}
+float length_of_blade() {
+	return pool_twists[twist_index + uint(GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE];
+}
+void set_length_of_blade(float p_length) {
+	pool_twists[twist_index + uint(GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE] = p_length;
 }
 
 // grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
@@ -181,7 +185,9 @@ vec3 rest_of(int p_knot) {
 #include "compute/joint.inc"
 #include "compute/beyond.inc"
 #include "compute/chain.inc"
+#ifdef GRASS_FREE
 #include "compute/quick.inc"
+#endif
 #include "compute/finish.inc"
 #include "compute/direct.inc"
 #include "compute/solve.inc"
@@ -190,6 +196,7 @@ shared uint liveliest; // the bits of a float that is not negative order as the 
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
 
+#ifdef GRASS_FREE
 // Before the barriers of share_colliders().
 void share_quick_joints(uint p_thread) {
 #ifdef GRASS_SPECIES
@@ -203,6 +210,7 @@ void share_quick_joints(uint p_thread) {
 	}
 #endif
 }
+#endif
 
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
@@ -230,7 +238,7 @@ void find_blade(uint p_blade) {
 	uint first = 2u * places * uint(slot.tile.w) + p_blade;
 	pool_start = first + half_now * places;
 	pool_before = first + (1u - half_now) * places;
-	twist_index = uint(slot.tile.w) * (GRASS_FREE_KNOTS / 2u * GRASS_BLADES_PER_TILE) + p_blade;
+	twist_index = uint(slot.tile.w) * ((GRASS_FREE_KNOTS + 1u) * GRASS_BLADES_PER_TILE) + p_blade;
 	vec2 place = texelFetch(patch_texture, texel, 0).xy;
 	float ground = 0.0;
 	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
@@ -261,7 +269,13 @@ void keep_shape() {
 
 // The rest pose and the blade's length. A fresh tile's blades stand at rest.
 void load_rest(bool p_is_fresh) {
-	reach = 0.0;
+	knots[0] = vec3(0.0);
+	knots[1] = rest_of(1);
+	bool is_mapped = (slot.list.w & GRASS_SLOT_MAPPED) != 0u;
+	reach = p_is_fresh || is_mapped ? 0.0 : length_of_blade();
+	if (reach > 0.0) { // else it is not known, or may have changed
+		return;
+	}
 	vec3 parent = vec3(0.0);
 	for (int k = 1; k < KNOT_COUNT; k++) {
 		vec3 rest = rest_of(k);
@@ -273,14 +287,13 @@ void load_rest(bool p_is_fresh) {
 		if (p_is_fresh && k >= GRASS_CLAMPED_KNOTS) {
 			set_start(k, rest);
 			set_before(k, rest);
-			set_twists(k - 1, vec2(0.0));
+			set_twist(k - 1, 0.0);
 		}
 	}
-	if (!p_is_fresh && (slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+	set_length_of_blade(reach);
+	if (!p_is_fresh && is_mapped) {
 		keep_shape();
 	}
-	knots[0] = vec3(0.0);
-	knots[1] = rest_of(1);
 }
 
 // [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
@@ -320,7 +333,9 @@ void main() {
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
 	half_now = pool_half[slot.tile.w] & 1u;
+#ifdef GRASS_FREE
 	share_quick_joints(thread);
+#endif
 	share_colliders(thread);
 	find_blade(thread);
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;

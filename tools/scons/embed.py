@@ -78,8 +78,8 @@ def compute_header(target, source, env):
 
 
 def bench_shader(target, source, env):
-	"""SCons action: a compute pass -> SPIR-V for another number of knots, with or without what edges take."""
-	defines = (f"GRASS_KNOTS={env['KNOTS']}", "GRASS_EVERY_SLOT", *(["GRASS_EDGES"] if env["EDGES"] else []))
+	"""SCons action: a compute pass -> SPIR-V for another number of knots, as it is or as a variant: _edges, _free."""
+	defines = (f"GRASS_KNOTS={env['KNOTS']}", "GRASS_EVERY_SLOT", *(["GRASS" + env["VARIANT"].upper()] if env["VARIANT"] else []))
 	try:
 		compile_shader(source[0], env["SHADER_PATH"], env["GLSLANG"], pathlib.Path(str(target[0])), *defines)
 	except RuntimeError as error:
