@@ -69,10 +69,13 @@ layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
-// Which half holds the places now, by slot.
+// By slot. Lowest bit: which half holds the places now. The others: for how many steps to take all blades without asking which ones stand
+// at rest.
 layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
 	uint pool_half[];
 };
+// So many, where none did.
+#define STEPS_UNASKED 7u
 // Twists of the joints below knots 2 .. 15, radians, and the blade's length, metres, as [slot][joint, the length last][blade].
 layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
 	float pool_twists[];
@@ -332,14 +335,20 @@ void main() {
 		liveliest = 0u;
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
 	}
-	half_now = pool_half[slot.tile.w] & 1u;
+	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+	uint kept = pool_half[slot.tile.w];
+	half_now = kept & 1u;
+	uint unasked = is_fresh ? 0u : kept >> 1u;
 #ifdef GRASS_FREE
 	share_quick_joints(thread);
 #endif
 	share_colliders(thread);
 	find_blade(thread);
-	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
-	uint count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+	uint count = uint(GRASS_BLADES_PER_TILE);
+	if (unasked == 0u) {
+		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
+	}
 	if (thread < count) {
 		if (count < uint(GRASS_BLADES_PER_TILE)) {
 			find_blade(blade_of[thread]);
@@ -356,9 +365,8 @@ void main() {
 	}
 	barrier();
 	if (thread == 0u) {
-		if (step.contact.x >= 1.0) {
-			pool_half[slot.tile.w] = 1u - half_now;
-		}
+		bool takes_time = step.contact.x >= 1.0;
+		pool_half[slot.tile.w] = (takes_time ? 1u - half_now : half_now) | ((max(unasked, 1u) - 1u) << 1u);
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
 		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
 	}
