@@ -34,6 +34,8 @@ func test_six_hundred_steps_without_contact() -> void:
 	assert_greater(leaning, 6)
 	assert_eq(gpu.get_statistics().steps, cpu.get_statistics().steps)
 	assert_eq(gpu.get_statistics().simulated_blades, cpu.get_statistics().simulated_blades)
+	assert_greater(gpu.get_statistics().free_tile_steps, 600, "by the pass of tiles without colliders")
+	assert_less(gpu.get_statistics().free_tile_steps * BLADES, gpu.get_statistics().simulated_blades, "but not those that the body was on")
 
 
 func test_squashed_blades_rise_to_the_same_place() -> void: # which way one unfolds may hang on its last bits: on the way they part
