@@ -65,7 +65,7 @@ namespace {
 
 constexpr double PEAK = 66.9e12; // of an H100, operations a second, two in each fused one
 constexpr double BANDWIDTH = 3.0e12; // of the same, bytes a second
-constexpr double BYTES = 800.0; // that a blade's step must move: bench_kernel.gd
+constexpr double BYTES = 744.0; // that a blade's step must move: bench_kernel.gd
 constexpr int STEPS = 48;
 
 // The scenes `0` and `4` of bench_kernel.gd: blades over a tile that swing, alone or among balls that go to and fro by 1 cm a step.
