@@ -16,7 +16,8 @@ inline constexpr float SPIN_SHARE = 0.6f;
 // [Eq 42] The most that a solve may go beyond what a straight blade would: from 4 / 3 on, fast modes would swing up.
 inline constexpr float MOST_STRIDE = 1.3f;
 
-// Whether a first guess is one that a quick solve can take: no knot near the ground, all segments alike, none bent sharply against the next.
+// Whether a first guess is one that a quick solve can take: no knot near the ground, all segments alike, none bent sharply against the
+// next.
 template <class T> GRASS_INLINE auto is_simple(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain) {
 	const T mean = p_chain.mean_length;
 	auto is_simple = mean > T(0.0f);
@@ -69,7 +70,8 @@ GRASS_INLINE void quick_turn(
 	r_back.along = along;
 }
 
-// [Eq 42] How far a blade goes by turns about the normal of the plane that it is bent in, as a share of how far it would if it were straight.
+// [Eq 42] How far a blade goes by turns about the normal of the plane that it is bent in, as a share of how far it would if it were
+// straight.
 template <class T> struct Stride {
 	Vec3<T> normal;
 	T more; // beyond 1
@@ -93,7 +95,8 @@ template <class T> GRASS_INLINE Stride<T> find_stride(const Blade<T> &p_blade, c
 	}
 	const T most = p_chain.mean_length * p_chain.mean_length * T(inertia_straight);
 	const Vec3<T> across = cross(segment(p_blade, 1), segment(p_blade, GRASS_SEGMENTS - 1));
-	return { normalized(across, Vec3<T>{ T(0.0f), T(0.0f), T(1.0f) }), minimum(maximum(most / inertia - T(1.0f), T(0.0f)), T(MOST_STRIDE - 1.0f)) };
+	return { normalized(across, Vec3<T>{ T(0.0f), T(0.0f), T(1.0f) }),
+		minimum(maximum(most / inertia - T(1.0f), T(0.0f)), T(MOST_STRIDE - 1.0f)) };
 }
 
 // [Eq 39] to [Eq 41] Tip to root.

@@ -55,7 +55,8 @@ template <class T> struct StepTerms {
 template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
 	constexpr float COUNT = float(GRASS_SEGMENTS), FREE = COUNT - 1.0f, REST = COUNT - 1.5f, FOURTH = COUNT * COUNT * COUNT * COUNT;
 	constexpr float FIRST = 4.0f * FREE * FREE * FREE / (FOURTH - REST * REST * REST * REST);
-	const T stiffness = r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
+	const T stiffness =
+			r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
 	T P(0.0f), Q(0.0f), S(0.0f);
 	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
 		const T own = s == 1 ? stiffness * T(FIRST) : stiffness;
@@ -76,8 +77,8 @@ template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blen
 	StepTerms<T> terms{ T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
-		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y),
-		T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
+		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
 	if (terms.is_direct) {
 		make_quick_joints(terms);
 	}

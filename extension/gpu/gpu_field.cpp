@@ -181,8 +181,8 @@ void GpuField::report_times() {
 // The report's mutex is held.
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
-	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy,
-				 &_table, &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
+	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy, &_table,
+				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

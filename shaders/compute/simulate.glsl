@@ -118,51 +118,7 @@ uint pool_start, pool_before; // of knot 2's x in either half
 uint twist_index; // of the first joint
 int pool_column; // of knot 0 in the pool texture
 
-ivec2 pool_texel(int p_knot) {
-	return ivec2(GRASS_POOL_BLADES_PER_ROW * p_knot + pool_column, slot.tile.w);
-}
-uint pool_place(uint p_half, int p_knot, uint p_component) {
-	return p_half + (p_component * GRASS_FREE_KNOTS + uint(p_knot - GRASS_CLAMPED_KNOTS)) * GRASS_BLADES_PER_TILE;
-}
-vec3 place_of(uint p_half, int p_knot) {
-	return vec3(pool_knots[pool_place(p_half, p_knot, 0u)], pool_knots[pool_place(p_half, p_knot, 1u)], pool_knots[pool_place(p_half, p_knot, 2u)]);
-}
-void set_place(uint p_half, int p_knot, vec3 p_place) {
-	pool_knots[pool_place(p_half, p_knot, 0u)] = p_place.x;
-	pool_knots[pool_place(p_half, p_knot, 1u)] = p_place.y;
-	pool_knots[pool_place(p_half, p_knot, 2u)] = p_place.z;
-}
-vec3 start_of(int p_knot) {
-	return place_of(pool_start, p_knot);
-}
-void set_start(int p_knot, vec3 p_place) {
-	set_place(pool_start, p_knot, p_place);
-}
-vec3 before_of(int p_knot) {
-	return place_of(pool_before, p_knot);
-}
-void set_before(int p_knot, vec3 p_place) {
-	set_place(pool_before, p_knot, p_place);
-}
-// The step is over: its places, which stand where those before the step stood, are where the next one starts.
-void change_halves() {
-	uint start = pool_start;
-	pool_start = pool_before;
-	pool_before = start;
-}
-// Of joint p_joint, as the step before has left it, radians.
-float start_twist_of(int p_joint) {
-	return pool_twists[twist_index + uint(p_joint - 1) * GRASS_BLADES_PER_TILE];
-}
-void set_twist(int p_joint, float p_twist) {
-	pool_twists[twist_index + uint(p_joint - 1) * GRASS_BLADES_PER_TILE] = p_twist;
-}
-float length_of_blade() {
-	return pool_twists[twist_index + uint(GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE];
-}
-void set_length_of_blade(float p_length) {
-	pool_twists[twist_index + uint(GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE] = p_length;
-}
+#include "compute/pool.inc"
 
 // grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
 vec3 rest_of(int p_knot) {
@@ -256,48 +212,7 @@ void find_blade(uint p_blade) {
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
-// [Eq M6] A blade that was cut, or grew, keeps its shape. What its length changes by less, as a share, finish_knot() brings into line.
-#define LEAST_GROWTH 1e-4
-void keep_shape() {
-	const int first = GRASS_CLAMPED_KNOTS;
-	float ratio = length(rest_of(first + 1) - rest_of(first)) / max(length(start_of(first + 1) - start_of(first)), 1e-12);
-	if (!(abs(ratio - 1.0) > LEAST_GROWTH)) {
-		return;
-	}
-	for (int k = first; k < KNOT_COUNT; k++) {
-		set_start(k, start_of(k) * ratio);
-		set_before(k, before_of(k) * ratio);
-	}
-}
-
-// The rest pose and the blade's length. A fresh tile's blades stand at rest.
-void load_rest(bool p_is_fresh) {
-	knots[0] = vec3(0.0);
-	knots[1] = rest_of(1);
-	bool is_mapped = (slot.list.w & GRASS_SLOT_MAPPED) != 0u;
-	reach = p_is_fresh || is_mapped ? 0.0 : length_of_blade();
-	if (reach > 0.0) { // else it is not known, or may have changed
-		return;
-	}
-	vec3 parent = vec3(0.0);
-	for (int k = 1; k < KNOT_COUNT; k++) {
-		vec3 rest = rest_of(k);
-		reach = reach + length_of(rest - parent);
-		parent = rest;
-		if (p_is_fresh) {
-			imageStore(pool_texture, pool_texel(k), vec4(0.0));
-		}
-		if (p_is_fresh && k >= GRASS_CLAMPED_KNOTS) {
-			set_start(k, rest);
-			set_before(k, rest);
-			set_twist(k - 1, 0.0);
-		}
-	}
-	set_length_of_blade(reach);
-	if (!p_is_fresh && is_mapped) {
-		keep_shape();
-	}
-}
+#include "compute/wake.inc"
 
 // [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
 vec3 measure_bend() {

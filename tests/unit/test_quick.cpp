@@ -78,8 +78,10 @@ TEST_CASE("METHOD_DIRECT: a quick solve is asked for where a step is from 0.04 t
 	CHECK(!asks(1.2, 60.0, 4));
 }
 
-TEST_CASE("METHOD_DIRECT: a gust moves a curved blade by quick solves within a third more of the truth than by whole ones, whichever way it blows") {
-	for (const Eigen::Vector2d &way : { Eigen::Vector2d(5.0, 0.0), Eigen::Vector2d(0.0, 5.0), Eigen::Vector2d(5.0, 5.0), Eigen::Vector2d(-4.0, 3.0) }) {
+TEST_CASE("METHOD_DIRECT: a gust moves a curved blade by quick solves within a third more of the truth than by whole ones, whichever way "
+		  "it blows") {
+	for (const Eigen::Vector2d &way :
+			{ Eigen::Vector2d(5.0, 0.0), Eigen::Vector2d(0.0, 5.0), Eigen::Vector2d(5.0, 5.0), Eigen::Vector2d(-4.0, 3.0) }) {
 		const std::vector<Eigen::Vector3d> truth = gust_path(way, 1920.0, false, 4);
 		for (const double rate : { 60.0, 120.0 }) {
 			const double quick = apart_by(gust_path(way, rate, true, 2), truth), whole = apart_by(gust_path(way, rate, false, 2), truth);
