@@ -212,9 +212,12 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	}
 	const T lacks = select(is_one, stage.span * stage.span / stage.weight, T(0.0f)); // [Eq 38]
 	follow_targets(r_blade, stage, load * lacks);
+	// The GPU asks for a list of no colliders instead, good or bad, and takes whole solves as long as it compiles.
 	Mask is_quick = is_one & (p_terms.free_quick > T(p_terms.colliders.empty() ? 0.0f : 1.0f));
 	if (any(is_quick)) {
 		is_quick = is_quick & is_simple(r_blade, p_terms, chain);
+	}
+	if (any(is_quick)) {
 		solve_quick(r_blade, p_terms, chain, stage, is_quick);
 	}
 	solve_stage(r_blade, p_terms, chain, start, stage, !is_quick, is_single, p_is_near, hold);

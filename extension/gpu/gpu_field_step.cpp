@@ -16,7 +16,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	CpuClock clock;
 	slots.assign(p_input.slots.begin(), p_input.slots.end());
 	for (GrassSlot &slot : slots) {
-		if (slot.list.z == 0 && !(slot.list.w & GRASS_SLOT_RETIRED)) {
+		if (slot.list.z == 0 && !(slot.list.w & (GRASS_SLOT_RETIRED | GRASS_SLOT_EDGES))) {
 			slot.list.w |= GRASS_SLOT_FREE;
 			free_slots++;
 		}
@@ -122,8 +122,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
-	// The device copies it between this step's dispatch and the next one's, so it is this step's.
-	const auto receive = [report = _report, number = p_records.number](const PackedByteArray &p_data) {
+	// The device copies it between this step's dispatch and the next one's, so it is this step's: energies at its start.
+	const auto receive = [report = _report, number = p_records.number - 1](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;
 		const size_t slots = size_t(p_data.size()) / sizeof(vec4);

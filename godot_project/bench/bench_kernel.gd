@@ -17,7 +17,8 @@ const FREQUENCY := 1.2 # Hz
 const RATE := 60.0 # steps a second
 const STEPS := 200
 const WARM_UP := 20
-const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + 2 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: knots and knots before read, knots written; twists; texture
+const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: places now and before read, new ones written; texture
+const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4 # METHOD_DIRECT: twists read and written; length
 enum { DIRECT, PBD }
 enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
 const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
@@ -82,7 +83,7 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	for rid in _made:
 		_device.free_rid(rid)
 	_made.clear()
-	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES)]
+	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES + (TWIST_BYTES if p_method == DIRECT else 0))]
 
 
 func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:

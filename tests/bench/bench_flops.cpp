@@ -65,7 +65,7 @@ namespace {
 
 constexpr double PEAK = 66.9e12; // of an H100, operations a second, two in each fused one
 constexpr double BANDWIDTH = 3.0e12; // of the same, bytes a second
-constexpr double BYTES = 744.0; // that a blade's step must move: bench_kernel.gd
+constexpr double BYTES_DIRECT = 748.0, BYTES_PBD = 632.0; // that a blade's step must move: bench_kernel.gd
 constexpr int STEPS = 48;
 
 // The scenes `0` and `4` of bench_kernel.gd: blades over a tile that swing, alone or among balls that go to and fro by 1 cm a step.
@@ -112,12 +112,13 @@ double count(Method p_method, int p_balls) {
 
 int main() {
 	std::printf("Floating-point operations a blade's step, and the least time that an H100 needs for 65,536 and 1,048,576 of them,\n"
-				"by %.1f thousand million a millisecond and by %.1f GB a millisecond (%.0f bytes a blade)\n",
-			PEAK * 1e-12, BANDWIDTH * 1e-12, BYTES);
+				"by %.1f thousand million a millisecond and by %.1f GB a millisecond (%.0f and %.0f bytes a blade)\n",
+			PEAK * 1e-12, BANDWIDTH * 1e-12, BYTES_DIRECT, BYTES_PBD);
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		for (const int balls : { 0, 4 }) {
 			const double operations = count(method, balls);
-			const auto floor = [&](double p_blades) { return p_blades * 1e3 * std::max(operations / PEAK, BYTES / BANDWIDTH); };
+			const double bytes = method == Method::DIRECT ? BYTES_DIRECT : BYTES_PBD;
+			const auto floor = [&](double p_blades) { return p_blades * 1e3 * std::max(operations / PEAK, bytes / BANDWIDTH); };
 			std::printf("  METHOD_%-6s, %d balls: %7.0f operations: %.4f and %.3f ms; floor %.4f and %.3f ms\n",
 					method == Method::DIRECT ? "DIRECT" : "PBD", balls, operations, 65536e3 * operations / PEAK, 1048576e3 * operations / PEAK,
 					floor(65536.0), floor(1048576.0));

@@ -62,7 +62,7 @@ struct Meadow {
 		ball.before = ball.now;
 		ball.now.position.x() += 2.0 * p_delta;
 		std::vector<ColliderShape> colliders = { ball };
-		tiles.report_energy({ pool_step, pool.get_energy() });
+		tiles.report_energy({ pool_step - (pool_step > 0), pool.get_energy() }); // energies are those at the start of a step
 		tiles.update(p_delta, colliders);
 		GrassStep record = clock.advance(solver, p_delta);
 		record.field = { 0.5f, 12.0f, 12.0f, 0.0f };
