@@ -32,7 +32,8 @@ struct StepInput {
 	int sharp_slots = 0; // Slots with GRASS_SLOT_EDGES.
 };
 
-// What the blades of each slot still moved by after a step, as the backend reports it, late as it may be. (It is measured as the next one begins.)
+// What the blades of each slot still moved by after a step, as the backend reports it, late as it may be: energies are measured as the next
+// step begins, bends as it ends.
 struct EnergyReport {
 	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
 	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
