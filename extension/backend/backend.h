@@ -7,6 +7,7 @@
 #include "core/lod.h"
 #include "core/map/tile_cover.h"
 #include "core/patch.h"
+#include "core/solver_params.h"
 #include "core/species.h"
 #include "core/step.h"
 #include "core/tile_grid.h"
@@ -36,6 +37,8 @@ struct FieldSetup {
 	bool is_mapped = false; // a map says what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
 	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
+
+	Method method = Method::DIRECT; // that it begins with
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
@@ -115,6 +118,8 @@ public:
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and nobody calls step().
 	virtual bool can_simulate() { return true; }
+	// The method to simulate by from now on: p_wanted, as soon as its passes are there.
+	virtual Method choose_method(Method p_wanted) { return p_wanted; }
 	// Whether blades are simulated as they always will be: no pass is being compiled that another one stands in for.
 	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.

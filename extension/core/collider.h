@@ -15,6 +15,8 @@ namespace grass {
 // How often a path is followed by the distance to the surface, and how near (share of the bounding radius) is there.
 inline constexpr int TRACE_STEPS = 8;
 inline constexpr float TRACE_NEAR = 1e-3f;
+// This near it has arrived.
+inline constexpr float TRACE_THERE = 1e-5f;
 // Metres by which a face that leads into the ground counts as farther away.
 inline constexpr float BLOCKED = 1e6f;
 
@@ -209,13 +211,15 @@ template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, co
 	T t = maximum(nearest - chord, T(0.0f));
 	Face<T> entry{};
 	Vec3<T> place{};
-	for (int i = 0; i < TRACE_STEPS; i++) {
-		place = p_path.from + way * t;
+	auto goes_on = may_meet;
+	for (int i = 0; i < TRACE_STEPS && any(goes_on); i++) {
+		place = select(goes_on, p_path.from + way * t, place);
 		entry = find_face(p_collider, place);
-		t = t + maximum(entry.distance, T(0.0f)) * inverse_length;
-		if (!any(may_meet & (t <= T(1.0f)))) {
-			return face;
-		}
+		t = select(goes_on, t + maximum(entry.distance, T(0.0f)) * inverse_length, t);
+		goes_on = goes_on & (t <= T(1.0f)) & (entry.distance > T(TRACE_THERE) * bound);
+	}
+	if (!any(may_meet & (t <= T(1.0f)))) {
+		return face;
 	}
 	// A path that began inside has no entry, and one that met a face above the ground no way out there: both leave by
 	// the nearest face.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/device.h"
 
+#include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>
 #include <godot_cpp/classes/rd_shader_spirv.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
@@ -77,7 +78,7 @@ void GpuBuffer::free() {
 	_uploaded = PackedByteArray();
 }
 
-std::map<const uint32_t *, GpuPass::Pipeline> GpuPass::_pipelines;
+std::map<std::pair<const uint32_t *, int>, GpuPass::Pipeline> GpuPass::_pipelines;
 std::atomic<int> GpuPass::_compiling = 0;
 int64_t GpuPass::_task = -1;
 std::mutex GpuPass::_mutex;
@@ -88,18 +89,24 @@ bool GpuPass::_is_working = false;
 // Whoever calls it has made its state COMPILING.
 void GpuPass::compile(Pipeline &r_pipeline) {
 	PackedByteArray code;
-	code.resize(int64_t(r_pipeline.spirv.size_bytes()));
-	std::memcpy(code.ptrw(), r_pipeline.spirv.data(), r_pipeline.spirv.size_bytes());
+	code.resize(int64_t(r_pipeline.code.spirv.size_bytes()));
+	std::memcpy(code.ptrw(), r_pipeline.code.spirv.data(), r_pipeline.code.spirv.size_bytes());
 	Ref<RDShaderSPIRV> spirv;
 	spirv.instantiate();
 	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
 	RenderingDevice *device = main_device();
-	r_pipeline.shader = device->shader_create_from_spirv(spirv, r_pipeline.name);
+	Ref<RDPipelineSpecializationConstant> constant;
+	constant.instantiate();
+	constant->set_constant_id(0);
+	constant->set_value(r_pipeline.code.constant);
+	TypedArray<Ref<RDPipelineSpecializationConstant>> constants;
+	constants.push_back(constant);
+	r_pipeline.shader = device->shader_create_from_spirv(spirv, r_pipeline.code.name);
 	if (r_pipeline.shader.is_valid()) {
-		r_pipeline.pipeline = device->compute_pipeline_create(r_pipeline.shader);
+		r_pipeline.pipeline = device->compute_pipeline_create(r_pipeline.shader, constants);
 	} else {
 		ERR_PRINT(vformat(
-				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.name));
+				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.code.name));
 	}
 	std::lock_guard lock(_mutex);
 	r_pipeline.state = State::DONE;
@@ -134,13 +141,12 @@ bool GpuPass::is_compiled(Pipeline &r_pipeline, bool p_wait) {
 }
 
 // Asks a worker thread for it if nobody has yet.
-GpuPass::Pipeline &GpuPass::find(std::span<const uint32_t> p_spirv, const char *p_name) {
-	Pipeline &known = _pipelines[p_spirv.data()];
-	if (known.name != nullptr) {
+GpuPass::Pipeline &GpuPass::find(const Code &p_code) {
+	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.constant }];
+	if (known.code.name != nullptr) {
 		return known;
 	}
-	known.spirv = p_spirv;
-	known.name = p_name;
+	known.code = p_code;
 	_compiling++;
 	std::unique_lock lock(_mutex);
 	_waiting.push_back(&known);
@@ -156,16 +162,16 @@ GpuPass::Pipeline &GpuPass::find(std::span<const uint32_t> p_spirv, const char *
 	return known;
 }
 
-void GpuPass::create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when) {
+void GpuPass::create(const Code &p_code, Compile p_when) {
 	free();
-	_source = &find(p_spirv, p_name);
+	_source = &find(p_code);
 	if (p_when == Compile::NOW) {
 		is_compiled(*_source, true);
 	}
 }
 
-bool GpuPass::prepare(std::span<const uint32_t> p_spirv, const char *p_name) {
-	return is_compiled(find(p_spirv, p_name), false);
+bool GpuPass::prepare(const Code &p_code) {
+	return is_compiled(find(p_code), false);
 }
 
 bool GpuPass::is_ready() {

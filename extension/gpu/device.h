@@ -16,6 +16,7 @@
 #include <map>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace grass {
@@ -73,11 +74,18 @@ public:
 
 	enum class Compile { NOW, LATER };
 
-	// Takes the pipeline of p_spirv, made when it is first asked for and kept: drivers take seconds for it. LATER: a worker thread makes
+	// What a pipeline is made of.
+	struct Code {
+		std::span<const uint32_t> spirv;
+		const char *name;
+		int constant = 0; // value of its specialization constant 0, if it has one
+	};
+
+	// Takes the pipeline of p_code, made when it is first asked for and kept: drivers take seconds for it. LATER: a worker thread makes
 	// it, after those that were asked for before, and until is_ready() the pass does nothing.
-	void create(std::span<const uint32_t> p_spirv, const char *p_name, Compile p_when = Compile::NOW);
+	void create(const Code &p_code, Compile p_when = Compile::NOW);
 	// Lets a worker thread make that pipeline, if nobody did. Whether it is there.
-	static bool prepare(std::span<const uint32_t> p_spirv, const char *p_name);
+	static bool prepare(const Code &p_code);
 	// Frees all pipelines, for when the library is unloaded.
 	static void free_pipelines();
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
@@ -105,18 +113,17 @@ private:
 
 	enum class State { WAITING, COMPILING, DONE };
 	struct Pipeline {
-		std::span<const uint32_t> spirv;
-		const char *name = nullptr; // null: not begun yet
+		Code code{ {}, nullptr }; // without a name: not begun yet
 		godot::RID shader, pipeline; // whose compiles them until they are done; invalid if the driver refuses them
 		State state = State::WAITING; // guarded by _mutex
 	};
-	static Pipeline &find(std::span<const uint32_t> p_spirv, const char *p_name);
+	static Pipeline &find(const Code &p_code);
 	static void compile(Pipeline &r_pipeline);
 	static void compile_waiting(void *);
 	// Whether the pipeline is there, or has been refused; waits for it if asked to, or compiles it itself.
 	static bool is_compiled(Pipeline &r_pipeline, bool p_wait);
 
-	static std::map<const uint32_t *, Pipeline> _pipelines; // by their code; render thread only
+	static std::map<std::pair<const uint32_t *, int>, Pipeline> _pipelines; // by their code and constant; render thread only
 	static std::atomic<int> _compiling;
 	// One task of the WorkerThreadPool compiles one after the other: several would hold up the engine's own tasks, and one that is
 	// still queued when the game ends is never run.

@@ -64,6 +64,7 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
+		_method(p_setup.method),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_materials(shader_features(p_setup)),
 		_report(std::make_shared<GpuReport>()),
@@ -90,20 +91,22 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh() };
 }
 
-void GpuBackend::begin_passes(bool p_species) {
+void GpuBackend::begin_passes(bool p_species, Method p_method) {
 	if (main_device() != nullptr) {
-		RenderQueue::get_singleton()->post([p_species] { GpuField::begin_passes(p_species); });
+		RenderQueue::get_singleton()->post([kind = PassKind{ p_species, p_method }] { GpuField::begin_passes(kind); });
 	}
 }
 
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
-	bool has_passes = true;
-	if ((p_setup.species != nullptr) != (_setup.species != nullptr)) {
-		RenderQueue::get_singleton()->post([field = _field, species = p_setup.species != nullptr] { field->prepare(species); });
-		std::lock_guard lock(_report->mutex);
-		has_passes = _report->is_prepared;
-	}
+	const bool has_species = p_setup.species != nullptr;
+	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method });
 	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes && prepare_patch(p_setup.patch);
+}
+
+bool GpuBackend::prepare_passes(const PassKind &p_kind) {
+	RenderQueue::get_singleton()->post([field = _field, p_kind] { field->prepare(p_kind); });
+	std::lock_guard lock(_report->mutex);
+	return _report->prepared[p_kind.index()];
 }
 
 // Some megabytes.
@@ -138,7 +141,6 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_shadows.set_bounds(field_bounds(_setup));
 	{
 		std::lock_guard lock(_report->mutex);
-		_report->is_prepared = false;
 		_report->can_simulate = _report->can_simulate && !has_other_passes;
 	}
 	_can_simulate = _can_simulate && !has_other_passes;
@@ -154,6 +156,14 @@ bool GpuBackend::can_simulate() {
 		_can_simulate = _report->can_simulate;
 	}
 	return _can_simulate;
+}
+
+Method GpuBackend::choose_method(Method p_wanted) {
+	if (p_wanted != _method && prepare_passes({ _setup.species != nullptr, p_wanted })) {
+		_method = p_wanted;
+		RenderQueue::get_singleton()->post([field = _field, p_wanted] { field->set_method(p_wanted); });
+	}
+	return _method;
 }
 
 bool GpuBackend::is_complete() const {

@@ -15,6 +15,7 @@ namespace grass {
 class GpuField;
 struct FieldMultiMeshes;
 struct GpuReport;
+struct PassKind;
 
 class GpuBackend : public Backend {
 public:
@@ -22,11 +23,12 @@ public:
 	~GpuBackend() override;
 
 	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
-	static void begin_passes(bool p_species);
+	static void begin_passes(bool p_species, Method p_method);
 
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
 	bool can_simulate() override;
+	Method choose_method(Method p_wanted) override;
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
@@ -43,11 +45,13 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
+	bool prepare_passes(const PassKind &p_kind);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 
 	FieldSetup _setup;
 	bool _measure = false;
 	bool _can_simulate = false;
+	Method _method;
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
 	std::shared_ptr<const Patch> _next_patch; // of the field that comes, once its texture is there
 	godot::Ref<godot::ImageTexture> _next_patch_texture;

@@ -22,20 +22,21 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-using Code = std::span<const uint32_t>;
-constexpr const char *CULL_NAME = "GrassField cull", *SIMULATE_NAME = "GrassField simulate", *EDGES_NAME = "GrassField simulate edges",
-					 *FREE_NAME = "GrassField simulate free";
+const GpuPass::Code CULL = { shader::CULL_SPIRV, "GrassField cull" };
 
-Code simulate_code(bool p_species) {
-	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_SPIRV) : Code(shader::SIMULATE_SPIRV);
+GpuPass::Code simulate_code(const PassKind &p_kind) {
+	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV,
+		"GrassField simulate", int(p_kind.method) };
 }
 
-Code edges_code(bool p_species) {
-	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : Code(shader::SIMULATE_GRASS_EDGES_SPIRV);
+GpuPass::Code edges_code(const PassKind &p_kind) {
+	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : shader::SIMULATE_GRASS_EDGES_SPIRV,
+		"GrassField simulate edges", int(p_kind.method) };
 }
 
-Code free_code(bool p_species) {
-	return p_species ? Code(shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV) : Code(shader::SIMULATE_GRASS_FREE_SPIRV);
+GpuPass::Code free_code(const PassKind &p_kind) {
+	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV) : shader::SIMULATE_GRASS_FREE_SPIRV,
+		"GrassField simulate free", int(p_kind.method) };
 }
 
 } // namespace
@@ -48,15 +49,15 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	Ref<RDSamplerState> state;
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
-	_cull.create(shader::CULL_SPIRV, CULL_NAME);
-	_has_species = p_setup.species != nullptr;
+	_cull.create(CULL);
+	_kind = { p_setup.species != nullptr, p_setup.method };
 	make_simulate();
 	set_field(p_setup, p_patch);
 }
 
-void GpuField::begin_passes(bool p_species) {
-	GpuPass::prepare(shader::CULL_SPIRV, CULL_NAME);
-	GpuPass::prepare(simulate_code(p_species), SIMULATE_NAME);
+void GpuField::begin_passes(const PassKind &p_kind) {
+	GpuPass::prepare(CULL);
+	GpuPass::prepare(simulate_code(p_kind));
 }
 
 void GpuField::look_for_passes() {
@@ -65,16 +66,22 @@ void GpuField::look_for_passes() {
 	_report->can_simulate = is_ready;
 }
 
-void GpuField::prepare(bool p_species) {
-	const bool is_prepared = GpuPass::prepare(simulate_code(p_species), SIMULATE_NAME);
-	GpuPass::prepare(free_code(p_species), FREE_NAME); // begun, but nobody waits for them
-	GpuPass::prepare(edges_code(p_species), EDGES_NAME);
+void GpuField::prepare(const PassKind &p_kind) {
+	const bool is_prepared = GpuPass::prepare(simulate_code(p_kind));
+	GpuPass::prepare(free_code(p_kind)); // begun, but nobody waits for them
+	GpuPass::prepare(edges_code(p_kind));
 	std::lock_guard lock(_report->mutex);
-	_report->is_prepared = is_prepared;
+	_report->prepared[p_kind.index()] = is_prepared;
+}
+
+void GpuField::set_method(Method p_method) {
+	_kind.method = p_method;
+	make_simulate();
+	bind_simulate();
 }
 
 void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
-	const bool had_species = std::exchange(_has_species, p_setup.species != nullptr);
+	const bool had_species = std::exchange(_kind.species, p_setup.species != nullptr);
 	const int64_t slots_before = std::exchange(_slots, p_setup.pool_tiles);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
@@ -82,8 +89,8 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	_halves.resize(_slots * 4);
 	_twists.resize(_slots * TWIST_FLOATS_PER_SLOT * 4);
 	_energy.resize(_slots * int64_t(sizeof(vec4)));
-	_growth.resize(_is_mapped || _has_species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
-	if (_has_species) {
+	_growth.resize(_is_mapped || _kind.species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	if (_kind.species) {
 		_blade_species.resize(_slots * int64_t(sizeof(SlotGrowth::species)));
 		_species_steps.resize(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
 	} else {
@@ -94,10 +101,11 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	if (_slots != slots_before) {
 		make_pool_texture();
 	}
-	if (_has_species != had_species) {
+	if (_kind.species != had_species) {
 		make_simulate();
 	}
-	bind_simulate(RenderingServer::get_singleton()->texture_get_rd_texture(p_patch));
+	_patch = RenderingServer::get_singleton()->texture_get_rd_texture(p_patch);
+	bind_simulate();
 	std::lock_guard lock(_report->mutex);
 	report_memory();
 }
@@ -134,9 +142,9 @@ void GpuField::make_pool_texture() {
 }
 
 void GpuField::make_simulate() {
-	_simulate.create(simulate_code(_has_species), SIMULATE_NAME, GpuPass::Compile::LATER);
-	_simulate_free.create(free_code(_has_species), FREE_NAME, GpuPass::Compile::LATER);
-	_simulate_edges.create(edges_code(_has_species), EDGES_NAME, GpuPass::Compile::LATER);
+	_simulate.create(simulate_code(_kind), GpuPass::Compile::LATER);
+	_simulate_free.create(free_code(_kind), GpuPass::Compile::LATER);
+	_simulate_edges.create(edges_code(_kind), GpuPass::Compile::LATER);
 }
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {

@@ -8,6 +8,7 @@
 
 #include <godot_cpp/classes/texture2drd.hpp>
 
+#include <array>
 #include <mutex>
 
 namespace grass {
@@ -40,6 +41,15 @@ struct FieldMultiMeshes {
 	godot::RID picture, shadows;
 };
 
+// What the simulation passes of a field are compiled for.
+struct PassKind {
+	bool species = false; // whether it has any
+	Method method = Method::DIRECT;
+
+	static constexpr size_t COUNT = 4;
+	size_t index() const { return size_t(method) * 2 + size_t(species); }
+};
+
 // What the render thread reports to the main thread.
 struct GpuReport {
 	std::mutex mutex;
@@ -47,7 +57,7 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
-	bool is_prepared = false; // what GpuField::prepare() was last asked for is there
+	std::array<bool, PassKind::COUNT> prepared = {}; // the passes that GpuField::prepare() was asked for, once they are there
 	bool can_simulate = false; // the simulation pass is there
 };
 
@@ -58,11 +68,13 @@ public:
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
 	// Lets worker threads make the passes of a first field, those first that it needs first.
-	static void begin_passes(bool p_species);
+	static void begin_passes(const PassKind &p_kind);
 	// Tells GpuReport whether the simulation pass is there.
 	void look_for_passes();
 	// Lets worker threads make the passes that such a field takes; GpuReport tells when they are there.
-	void prepare(bool p_species);
+	void prepare(const PassKind &p_kind);
+	// From the next step on, by passes that have been prepared.
+	void set_method(Method p_method);
 	// Another field, all of it at rest, in the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
 	// One tick: uploads the records, simulates their tiles, asks for their energy.
@@ -85,7 +97,7 @@ private:
 	void fit_tables();
 	void make_pool_texture();
 	void make_simulate();
-	void bind_simulate(const godot::RID &p_patch);
+	void bind_simulate();
 	// p_left: bits of slots that the pass for all kinds takes, too, since their own is not there yet. Bytes.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
@@ -111,13 +123,13 @@ private:
 	bool _is_mapped = false;
 	// The same for fields with species: which species the blades of each slot are; and, every step, the step as each takes it.
 	GpuBuffer _blade_species, _species_steps;
-	bool _has_species = false;
+	PassKind _kind;
 	// Written every frame, read by cull.
 	GpuBuffer _view, _cameras;
 	// Written and read by cull, one frame.
 	GpuBuffer _counts;
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
-	godot::RID _pool_texture, _sampler;
+	godot::RID _pool_texture, _sampler, _patch; // the patch texture is the renderer's
 	godot::Ref<godot::Texture2DRD> _pool;
 	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
 };

@@ -29,17 +29,17 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	copy_ms = clock.lap();
 }
 
-void GpuField::bind_simulate(const RID &p_patch) {
+void GpuField::bind_simulate() {
 	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {
 		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
 		pass->bind_buffer(GRASS_BINDING_HALVES, _halves.rid());
 		pass->bind_buffer(GRASS_BINDING_TWISTS, _twists.rid());
-		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, p_patch);
+		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, _patch);
 		pass->bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
 		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
 		pass->bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
-		if (_has_species) {
+		if (_kind.species) {
 			pass->bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
 			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
 		}
@@ -77,11 +77,11 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
 	for (const SlotGrowth &growth : p_records.growth) {
 		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
-		if (_has_species) {
+		if (_kind.species) {
 			uploaded += _blade_species.write(growth.slot * int64_t(sizeof(growth.species)), std::span<const uint8_t>(growth.species));
 		}
 	}
-	if (_has_species) {
+	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
 	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {

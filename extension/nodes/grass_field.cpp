@@ -65,7 +65,7 @@ void GrassField::enter() {
 		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_collision_mask));
 	}
 	if (_backend_mode == BACKEND_AUTO) {
-		GpuBackend::begin_passes(!_species.empty());
+		GpuBackend::begin_passes(!_species.empty(), Method(_solver_method));
 	}
 	request_rebuild();
 }
@@ -138,6 +138,7 @@ void GrassField::step(double p_delta) {
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
 	input.growth = grow_tiles();
+	_method_now = _backend->choose_method(Method(_solver_method));
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.species = species_steps();
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),

@@ -253,6 +253,7 @@ private:
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);
+	Method _method_now = SolverParams().method; // that the backend simulates by: another one's passes may have to be compiled first
 	SleepMode _sleep_mode = SleepMode(TileParams().sleep_mode);
 	BackendMode _backend_mode = BACKEND_AUTO;
 	DebugView _debug_view = DEBUG_VIEW_OFF;

@@ -197,7 +197,7 @@ void GrassField::set_all_uniforms() {
 
 SolverParams GrassField::solver_params() const {
 	SolverParams params;
-	params.method = Method(_solver_method);
+	params.method = _method_now;
 	params.natural_frequency = param(PARAM_NATURAL_FREQUENCY);
 	params.damping_ratio = param(PARAM_DAMPING_RATIO);
 	params.root_stiffness = param(PARAM_ROOT_STIFFNESS);

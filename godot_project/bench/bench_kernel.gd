@@ -6,6 +6,8 @@
 ##   bench.tscn -- --only kernel --spirv DIR [--out DIR]
 extends Node
 
+const SimulatePass := preload("res://bench/simulate_pass.gd")
+
 const FILE := "kernel.csv"
 const TILE_SIZE := 0.5 # metres
 const BLADES := 64 # a tile
@@ -20,6 +22,7 @@ const WARM_UP := 20
 const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: places now and before read, new ones written; texture
 const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4 # METHOD_DIRECT: twists read and written; length
 enum { DIRECT, PBD }
+const NAMES: Array[String] = ["DIRECT", "PBD"]
 enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
 const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
 const MOST_TILES := 4096 # with a lid or bodies
@@ -39,11 +42,11 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 	for variant: String in ["", "_edges", "_free"]: # of tiles near nothing sharp; near something sharp; without colliders
 		var code := RDShaderSPIRV.new()
 		code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, variant])))
-		var start := Time.get_ticks_msec()
 		_shader = _device.shader_create_from_spirv(code)
-		_pipeline = _device.compute_pipeline_create(_shader)
-		print("simulate%s: %d ms to compile, unless the driver has kept it" % [variant, Time.get_ticks_msec() - start])
 		for method: int in [DIRECT, PBD]:
+			var start := Time.get_ticks_msec()
+			_pipeline = SimulatePass.make_pipeline(_device, _shader, method)
+			print("simulate%s, %s: %d ms to compile, unless the driver has kept it" % [variant, NAMES[method], Time.get_ticks_msec() - start])
 			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
 				for scene in SCENES if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
@@ -52,7 +55,7 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 						var row := _measure(method, iterations, tiles, scene, 4 if p_software else STEPS)
 						row.insert(4, "simulate" + variant)
 						rows.append(row)
-		_device.free_rid(_pipeline)
+			_device.free_rid(_pipeline)
 		_device.free_rid(_shader)
 	_device.free()
 	return rows
@@ -83,7 +86,7 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	for rid in _made:
 		_device.free_rid(rid)
 	_made.clear()
-	return ["DIRECT" if p_method == DIRECT else "PBD", str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES + (TWIST_BYTES if p_method == DIRECT else 0))]
+	return [NAMES[p_method], str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES + (TWIST_BYTES if p_method == DIRECT else 0))]
 
 
 func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:

@@ -6,6 +6,8 @@ extends RefCounted
 const BLADES := 64 # a tile
 const FRESH := 1 # bit of a slot
 const FREQUENCY := 1.2 # Hz
+const METHODS := 2
+const METHOD_BYTE := 44 # of the push constant: GrassStep.contact.w
 const SLOT_BYTES := 48
 const COLLIDER_BYTES := 96
 
@@ -14,7 +16,7 @@ var knots: RID ## places of the free knots, now and a step before, [slot][half][
 var slots: RID
 var colliders: RID
 
-var _pipeline: RID
+var _pipelines: Array[RID] = [] # by method
 var _shader: RID
 var _made: Array[RID] = [] # in the order in which they may be freed
 var _set: RID
@@ -39,8 +41,17 @@ func load_shader(p_device: RenderingDevice, p_spirv: String) -> String:
 	_shader = device.shader_create_from_spirv(code)
 	if not _shader.is_valid():
 		return "%s is no shader for this device" % p_spirv
-	_pipeline = device.compute_pipeline_create(_shader)
-	return "" if _pipeline.is_valid() else "%s makes no pipeline on this device" % p_spirv
+	for method in METHODS:
+		_pipelines.append(make_pipeline(device, _shader, method))
+	return "" if not _pipelines.has(RID()) else "%s makes no pipeline on this device" % p_spirv
+
+
+## simulate.glsl is compiled for one method.
+static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: int) -> RID:
+	var constant := RDPipelineSpecializationConstant.new()
+	constant.constant_id = 0
+	constant.value = p_method
+	return p_device.compute_pipeline_create(p_shader, [constant])
 
 
 ## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
@@ -88,7 +99,7 @@ func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: Rend
 func step(p_push: PackedByteArray, p_tiles: int) -> void:
 	if _list < 0:
 		_list = device.compute_list_begin()
-		device.compute_list_bind_compute_pipeline(_list, _pipeline)
+		device.compute_list_bind_compute_pipeline(_list, _pipelines[int(p_push.decode_float(METHOD_BYTE))])
 		device.compute_list_bind_uniform_set(_list, _set, 0)
 		_pushed = PackedByteArray()
 	device.compute_list_set_push_constant(_list, p_push, p_push.size())
@@ -139,7 +150,7 @@ func clear() -> void:
 ## Frees everything but the device.
 func free_all() -> void:
 	clear()
-	for rid: RID in [_pipeline, _shader]:
+	for rid: RID in _pipelines + [_shader] as Array[RID]:
 		if rid.is_valid():
 			device.free_rid(rid)
 

@@ -5,6 +5,7 @@ extends "res://tests/case.gd"
 const BLADES := 64 # of a tile
 const KNOTS := 16 # of a blade
 const CLAMPED := 2 # knots at the root that never move
+const COMPILING := 150.0 # seconds; a driver that takes longer to compile a pass is taken for hung
 
 
 ## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide and without wind unless told.
@@ -48,6 +49,14 @@ static func warm_up(to: Node) -> Dictionary:
 	field.free()
 	body.free()
 	return first_field
+
+
+## Ticks until the driver has all passes of a field.
+func compiled(field: GrassField) -> void:
+	var deadline := Time.get_ticks_msec() + COMPILING * 1000
+	while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
+		await ticks(1) # not frames: what a test does next, it does before a tick
+	assert_eq(field.get_statistics().compiling, 0, "all passes are compiled")
 
 
 ## Frames until the field has been made as often as that.

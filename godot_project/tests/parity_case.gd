@@ -3,7 +3,6 @@
 extends "res://tests/field_case.gd"
 
 const PLACE := Vector3(0.25, 0.25, 0.25)
-const COMPILING := 150.0 # seconds; a driver that takes longer to compile a pass is taken for hung
 
 var cpu: GrassField
 var gpu: GrassField
@@ -16,14 +15,6 @@ func add_pair(properties := {}) -> bool:
 	await ticks(2)
 	await compiled(gpu)
 	return assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")
-
-
-## Until the driver has all passes of a field.
-func compiled(field: GrassField) -> void:
-	var deadline := Time.get_ticks_msec() + COMPILING * 1000
-	while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
-		await ticks(1) # not frames: what a test does next, it does before a tick
-	assert_eq(field.get_statistics().compiling, 0, "all passes are compiled")
 
 
 ## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length, over all awake tiles.

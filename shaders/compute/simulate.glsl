@@ -24,6 +24,7 @@
 #include "blade.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
+layout(constant_id = GRASS_CONSTANT_METHOD) const int METHOD = GRASS_METHOD_DIRECT;
 
 layout(push_constant, std430) uniform StepBlock {
 #ifdef GRASS_SPECIES

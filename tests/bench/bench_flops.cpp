@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How many floating-point operations a blade's step takes: the solver over numbers that count what is done with them. With it, the least
-// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each.
+// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each. Its peak
+// counts two for a product and a sum fused into one instruction. So there are two floors: that of its peak, as if all could be fused,
+// and that of its instructions, where only a sum or difference of a product is.
 #include "blade_scene.h"
 #include "core/step_tile.h"
 
@@ -13,7 +15,9 @@ namespace grass {
 // A float that counts.
 struct Counted {
 	static inline long operations = 0;
+	static inline long fused = 0; // of them, products that a sum takes along
 	float value = 0.0f;
+	bool is_product = false;
 
 	Counted() = default;
 	explicit Counted(float p_value) : value(p_value) {}
@@ -26,10 +30,22 @@ struct Counted {
 		operations++;
 		return p_result;
 	}
-	Counted operator-() const { return Counted(-value); } // part of the next operation, on a GPU
-	Counted operator+(const Counted &p_b) const { return made(value + p_b.value); }
-	Counted operator-(const Counted &p_b) const { return made(value - p_b.value); }
-	Counted operator*(const Counted &p_b) const { return made(value * p_b.value); }
+	Counted sum(float p_value, const Counted &p_b) const {
+		fused += is_product || p_b.is_product ? 1 : 0;
+		return made(p_value);
+	}
+	Counted operator-() const { // part of the next operation, on a GPU
+		Counted negative(-value);
+		negative.is_product = is_product;
+		return negative;
+	}
+	Counted operator+(const Counted &p_b) const { return sum(value + p_b.value, p_b); }
+	Counted operator-(const Counted &p_b) const { return sum(value - p_b.value, p_b); }
+	Counted operator*(const Counted &p_b) const {
+		Counted product = made(value * p_b.value);
+		product.is_product = true;
+		return product;
+	}
 	Counted operator/(const Counted &p_b) const { return made(value / p_b.value); }
 	bool operator<(const Counted &p_b) const { return compared(value < p_b.value); }
 	bool operator>(const Counted &p_b) const { return compared(value > p_b.value); }
@@ -64,6 +80,7 @@ using namespace grass::test;
 namespace {
 
 constexpr double PEAK = 66.9e12; // of an H100, operations a second, two in each fused one
+constexpr double INSTRUCTIONS = PEAK / 2.0; // a second
 constexpr double BANDWIDTH = 3.0e12; // of the same, bytes a second
 constexpr double BYTES_DIRECT = 748.0, BYTES_PBD = 632.0; // that a blade's step must move: bench_kernel.gd
 constexpr int STEPS = 48;
@@ -93,35 +110,42 @@ BladeScene play(Method p_method, int p_balls, Step p_step) {
 	};
 	run(STEPS / 2); // until all of them have met
 	scene.step_function = p_step;
-	Counted::operations = 0;
+	Counted::operations = Counted::fused = 0;
 	run(STEPS);
 	return scene;
 }
 
-// A blade's step.
-double count(Method p_method, int p_balls) {
+// Of a blade's step.
+struct Count {
+	double operations, instructions;
+};
+Count count(Method p_method, int p_balls) {
 	const BladeScene plain = play(p_method, p_balls, step_scalar_float);
 	const BladeScene counted = play(p_method, p_balls, step_counted);
 	if (std::memcmp(plain.tile->knots, counted.tile->knots, sizeof(plain.tile->knots)) != 0) {
 		throw std::logic_error("numbers that count do not move blades as plain ones do");
 	}
-	return double(Counted::operations) / double(STEPS * GRASS_BLADES_PER_TILE);
+	const double steps = STEPS * GRASS_BLADES_PER_TILE;
+	return { double(Counted::operations) / steps, double(Counted::operations - Counted::fused) / steps };
 }
 
 } // namespace
 
 int main() {
-	std::printf("Floating-point operations a blade's step, and the least time that an H100 needs for 65,536 and 1,048,576 of them,\n"
-				"by %.1f thousand million a millisecond and by %.1f GB a millisecond (%.0f and %.0f bytes a blade)\n",
-			PEAK * 1e-12, BANDWIDTH * 1e-12, BYTES_DIRECT, BYTES_PBD);
+	std::printf("Floating-point operations a blade's step, and the least time (ms) that an H100 needs for 65,536 and 1,048,576 of them:\n"
+				"by operations, %.1f thousand million a millisecond; by instructions, half as many, where a sum of a product is one;\n"
+				"by bytes (%.0f and %.0f a blade), %.1f GB a millisecond\n",
+			PEAK * 1e-12, BYTES_DIRECT, BYTES_PBD, BANDWIDTH * 1e-12);
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		for (const int balls : { 0, 4 }) {
-			const double operations = count(method, balls);
+			const Count counted = count(method, balls);
 			const double bytes = method == Method::DIRECT ? BYTES_DIRECT : BYTES_PBD;
-			const auto floor = [&](double p_blades) { return p_blades * 1e3 * std::max(operations / PEAK, bytes / BANDWIDTH); };
-			std::printf("  METHOD_%-6s, %d balls: %7.0f operations: %.4f and %.3f ms; floor %.4f and %.3f ms\n",
-					method == Method::DIRECT ? "DIRECT" : "PBD", balls, operations, 65536e3 * operations / PEAK, 1048576e3 * operations / PEAK,
-					floor(65536.0), floor(1048576.0));
+			std::printf("  METHOD_%-6s, %d balls: %7.0f operations, %7.0f instructions", method == Method::DIRECT ? "DIRECT" : "PBD", balls,
+					counted.operations, counted.instructions);
+			for (const double seconds : { counted.operations / PEAK, counted.instructions / INSTRUCTIONS, bytes / BANDWIDTH }) {
+				std::printf("; %.4f and %.3f", 65536e3 * seconds, 1048576e3 * seconds);
+			}
+			std::printf("\n");
 		}
 	}
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges is there
-## the first one takes all tiles.
+## the first one takes all tiles. A field that is given another method keeps to its own until the other one's pass is there.
 extends "res://tests/parity_case.gd"
 
 
@@ -32,4 +32,24 @@ func test_sharp_colliders_do_not_wait_for_their_pass() -> void:
 	var knots := gpu.get_knots(gpu.get_tile_at(PLACE), 0)
 	assert_eq(knots.size(), 16)
 	for knot in knots:
+		assert_true(knot.is_finite())
+
+
+func test_a_field_goes_on_until_another_method_s_pass_is_there() -> void:
+	gpu = add_field()
+	var body := add_held_body(ball(0.2), PLACE)
+	await ticks(5)
+	await compiled(gpu)
+	var before: int = gpu.get_statistics().steps
+	gpu.method = GrassField.METHOD_PBD
+	var waiting := 0
+	for i in 10:
+		body.position.x += 0.01
+		await ticks(1)
+		waiting += 1 if gpu.get_statistics().compiling > 0 else 0
+	print("    %d of 10 ticks while passes were compiled" % waiting)
+	assert_eq(gpu.get_statistics().steps - before, 10)
+	await compiled(gpu)
+	await ticks(5)
+	for knot in gpu.get_knots(gpu.get_tile_at(PLACE), 0):
 		assert_true(knot.is_finite())

@@ -38,6 +38,23 @@ func test_six_hundred_steps_without_contact() -> void:
 	assert_less(gpu.get_statistics().free_tile_steps * BLADES, gpu.get_statistics().simulated_blades, "but not those that the body was on")
 
 
+func test_the_method_changes_while_blades_swing() -> void:
+	if not await add_pair({method = GrassField.METHOD_PBD, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
+		return
+	var body := add_held_body(ball(0.3), PLACE + Vector3(0.35, 0.15, 0.0))
+	await seen()
+	body.free()
+	var tiles: Array[Vector2i] = [gpu.get_tile_at(PLACE)]
+	for method: GrassField.SolverMethod in [GrassField.METHOD_DIRECT, GrassField.METHOD_PBD]:
+		await ticks(10)
+		for field: GrassField in [gpu, cpu]:
+			field.method = method
+		await ticks(10)
+		var off := difference(tiles)
+		print("    parity after a change of method: %s of a blade's length" % String.num_scientific(off))
+		assert_less(off, MANY_STEPS)
+
+
 func test_squashed_blades_rise_to_the_same_place() -> void: # which way one unfolds may hang on its last bits: on the way they part
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return

@@ -103,6 +103,7 @@ func test_both_backends_simulate_species_alike() -> void:
 		await ticks(2)
 		if not (assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")):
 			return
+		await compiled(gpu)
 		var tile := cpu.get_tile_at(Vector3(0.2, 0, 0.2))
 		var rest := tile_knots(cpu, tile)
 		assert_eq(farthest(tile_knots(gpu, tile), rest), 0.0, "at rest")

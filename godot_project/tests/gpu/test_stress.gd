@@ -60,6 +60,7 @@ func storm(method: GrassField.SolverMethod) -> void:
 	await ticks(3)
 	if not assert_eq(field.get_statistics().backend, "GPU"):
 		return
+	await compiled(field)
 	var rest := knots_of(field, TILES)
 	var worst := 0.0
 	var farthest_knot := 0.0
