@@ -94,7 +94,8 @@ struct BackendStatistics {
 	int64_t simulated_blades = 0; // blades stepped
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
-	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only, free tiles by whole solves
+	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
+								// free tiles by whole solves; after a change of method all by the one before
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
@@ -118,7 +119,7 @@ public:
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and nobody calls step().
 	virtual bool can_simulate() { return true; }
-	// The method to simulate by from now on: p_wanted, as soon as its passes are there.
+	// The method to simulate by from now on: p_wanted, as soon as all of its passes are there.
 	virtual Method choose_method(Method p_wanted) { return p_wanted; }
 	// Whether blades are simulated as they always will be: no pass is being compiled that another one stands in for.
 	virtual bool is_complete() const { return true; }

@@ -12,11 +12,11 @@
 
 namespace grass {
 
-// How often a path is followed by the distance to the surface, and how near (share of the bounding radius) is there.
+// How often a path is followed by the distance to the surface, and how near to it (share of the bounding radius) counts as met.
 inline constexpr int TRACE_STEPS = 8;
 inline constexpr float TRACE_NEAR = 1e-3f;
-// This near it has arrived.
-inline constexpr float TRACE_THERE = 1e-5f;
+// Nearer than this the search ends.
+inline constexpr float TRACE_END = 1e-5f;
 // Metres by which a face that leads into the ground counts as farther away.
 inline constexpr float BLOCKED = 1e6f;
 
@@ -216,7 +216,7 @@ template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, co
 		place = select(goes_on, p_path.from + way * t, place);
 		entry = find_face(p_collider, place);
 		t = select(goes_on, t + maximum(entry.distance, T(0.0f)) * inverse_length, t);
-		goes_on = goes_on & (t <= T(1.0f)) & (entry.distance > T(TRACE_THERE) * bound);
+		goes_on = goes_on & (t <= T(1.0f)) & (entry.distance > T(TRACE_END) * bound);
 	}
 	if (!any(may_meet & (t <= T(1.0f)))) {
 		return face;

@@ -104,7 +104,8 @@ void GpuPass::compile(Pipeline &r_pipeline) {
 	r_pipeline.shader = device->shader_create_from_spirv(spirv, r_pipeline.code.name);
 	if (r_pipeline.shader.is_valid()) {
 		r_pipeline.pipeline = device->compute_pipeline_create(r_pipeline.shader, constants);
-	} else {
+	}
+	if (!r_pipeline.pipeline.is_valid()) {
 		ERR_PRINT(vformat(
 				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.code.name));
 	}

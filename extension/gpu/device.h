@@ -86,6 +86,8 @@ public:
 	void create(const Code &p_code, Compile p_when = Compile::NOW);
 	// Lets a worker thread make that pipeline, if nobody did. Whether it is there.
 	static bool prepare(const Code &p_code);
+	// Of one that prepare() said to be there: whether the driver has refused it.
+	static bool is_refused(const Code &p_code) { return !find(p_code).pipeline.is_valid(); }
 	// Frees all pipelines, for when the library is unloaded.
 	static void free_pipelines();
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().

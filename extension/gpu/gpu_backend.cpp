@@ -99,11 +99,11 @@ void GpuBackend::begin_passes(bool p_species, Method p_method) {
 
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_species = p_setup.species != nullptr;
-	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method });
+	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method }).can_simulate;
 	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes && prepare_patch(p_setup.patch);
 }
 
-bool GpuBackend::prepare_passes(const PassKind &p_kind) {
+Prepared GpuBackend::prepare_passes(const PassKind &p_kind) {
 	RenderQueue::get_singleton()->post([field = _field, p_kind] { field->prepare(p_kind); });
 	std::lock_guard lock(_report->mutex);
 	return _report->prepared[p_kind.index()];
@@ -159,7 +159,7 @@ bool GpuBackend::can_simulate() {
 }
 
 Method GpuBackend::choose_method(Method p_wanted) {
-	if (p_wanted != _method && prepare_passes({ _setup.species != nullptr, p_wanted })) {
+	if (p_wanted != _method && prepare_passes({ _setup.species != nullptr, p_wanted }).is_complete) {
 		_method = p_wanted;
 		RenderQueue::get_singleton()->post([field = _field, p_wanted] { field->set_method(p_wanted); });
 	}

@@ -16,6 +16,7 @@ class GpuField;
 struct FieldMultiMeshes;
 struct GpuReport;
 struct PassKind;
+struct Prepared;
 
 class GpuBackend : public Backend {
 public:
@@ -45,7 +46,7 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
-	bool prepare_passes(const PassKind &p_kind);
+	Prepared prepare_passes(const PassKind &p_kind);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 
 	FieldSetup _setup;

@@ -67,11 +67,11 @@ void GpuField::look_for_passes() {
 }
 
 void GpuField::prepare(const PassKind &p_kind) {
-	const bool is_prepared = GpuPass::prepare(simulate_code(p_kind));
-	GpuPass::prepare(free_code(p_kind)); // begun, but nobody waits for them
-	GpuPass::prepare(edges_code(p_kind));
+	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind)), has_free = GpuPass::prepare(free_code(p_kind)),
+			   has_edges = GpuPass::prepare(edges_code(p_kind));
+	const bool is_complete = can_simulate && has_free && has_edges && !GpuPass::is_refused(simulate_code(p_kind));
 	std::lock_guard lock(_report->mutex);
-	_report->prepared[p_kind.index()] = is_prepared;
+	_report->prepared[p_kind.index()] = { can_simulate, is_complete };
 }
 
 void GpuField::set_method(Method p_method) {

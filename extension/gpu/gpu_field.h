@@ -50,6 +50,12 @@ struct PassKind {
 	size_t index() const { return size_t(method) * 2 + size_t(species); }
 };
 
+// Which of the passes that GpuField::prepare() was asked for the driver has compiled.
+struct Prepared {
+	bool can_simulate = false; // the one that takes all kinds of tiles
+	bool is_complete = false; // all of them, none refused that the others cannot do without
+};
+
 // What the render thread reports to the main thread.
 struct GpuReport {
 	std::mutex mutex;
@@ -57,7 +63,7 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
-	std::array<bool, PassKind::COUNT> prepared = {}; // the passes that GpuField::prepare() was asked for, once they are there
+	std::array<Prepared, PassKind::COUNT> prepared = {}; // by PassKind::index()
 	bool can_simulate = false; // the simulation pass is there
 };
 

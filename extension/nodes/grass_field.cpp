@@ -94,6 +94,7 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	_backend->tidy();
+	choose_method();
 	const bool can_simulate = _backend->can_simulate();
 	if ((!_is_seen || !can_simulate) && !is_listened_to()) {
 		_unseen_time += p_delta;
@@ -129,6 +130,11 @@ void GrassField::physics_tick(double p_delta) {
 	tell_of_bodies();
 }
 
+// At rest, too: who waits until nothing is being compiled shall wait for this.
+void GrassField::choose_method() {
+	_method_now = _backend->choose_method(Method(_solver_method));
+}
+
 void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
@@ -138,7 +144,6 @@ void GrassField::step(double p_delta) {
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
 	input.growth = grow_tiles();
-	_method_now = _backend->choose_method(Method(_solver_method));
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.species = species_steps();
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),

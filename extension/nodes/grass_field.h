@@ -161,6 +161,7 @@ private:
 	void enter();
 	void leave();
 	void physics_tick(double p_delta);
+	void choose_method();
 	void step(double p_delta);
 	void frame(double p_delta);
 	void follow();

@@ -122,7 +122,7 @@ FieldSetup GrassField::find_setup() const {
 	setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
 	setup.pool_tiles = int(_pool_tiles);
-	setup.method = Method(_solver_method);
+	setup.method = _backend ? _method_now : Method(_solver_method); // another backend of this field goes on by passes that are there
 	setup.drawn_tiles_max = int(param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(_seed);
 	setup.is_mapped = _map.is_valid();

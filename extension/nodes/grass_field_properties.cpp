@@ -71,6 +71,9 @@ void GrassField::set_backend(BackendMode p_mode) {
 void GrassField::set_method(SolverMethod p_method) {
 	ERR_FAIL_INDEX_MSG(int(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	_solver_method = p_method;
+	if (_backend) {
+		choose_method();
+	}
 	update_tiles();
 }
 

@@ -153,6 +153,7 @@ func free_all() -> void:
 	for rid: RID in _pipelines + [_shader] as Array[RID]:
 		if rid.is_valid():
 			device.free_rid(rid)
+	_pipelines.clear()
 
 
 ## A buffer of its own that clear() frees.

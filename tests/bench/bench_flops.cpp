@@ -15,7 +15,7 @@ namespace grass {
 // A float that counts.
 struct Counted {
 	static inline long operations = 0;
-	static inline long fused = 0; // of them, products that a sum takes along
+	static inline long fused = 0; // of them, sums that may take a product along: at least as many as a GPU can fuse
 	float value = 0.0f;
 	bool is_product = false;
 
