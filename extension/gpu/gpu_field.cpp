@@ -22,6 +22,7 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
+static_assert(GRASS_CONSTANT_METHOD == 0); // the one that GpuPass::Code::constant sets
 const GpuPass::Code CULL = { shader::CULL_SPIRV, "GrassField cull" };
 
 GpuPass::Code simulate_code(const PassKind &p_kind) {
