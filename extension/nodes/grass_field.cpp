@@ -7,6 +7,7 @@
 #include "core/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -45,15 +46,28 @@ void GrassField::_notification(int p_what) {
 			leave();
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
-			frame(get_process_delta_time());
+			if (belongs_here()) {
+				frame(get_process_delta_time());
+			}
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			physics_tick(get_physics_process_delta_time());
+			if (belongs_here()) {
+				physics_tick(get_physics_process_delta_time());
+			}
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_configuration_warnings();
 			break;
 	}
+}
+
+// A thread group of its own runs a node on another thread, where neither bodies nor the renderer can be reached.
+bool GrassField::belongs_here() const {
+	const bool is_main = is_main_thread();
+	if (!is_main) {
+		ERR_PRINT_ONCE(message("it stands still in a thread group. Set `process_thread_group` of the field to Main Thread."));
+	}
+	return is_main;
 }
 
 void GrassField::enter() {
@@ -79,8 +93,8 @@ void GrassField::leave() {
 	_backend.reset();
 	_ground.free();
 	tell_of_leaving();
-	_shown.reset();
-	_coming.reset();
+	_standing.map.reset();
+	_wanted.reset();
 	_tiles.reset();
 }
 
@@ -111,9 +125,9 @@ void GrassField::physics_tick(double p_delta) {
 	}
 	update_map();
 	const Transform3D transform = field_transform();
-	const double height = _setup.blade_length();
-	const Vector3 half(real_t(0.5 * _setup.grid.get_size_x() + height), real_t(height + ground_reach()),
-			real_t(0.5 * _setup.grid.get_size_z() + height));
+	const double height = _standing.setup.blade_length();
+	const Vector3 half(real_t(0.5 * _standing.setup.grid.get_size_x() + height), real_t(height + ground_reach()),
+			real_t(0.5 * _standing.setup.grid.get_size_z() + height));
 	_tracker.set_box(transform, half);
 	_tracker.collect(transform, p_delta, _colliders);
 	_node_colliders.collect(transform, _colliders);
@@ -146,9 +160,9 @@ void GrassField::step(double p_delta) {
 	input.growth = grow_tiles();
 	input.step = _clock.advance(solver_params(), p_delta);
 	input.species = species_steps();
-	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
-		float(GRASS_KNOTS) };
-	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
+	input.step.field = { float(_standing.setup.grid.get_tile_size()), float(_standing.setup.grid.get_tiles_x()),
+		float(_standing.setup.grid.get_tiles_z()), float(GRASS_KNOTS) };
+	input.step.clump = { _standing.setup.clump.size, _standing.setup.clump.height, _standing.setup.clump.lean, _standing.setup.clump.tint };
 	_backend->step(input);
 	request_draw();
 }
@@ -199,7 +213,9 @@ void GrassField::_before_draw() {
 
 // Says once, as soon as it is known, that more tiles are seen than have room.
 void GrassField::watch_room() {
-	if (_is_crowded || int(_setup.grid.get_tile_count()) <= std::min(_setup.instance_capacity(), _setup.shadow_capacity())) {
+	if (_is_crowded ||
+			int(_standing.setup.grid.get_tile_count()) <=
+					std::min(_standing.setup.instance_capacity(), _standing.setup.shadow_capacity())) {
 		return;
 	}
 	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
@@ -255,7 +271,7 @@ FieldView GrassField::find_view() {
 	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
 		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
-		view.falls = find_falls(this, field, _setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
+		view.falls = find_falls(this, field, _standing.setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
 	}
 	return view;
 }
@@ -279,23 +295,23 @@ Transform3D GrassField::field_transform() const {
 }
 
 TileRange GrassField::all_tiles() const {
-	return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() };
+	return { 0, _standing.setup.grid.get_tiles_x(), 0, _standing.setup.grid.get_tiles_z() };
 }
 
 TileParams GrassField::tile_params() const {
 	TileParams params;
-	params.pool_size = int(_pool_tiles);
+	params.pool_size = _standing.setup.pool_tiles;
 	params.sleep_mode = grass::SleepMode(_sleep_mode);
 	params.sleep_delay = param(PARAM_SLEEP_DELAY);
 	params.sleep_energy = calm_energy();
 	params.still_delay = calm_time();
 	params.settle_time = param(PARAM_SETTLE_TIME);
-	params.reach = _bounds ? _bounds->get_reach() : 0.0;
-	params.low = _bounds ? _bounds->get_low() : 0.0;
-	params.height = _bounds ? _bounds->get_height() : 0.0;
-	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
-	params.is_mapped = _blades.is_told();
-	params.seed = _setup.seed;
+	params.reach = _standing.bounds ? _standing.bounds->get_reach() : 0.0;
+	params.low = _standing.bounds ? _standing.bounds->get_low() : 0.0;
+	params.height = _standing.bounds ? _standing.bounds->get_height() : 0.0;
+	params.segment = _standing.setup.patch ? double(_standing.setup.blade_length()) / GRASS_SEGMENTS : 0.0;
+	params.is_mapped = _standing.blades.is_told();
+	params.seed = _standing.setup.seed;
 	return params;
 }
 

@@ -141,6 +141,24 @@ protected:
 	void _validate_property(godot::PropertyInfo &p_property) const;
 
 private:
+	struct GrownSpecies {
+		godot::Ref<GrassSpecies> species;
+		std::shared_ptr<const Patch> patch;
+	};
+	// The field that properties describe, as far as it is prepared. Nothing that runs reads it.
+	struct Wanted {
+		FieldSetup setup;
+		std::vector<SpeciesParams> mix;
+		std::vector<GrownSpecies> species;
+		std::shared_ptr<TileBounds> bounds; // null: not prepared yet
+		std::unique_ptr<ShownMap> map; // null: none, or not begun yet
+	};
+	// The field that runs. Tiles, backend and picture read this, never a property that remakes the field: what that says may differ
+	// until the field is made again.
+	struct Standing : Wanted {
+		FieldBlades blades;
+	};
+
 	// A rule that keeps the map filled.
 	struct FieldFill {
 		godot::Ref<GrassFillRule> rule;
@@ -159,6 +177,7 @@ private:
 
 	// grass_field.cpp: the field's life and its ticks
 	void enter();
+	bool belongs_here() const;
 	void leave();
 	void physics_tick(double p_delta);
 	void choose_method();
@@ -179,9 +198,9 @@ private:
 	bool prepare(bool p_in_parts);
 	bool prepare_patches() const;
 	bool prepare_map(bool p_in_parts);
-	FieldSetup find_setup() const;
+	Wanted find_wanted() const;
 	std::shared_ptr<TileBounds> find_bounds(const FieldSetup &p_next) const;
-	void take_setup();
+	void take_wanted();
 	void make_backend();
 	// grass_field_map.cpp
 	void show_map();
@@ -221,7 +240,8 @@ private:
 	void make_map();
 	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
 	const MapLayers *layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const;
-	const MapLayers *shown_layers() const { return _shown ? &_shown->get_field().get_layers() : nullptr; }
+	std::array<ShownMap *, 2> shown_maps() const { return { _standing.map.get(), _wanted ? _wanted->map.get() : nullptr }; }
+	const MapLayers *shown_layers() const { return _standing.map ? &_standing.map->get_field().get_layers() : nullptr; }
 	Growth growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 	GrassKind grass_kind() const;
 	GrassMap *find_map(const char *p_method);
@@ -238,6 +258,7 @@ private:
 	void set_wind_clock();
 	std::shared_ptr<const Patch> find_patch() const;
 	TileGrid find_grid() const;
+	bool has_blades() const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
 	TileRange all_tiles() const;
@@ -262,9 +283,8 @@ private:
 	std::array<godot::Color, FIELD_COLORS.size()> _colors;
 
 	bool _dirty = false; // the field must be made again; one that stands goes on as it is until prepare() has all it takes
-	std::optional<FieldSetup> _next; // what it will be, once that is known
-	std::shared_ptr<TileBounds> _next_bounds; // the same of _bounds
 	int64_t _makings = 0; // times that it was made again
+	godot::PackedStringArray _warned_of; // in the console, when it was made
 	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made
 	bool _is_seen = true; // by a camera, in the last frame; where no frames are drawn, always
@@ -275,20 +295,10 @@ private:
 	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field
 	// (the most that one frame had to do for it).
 	double _gather_ms = 0.0, _tiles_ms = 0.0, _frame_ms = 0.0, _build_ms = 0.0;
-	FieldSetup _setup;
+	Standing _standing;
+	std::optional<Wanted> _wanted; // once it is known what the properties make
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
-	std::shared_ptr<TileBounds> _bounds;
-	std::unique_ptr<ShownMap> _shown, _coming; // null: no map; what _next will show
-	FieldBlades _blades;
-	// That _setup was made of: `species` may have others already.
-	struct GrownSpecies {
-		godot::Ref<GrassSpecies> species;
-		std::shared_ptr<const Patch> patch;
-		bool operator==(const GrownSpecies &) const = default;
-	};
-	std::vector<GrownSpecies> _grown;
-	std::vector<SpeciesParams> _mix;
 	std::vector<GrassStep> _species_steps; // of this tick
 	Cards _cards;
 	mutable std::shared_ptr<const Patch> _joined; // of the species' patches and shares

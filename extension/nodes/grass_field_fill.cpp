@@ -4,6 +4,7 @@
 
 #include "backend/parallel.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
@@ -33,6 +34,7 @@ void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 } // namespace
 
 void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY();
 	const Callable changed = callable_mp(this, &GrassField::_fill_rule_changed);
 	if (_fill.rule.is_valid()) {
 		_fill.rule->disconnect("changed", changed);
@@ -48,6 +50,7 @@ void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
 }
 
 void GrassField::set_fill_live(bool p_live) {
+	GRASS_MAIN_THREAD_ONLY();
 	_fill.is_live = p_live;
 	if (!p_live && _fill.state.is_set() && Engine::get_singleton()->is_editor_hint()) {
 		EditorInterface::get_singleton()->set_object_edited(_map.ptr(), true); // what is filled is saved with it from now on
@@ -57,6 +60,10 @@ void GrassField::set_fill_live(bool p_live) {
 }
 
 void GrassField::_fill_rule_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_fill_rule_changed).call_deferred();
+		return;
+	}
 	_fill.has_changed = true;
 	update_configuration_warnings();
 }
@@ -133,6 +140,7 @@ void GrassField::touch_fill(const TypedArray<Vector2i> &p_chunks) {
 }
 
 double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	ERR_FAIL_COND_V_MSG(p_rule.is_null(), 0.0, message("fill() needs a GrassFillRule."));
 	if (find_map("fill") == nullptr) {
 		return 0.0;
@@ -140,7 +148,7 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 	if (_fill.state.is_set()) {
 		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
 	}
-	const MapRegion region = MapRegion::of_grid(_setup.grid);
+	const MapRegion region = MapRegion::of_grid(_standing.setup.grid);
 	const FillRule rule = p_rule->get_rule(region);
 	const FillSources sources = FillGatherer().gather(**p_rule, this, field_transform());
 	return change_map([&](PaintMap &r_map) {

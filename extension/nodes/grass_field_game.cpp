@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "core/map/mow.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -30,30 +31,32 @@ bool GrassField::find_place(const Vector3 &p_global, Eigen::Vector3d &r_place) {
 	}
 	update_map();
 	r_place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global);
-	const TilePlace tile = _setup.grid.get_place(r_place);
-	return r_place.allFinite() && _setup.grid.has_tile(tile.x, tile.z);
+	const TilePlace tile = _standing.setup.grid.get_place(r_place);
+	return r_place.allFinite() && _standing.setup.grid.has_tile(tile.x, tile.z);
 }
 
 Growth GrassField::growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
 	Growth here;
 	here.density = 1.0f;
-	return p_layers != nullptr ? p_layers->sample(p_place, _setup.follow_slope) : here;
+	return p_layers != nullptr ? p_layers->sample(p_place, _standing.setup.follow_slope) : here;
 }
 
 GrassKind GrassField::grass_kind() const {
-	const double tile = _setup.grid.get_tile_size();
-	GrassKind kind{ _setup.patch->mean_height, _setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile), {} };
-	if (_setup.species) {
+	const double tile = _standing.setup.grid.get_tile_size();
+	GrassKind kind{ _standing.setup.patch->mean_height, _standing.setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile), {} };
+	if (_standing.setup.species) {
 		kind.height_at = [this](const Eigen::Vector2d &p_place) { return mean_height_at(p_place.cast<float>(), shown_layers()); };
 	}
 	return kind;
 }
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(false);
 	return density_at(p_global_position) > 0.0;
 }
 
 double GrassField::density_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	Eigen::Vector3d place;
 	if (!find_place(p_global_position, place)) {
 		return 0.0;
@@ -64,6 +67,7 @@ double GrassField::density_at(const Vector3 &p_global_position) {
 }
 
 double GrassField::height_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	Eigen::Vector3d place;
 	if (!find_place(p_global_position, place)) {
 		return 0.0;
@@ -72,17 +76,18 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
 	const MapLayers *layers = layers_at(ground, own);
 	const Growth here = growth_at(ground, layers);
-	const double clump = clump_at(ground, _setup.clump).height;
+	const double clump = clump_at(ground, _standing.setup.clump).height;
 	return here.density > 0.0f ? std::min(mean_height_at(ground, layers) * clump * here.height, double(here.cut)) : 0.0;
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
 	Eigen::Vector3d place;
 	if (density_at(p_global_position) <= 0.0 || !find_place(p_global_position, place)) {
 		return Vector3();
 	}
-	const TilePlace tile = _setup.grid.get_place(place);
-	const Eigen::Vector3d bend = _tiles.get_bend(_setup.grid.get_index(tile.x, tile.z)).cast<double>();
+	const TilePlace tile = _standing.setup.grid.get_place(place);
+	const Eigen::Vector3d bend = _tiles.get_bend(_standing.setup.grid.get_index(tile.x, tile.z)).cast<double>();
 	return field_transform().basis.xform(to_godot(bend));
 }
 
@@ -119,7 +124,7 @@ bool GrassField::find_region(
 }
 
 MowRegion GrassField::mow_region(const std::optional<Footprint> &p_footprint) const {
-	return { p_footprint ? &*p_footprint : nullptr, MapRegion::of_grid(_setup.grid) };
+	return { p_footprint ? &*p_footprint : nullptr, MapRegion::of_grid(_standing.setup.grid) };
 }
 
 Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -127,6 +132,7 @@ Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	result["area"] = 0.0;
 	result["volume"] = 0.0;
 	result["blades"] = 0;
+	GRASS_MAIN_THREAD_ONLY_V(result);
 	std::optional<Footprint> footprint;
 	ERR_FAIL_COND_V_MSG(p_shape.is_null(), result, message("cut() needs a shape."));
 	GrassMap *map = find_map("cut");
@@ -141,6 +147,7 @@ Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 }
 
 double GrassField::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	std::optional<Footprint> footprint;
 	build();
 	if (_map.is_null() || !_backend || !find_region("get_mown_share", p_shape, p_transform, footprint)) {
@@ -150,6 +157,7 @@ double GrassField::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D
 }
 
 void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
 			message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
 	std::optional<Footprint> footprint;
@@ -160,6 +168,7 @@ void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_sh
 }
 
 double GrassField::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	GrassMap *map = find_map("paint");
 	if (map == nullptr) {
 		return 0.0;
@@ -170,6 +179,7 @@ double GrassField::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 }
 
 double GrassField::trample(const Vector3 &p_global_position, double p_radius, double p_amount) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite() || !(p_radius > 0.0), 0.0,
 			message("trample() needs a position, a radius in metres above 0, and how much of the way to bare ground it goes, 0 to 1."));
 	GrassMap *map = find_map("trample");
@@ -178,7 +188,7 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 	}
 	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
 	const Eigen::Vector2d centre(place.x(), place.z());
-	if (!MapRegion::of_grid(_setup.grid).grown(p_radius).contains(centre)) {
+	if (!MapRegion::of_grid(_standing.setup.grid).grown(p_radius).contains(centre)) {
 		return 0.0;
 	}
 	Brush brush;
@@ -188,6 +198,7 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 }
 
 void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(p_node == nullptr || p_shape.is_null(), message("register_collider() needs a node and its shape."));
 	if (_node_colliders.add(p_node, p_shape)) {
 		return;
@@ -200,6 +211,7 @@ void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) 
 }
 
 void GrassField::unregister_collider(Node3D *p_node) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs the node."));
 	_node_colliders.remove(p_node);
 }
@@ -209,10 +221,11 @@ void GrassField::recover(double p_delta) {
 	const RecoveryRates rates = recovery_rates();
 	if (_map.is_valid() && _map->is_readable() && !rates.is_none()) {
 		const SharesAt shares = [this](const Eigen::Vector2d &p_place) {
-			return _setup.species->get_shares_at(p_place.cast<float>(), shown_layers());
+			return _standing.setup.species->get_shares_at(p_place.cast<float>(), shown_layers());
 		};
 		_map->change([&](PaintMap &r_map) {
-			return _recovery.step(r_map, MapRegion::of_grid(_setup.grid), grass_kind(), rates, p_delta, _setup.species ? shares : nullptr);
+			return _recovery.step(r_map, MapRegion::of_grid(_standing.setup.grid), grass_kind(), rates, p_delta,
+					_standing.setup.species ? shares : nullptr);
 		});
 	}
 }

@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "core/map/height_sheet.h"
 #include "nodes/ground_rays.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/concave_polygon_shape3d.hpp>
 #include <godot_cpp/classes/height_map_shape3d.hpp>
@@ -72,6 +73,7 @@ int64_t GrassField::lay_ground_by(const MapRegion &p_region, const HeightAt &p_h
 }
 
 int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, message("bake_ground() needs a region of finite numbers, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), 0, message("add the node to the scene tree before baking its ground."));
 	GroundRays rays(get_world_3d(), field_transform(), p_mask);
@@ -82,6 +84,7 @@ int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 }
 
 int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), 0, message("add the node to the scene tree before baking its ground."));
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, message("bake_ground_from() needs a transform of finite numbers."));
 	const HeightMapShape3D *height_map = Object::cast_to<HeightMapShape3D>(p_shape.ptr());

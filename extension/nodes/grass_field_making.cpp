@@ -23,9 +23,7 @@ namespace grass {
 void GrassField::request_rebuild() {
 	_dirty = true;
 	_build_ms = 0.0;
-	_next.reset();
-	_next_bounds.reset();
-	_coming.reset();
+	_wanted.reset();
 	update_gizmos();
 	update_configuration_warnings();
 }
@@ -45,26 +43,30 @@ void GrassField::build() {
 
 void GrassField::make() {
 	_dirty = _is_crowded = false;
-	take_setup();
-	_tiles.set_grid(_setup.grid);
+	take_wanted();
+	_tiles.set_grid(_standing.setup.grid);
 	_tiles.set_params(tile_params());
-	_tiles.set_bounds(_bounds);
+	_tiles.set_bounds(_standing.bounds);
 	_tiles.reset();
 	_clock.reset();
 	if (Engine::get_singleton()->is_editor_hint()) { // there they stand beside the node
 		update_configuration_warnings();
 	} else {
-		for (const String &warning : _get_configuration_warnings()) {
-			WARN_PRINT(vformat("%s: %s", label(), warning));
+		const PackedStringArray warnings = _get_configuration_warnings();
+		for (const String &warning : warnings) {
+			if (!_warned_of.has(warning)) {
+				WARN_PRINT(vformat("%s: %s", label(), warning));
+			}
 		}
+		_warned_of = warnings;
 	}
 	_ground.free();
 	_makings++;
-	if (_setup.patch->is_empty() || !_backend || !_backend->set_field(_setup)) {
+	if (_standing.setup.patch->is_empty() || !_backend || !_backend->set_field(_standing.setup)) {
 		make_backend();
 	}
 	if (_backend) {
-		_ground.create(_setup.grid, _setup.is_mapped);
+		_ground.create(_standing.setup.grid, _standing.setup.is_mapped);
 		follow();
 		set_all_uniforms();
 		show_map();
@@ -77,16 +79,16 @@ bool GrassField::prepare(bool p_in_parts) {
 		return false;
 	}
 	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
-	if (!_next && has_time()) {
-		_next = find_setup();
+	if (!_wanted && has_time()) {
+		_wanted = find_wanted();
 	}
-	if (_next && !_next_bounds && has_time()) {
-		_next_bounds = find_bounds(*_next);
+	if (_wanted && !_wanted->bounds && has_time()) {
+		_wanted->bounds = find_bounds(_wanted->setup);
 	}
-	if (!_next_bounds) {
+	if (!_wanted || !_wanted->bounds) {
 		return false;
 	}
-	const bool has_shaders = !p_in_parts || (_backend->prepare(*_next) && Ground::prepare(_next->is_mapped));
+	const bool has_shaders = !p_in_parts || (_backend->prepare(_wanted->setup) && Ground::prepare(_wanted->setup.is_mapped));
 	return has_shaders && prepare_map(p_in_parts);
 }
 
@@ -100,23 +102,25 @@ bool GrassField::prepare_patches() const {
 }
 
 bool GrassField::prepare_map(bool p_in_parts) {
-	if (!_next->is_mapped || _next->patch->is_empty()) {
+	if (!_wanted->setup.is_mapped || _wanted->setup.patch->is_empty()) {
 		return true;
 	}
 	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
-	if (!_coming && has_time()) {
-		_coming = std::make_unique<ShownMap>(_map, *_next);
+	std::unique_ptr<ShownMap> &map = _wanted->map;
+	if (!map && has_time()) {
+		map = std::make_unique<ShownMap>(_map, _wanted->setup);
 	}
-	while (_coming && has_time()) {
-		if (!_coming->work()) {
+	while (map && has_time()) {
+		if (!map->work()) {
 			return true;
 		}
 	}
 	return false;
 }
 
-FieldSetup GrassField::find_setup() const {
-	FieldSetup setup;
+GrassField::Wanted GrassField::find_wanted() const {
+	Wanted wanted;
+	FieldSetup &setup = wanted.setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 	setup.patch = find_patch();
 	setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
@@ -128,17 +132,21 @@ FieldSetup GrassField::find_setup() const {
 	setup.is_mapped = _map.is_valid();
 	setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
 	setup.card_size = card_size();
-	setup.species = _species.empty() ? nullptr : std::make_shared<const SpeciesMix>(species_mix(), setup.grid, setup.seed);
-	return setup;
+	wanted.mix = species_mix();
+	setup.species = _species.empty() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
+	for (const Ref<GrassSpecies> &species : used_species()) {
+		wanted.species.push_back({ species, species->find_patch() });
+	}
+	return wanted;
 }
 
 // The boxes of the tiles of a field that follows this one.
 std::shared_ptr<TileBounds> GrassField::find_bounds(const FieldSetup &p_next) const {
-	const FieldSetup &now = _setup;
-	const bool same_blades = _bounds && now.patch == p_next.patch && now.clump == p_next.clump && now.seed == p_next.seed &&
+	const FieldSetup &now = _standing.setup;
+	const bool same_blades = _standing.bounds && now.patch == p_next.patch && now.clump == p_next.clump && now.seed == p_next.seed &&
 			now.is_mapped == p_next.is_mapped && (now.species == nullptr) == (p_next.species == nullptr) &&
 			now.card_size == p_next.card_size && now.follow_slope == p_next.follow_slope;
-	return same_blades ? std::make_shared<TileBounds>(*_bounds, p_next.grid)
+	return same_blades ? std::make_shared<TileBounds>(*_standing.bounds, p_next.grid)
 					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
 }
 
@@ -150,32 +158,26 @@ std::shared_ptr<const Patch> GrassField::find_patch() const {
 }
 
 // From here on the field is what was prepared.
-void GrassField::take_setup() {
-	_setup = *_next;
-	_next.reset();
-	_bounds = std::move(_next_bounds);
-	_mix = species_mix();
-	_grown.clear();
-	const std::vector<std::shared_ptr<const Patch>> patches = species_patches();
-	for (const Ref<GrassSpecies> &species : used_species()) {
-		_grown.push_back({ species, patches[_grown.size()] });
-	}
-	_shown = std::move(_coming);
-	_bounds->set_cover(
-			_shown ? _shown->get_field().get_cover() : nullptr, _shown ? slope_lean(_setup.follow_slope) * _setup.blade_length() : 0.0);
-	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, _shown ? &_shown->get_field() : nullptr);
+void GrassField::take_wanted() {
+	static_cast<Wanted &>(_standing) = std::move(*_wanted);
+	_wanted.reset();
+	const FieldSetup &setup = _standing.setup;
+	const FieldMap *map = _standing.map ? &_standing.map->get_field() : nullptr;
+	_standing.bounds->set_cover(
+			map != nullptr ? map->get_cover() : nullptr, map != nullptr ? slope_lean(setup.follow_slope) * setup.blade_length() : 0.0);
+	_standing.blades = FieldBlades(setup.grid, setup.patch, setup.clump, setup.seed, setup.species, map);
 }
 
 void GrassField::make_backend() {
 	_backend.reset();
-	if (_setup.patch->is_empty()) {
+	if (_standing.setup.patch->is_empty()) {
 		return;
 	}
 	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
 	if (has_device && _backend_mode == BACKEND_AUTO) {
-		_backend = std::make_unique<GpuBackend>(_setup);
+		_backend = std::make_unique<GpuBackend>(_standing.setup);
 	} else {
-		_backend = std::make_unique<CpuBackend>(_setup);
+		_backend = std::make_unique<CpuBackend>(_standing.setup);
 	}
 	_backend->set_measure_time(_measure_time || _is_watched);
 	_builds++;

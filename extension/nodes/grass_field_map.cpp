@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "draw/frame_share.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -18,6 +19,7 @@ constexpr int CHUNKS_AT_ONCE = 4;
 } // namespace
 
 void GrassField::set_map(const Ref<GrassMap> &p_map) {
+	GRASS_MAIN_THREAD_ONLY();
 	const Callable changed = callable_mp(this, &GrassField::_map_changed);
 	if (_map.is_valid()) {
 		_map->disconnect("chunks_changed", changed);
@@ -35,7 +37,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
 	touch_fill(p_chunks);
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
-	for (ShownMap *map : { _shown.get(), _coming.get() }) {
+	for (ShownMap *map : shown_maps()) {
 		if (map != nullptr && map->get_map() == _map) {
 			map->touch(region);
 		}
@@ -47,29 +49,29 @@ void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 
 void GrassField::show_map() {
 	_regrown = {};
 	const auto set = [this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); };
-	if (!_shown) {
+	if (!_standing.map) {
 		MapTextures::clear_uniforms(set);
 		return;
 	}
-	_shown->set_uniforms(set);
-	const TileGrid &grid = _setup.grid;
-	_backend->set_cover(_shown->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
+	_standing.map->set_uniforms(set);
+	const TileGrid &grid = _standing.setup.grid;
+	_backend->set_cover(_standing.map->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
 	_tiles.set_params(tile_params()); // lowest and highest ground
 }
 
 // Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time.
 void GrassField::update_map() {
-	if (!_shown || _shown->get_waiting() == 0) {
+	if (!_standing.map || _standing.map->get_waiting() == 0) {
 		return;
 	}
-	const bool are_few = _shown->get_waiting() <= CHUNKS_AT_ONCE;
-	const FieldMap::Changes changes = _shown->update([are_few] { return are_few || FrameShare::has_time(); });
+	const bool are_few = _standing.map->get_waiting() <= CHUNKS_AT_ONCE;
+	const FieldMap::Changes changes = _standing.map->update([are_few] { return are_few || FrameShare::has_time(); });
 	if (changes.tiles.count() == 0) {
 		return;
 	}
 	_regrown = _regrown.count() > 0 ? _regrown.joined(changes.tiles) : changes.tiles;
-	_shown->set_uniforms([this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); });
-	_backend->set_cover(_shown->get_field().get_cover(), changes.tiles);
+	_standing.map->set_uniforms([this](const char *p_name, const Variant &p_value) { set_uniform(p_name, p_value); });
+	_backend->set_cover(_standing.map->get_field().get_cover(), changes.tiles);
 	_tiles.set_params(tile_params());
 	if (shown_layers()->is_full()) {
 		WARN_PRINT_ONCE(vformat(
@@ -84,10 +86,10 @@ const MapLayers *GrassField::layers_at(const Eigen::Vector2f &p_place, MapLayers
 	if (_map.is_null()) {
 		return nullptr;
 	}
-	if (_shown && _shown->get_map() == _map && !_shown->get_field().is_waiting_at(p_place)) {
+	if (_standing.map && _standing.map->get_map() == _map && !_standing.map->get_field().is_waiting_at(p_place)) {
 		return shown_layers();
 	}
-	r_own.reset(_setup.grid, _setup.blade_length());
+	r_own.reset(_standing.setup.grid, _standing.setup.blade_length());
 	r_own = r_own.read(_map->get_map(), p_place);
 	return &r_own;
 }
@@ -95,11 +97,11 @@ const MapLayers *GrassField::layers_at(const Eigen::Vector2f &p_place, MapLayers
 // How the blades grow of tiles that woke in this tick, and of those awake below which the map changed.
 std::span<const SlotGrowth> GrassField::grow_tiles() {
 	_growth.clear();
-	if (_blades.is_told()) {
+	if (_standing.blades.is_told()) {
 		for (const GrassSlot &slot : _tiles.get_slots()) {
 			const bool is_retired = slot.list.w & GRASS_SLOT_RETIRED, is_fresh = slot.list.w & GRASS_SLOT_FRESH;
 			if (!is_retired && (is_fresh || _regrown.has(slot.tile.x, slot.tile.y))) {
-				_growth.push_back(_blades.grow(slot));
+				_growth.push_back(_standing.blades.grow(slot));
 			}
 		}
 		_regrown = {};
@@ -109,12 +111,15 @@ std::span<const SlotGrowth> GrassField::grow_tiles() {
 
 // Metres that the ground rises above or falls below the field.
 double GrassField::ground_reach() const {
-	return _shown ? std::max(-_shown->get_field().get_cover()->get_low(), _shown->get_field().get_cover()->get_high()) : 0.0;
+	return _standing.map ? std::max(-_standing.map->get_field().get_cover()->get_low(), _standing.map->get_field().get_cover()->get_high())
+						 : 0.0;
 }
 
 // Metres from the lowest ground to the highest.
 double GrassField::ground_range() const {
-	return _shown ? double(_shown->get_field().get_cover()->get_high()) - double(_shown->get_field().get_cover()->get_low()) : 0.0;
+	return _standing.map
+			? double(_standing.map->get_field().get_cover()->get_high()) - double(_standing.map->get_field().get_cover()->get_low())
+			: 0.0;
 }
 
 } // namespace grass

@@ -3,6 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "draw/patch_texture.h"
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -22,12 +23,14 @@ String GrassField::message(const char *p_text) const {
 }
 
 void GrassField::set_size(const Vector2 &p_size) {
+	GRASS_MAIN_THREAD_ONLY();
 	_size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
 	_size.y = real_t(checked(FIELD_SIZE, p_size.y, label()));
 	request_rebuild();
 }
 
 void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
+	GRASS_MAIN_THREAD_ONLY();
 	const Callable changed = callable_mp(this, &GrassField::_patch_changed);
 	if (_patch.is_valid()) {
 		_patch->disconnect("changed", changed);
@@ -40,6 +43,10 @@ void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
 }
 
 void GrassField::_patch_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_patch_changed).call_deferred();
+		return;
+	}
 	request_rebuild();
 	if (_backend) {
 		prepare_patches();
@@ -47,11 +54,13 @@ void GrassField::_patch_changed() {
 }
 
 void GrassField::set_seed(int64_t p_seed) {
+	GRASS_MAIN_THREAD_ONLY();
 	_seed = checked_int("seed", p_seed, 0, UINT32_MAX, label());
 	request_rebuild();
 }
 
 void GrassField::set_simulated(bool p_simulated) {
+	GRASS_MAIN_THREAD_ONLY();
 	if (_simulated != p_simulated) {
 		_simulated = p_simulated;
 		request_rebuild(); // tiles that were awake go back to rest
@@ -60,15 +69,18 @@ void GrassField::set_simulated(bool p_simulated) {
 }
 
 void GrassField::set_backend(BackendMode p_mode) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
 	if (_backend_mode != p_mode) {
 		_backend_mode = p_mode;
 		_backend.reset();
+		_tiles.reset(); // its blades went with it
 		request_rebuild();
 	}
 }
 
 void GrassField::set_method(SolverMethod p_method) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	_solver_method = p_method;
 	if (_backend) {
@@ -78,29 +90,34 @@ void GrassField::set_method(SolverMethod p_method) {
 }
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
 	_sleep_mode = p_mode;
 	update_tiles();
 }
 
 void GrassField::set_pool_tiles(int64_t p_tiles) {
+	GRASS_MAIN_THREAD_ONLY();
 	_pool_tiles = checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label());
 	request_rebuild();
 }
 
 void GrassField::set_collision_mask(int64_t p_mask) {
+	GRASS_MAIN_THREAD_ONLY();
 	_collision_mask = int64_t(uint32_t(p_mask));
 	_tracker.set_mask(uint32_t(_collision_mask));
 	update_configuration_warnings();
 }
 
 void GrassField::set_debug_view(DebugView p_view) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
 	_debug_view = p_view;
 	set_uniform("debug_view", int64_t(p_view));
 }
 
 void GrassField::set_measure_time(bool p_measure) {
+	GRASS_MAIN_THREAD_ONLY();
 	_measure_time = p_measure;
 	if (_backend) {
 		_backend->set_measure_time(p_measure || _is_watched);
@@ -108,6 +125,7 @@ void GrassField::set_measure_time(bool p_measure) {
 }
 
 void GrassField::set_param(int p_param, double p_value) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_param, int(FIELD_PARAMS.size()));
 	const FieldParam &info = FIELD_PARAMS[size_t(p_param)];
 	_params[size_t(p_param)] = checked(info.tunable, p_value, label());
@@ -143,6 +161,7 @@ double GrassField::get_param(int p_param) const {
 }
 
 void GrassField::set_color(int p_index, const Color &p_color) {
+	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
 	_colors[size_t(p_index)] = p_color;
 	set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
@@ -162,7 +181,7 @@ void GrassField::set_uniform(const StringName &p_name, const Variant &p_value) {
 
 // An idle editor, and a game in low processor mode, draw only once the rendering server was told something.
 void GrassField::request_draw() {
-	set_uniform("tile_size", _setup.grid.get_tile_size());
+	set_uniform("tile_size", _standing.setup.grid.get_tile_size());
 }
 
 void GrassField::set_wind_uniforms() {
@@ -177,14 +196,15 @@ void GrassField::set_wind_clock() {
 }
 
 void GrassField::set_all_uniforms() {
-	const TileGrid &grid = _setup.grid;
+	const TileGrid &grid = _standing.setup.grid;
 	set_uniform("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
 	set_uniform("lattice_points", lattice_texture());
 	set_uniform("tile_size", grid.get_tile_size());
-	set_uniform("clump", Vector4(_setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint));
-	set_uniform("canopy_height", _setup.patch->mean_height * 1.1);
+	set_uniform("clump",
+			Vector4(_standing.setup.clump.size, _standing.setup.clump.height, _standing.setup.clump.lean, _standing.setup.clump.tint));
+	set_uniform("canopy_height", _standing.setup.patch->mean_height * 1.1);
 	set_uniform("debug_view", int64_t(_debug_view));
-	set_uniform("follow_slope", _setup.follow_slope);
+	set_uniform("follow_slope", _standing.setup.follow_slope);
 	set_wind_clock();
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {

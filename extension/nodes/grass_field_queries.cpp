@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -23,24 +24,34 @@ bool is_compatibility() {
 
 } // namespace
 
+// Whether grass stands, or will as soon as the field is made.
+bool GrassField::has_blades() const {
+	return _backend || (is_inside_tree() && _dirty && !(prepare_patches() && find_patch()->is_empty()));
+}
+
 int64_t GrassField::get_blade_count() const {
-	return _backend ? int64_t(_setup.grid.get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return has_blades() ? int64_t(find_grid().get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
 }
 
 Vector2i GrassField::get_tiles() const {
-	return _backend ? Vector2i(_setup.grid.get_tiles_x(), _setup.grid.get_tiles_z()) : Vector2i();
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i());
+	const TileGrid grid = find_grid();
+	return has_blades() ? Vector2i(grid.get_tiles_x(), grid.get_tiles_z()) : Vector2i();
 }
 
-// As properties say, also before build() makes it so.
+// Of the standing field; before there is one, of the field that the properties describe.
 TileGrid GrassField::find_grid() const {
-	return _dirty ? TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY)) : _setup.grid;
+	return _backend ? _standing.setup.grid : TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
 }
 
 double GrassField::get_tile_size() const {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	return find_grid().get_tile_size();
 }
 
 Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i(-1, -1));
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector2i(-1, -1), message("add the node to the scene tree before asking for tiles."));
 	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
 	if (!place.allFinite()) {
@@ -52,26 +63,31 @@ Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
 }
 
 Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
 	return to_godot(Eigen::Vector3d(to_eigen(field_transform()) * find_grid().get_centre(p_tile.x, p_tile.y)));
 }
 
 bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
-	return !_dirty && _setup.grid.has_tile(p_tile.x, p_tile.y) && _tiles.is_awake(_setup.grid.get_index(p_tile.x, p_tile.y));
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	return _backend && _standing.setup.grid.has_tile(p_tile.x, p_tile.y) &&
+			_tiles.is_awake(_standing.setup.grid.get_index(p_tile.x, p_tile.y));
 }
 
 int64_t GrassField::get_awake_tile_count() const {
-	return _tiles.get_statistics().awake;
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return _backend ? _tiles.get_statistics().awake : 0;
 }
 
 PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
 	PackedVector3Array result;
 	ERR_FAIL_COND_V_MSG(!_backend, result, message("there are no blades yet. Ask after the node's first frame in the tree."));
-	ERR_FAIL_COND_V_MSG(
-			!_setup.grid.has_tile(p_tile.x, p_tile.y), result, message("there is no such tile. get_tiles() tells how many there are."));
+	ERR_FAIL_COND_V_MSG(!_standing.setup.grid.has_tile(p_tile.x, p_tile.y), result,
+			message("there is no such tile. get_tiles() tells how many there are."));
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
-	const TileGrid &grid = _setup.grid;
-	const FieldBlades::Pose pose = _blades.get_pose(p_tile.x, p_tile.y, int(p_blade));
+	const TileGrid &grid = _standing.setup.grid;
+	const FieldBlades::Pose pose = _standing.blades.get_pose(p_tile.x, p_tile.y, int(p_blade));
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
@@ -82,16 +98,17 @@ PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade
 	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? _blades.get_rest_knot(pose, knot) : simulated[size_t(knot)];
+		const Eigen::Vector3f in_blade = at_rest ? _standing.blades.get_rest_knot(pose, knot) : simulated[size_t(knot)];
 		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
 	}
 	return result;
 }
 
 int64_t GrassField::get_memory_usage() const {
-	const size_t tiles = _tiles.get_memory_usage() + (_bounds ? _bounds->get_memory_usage() : 0);
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	const size_t tiles = _tiles.get_memory_usage() + (_standing.bounds ? _standing.bounds->get_memory_usage() : 0);
 	int64_t maps = 0;
-	for (const ShownMap *map : { _shown.get(), _coming.get() }) {
+	for (const ShownMap *map : shown_maps()) {
 		maps += map != nullptr ? int64_t(map->get_field().get_memory_usage()) + map->get_textures().get_memory_usage() : 0;
 	}
 	return maps + int64_t(tiles) + _cards.get_memory_usage() + (_backend ? _backend->get_memory_usage() : 0);
@@ -130,6 +147,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 }
 
 Dictionary GrassField::get_statistics() const {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	const TileStatistics &tiles = _tiles.get_statistics();
 	const BackendStatistics backend = _backend ? _backend->get_statistics() : BackendStatistics();
 	std::array<int64_t, 2> drawn_tiles{}, drawn_triangles{}; // in the picture, in shadows
@@ -137,19 +155,24 @@ Dictionary GrassField::get_statistics() const {
 		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
 		const int64_t count = backend.drawn_tiles[size_t(level)];
 		drawn_tiles[list] += count;
-		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _setup.card_size > 0.0f);
+		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _standing.setup.card_size > 0.0f);
 	}
 	Dictionary result;
 	result["backend"] = _backend ? _backend->get_name() : "none";
-	result["tiles"] = _backend ? int64_t(_setup.grid.get_tile_count()) : int64_t(0);
+	result["tiles"] = _backend ? int64_t(_standing.setup.grid.get_tile_count()) : int64_t(0);
 	result["blades"] = get_blade_count();
-	result["bare_tiles"] = _shown ? int64_t(_shown->get_field().get_cover()->get_bare_count()) : int64_t(0);
-	result["map_bytes"] = _shown ? _shown->get_textures().get_uploaded_bytes() : int64_t(0);
-	result["map_waiting"] = int64_t(_shown ? _shown->get_waiting() : 0) + int64_t(_coming ? _coming->get_waiting() : 0);
+	result["bare_tiles"] = _standing.map ? int64_t(_standing.map->get_field().get_cover()->get_bare_count()) : int64_t(0);
+	result["map_bytes"] = _standing.map ? _standing.map->get_textures().get_uploaded_bytes() : int64_t(0);
+	int64_t map_waiting = 0;
+	for (const ShownMap *map : shown_maps()) {
+		map_waiting += map != nullptr ? map->get_waiting() : 0;
+	}
+	result["map_waiting"] = map_waiting;
 	result["waiting"] = _dirty;
 	result["fill_cells"] = _fill.cells;
 	result["fill_waiting"] = _fill.state.get_waiting();
-	result["awake_tiles"] = tiles.awake;
+	result["pool_tiles"] = _backend ? _standing.setup.pool_tiles : 0;
+	result["awake_tiles"] = get_awake_tile_count();
 	result["settling_tiles"] = tiles.settling;
 	result["still_tiles"] = tiles.still;
 	result["tile_steps"] = int64_t(tiles.tile_steps);
@@ -203,8 +226,8 @@ Dictionary GrassField::get_statistics() const {
 AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
-	setup.patch = _backend ? _setup.patch : find_patch();
-	return field_bounds(setup, _shown ? _shown->get_field().get_cover().get() : nullptr);
+	setup.patch = _backend ? _standing.setup.patch : find_patch();
+	return field_bounds(setup, _standing.map ? _standing.map->get_field().get_cover().get() : nullptr);
 }
 
 String GrassField::crowded_warning() const {
@@ -212,7 +235,7 @@ String GrassField::crowded_warning() const {
 			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
 			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
 			"nearer.",
-			_setup.instance_capacity(), _setup.shadow_capacity());
+			_standing.setup.instance_capacity(), _standing.setup.shadow_capacity());
 }
 
 PackedStringArray GrassField::_get_configuration_warnings() const {

@@ -3,6 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -11,6 +12,7 @@ using namespace godot;
 namespace grass {
 
 void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
+	GRASS_MAIN_THREAD_ONLY();
 	const Callable changed = callable_mp(this, &GrassField::_species_changed);
 	for (const Ref<GrassSpecies> &species : _species) {
 		if (species.is_valid() && species->is_connected("changed", changed)) { // one may be there twice
@@ -38,7 +40,12 @@ TypedArray<GrassSpecies> GrassField::get_species() const {
 
 // Colours and frequencies take effect at once; what changes blades makes the field anew.
 void GrassField::_species_changed() {
-	if (_backend && !_dirty && prepare_patches() && are_species_joined() && species_mix() == _mix && card_size() == _setup.card_size) {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_species_changed).call_deferred();
+		return;
+	}
+	if (_backend && !_dirty && prepare_patches() && are_species_joined() && species_mix() == _standing.mix &&
+			card_size() == _standing.setup.card_size) {
 		set_species_uniforms();
 		update_tiles();
 	} else {
@@ -116,7 +123,7 @@ float GrassField::card_size() const {
 std::span<const GrassStep> GrassField::species_steps() {
 	_species_steps.clear();
 	const SolverParams field = solver_params();
-	for (const GrownSpecies &grown : _grown) {
+	for (const GrownSpecies &grown : _standing.species) {
 		_species_steps.push_back(_clock.repeat(grown.species->get_solver(field)));
 	}
 	return _species_steps;
@@ -124,8 +131,8 @@ std::span<const GrassStep> GrassField::species_steps() {
 
 double GrassField::calm_time() const {
 	const SolverParams field = solver_params();
-	double time = _grown.empty() ? field.calm_time() : 0.0;
-	for (const GrownSpecies &grown : _grown) {
+	double time = _standing.species.empty() ? field.calm_time() : 0.0;
+	for (const GrownSpecies &grown : _standing.species) {
 		time = std::max(time, grown.species->get_solver(field).calm_time());
 	}
 	return time;
@@ -135,8 +142,8 @@ double GrassField::calm_time() const {
 double GrassField::calm_energy() const {
 	const double distance = 1e-3 * param(PARAM_SLEEP_MOTION);
 	const SolverParams field = solver_params();
-	double energy = _grown.empty() ? field.energy_within(distance) : std::numeric_limits<double>::max();
-	for (const GrownSpecies &grown : _grown) {
+	double energy = _standing.species.empty() ? field.energy_within(distance) : std::numeric_limits<double>::max();
+	for (const GrownSpecies &grown : _standing.species) {
 		energy = std::min(energy, grown.species->get_solver(field).energy_within(distance));
 	}
 	return energy;
@@ -144,13 +151,13 @@ double GrassField::calm_energy() const {
 
 // Of the grass around a place, metres, without clump and map. p_layers: what is painted there, or null.
 double GrassField::mean_height_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
-	if (!_setup.species) {
-		return _setup.patch->mean_height;
+	if (!_standing.setup.species) {
+		return _standing.setup.patch->mean_height;
 	}
-	const std::array<float, GRASS_MAX_SPECIES> shares = _setup.species->get_shares_at(p_place, p_layers);
+	const std::array<float, GRASS_MAX_SPECIES> shares = _standing.setup.species->get_shares_at(p_place, p_layers);
 	double height = 0.0;
-	for (size_t s = 0; s < _grown.size(); s++) {
-		height += double(shares[s] * _grown[s].patch->mean_height);
+	for (size_t s = 0; s < _standing.species.size(); s++) {
+		height += double(shares[s] * _standing.species[s].patch->mean_height);
 	}
 	return height;
 }
@@ -159,32 +166,32 @@ RecoveryRates GrassField::recovery_rates() const {
 	RecoveryRates rates;
 	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
 	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
-	for (size_t s = 0; s < _grown.size(); s++) {
-		rates.wear[s] = _grown[s].species->get_wear_recovery() / 60.0;
+	for (size_t s = 0; s < _standing.species.size(); s++) {
+		rates.wear[s] = _standing.species[s].species->get_wear_recovery() / 60.0;
 	}
 	return rates;
 }
 
 void GrassField::set_species_uniforms() {
-	if (!_setup.species) {
+	if (!_standing.setup.species) {
 		return;
 	}
 	PackedInt32Array records;
-	for (const SpeciesRecord &record : _setup.species->get_records()) {
+	for (const SpeciesRecord &record : _standing.setup.species->get_records()) {
 		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
 			records.push_back(value);
 		}
 	}
 	records.resize(4 * GRASS_MAX_SPECIES);
-	_backend->set_uniform("species_count", _setup.species->get_count());
+	_backend->set_uniform("species_count", _standing.setup.species->get_count());
 	_backend->set_uniform("species_mix", records);
-	_backend->set_uniform("species_texel", _setup.species->get_texel_units());
+	_backend->set_uniform("species_texel", _standing.setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
 	std::vector<SpeciesLook> looks;
-	for (const GrownSpecies &grown : _grown) {
+	for (const GrownSpecies &grown : _standing.species) {
 		SpeciesLook look = grown.species->get_look();
-		const float own = grown.patch->mean_height * OVER_MEAN, mixed = _setup.patch->mean_height * OVER_MEAN;
+		const float own = grown.patch->mean_height * OVER_MEAN, mixed = _standing.setup.patch->mean_height * OVER_MEAN;
 		const float alone = float(grown.species->get_mix().stand_strength);
 		look.blade_area = COVERS * grown.patch->mean_width * grown.patch->mean_length;
 		look.canopy_alone = std::max(own, 0.01f);
@@ -222,11 +229,12 @@ void GrassField::warn_of_species(PackedStringArray &r_warnings) const {
 }
 
 int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
 	ERR_FAIL_COND_V_MSG(!_backend, 0, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	ERR_FAIL_COND_V_MSG(
-			!_setup.grid.has_tile(p_tile.x, p_tile.y), 0, message("there is no such tile. get_tiles() tells how many there are."));
+			!_standing.setup.grid.has_tile(p_tile.x, p_tile.y), 0, message("there is no such tile. get_tiles() tells how many there are."));
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), 0, message("a tile has 64 blades, 0 to 63."));
-	return _blades.get_pose(p_tile.x, p_tile.y, int(p_blade)).species;
+	return _standing.blades.get_pose(p_tile.x, p_tile.y, int(p_blade)).species;
 }
 
 } // namespace grass

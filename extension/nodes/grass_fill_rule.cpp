@@ -2,6 +2,7 @@
 #include "nodes/grass_fill_rule.h"
 
 #include "convert.h"
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <godot_cpp/classes/image.hpp>
@@ -16,11 +17,13 @@ GrassFillRule::GrassFillRule() {
 }
 
 void GrassFillRule::set_seed(int64_t p_seed) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	_rule.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassFillRule"));
 	emit_changed();
 }
 
 void GrassFillRule::set_param(int p_param, double p_value) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
 	_rule.params[size_t(p_param)] = checked(FILL_PARAMS[size_t(p_param)], p_value, "GrassFillRule");
 	emit_changed();
@@ -32,6 +35,7 @@ double GrassFillRule::get_param(int p_param) const {
 }
 
 void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	const Callable changed = callable_mp(this, &GrassFillRule::_mask_changed);
 	if (_mask.is_valid()) {
 		_mask->disconnect("changed", changed);
@@ -49,23 +53,27 @@ void GrassFillRule::_mask_changed() {
 }
 
 void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_INDEX_MSG(int(p_channel), 4, "GrassFillRule: `mask_channel` is one of the MASK_* constants.");
 	_mask_channel = p_channel;
 	_mask_changed();
 }
 
 void GrassFillRule::set_mask_invert(bool p_invert) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	_rule.inverts_mask = p_invert;
 	emit_changed();
 }
 
 void GrassFillRule::set_mask_region(const Rect2 &p_region) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_COND_MSG(!p_region.is_finite(), "GrassFillRule: `mask_region` must be of finite numbers.");
 	_mask_region = p_region.abs();
 	emit_changed();
 }
 
 void GrassFillRule::set_group(int p_group, const StringName &p_name) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
 	_groups[size_t(p_group)] = p_name;
 	emit_changed();

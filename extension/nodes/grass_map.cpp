@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_map_file.h"
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ String GrassMap::label() const {
 }
 
 bool GrassMap::is_usable() const {
+	ERR_FAIL_COND_V_MSG(!may_change(*this), false, thread_message(label(), "a change"));
 	ERR_FAIL_COND_V_MSG(!_unread.is_empty(), false,
 			vformat("%s: its data could not be read, so it cannot be changed; what is on disk stays as it is. Use clear() to begin anew.",
 					label()));
@@ -87,6 +89,7 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 }
 
 void GrassMap::set_data(const PackedByteArray &p_data) {
+	GRASS_CHANGE_GUARD(label());
 	const String reason = read(p_data);
 	if (!reason.is_empty()) {
 		_unread = p_data;
@@ -176,6 +179,7 @@ void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 }
 
 void GrassMap::clear() {
+	GRASS_CHANGE_GUARD(label());
 	const std::vector<MapKey> changed = _map.get_keys();
 	_unread.clear();
 	_map.clear();

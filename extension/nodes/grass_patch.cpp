@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/grass_patch.h"
 
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <mutex>
@@ -44,11 +45,13 @@ double &value_of(PatchParams &p_params, GrassPatch::Param p_param) {
 } // namespace
 
 void GrassPatch::set_seed(int64_t p_seed) {
+	GRASS_CHANGE_GUARD("GrassPatch");
 	_params.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassPatch"));
 	forget();
 }
 
 void GrassPatch::set_param(Param p_param, double p_value) {
+	GRASS_CHANGE_GUARD("GrassPatch");
 	ERR_FAIL_INDEX_MSG(int(p_param), int(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
 	value_of(_params, p_param) = checked(tunable_of(p_param), p_value, "GrassPatch");
 	forget();

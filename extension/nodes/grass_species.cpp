@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/grass_species.h"
 
+#include "nodes/main_thread.h"
 #include "nodes/params.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -32,18 +33,21 @@ void GrassSpecies::swap_part(const Ref<Resource> &p_old, const Ref<Resource> &p_
 }
 
 void GrassSpecies::set_patch(const Ref<GrassPatch> &p_patch) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
 	swap_part(_patch, p_patch);
 	_patch = p_patch;
 	emit_changed();
 }
 
 void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
 	swap_part(_gradient, p_gradient);
 	_gradient = p_gradient;
 	emit_changed();
 }
 
 void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
 	swap_part(_card, p_card);
 	_card = p_card;
 	_card_image.unref();
@@ -57,6 +61,7 @@ double GrassSpecies::get_card_size() const {
 }
 
 void GrassSpecies::set_param(int p_param, double p_value) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
 	ERR_FAIL_INDEX(p_param, int(SPECIES_PARAM_COUNT));
 	_params[size_t(p_param)] = checked(SPECIES_PARAMS[size_t(p_param)], p_value, "GrassSpecies");
 	emit_changed();
@@ -68,6 +73,7 @@ double GrassSpecies::get_param(int p_param) const {
 }
 
 void GrassSpecies::set_color(int p_index, const Color &p_color) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
 	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
 	_colors[size_t(p_index)] = p_color;
 	emit_changed();
