@@ -109,6 +109,7 @@ public:
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
+	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
 	godot::Transform3D field_transform() const; // global, without scale
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
@@ -157,6 +158,11 @@ private:
 	// until the field is made again.
 	struct Standing : Wanted {
 		FieldBlades blades;
+	};
+
+	// In the newest frame known, in the picture and in shadows.
+	struct Drawn {
+		std::array<int64_t, 2> tiles{}, triangles{};
 	};
 
 	// A rule that keeps the map filled.
@@ -259,12 +265,13 @@ private:
 	std::shared_ptr<const Patch> find_patch() const;
 	TileGrid find_grid() const;
 	bool has_blades() const;
+	Drawn find_drawn(const BackendStatistics &p_backend) const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
 	TileRange all_tiles() const;
 	void update_tiles();
 	godot::String label() const; // of this node, for messages
-	godot::String message(const char *p_text) const;
+	godot::String message(const godot::String &p_text) const; // with what a report needs, the first time
 	godot::String crowded_warning() const;
 	double param(FieldParamId p_param) const { return _params[size_t(p_param)]; }
 
@@ -284,6 +291,7 @@ private:
 
 	bool _dirty = false; // the field must be made again; one that stands goes on as it is until prepare() has all it takes
 	int64_t _makings = 0; // times that it was made again
+	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when it was made
 	bool _is_crowded = false; // more tiles were seen, since it was made, than it has room for
 	int64_t _builds = 0; // backends made

@@ -115,10 +115,10 @@ bool GrassField::find_region(
 		return true;
 	}
 	ColliderShape shape;
-	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, vformat("%s: %s() needs a transform of finite numbers.", label(), p_method));
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, message(vformat("%s() needs a transform of finite numbers.", p_method)));
 	ERR_FAIL_COND_V_MSG(!pose_shape(p_shape, to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_transform), shape), false,
-			vformat("%s: %s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", label(), p_method,
-					p_shape->get_class()));
+			message(vformat("%s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", p_method,
+					p_shape->get_class())));
 	r_footprint.emplace(shape);
 	return true;
 }
@@ -203,11 +203,12 @@ void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) 
 	if (_node_colliders.add(p_node, p_shape)) {
 		return;
 	}
-	const String what = vformat("%s: the %s registered for '%s'", label(), p_shape->get_class(), p_node->get_name());
+	const String what = vformat("the %s registered for '%s'", p_shape->get_class(), p_node->get_name());
 	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
 	ERR_FAIL_COND_MSG(is_polygon,
-			vformat("%s encloses no volume. Give it points that do, before it is registered: four at least, not all in a plane.", what));
-	ERR_FAIL_MSG(vformat("%s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", what));
+			message(vformat(
+					"%s encloses no volume. Give it points that do, before it is registered: four at least, not all in a plane.", what)));
+	ERR_FAIL_MSG(message(vformat("%s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", what)));
 }
 
 void GrassField::unregister_collider(Node3D *p_node) {

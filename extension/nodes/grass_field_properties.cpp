@@ -3,6 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "draw/patch_texture.h"
+#include "nodes/build_info.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
 
@@ -18,8 +19,19 @@ namespace grass {
 String GrassField::label() const {
 	return vformat("GrassField '%s'", get_name());
 }
-String GrassField::message(const char *p_text) const {
-	return vformat("%s: %s", label(), p_text);
+String GrassField::message(const String &p_text) const {
+	if (_has_reported) {
+		return vformat("%s: %s", label(), p_text);
+	}
+	_has_reported = true;
+	PackedStringArray build;
+	build.push_back("GrassField " + get_version());
+	build.push_back(_backend ? vformat("%s backend", _backend->get_name()) : String("no backend"));
+	if (const String device = get_device(); !device.is_empty()) {
+		build.push_back(device);
+		build.push_back(get_driver());
+	}
+	return vformat("%s: %s (%s)", label(), p_text, String(", ").join(build));
 }
 
 void GrassField::set_size(const Vector2 &p_size) {
@@ -308,6 +320,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
+	ClassDB::bind_static_method("GrassField", D_METHOD("get_version"), &GrassField::get_version);
 
 	ClassDB::bind_method(D_METHOD("is_grass_at", "global_position"), &GrassField::is_grass_at);
 	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::density_at);

@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "draw/blade_mesh.h"
 #include "draw/patch_texture.h"
+#include "nodes/build_info.h"
 #include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -114,6 +115,10 @@ int64_t GrassField::get_memory_usage() const {
 	return maps + int64_t(tiles) + _cards.get_memory_usage() + (_backend ? _backend->get_memory_usage() : 0);
 }
 
+String GrassField::get_version() {
+	return grass::get_version();
+}
+
 double GrassField::get_monitor(FieldMonitor p_monitor) {
 	if (!_backend) {
 		return 0.0;
@@ -123,42 +128,50 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 		_is_watched = true;
 		_backend->set_measure_time(true);
 	}
-	const Dictionary now = get_statistics();
+	const BackendStatistics backend = _backend->get_statistics();
 	switch (p_monitor) {
 		case MONITOR_AWAKE_TILES:
-			return double(now["awake_tiles"]);
+			return double(get_awake_tile_count());
 		case MONITOR_SIMULATED_BLADES:
 			return _is_seen ? double(_tiles.get_statistics().simulated) * GRASS_BLADES_PER_TILE : 0.0;
 		case MONITOR_DRAWN_BLADES:
-			return double(now["drawn_blades"]);
+			return double(backend.drawn_blades);
 		case MONITOR_DRAWN_TRIANGLES:
-			return double(now["drawn_triangles"]);
+			return double(find_drawn(backend).triangles[0]);
 		case MONITOR_MANAGEMENT:
-			return 1e-3 * double(now["management_ms"]);
+			return 1e-3 * (_gather_ms + _tiles_ms);
 		case MONITOR_SIMULATE:
-			return 1e-3 * double(now["simulate_ms"]);
+			return 1e-3 * backend.simulate_ms;
 		case MONITOR_CULL:
-			return 1e-3 * double(now["cull_ms"]);
+			return 1e-3 * backend.cull_ms;
 		case MONITOR_MEMORY:
-			return double(now["memory"]);
+			return double(get_memory_usage());
 		default:
 			return 0.0;
 	}
+}
+
+GrassField::Drawn GrassField::find_drawn(const BackendStatistics &p_backend) const {
+	Drawn drawn;
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
+		const int64_t count = p_backend.drawn_tiles[size_t(level)];
+		drawn.tiles[list] += count;
+		drawn.triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _standing.setup.card_size > 0.0f);
+	}
+	return drawn;
 }
 
 Dictionary GrassField::get_statistics() const {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	const TileStatistics &tiles = _tiles.get_statistics();
 	const BackendStatistics backend = _backend ? _backend->get_statistics() : BackendStatistics();
-	std::array<int64_t, 2> drawn_tiles{}, drawn_triangles{}; // in the picture, in shadows
-	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
-		const int64_t count = backend.drawn_tiles[size_t(level)];
-		drawn_tiles[list] += count;
-		drawn_triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _standing.setup.card_size > 0.0f);
-	}
+	const Drawn drawn = find_drawn(backend);
 	Dictionary result;
+	result["version"] = get_version();
 	result["backend"] = _backend ? _backend->get_name() : "none";
+	result["device"] = get_device();
+	result["driver"] = get_driver();
 	result["tiles"] = _backend ? int64_t(_standing.setup.grid.get_tile_count()) : int64_t(0);
 	result["blades"] = get_blade_count();
 	result["bare_tiles"] = _standing.map ? int64_t(_standing.map->get_field().get_cover()->get_bare_count()) : int64_t(0);
@@ -201,13 +214,13 @@ Dictionary GrassField::get_statistics() const {
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["culls"] = backend.culls;
 	result["instance_updates"] = backend.instance_updates + _ground.get_updates();
-	result["drawn_tiles"] = drawn_tiles[0];
+	result["drawn_tiles"] = drawn.tiles[0];
 	result["drawn_blades"] = backend.drawn_blades;
-	result["drawn_triangles"] = drawn_triangles[0];
+	result["drawn_triangles"] = drawn.triangles[0];
 	result["left_out_tiles"] = backend.left_out_tiles[0];
-	result["shadow_tiles"] = drawn_tiles[1];
+	result["shadow_tiles"] = drawn.tiles[1];
 	result["shadow_blades"] = backend.shadow_blades;
-	result["shadow_triangles"] = drawn_triangles[1];
+	result["shadow_triangles"] = drawn.triangles[1];
 	result["left_out_shadow_tiles"] = backend.left_out_tiles[1];
 	result["gather_ms"] = _gather_ms;
 	result["tiles_ms"] = _tiles_ms;

@@ -3,7 +3,7 @@
 
 Compute passes become SPIR-V (a mistake in one fails the build), the blade shader becomes one text with its shared
 files inlined (the engine would follow includes only one level deep), class documentation becomes the texts that the
-editor's help loads, icons of the editor's tools become SVG texts.
+editor's help loads, icons of the editor's tools become SVG texts, the file VERSION becomes a constant.
 """
 
 import pathlib
@@ -114,6 +114,12 @@ def icons_header(target, source, env):
 	lines = ["\nnamespace grass::icon {\n"]
 	lines += [f"inline constexpr char {constant_name(node, '')}[] = {literal(pathlib.Path(str(node)).read_text())};\n" for node in source]
 	return write_header(target, source, lines, "grass::icon")
+
+
+def version_header(target, source, env):
+	"""SCons action: the file VERSION -> `grass::VERSION`, a text."""
+	version = pathlib.Path(str(source[0])).read_text().strip()
+	return write_header(target, source, [f'\nnamespace grass {{\ninline constexpr char VERSION[] = "{version}";\n'], "grass")
 
 
 def write_header(target, source, lines, namespace="grass::shader"):

@@ -9,7 +9,7 @@ const STATISTICS: Array[String] = [
 	"culls", "instance_updates", "drawn_tiles", "drawn_blades", "drawn_triangles", "left_out_tiles",
 	"shadow_tiles", "shadow_blades", "shadow_triangles", "left_out_shadow_tiles",
 	"gather_ms", "tiles_ms", "management_ms", "upload_ms", "frame_ms", "build_ms", "builds", "makings", "simulate_ms", "cull_ms", "memory",
-	"unseen_tile_steps", "unseen_ticks", "wind_updates", "edge_tile_steps", "free_tile_steps", "compiling", "fill_cells", "fill_waiting", "waiting", "map_waiting",
+	"version", "device", "driver", "pool_tiles", "unseen_tile_steps", "unseen_ticks", "wind_updates", "edge_tile_steps", "free_tile_steps", "compiling", "fill_cells", "fill_waiting", "waiting", "map_waiting",
 ]
 
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a report needs so that somebody else can act upon it: which build of the extension ran, on what.
+#pragma once
+
+#include <godot_cpp/variant/string.hpp>
+
+namespace grass {
+
+// Of the extension, as in the file VERSION: "1.2.3".
+godot::String get_version();
+
+// The graphics card as the renderer names it; "" where nothing is drawn.
+godot::String get_device();
+
+// Its driver: name and version where the system tells them, else the version of the graphics interface; "" where nothing is drawn. The
+// first call may take some milliseconds.
+godot::String get_driver();
+
+} // namespace grass
