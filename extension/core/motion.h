@@ -34,7 +34,7 @@ public:
 	// knows. Returns where the path of this tick begins; p_place if there is none.
 	Eigen::Vector3d start(
 			const Eigen::Vector3d &p_place, const Eigen::Vector3d &p_seen, const Eigen::Vector3d &p_own, const MotionTick &p_tick);
-	// Whether a step, metres, is motion whatever the body's own velocity is. Saves the caller to look that up.
+	// Whether a step, metres, is motion whatever the body's own velocity is. Spares the caller the look-up.
 	bool expects(const Eigen::Vector3d &p_step, const MotionTick &p_tick) const;
 	// The body went from p_before to p_now. Returns where the path of this tick begins: at p_before as a rule, at p_now after a
 	// teleport, and at an earlier place when a jump turns out to have been motion.

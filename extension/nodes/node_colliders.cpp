@@ -29,7 +29,7 @@ void NodeColliders::judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, c
 		return;
 	}
 	const Eigen::Vector3d from = r_entry.motion.follow(before, now, nobody_knows, p_tick);
-	if (from == now) {
+	if (from == now && from != before) { // put there
 		r_entry.before.linear() = p_now.linear();
 	}
 	r_entry.before.translation() = from;

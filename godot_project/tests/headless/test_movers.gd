@@ -110,6 +110,22 @@ func test_whoever_starts_in_the_field_leaves_no_gap() -> void:
 			assert_eq(await run_through(kind, pace, 0.5 - 0.5 * PLACES), PLACES, "%s, %s m/s, %s ticks/s" % [kind, pace.y, pace.x])
 
 
+## 60 m a tick, past 4 m of grass: nobody overlaps the grass itself at the end of any tick.
+func test_nobody_flies_unseen_through_a_small_field() -> void:
+	Engine.physics_ticks_per_second = 10
+	for kind in MOVERS:
+		for phase: float in [0.3, 0.7]:
+			var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
+			var mover := add_mover(kind, HEIGHT + Vector3(-60.0 * (3.0 + phase), 0, 0), field)
+			await ticks(3)
+			for i in 8:
+				await push(mover, kind, Vector3(600, 0, 0))
+			for x: float in [-1.5, -0.5, 0.5, 1.5]:
+				assert_true(field.is_tile_awake(field.get_tile_at(Vector3(x, 0, HEIGHT.z))), "%s, %s of a tick, at %s" % [kind, phase, x])
+			mover.free()
+			field.free()
+
+
 func test_slow_bodies_leave_no_gap_either() -> void:
 	for kind: String in ["slide", "static"]:
 		assert_eq(await run_through(kind, Vector2(60, 5), -0.5 * PLACES - 2.0), PLACES, kind)
@@ -159,3 +175,18 @@ func test_fast_bodies_cost_no_more_calls_of_the_engine() -> void:
 		await push(mover, "animatable", Vector3(200, 0, 0))
 	var after_ := field.get_statistics()
 	assert_less(after_.engine_calls - before.engine_calls, 10 * 2 + 2 * 9 + 1, "two a tick, and two looks at its shapes at most")
+
+
+func test_a_registered_node_that_turns_in_place_sweeps() -> void:
+	var field := add_field()
+	var rotor := add_mover("node", HEIGHT, field)
+	var bar := BoxShape3D.new()
+	bar.size = Vector3(2.5, 0.3, 0.2)
+	field.register_collider(rotor, bar)
+	await ticks(4)
+	var before: int = field.get_statistics().woken
+	rotor.rotation.y += 0.8
+	await ticks(1)
+	rotor.rotation.y -= 0.8
+	await ticks(2)
+	assert_greater(field.get_statistics().woken, before)
