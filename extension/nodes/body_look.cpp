@@ -4,8 +4,10 @@
 
 #include "convert.h"
 
+#include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/classes/rigid_body3d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
@@ -62,6 +64,8 @@ bool BodyTracker::look(Body &r_body) {
 	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
 	_statistics.engine_calls++;
 	r_body.is_driven = is_driven_by_velocity(mode);
+	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
+			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
 	// A frozen RigidBody3D is no ground.
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
 			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
@@ -122,12 +126,29 @@ bool BodyTracker::read_shapes(Body &r_body) {
 	return has_changed;
 }
 
+// Once a field: a body that moves may be meant to bend grass.
+void BodyTracker::warn_of_height_map(const Body &p_body, const TrackedShape &p_shape) {
+	if (p_shape.type != PhysicsServer3D::SHAPE_HEIGHTMAP || _has_warned_of_height_map) {
+		return;
+	}
+	_has_warned_of_height_map = true;
+	const Node *node = Object::cast_to<Node>(ObjectDB::get_instance(p_body.instance_id));
+	const String name = node == nullptr ? String("a body without a node") : vformat("'%s'", node->get_name());
+	WARN_PRINT(vformat(
+			"GrassField: %s moves and has a HeightMapShape3D, which bends no grass: grass takes height maps for ground. Give the body a "
+			"sphere, box, capsule, cylinder or convex polygon as well, or keep it still.",
+			name));
+}
+
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	const bool is_still = r_body.before.matrix() == p_now.matrix();
 	for (TrackedShape &shape : r_body.shapes) {
 		if (!shape.enabled || !shape.usable) {
 			shape.has_pose = false;
+			if (shape.enabled && !is_still) {
+				warn_of_height_map(r_body, shape);
+			}
 			continue;
 		}
 		if (_written == r_colliders.size()) {

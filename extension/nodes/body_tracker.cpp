@@ -3,7 +3,9 @@
 
 #include "convert.h"
 
+#include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include <algorithm>
@@ -15,14 +17,14 @@ namespace grass {
 
 namespace {
 
-// A body that covers more than this in one tick, beyond what its motion explains, was put there: grass
-// between the two places is not swept. Metres. Smaller: fast animated bodies miss grass. Larger: a teleport mows.
-constexpr double TELEPORT_DISTANCE = 2.0;
-// The same for a turn. Radians. Smaller: fast animated rotors miss grass. Larger: a figure that is turned round mows.
-constexpr double TELEPORT_TURN = 0.5 * EIGEN_PI;
-// Bodies are known from this far outside of the grass on, since the server reports them a tick late. Metres, what
-// the fastest body covers in a tick or two. Smaller: its first metres of grass stay up. Larger: more bodies to look at.
-constexpr double APPROACH = 3.0;
+// A field that goes farther in a tick jumps, and the bodies in it may follow a tick late. Metres.
+constexpr double FIELD_JUMP = 2.0;
+// The server reports bodies that overlap the watched box at the end of a tick. It reaches so far beyond the grass that every body
+// up to this speed is in it at least once on its way, however small the field. Metres per second. Slower: faster bodies
+// fly through small fields unseen. Faster: more bodies to look at.
+constexpr double FASTEST = 600.0;
+// It reaches this far at least, for bodies are reported a tick late. Metres.
+constexpr double APPROACH_MIN = 3.0;
 // Ticks after which a static body that moved is ground again.
 constexpr int STILL_TICKS = 120;
 // Ticks after a jump of the field in which bodies are kept that the server says have left: kinematic ones follow late.
@@ -60,14 +62,17 @@ void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t 
 	server->area_set_space(_area, p_space);
 }
 
-void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents) {
+void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents, double p_delta) {
 	if (!_area.is_valid()) {
 		return;
 	}
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	if (_box_extents != p_half_extents) {
-		_box_extents = p_half_extents;
-		server->shape_set_data(_box, p_half_extents + real_t(APPROACH) * Vector3(1, 1, 1));
+	// Never less than it was: a game that slows down and speeds up again does not change the box in every tick.
+	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
+	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
+	if (_box_extents != extents) {
+		_box_extents = extents;
+		server->shape_set_data(_box, extents);
 	}
 	if (_box_transform != p_transform) {
 		_box_transform = p_transform;
@@ -90,6 +95,7 @@ void BodyTracker::stop() {
 	}
 	_area = _box = RID();
 	_box_extents = Vector3();
+	_approach = 0.0;
 	_box_transform = Transform3D();
 	_has_field_before = false;
 	_bodies.clear();
@@ -147,39 +153,75 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
 
-// Takes back what the body did not do in this tick, but was done to it.
-void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
-	const bool is_new = !r_body.has_before;
-	r_body.was_put = is_new;
-	if (is_new) { // the tick in which it was found counts too
-		r_body.before = p_now;
+// In the world, metres per second. That of a kinematic body is made from the places where it was put, teleports included.
+Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
+	_statistics.engine_calls++;
+	return to_eigen(p_body.state->get_linear_velocity());
+}
+
+// The velocity that moves it, in the world; zero where nobody knows. p_motion: what it did in this tick, to choose between what a character
+// wants and what it could do.
+Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion) {
+	if (p_body.is_driven) {
+		return server_velocity(p_body);
+	}
+	const CharacterBody3D *character =
+			p_body.is_character ? Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(p_body.instance_id)) : nullptr;
+	if (character == nullptr) {
+		return Eigen::Vector3d::Zero();
+	}
+	_statistics.engine_calls += 2;
+	const Eigen::Vector3d wanted = to_eigen(character->get_velocity()), real = to_eigen(character->get_real_velocity());
+	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
+}
+
+// Takes back what the body did not do in this tick, but was done to it, and adds what it did before it was known.
+void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
+	const Eigen::Matrix3d from_world = _from_world_before.linear();
+	const Eigen::Vector3d now = p_now.translation();
+	r_body.was_put = !r_body.has_before;
+	if (!r_body.has_before) {
+		const Eigen::Vector3d seen = server_velocity(r_body);
+		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen);
 		r_body.has_before = true;
-	}
-	const double moved = (p_now.translation() - r_body.before.translation()).norm();
-	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
-	const double turned = std::acos(std::clamp(cosine, -1.0, 1.0));
-	Eigen::Vector3d step = Eigen::Vector3d::Zero(); // metres that its velocity takes it in a tick
-	double turn = 0.0; // radians
-	if (r_body.is_driven && (is_new || moved > TELEPORT_DISTANCE || turned > TELEPORT_TURN)) {
-		step = to_eigen(r_body.state->get_linear_velocity()) * p_delta;
-		turn = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
-		_statistics.engine_calls += 2;
-	}
-	if (is_new) {
-		r_body.before.translation() -= _from_world_before.linear() * step;
-		r_body.last_step = step.norm();
-		r_body.last_turn = turn;
+		r_body.before = p_now;
+		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, p_tick);
 		return;
 	}
-	if (moved > TELEPORT_DISTANCE + 1.5 * std::max(step.norm(), r_body.last_step)) {
+	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;
+	Eigen::Vector3d own = Eigen::Vector3d::Zero();
+	if (!r_body.motion.expects(step, p_tick)) {
+		own = from_world * own_velocity(r_body, from_world.transpose() * step / p_tick.delta);
+	}
+	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, p_tick);
+	if (from == now && step != Eigen::Vector3d::Zero()) {
 		r_body.before = p_now;
 		r_body.was_put = true;
-	} else if (turned > TELEPORT_TURN + 1.5 * std::max(turn, r_body.last_turn)) {
+		return;
+	}
+	r_body.before.translation() = from;
+	r_body.was_put = from != before;
+	judge_turn(r_body, p_now, p_tick.delta);
+}
+
+void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
+	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
+	const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+	double own = 0.0;
+	if (r_body.is_driven && angle > Motion::PLAUSIBLE_TURN) {
+		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
+		_statistics.engine_calls++;
+	}
+	if (!r_body.motion.follow_turn(angle, own)) {
 		r_body.before.linear() = p_now.linear();
 		r_body.was_put = true;
 	}
-	r_body.last_step = r_body.before.translation() == p_now.translation() ? 0.0 : moved;
-	r_body.last_turn = r_body.before.linear() == p_now.linear() ? 0.0 : turned;
+}
+
+// One that moves is kept for two ticks more: it passed grass on its way out, or was reported only when it had passed all of it.
+bool BodyTracker::has_left(Body &r_body) const {
+	r_body.left_for = r_body.overlaps > 0 ? 0 : r_body.left_for + 1;
+	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
 }
 
 // A static body is an object from its first motion on, until it has stood still for a while. p_is_carried: the field
@@ -199,21 +241,21 @@ bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_
 	return r_body.still_ticks >= STILL_TICKS;
 }
 
-void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders) {
+void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
 	FieldPose field;
-	field.delta = p_delta;
 	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
 	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
 	const Eigen::Vector3d origin = to_eigen(p_field.origin);
-	field.has_jumped = (field.from_world_before * origin).norm() > TELEPORT_DISTANCE;
+	field.has_jumped = (field.from_world_before * origin).norm() > FIELD_JUMP;
 	_from_world_before = field.from_world;
 	_has_field_before = true;
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
 	_written = 0;
+	MotionTick tick = p_tick;
+	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
 		Body &body = entry->second;
-		const bool has_left = body.overlaps <= 0 && _ticks_since_jump >= JUMP_TICKS;
-		if (has_left || !find_state(body)) {
+		if (has_left(body) || !find_state(body)) {
 			entry = _bodies.erase(entry);
 			continue;
 		}
@@ -224,9 +266,9 @@ void BodyTracker::collect(const Transform3D &p_field, double p_delta, std::vecto
 		_statistics.engine_calls++;
 		const Eigen::Affine3d now = pose_of(body, world, field);
 		const bool is_carried =
-				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < TELEPORT_DISTANCE;
+				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < FIELD_JUMP;
 		const bool ground = is_ground(body, world, is_carried);
-		judge_motion(body, now, p_delta);
+		judge_motion(body, now, tick);
 		if (ground) {
 			body.shapes.clear(); // nobody asks for them, and a terrain's are large
 		} else {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/body_shape.h"
+#include "core/motion.h"
 
 #include <Eigen/Geometry>
 
@@ -51,14 +52,15 @@ public:
 	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed().
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
 	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
-	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents);
+	// p_delta: seconds of a tick.
+	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);
 	void set_mask(uint32_t p_mask);
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
 	// Writes every shape that may touch grass in this tick, posed in the field's space, over what r_colliders held.
-	// p_field: the field's transform (orthonormal); p_delta: seconds since the last call.
-	void collect(const godot::Transform3D &p_field, double p_delta, std::vector<ColliderShape> &r_colliders);
+	// p_field: the field's transform (orthonormal); p_tick.watched is the tracker's own affair.
+	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	// Time has passed without collect(): where bodies were before is no motion.
 	void forget_motion();
 
@@ -73,12 +75,14 @@ private:
 		godot::RID rid;
 		uint64_t instance_id = 0;
 		int64_t overlaps = 0; // shapes of it that overlap the area
+		int left_for = 0; // ticks since none does
 		uint64_t state_id = 0; // of the server's object that tells where it is: gone when the body is
 		godot::PhysicsDirectBodyState3D *state = nullptr;
 		// As it was when it was last looked at.
 		std::vector<TrackedShape> shapes; // none while it is ground
 		bool is_static = false; // ground, while it stands still
-		bool is_driven = false; // moves as its velocity says
+		bool is_driven = false; // moves as its velocity says; a character's is in its node
+		bool is_character = false;
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
 		int next_look_at_all = 0; // looks to the next one at all there is
 		double friction = 0.0; // of blades along it
@@ -86,7 +90,7 @@ private:
 		// As it was in the last tick.
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
 		bool has_before = false;
-		double last_step = 0.0, last_turn = 0.0; // metres, radians
+		Motion motion; // in field space
 		bool was_put = true; // since then: `before` is not where it was in the last tick
 		// Of a static one.
 		godot::Transform3D world_before; // in the world, for a field may move over ground that does not
@@ -96,28 +100,34 @@ private:
 	struct FieldPose {
 		Eigen::Affine3d from_world, from_world_before;
 		bool has_jumped = false;
-		double delta = 0.0; // seconds
 	};
 
 	bool find_state(Body &r_body);
+	bool has_left(Body &r_body) const;
 	// body_look.cpp
 	bool look(Body &r_body);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
+	void warn_of_height_map(const Body &p_body, const TrackedShape &p_shape);
 	void read_traits(Body &r_body, int32_t p_count);
 	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
 	// body_tracker.cpp
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
-	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, double p_delta);
+	Eigen::Vector3d server_velocity(const Body &p_body);
+	Eigen::Vector3d own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion);
+	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick);
+	void judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta);
 
 	godot::RID _area, _box;
 	godot::Transform3D _box_transform;
-	godot::Vector3 _box_extents;
+	godot::Vector3 _box_extents; // with the approach
+	double _approach = 0.0; // metres
 	uint32_t _mask = 1;
 	Eigen::Affine3d _from_world_before = Eigen::Affine3d::Identity();
 	bool _has_field_before = false;
 	int _ticks_since_jump = 1 << 30;
+	bool _has_warned_of_height_map = false;
 	size_t _written = 0; // colliders in this tick
 	TrackerStatistics _statistics;
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run

@@ -7,6 +7,7 @@
 #include "core/lod.h"
 #include "core/map/growth.h"
 #include "core/map/recovery.h"
+#include "core/motion.h"
 #include "core/patch.h"
 #include "core/solver_params.h"
 #include "core/tile_grid.h"
@@ -56,6 +57,7 @@ enum FieldParamId {
 	PARAM_SLEEP_MOTION,
 	PARAM_SLEEP_DELAY,
 	PARAM_SETTLE_TIME,
+	PARAM_TELEPORT_SPEED,
 	PARAM_WIND_SPEED,
 	PARAM_WIND_DIRECTION,
 	PARAM_GUST_SIZE,
@@ -102,6 +104,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_SLEEP_MOTION, SLEEP_MOTION, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SLEEP_DELAY, SLEEP_DELAY, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SETTLE_TIME, SETTLE_TIME, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_TELEPORT_SPEED, TELEPORT_SPEED, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_WIND_SPEED, WIND_SPEED, Effect::WIND, "Wind" },
 	FieldParam{ PARAM_WIND_DIRECTION, WIND_DIRECTION, Effect::WIND, "Wind" },
 	FieldParam{ PARAM_GUST_SIZE, GUST_SIZE, Effect::WIND, "Wind" },

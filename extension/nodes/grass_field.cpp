@@ -128,9 +128,10 @@ void GrassField::physics_tick(double p_delta) {
 	const double height = _standing.setup.blade_length();
 	const Vector3 half(real_t(0.5 * _standing.setup.grid.get_size_x() + height), real_t(height + ground_reach()),
 			real_t(0.5 * _standing.setup.grid.get_size_z() + height));
-	_tracker.set_box(transform, half);
-	_tracker.collect(transform, p_delta, _colliders);
-	_node_colliders.collect(transform, _colliders);
+	const MotionTick tick{ .delta = p_delta, .teleport_speed = param(PARAM_TELEPORT_SPEED) };
+	_tracker.set_box(transform, half, p_delta);
+	_tracker.collect(transform, tick, _colliders);
+	_node_colliders.collect(transform, tick, _colliders);
 	_gather_ms = clock.lap();
 	_tiles.report_energy(_backend->read_energy());
 	_tiles.stir(_backend->is_complete() ? _regrown : all_tiles());

@@ -16,11 +16,24 @@ namespace {
 
 // Of an ordinary body's friction, as the tracker takes it.
 constexpr double FRICTION = 0.5;
-// A node that covers more in one tick was put there: the grass between is not swept. Metres. Smaller: what is fast misses
-// grass. Larger: a teleport mows.
-constexpr double TELEPORT_DISTANCE = 4.0;
 
 } // namespace
+
+// A node has no velocity: only its motion tells.
+void NodeColliders::judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
+	const Eigen::Vector3d nobody_knows = Eigen::Vector3d::Zero(), before = r_entry.before.translation(), now = p_now.translation();
+	if (!r_entry.has_before) {
+		r_entry.motion.start(now, nobody_knows, nobody_knows, p_tick);
+		r_entry.before = p_now;
+		r_entry.has_before = true;
+		return;
+	}
+	const Eigen::Vector3d from = r_entry.motion.follow(before, now, nobody_knows, p_tick);
+	if (from == now && from != before) { // put there
+		r_entry.before.linear() = p_now.linear();
+	}
+	r_entry.before.translation() = from;
+}
 
 bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape) {
 	Entry entry;
@@ -39,7 +52,7 @@ void NodeColliders::remove(const Node3D *p_node) {
 			std::remove_if(_entries.begin(), _entries.end(), [id](const Entry &p_entry) { return p_entry.node_id == id; }), _entries.end());
 }
 
-void NodeColliders::collect(const Transform3D &p_field, std::vector<ColliderShape> &r_colliders) {
+void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
 	if (_entries.empty()) {
 		return;
 	}
@@ -58,10 +71,7 @@ void NodeColliders::collect(const Transform3D &p_field, std::vector<ColliderShap
 			continue;
 		}
 		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.tracked.offset;
-		if (!entry.has_before || (now.translation() - entry.before.translation()).norm() > TELEPORT_DISTANCE) {
-			entry.before = now;
-			entry.has_before = true;
-		}
+		judge_motion(entry, now, p_tick);
 		ColliderShape collider = entry.tracked.shape;
 		scale_shape(collider, now.linear());
 		collider.friction = FRICTION;

@@ -15,7 +15,7 @@ public:
 	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void remove(const godot::Node3D *p_node); // with all its shapes
 	// Appends every shape, posed in the field's space. p_field: the field's transform (orthonormal).
-	void collect(const godot::Transform3D &p_field, std::vector<ColliderShape> &r_colliders);
+	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion(); // see BodyTracker
 	bool is_empty() const { return _entries.empty(); }
 
@@ -26,7 +26,10 @@ private:
 		TrackedShape tracked;
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // of the shape, in field space
 		bool has_before = false;
+		Motion motion;
 	};
+	static void judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, const MotionTick &p_tick);
+
 	std::vector<Entry> _entries; // in the order in which they came
 };
 

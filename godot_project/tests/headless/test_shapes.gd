@@ -215,6 +215,20 @@ func test_ground_shapes_bend_nothing_and_a_mesh_its_box() -> void:
 	assert_eq(await collider_count(field), 1)
 
 
+func test_a_height_map_that_moves_is_told_of() -> void:
+	var field := add_field()
+	var ground := StaticBody3D.new()
+	add_body(ground, HeightMapShape3D.new(), Vector3.ZERO)
+	var body := add_held_body(HeightMapShape3D.new(), Vector3(0, 0.3, 0))
+	body.name = "Barge"
+	await ticks(10) # while it stands nobody complains
+	expect_error("'Barge' moves and has a HeightMapShape3D")
+	for i in 10:
+		body.position.x += 0.05
+		await ticks(1)
+	assert_eq(field.get_awake_tile_count(), 0)
+
+
 func test_odd_sizes_do_no_harm() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0, 0.25, 0))
