@@ -72,3 +72,12 @@ func painting_from_a_script() -> void:
 	var stage := await ran()
 	assert_less(stage.field.height_at(Vector3(0, 0, 0)), 0.2, "cut, from one end to the other")
 	assert_greater(stage.field.height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
+
+
+func index_from_a_script() -> void:
+	var node := Node3D.new()
+	node.set_script(block_script())
+	add_child(node)
+	await seen()
+	assert_eq((node.get_child(0) as GrassField).size, Vector2(20, 20))
+	assert_greater((node.get_child(0) as GrassField).get_awake_tile_count(), 0, "the ball bends the grass")
