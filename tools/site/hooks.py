@@ -8,6 +8,7 @@ import re
 
 from latex2mathml.converter import convert
 
+BAR = re.compile(r"<mo[^>]*>(?:&#x0007C;|&#x02223;|\|)</mo>")  # of a length; alone it would be spaced as an operator
 EQUATION = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
 
 
@@ -40,6 +41,8 @@ def on_page_content(content, page, config, files):
 		display = match[2] == "["
 		source = re.sub(r"\\(mathbf|mathrm) (\w)", r"\\\1{\2}", html.unescape(match[3]))
 		made = convert(source, display="block" if display else "inline")
+		made = BAR.sub('<mo stretchy="false" lspace="0" rspace="0">|</mo>', made)
+		made = re.sub(r"<mo>(&#x0002B;|&#x02212;)</mo><mo>&#x0003D;</mo>", r"<mo>\1=</mo>", made)
 		return f'<div class="equation">{made}</div>' if display else made
 
 	# A table that is wider than the page scrolls by itself.
