@@ -79,9 +79,31 @@ def wrong_shell(block):
 	(programs / "godot").write_text(f'#!/bin/sh\nexec {shlex.quote(machine.godot())} "$@"\n')
 	(programs / "godot").chmod(0o755)
 	everything = {**os.environ, **settle.environment(), **engine.private_home(), "PATH": f"{programs}:{os.environ['PATH']}"}
-	command = ["sh", "-ec", block.text]
-	result = subprocess.run(command, cwd=EMPTY, env=everything, capture_output=True, text=True, timeout=SHELL_LIMIT)
+	try:
+		command = ["sh", "-ec", block.text]
+		result = subprocess.run(command, cwd=EMPTY, env=everything, capture_output=True, text=True, timeout=SHELL_LIMIT)
+	except subprocess.TimeoutExpired:
+		return f"still running after {SHELL_LIMIT} s"
 	return f"ended with code {result.returncode}: {(result.stdout + result.stderr)[-1500:]}" if result.returncode else ""
+
+
+def wrong_main_loop(block):
+	"""Runs a script that is a main loop of its own."""
+	path = snippets.MADE / f"{block.key}.gd"
+	path.write_text(snippets.script(block))
+	command, environment = engine.headless()
+	said = []
+	code = engine.run([*command, "--path", str(PROJECT), "--fixed-fps", "60", "--script", str(path)], environment, said.append, SHELL_LIMIT)
+	return f"ended with code {code}: {' | '.join(said[-10:])}" if code else ""
+
+
+def wrong_checks(blocks):
+	"""Checks, headers and skips of blocks that are not there any more."""
+	known = {block.key for block in blocks}
+	texts = [(PROJECT / "tests/docs" / name).read_text() for name in ("guides.gd", "classes.gd")]
+	checks = [name for text in texts for name in re.findall(r"^func (\w+)\(\) -> void:", text, re.MULTILINE)]
+	headers = [path.stem for path in PRELUDES.glob("*.h")]
+	return ", ".join(f"{key} is no block" for key in (*checks, *headers, *snippets.SKIPPED) if key not in known)
 
 
 def run(only):
@@ -94,14 +116,19 @@ def run(only):
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)
-	blocks = [block for block in snippets.find() if only in f"docs/{block.place} {block.key}"]
-	folder = snippets.write_scripts([block for block in blocks if block.language == "gdscript" and block.key not in snippets.SKIPPED])
+	blocks = snippets.find()
+	if only in (name := "docs/checks"):
+		noted(tally, name, wrong_checks(blocks))
+	blocks = [block for block in blocks if only in f"docs/{block.place} {block.key}"]
+	folder = snippets.write_scripts([block for block in blocks if snippets.needs_check(block)])
 	for block in blocks:
 		name = f"docs/{block.place} {block.key}"
 		if block.key in snippets.SKIPPED:
 			tally.skipped.append(f"{name}: {snippets.SKIPPED[block.key]}")
-		elif block.language == "gdscript":
+		elif snippets.needs_check(block):
 			in_godot.append(block)
+		elif block.language == "gdscript":
+			noted(tally, name, wrong_main_loop(block))
 		elif block.language in CHECKS:
 			noted(tally, name, CHECKS[block.language](block))
 		elif block.language != "text":

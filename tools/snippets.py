@@ -21,12 +21,14 @@ LANGUAGES = ("gdscript", "cpp", "sh", "text")
 
 # Blocks that are not run, by key, and why. Each is counted as a skip.
 SKIPPED = {
-	"ci_a_test": "a main loop of its own: the shell block above it on that page runs it",
 	"howto_on_a_machine_that_has_a_gpu_but_no_display_engine_or_compiler_2": "runs an export template on another machine",
 }
 
 MEMBER = re.compile(r"^(?:func|static|signal|class|class_name|extends|const|enum|@)", re.MULTILINE)
 STAGE = 'extends "res://tests/docs/stage.gd"'
+
+
+MAIN_LOOP = re.compile(r"^extends SceneTree$", re.MULTILINE)  # a script for --script, which says by its exit code how it went
 
 
 @dataclass
@@ -108,6 +110,10 @@ def script(block):
 	names = re.findall(r"^var (\w+)", text, re.MULTILINE)
 	kept = "".join(f'\tlocals["{name}"] = {name}\n' for name in names)
 	return header.ljust(len(header) + block.line - 3, "\n") + textwrap.indent(text, "\t") + kept
+
+
+def needs_check(block):
+	return block.language == "gdscript" and block.key not in SKIPPED and not MAIN_LOOP.search(block.text)
 
 
 def write_scripts(blocks):

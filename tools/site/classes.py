@@ -11,8 +11,20 @@ from tools.snippets import CLASSES
 GODOT = "https://docs.godotengine.org/en/stable/classes/class_"
 KINDS = {"members": "member", "methods": "method", "signals": "signal", "constants": "constant"}
 TITLES = {"members": "Properties", "methods": "Methods", "signals": "Signals", "constants": "Constants"}
+INDEX = """\
+# Class reference
+
+The same texts stand in the editor: press F1 and search for a class, or let the mouse rest on a property.
+
+| class | what it is |
+|---|---|
+"""
 GODOT_KINDS = {"member": "property", "method": "method", "signal": "signal", "constant": "constant"}
-TAG = re.compile(r"\[(codeblock|gdscript)\]\n(.*?)\s*\[/\1\]|\[code\](.*?)\[/code\]|\[(/?[bi])\]|\[url=(.*?)\](.*?)\[/url\]|\[(\w+)(?: ([\w.@]+))?\]", re.DOTALL)
+TAG = re.compile(
+	r"\[(codeblock|gdscript)\]\n(.*?)\s*\[/\1\]|\[code\](.*?)\[/code\]|\[(/?[bi])\]"
+	r"|\[url=(.*?)\](.*?)\[/url\]|\[(\w+)(?: ([\w.@]+))?\]",
+	re.DOTALL,
+)
 
 
 @dataclass
@@ -152,7 +164,8 @@ class Writer:
 	def page(self):
 		node, parts = self.made.node, [f"# {self.made.name}"]
 		told = self.told_in(None)
-		parts += [f"Inherits: {self.type_link(node.get('inherits'))}", self.text(node.find("brief_description")), self.text(node.find("description"))]
+		parts.append(f"Inherits: {self.type_link(node.get('inherits'))}")
+		parts += [self.text(node.find(part)) for part in ("brief_description", "description")]
 		parts.append(f"In the guides: {told}" if told else "")
 		for group, kind in KINDS.items():
 			entries = node.findall(f"{group}/{kind}")
@@ -170,5 +183,4 @@ def write(reference, told, folder):
 		writer = Writer(reference, told, made)
 		(folder / f"{name}.md").write_text(writer.page())
 		rows.append(f"| [{name}]({name}.md) | {writer.text(made.node.find('brief_description'))} |")
-	head = "# Class reference\n\nThe same texts stand in the editor: select a class or a property and press F1.\n\n| class | what it is |\n|---|---|\n"
-	(folder / "index.md").write_text(head + "\n".join(rows) + "\n")
+	(folder / "index.md").write_text(INDEX + "\n".join(rows) + "\n")
