@@ -16,6 +16,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass build    builds the extension for the project in godot_project/
   ./grass editor   opens that project in the engine's editor
   ./grass bench    runs the benchmarks, of the core and in the engine
+  ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
   ./grass clean    removes what was built (--all: also what was fetched)
 
@@ -42,7 +43,7 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, stress, headless, gpu, editor (default: all, in that order)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, stress, headless, docs, gpu, editor (default: all, in that order)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 
 	build = commands.add_parser("build", help="build the extension")
@@ -55,6 +56,8 @@ def parser():
 	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
 	bench.add_argument("--only", metavar="PART", help="only this one of those in the engine: draw, simulate, sleep, cpu, change, kernel; of paper: a table")
+
+	commands.add_parser("docs", help="make the site, out/site")
 
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")
@@ -90,6 +93,10 @@ def dispatch(options):
 		scenes.editor()
 	elif options.command == "build":
 		build.scons(*options.arguments)
+	elif options.command == "docs":
+		from tools.site import build as site  # beside the rest it needs Python 3.11
+
+		site.make()
 	elif options.command == "export":
 		export.export(options.out, options.debug)
 	elif options.command == "clean":

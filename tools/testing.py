@@ -12,7 +12,7 @@ from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
-LAYERS = (*PROGRAMS, "headless", "gpu", "editor")
+LAYERS = (*PROGRAMS, "headless", "docs", "gpu", "editor")
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
 PROGRAM_LIMIT = 900  # seconds
@@ -155,6 +155,12 @@ def gpu(only):
 	return tally
 
 
+def docs(only):
+	from tools import docs_tests  # it imports this module
+
+	return docs_tests.run(only)
+
+
 def copy_project():
 	"""The project once more, with the plugin that runs the tests in the editor."""
 	shutil.rmtree(EDITED, ignore_errors=True)
@@ -181,7 +187,7 @@ def run(layers=LAYERS, only=""):
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu, "editor": editor}[layer](only)
+		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "docs": docs, "gpu": gpu, "editor": editor}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

@@ -22,7 +22,7 @@ class Listener extends Logger:
 			traces: Array[ScriptBacktrace]) -> void:
 		var where := "%s:%d in %s" % [file, line, function]
 		for trace in traces:
-			if trace.get_frame_count() > 0:
+			if trace.get_frame_count() > 0 and not file.ends_with(".gd"): # an error in a script says where itself
 				where = "%s:%d" % [trace.get_frame_file(0), trace.get_frame_line(0)]
 				break
 		_mutex.lock()

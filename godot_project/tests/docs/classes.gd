@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+## What the code blocks of the class reference must do. A function is named after the class and the member of its block.
+extends "res://tests/docs/snippet_case.gd"
+
+const MAP := "res://meadow.grassmap"
+const RULE := "res://steppe.tres"
+const HERE := Vector3.ZERO
+
+
+func grass_brush() -> void:
+	var stage := await ran()
+	assert_near(stage.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO), 0.04, 0.006, "metres")
+
+
+func grass_exclusion3d() -> void:
+	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
+	await frames(30)
+	assert_eq(stage.field.density_at(HERE), 0.0, "in the clearing")
+	assert_greater(stage.field.density_at(Vector3(7, 0, 7)), 0.5, "outside of it")
+
+
+func grass_fill_rule() -> void:
+	var tree := Node3D.new()
+	tree.add_to_group("trees")
+	add_child(tree)
+	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").map.base_density = 0.0)
+	await frames(20)
+	assert_eq(stage.field.density_at(HERE), 0.0, "around the tree")
+	var covered := 0
+	for x in range(-7, 8):
+		covered += int(stage.field.density_at(Vector3(x, 0, 4)) > 0.5)
+	assert_greater(covered, 4, "of 15 places")
+
+
+func grass_map() -> void:
+	assert_false(FileAccess.file_exists(MAP))
+	await ran()
+	var saved := ResourceLoader.load(MAP, "", ResourceLoader.CACHE_MODE_IGNORE) as GrassMap
+	DirAccess.remove_absolute(MAP)
+	assert_greater(saved.sample(GrassMap.CHANNEL_DENSITY, Vector2.ZERO), 0.0, "what was painted is in the file")
+
+
+func grass_map_set_ground() -> void:
+	var stage := await ran()
+	var highest := 0.0
+	for x in range(-7, 8):
+		highest = maxf(highest, stage.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, 0)))
+	assert_greater(highest, 0.1, "metres")
+	assert_less(highest, 1.01)
+
+
+func grass_species() -> void:
+	var stage := await ran()
+	stage.remove_child(stage.field) # a field that enters the tree has all its grass at once
+	stage.add_child(stage.field)
+	await seen()
+	var kinds := {}
+	for blade in BLADES:
+		kinds[stage.field.get_blade_species(stage.field.get_tile_at(Vector3(0, 0, 3)), blade)] = true
+	assert_eq(stage.field.species.size(), 2)
+	assert_eq(kinds.keys(), [1], "sorrel alone along the ditch")
+
+
+func grass_field_bake_ground() -> void:
+	var stage := await staged()
+	add_body(StaticBody3D.new(), BoxShape3D.new(), Vector3(2, 0, 2))
+	await ticks(2)
+	stage.call("_on_crater_made", Vector3(2, 0, 2))
+	assert_near(stage.field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(2, 2)), 0.5, 0.02, "metres")
+
+
+func grass_field_bake_ground_from() -> void:
+	var stage := await ran()
+	assert_near(stage.field.map.sample(GrassMap.CHANNEL_GROUND, Vector2.ZERO), 1.0, 0.01, "metres")
+
+
+func grass_field_bend_at() -> void:
+	var stage := await staged()
+	stage.call("run")
+	assert_eq(stage.looked_along, Vector3.ZERO, "nothing is there")
+	await press(stage, Vector3(0.3, 0, 0))
+	await ticks(60)
+	stage.enemy.position = Vector3(0.2, 0, 0)
+	stage.call("run")
+	assert_ne(stage.looked_along, Vector3.ZERO, "something lies in the grass there")
+
+
+func grass_field_cut() -> void:
+	var stage := await staged()
+	assert_greater(stage.hay, 0.01, "m³")
+	assert_less(stage.field.height_at(HERE), 0.15, "metres")
+
+
+func grass_field_density_at() -> void:
+	var stage := await ran()
+	assert_near(stage.locals.speed, 3.0, 1e-6, "in full grass")
+	stage.field.paint(brush(GrassBrush.TOOL_ERASE, 2.0), HERE, HERE)
+	stage.call("run")
+	assert_near(stage.locals.speed, 5.0, 1e-6, "in a clearing")
+
+
+func grass_field_fill() -> void:
+	var rule := GrassFillRule.new()
+	rule.density = 0.25
+	ResourceSaver.save(rule, RULE)
+	var stage := await ran()
+	DirAccess.remove_absolute(RULE)
+	assert_eq(stage.field.density_at(HERE), 1.0, "undone")
+
+
+func grass_field_get_mown_share() -> void:
+	var stage := await ran()
+	assert_eq(stage.get_node("Label").text, "0 % mown")
+	var box := stage.get_node("Lawn") as CollisionShape3D
+	stage.field.cut(box.shape, Transform3D(Basis(), Vector3(0, 2.1, 0)))
+	stage.call("run")
+	assert_ne(stage.get_node("Label").text, "0 % mown")
+
+
+func grass_field_height_at() -> void:
+	var stage := await ran()
+	assert_true(stage.locals.is_hidden, "crouching in a meadow of the default patch")
+	stage.field.paint(brush(GrassBrush.TOOL_CUT, 2.0, {cut_height = 0.1}), HERE, HERE)
+	stage.call("run")
+	assert_false(stage.locals.is_hidden, "on a lawn")
+
+
+func grass_field_is_grass_at() -> void:
+	var stage := await staged()
+	stage.field.paint(brush(GrassBrush.TOOL_ERASE, 2.0), HERE, HERE)
+	stage.call("run")
+	assert_false(stage.get_node("Rustle").playing, "in a clearing")
+	stage.foot.position = Vector3(5, 0, 5)
+	stage.call("run")
+	assert_true(stage.get_node("Rustle").playing, "in grass")
+
+
+func grass_field_paint() -> void:
+	var stage := await ran()
+	assert_less(stage.field.map.sample(GrassMap.CHANNEL_TINT, Vector2.ZERO), 0.5)
+
+
+func grass_field_register_collider() -> void:
+	var entered := []
+	var stage := await ran(func(made: Stage) -> void:
+		made.get_node("GrassField").body_entered_grass.connect(entered.append)
+		made.player.position.y = 50.0)
+	await seen()
+	assert_eq(entered, [stage.get_node("Skeleton3D/LeftFoot")])
+
+
+func grass_field_regrow() -> void:
+	var stage := await staged(func(made: Stage) -> void:
+		made.get_node("GrassField").map.stroke(full_cut(), Vector2.ZERO, Vector2.ZERO))
+	var before := stage.field.height_at(HERE)
+	stage.call("run")
+	assert_near(stage.field.height_at(HERE) - before, 0.05, 0.011, "metres")
+
+
+func grass_field_trample() -> void:
+	var stage := await staged()
+	for step in 60:
+		stage.call("_on_footstep")
+	assert_greater(stage.field.map.sample(GrassMap.CHANNEL_WEAR, Vector2.ZERO), 0.2)
+
+
+func grass_field_body_entered_grass() -> void:
+	var stage := await staged()
+	var rustle := AudioStreamPlayer3D.new()
+	rustle.name = "Rustle"
+	rustle.stream = AudioStreamGenerator.new()
+	stage.player.add_child(rustle)
+	stage.player.position = Vector3(0, 30, 0)
+	await ticks(3)
+	stage.call("run")
+	stage.player.position = Vector3(0, 0.3, 0)
+	await seen()
+	assert_true(rustle.playing)
+
+
+func full_cut() -> GrassBrush:
+	return brush(GrassBrush.TOOL_CUT, 2.0, {cut_height = 0.1})

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+## What the code blocks of README.md and docs/ must do. A function is named after the page and the heading of its block.
+extends "res://tests/docs/snippet_case.gd"
+
+
+func readme_grass_in_your_own_project_in_a_minute() -> void:
+	var stage := await ran()
+	assert_eq(stage.locals.tile, stage.field.get_tile_at(stage.player.global_position))
+	assert_true(stage.field.is_tile_awake(stage.locals.tile), "the player bends the grass")
+
+
+func game_a_mower() -> void:
+	var field := add_field({map = full_map()})
+	var mower := CharacterBody3D.new()
+	mower.set_script(block_script())
+	var deck := add_shape(mower, BoxShape3D.new(), Transform3D(Basis(), Vector3(0, 0.6, 0)))
+	deck.name = "Deck"
+	var bar := ProgressBar.new()
+	bar.name = "Progress"
+	mower.add_child(bar)
+	bar.owner = mower
+	bar.unique_name_in_owner = true
+	mower.set("field", field)
+	add_child(mower)
+	await ticks(2)
+	assert_greater(mower.get("hay"), 0.01, "m³")
+	assert_greater(bar.value, 1.0, "percent")
+
+
+func game_footsteps_paths_and_hiding() -> void:
+	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(0.25, 0.3, 0.25))
+	assert_near(stage.field.wear_recovery, 0.02, 1e-6)
+	await seen()
+	assert_true(stage.get_node("Rustle").playing, "the player has entered grass")
+	assert_true(stage.call("is_player_hidden"), "crouching in a meadow of the default patch")
+	stage.player.is_crouching = false
+	assert_false(stage.call("is_player_hidden"), "standing")
+	stage.player.is_crouching = true
+	for step in 60:
+		stage.call("_on_footstep", stage.player)
+	assert_false(stage.call("is_player_hidden"), "on a trodden path")
+	await press(stage, Vector3(4.25, 0, 4.25))
+	stage.enemy.position = Vector3(4.25, 0, 4.25)
+	await ticks(60)
+	assert_true(stage.call("sees_trail", stage.enemy), "where something lies in the grass")
+	stage.enemy.position = Vector3(-6, 0, -6)
+	assert_false(stage.call("sees_trail", stage.enemy), "where nobody was")
+
+
+func game_saving() -> void:
+	var cut_at := Vector3(0, 0, 0)
+	var before: Array[GrassMap] = []
+	var stage := await ran(func(made: Stage) -> void:
+		var field: GrassField = made.get_node("GrassField")
+		field.map.stroke(brush(GrassBrush.TOOL_ERASE, 2.0), Vector2(-1, 0), Vector2(1, 0))
+		before.append(field.map))
+	assert_ne(stage.field.map, before[0], "it is the map that was read")
+	assert_eq(stage.field.density_at(cut_at), 0.0, "what was erased is saved")
+	assert_eq(stage.field.map.data, before[0].data)
+	DirAccess.remove_absolute("user://save1.grassmap")
+
+
+func filling_once_or_live() -> void:
+	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").map.base_density = 0.0)
+	assert_eq(stage.field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1, 1)), 0.0, "undone")
+	var cover := stage.field.fill(stage.locals.rule) / 256.0
+	assert_greater(cover, 0.3, "share of the field that the rule fills")
+	assert_less(cover, 1.0)
+
+
+func painting_from_a_script() -> void:
+	var stage := await ran()
+	assert_less(stage.field.height_at(Vector3(0, 0, 0)), 0.2, "cut, from one end to the other")
+	assert_greater(stage.field.height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
+
+
+func index_from_a_script() -> void:
+	var node := Node3D.new()
+	node.set_script(block_script())
+	add_child(node)
+	await seen()
+	assert_eq((node.get_child(0) as GrassField).size, Vector2(20, 20))
+	assert_greater((node.get_child(0) as GrassField).get_awake_tile_count(), 0, "the ball bends the grass")
