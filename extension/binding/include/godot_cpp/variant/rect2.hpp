@@ -17,6 +17,10 @@ struct Rect2 {
 	Vector2 get_end() const { return position + size; }
 	bool has_area() const { return size.x > 0 && size.y > 0; }
 	Rect2 abs() const { return Rect2(position + size.min(Vector2()), size.abs()); }
+	Rect2 merge(const Rect2 &p_other) const {
+		const Vector2 low = position.min(p_other.position);
+		return Rect2(low, get_end().max(p_other.get_end()) - low);
+	}
 	bool is_finite() const { return position.is_finite() && size.is_finite(); }
 	bool operator==(const Rect2 &p_other) const { return position == p_other.position && size == p_other.size; }
 	bool operator!=(const Rect2 &p_other) const { return !(*this == p_other); }

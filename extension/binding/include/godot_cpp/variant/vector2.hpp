@@ -42,6 +42,7 @@ struct Vector2 {
 	Vector2 abs() const { return Vector2(Math::abs(x), Math::abs(y)); }
 	Vector2 floor() const { return Vector2(std::floor(x), std::floor(y)); }
 	Vector2 min(const Vector2 &p_v) const { return Vector2(MIN(x, p_v.x), MIN(y, p_v.y)); }
+	Vector2 max(const Vector2 &p_v) const { return Vector2(MAX(x, p_v.x), MAX(y, p_v.y)); }
 	bool is_finite() const { return Math::is_finite(x) && Math::is_finite(y); }
 
 	operator Vector2i() const;
