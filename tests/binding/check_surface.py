@@ -15,7 +15,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import members
 
 # The binding's own machinery, all of it in godot::internal, and what names the types of others.
-INTERNAL = {"builtin_call", "class_hooks", "engine_class", "forward", "packed_array", "type_code", "variant_pointers", "virtual_bind", "wrapped"}
+INTERNAL = {
+	"builtin_call", "class_hooks", "engine_class", "forward", "packed_array", "type_code", "variant_pointers", "virtual_bind", "wrapped",
+}  # fmt: skip
 OWN_MACROS = {"ENGINE_CLASS", "ENGINE_CLASS_DEFINE"}
 
 

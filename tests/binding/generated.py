@@ -16,7 +16,8 @@ import members
 NUMBERS = {"int": "int64_t", "float": "double", "bool": "bool"}
 PLAIN = ("bool", "int", "float")
 # Types whose methods upstream writes by hand, or that are no classes.
-BY_HAND = {*PLAIN, "Nil", "RID", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3", "Vector3i", "Transform2D", "Vector4", "Vector4i", "Plane",
+BY_HAND = {*PLAIN, "Nil", "RID", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3", "Vector3i", "Transform2D",
+	"Vector4", "Vector4i", "Plane",
 	"Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color"}  # fmt: skip
 RENAMED = {("Node", "get_node"): "get_node_internal", ("", "typeof"): "type_of"}
 OPERATORS = {"==", "!=", "<", "<=", ">", ">=", "+"}  # of two values of a type
@@ -81,8 +82,8 @@ class Rules:
 	def call(self, owner, entry, prefix):
 		"""A template of any number of arguments, by a use of it."""
 		result = (entry.get("return_value") or {"type": entry.get("return_type", "void")})["type"]
-		given = ", ".join([f"a<std::remove_cvref_t<{self.parameter(argument)}>>()" for argument in entry.get("arguments", [])] + ["1", "String()"])
-		return f"CALL({owner}, {entry['name']}, {self.result(result)}, {prefix}{entry['name']}({given}))"
+		given = [f"a<std::remove_cvref_t<{self.parameter(argument)}>>()" for argument in entry.get("arguments", [])] + ["1", "String()"]
+		return f"CALL({owner}, {entry['name']}, {self.result(result)}, {prefix}{entry['name']}({', '.join(given)}))"
 
 	def function(self, owner, entry):
 		name = RENAMED.get((owner, entry["name"]), entry["name"])

@@ -87,7 +87,8 @@ def offered(text, owner="", access=None):
 		kind, name = scope(head)
 		if kind == "namespace":
 			if name not in ("internal", "godot::internal", "gdextension_interface"):
-				yield from offered(body, name if name not in ("godot", "") and "::" not in name else name.removeprefix("godot").removeprefix("::"), None)
+				inner = "" if name == "godot" else name.removeprefix("godot::")
+				yield from offered(body, inner, None)
 			continue
 		if access in ("private", "protected") or re.match(r"(friend|using namespace|static_assert|extern|_Pragma)\b", head) or not head:
 			continue
