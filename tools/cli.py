@@ -43,7 +43,7 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, stress, headless, docs, gpu, editor (default: all, in that order)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, headless, docs, gpu, editor (default: all, in that order)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 
 	build = commands.add_parser("build", help="build the extension")

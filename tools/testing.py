@@ -7,12 +7,12 @@ import shutil
 import subprocess
 from dataclasses import dataclass, field
 
-from tools import build, engine, machine
+from tools import binding_tests, build, engine, machine
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
-LAYERS = (*PROGRAMS, "headless", "docs", "gpu", "editor")
+LAYERS = ("binding", *PROGRAMS, "headless", "docs", "gpu", "editor")
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
 PROGRAM_LIMIT = 900  # seconds
@@ -142,6 +142,11 @@ def in_engine(
 	return reports.end(how)
 
 
+def binding(only):
+	passed, failed = binding_tests.run(only)
+	return Tally(len(passed), failed)
+
+
 def headless(only):
 	return in_engine("headless", *engine.headless(), only)
 
@@ -180,14 +185,15 @@ def run(layers=LAYERS, only=""):
 	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
 	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if {"gpu", "editor"} & set(layers) else []
 	machine.ensure(*machine.BUILDING, *on_screen)
-	targets = {layer: layer if layer in PROGRAMS else "extension" for layer in layers}
-	build.scons(*sorted(set(targets.values())))
+	targets = {layer: layer if layer in PROGRAMS else "extension" for layer in layers if layer != "binding"}
+	if targets:
+		build.scons(*sorted(set(targets.values())))
 	if "extension" in targets.values():
 		engine.import_project()
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "docs": docs, "gpu": gpu, "editor": editor}[layer](only)
+		tally = core(layer, only) if layer in PROGRAMS else {"binding": binding, "headless": headless, "docs": docs, "gpu": gpu, "editor": editor}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

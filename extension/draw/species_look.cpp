@@ -66,7 +66,8 @@ Cards make_cards(std::span<const SpeciesLook> p_looks) {
 	Cards cards;
 	TypedArray<Ref<Image>> images;
 	for (size_t s = 0; s < p_looks.size(); s++) {
-		const Ref<Image> &image = cards.images[s] = p_looks[s].card;
+		const Ref<Image> &image = p_looks[s].card;
+		cards.images[s] = image;
 		if (image.is_valid()) {
 			cards.colors[s] = mean_color(image);
 			cards.layers[s] = int(images.size());

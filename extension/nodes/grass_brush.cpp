@@ -14,13 +14,13 @@ GrassBrush::GrassBrush() {
 }
 
 void GrassBrush::set_tool(Tool p_tool) {
-	ERR_FAIL_INDEX_MSG(int(p_tool), int(MapTool::COUNT), "GrassBrush: no such tool. Use one of the TOOL_* constants.");
+	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), "GrassBrush: `tool` is one of the TOOL_* constants.");
 	_tool = p_tool;
 	emit_changed();
 }
 
 void GrassBrush::set_falloff(FalloffCurve p_falloff) {
-	ERR_FAIL_INDEX_MSG(int(p_falloff), 4, "GrassBrush: no such falloff. Use one of the FALLOFF_* constants.");
+	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, "GrassBrush: `falloff` is one of the FALLOFF_* constants.");
 	_falloff = p_falloff;
 	emit_changed();
 }
@@ -36,20 +36,20 @@ void GrassBrush::set_species(int64_t p_species) {
 }
 
 void GrassBrush::set_channel(int64_t p_channel) {
-	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), "GrassBrush: no such channel. Use one of GrassMap's CHANNEL_* constants.");
+	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), "GrassBrush: `channel` is one of GrassMap's CHANNEL_* constants.");
 	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, "GrassBrush: smooth the density: what hands painted follows.");
 	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends, "GrassBrush: species cannot be smoothed, they are numbers without a middle.");
 	_channel = p_channel;
 	emit_changed();
 }
 
-void GrassBrush::set_param(int p_param, double p_value) {
+void GrassBrush::set_param(int64_t p_param, double p_value) {
 	ERR_FAIL_INDEX(p_param, int(BRUSH_PARAM_COUNT));
 	_params[size_t(p_param)] = checked(BRUSH_PARAMS[size_t(p_param)], p_value, "GrassBrush");
 	emit_changed();
 }
 
-double GrassBrush::get_param(int p_param) const {
+double GrassBrush::get_param(int64_t p_param) const {
 	ERR_FAIL_INDEX_V(p_param, int(BRUSH_PARAM_COUNT), 0.0);
 	return _params[size_t(p_param)];
 }

@@ -13,7 +13,8 @@ class GrassBrush : public godot::Resource {
 	GDCLASS(GrassBrush, godot::Resource)
 
 public:
-	enum Tool {
+	// Enums that scripts set hold 64 bits, so that whatever a script says arrives as it is and is refused by its setter.
+	enum Tool : int64_t {
 		TOOL_PAINT = int(MapTool::PAINT),
 		TOOL_ERASE = int(MapTool::ERASE),
 		TOOL_SMOOTH = int(MapTool::SMOOTH),
@@ -27,7 +28,7 @@ public:
 		TOOL_REGROW = int(MapTool::REGROW),
 		TOOL_RECOVER = int(MapTool::RECOVER),
 	};
-	enum FalloffCurve {
+	enum FalloffCurve : int64_t {
 		FALLOFF_SMOOTH = int(Falloff::SMOOTH),
 		FALLOFF_LINEAR = int(Falloff::LINEAR),
 		FALLOFF_SPHERE = int(Falloff::SPHERE),
@@ -46,8 +47,8 @@ public:
 	int64_t get_species() const { return _species; }
 	void set_channel(int64_t p_channel); // GrassMap::Channel
 	int64_t get_channel() const { return _channel; }
-	void set_param(int p_param, double p_value);
-	double get_param(int p_param) const;
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
 
 	// For a stroke from one place to another (x, z in metres).
 	Brush get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;

@@ -35,19 +35,19 @@ class GrassField : public godot::GeometryInstance3D {
 	GDCLASS(GrassField, godot::GeometryInstance3D)
 
 public:
-	enum SolverMethod {
+	enum SolverMethod : int64_t {
 		METHOD_DIRECT = int(Method::DIRECT),
 		METHOD_PBD = int(Method::PBD),
 	};
-	enum SleepMode {
+	enum SleepMode : int64_t {
 		SLEEP_TIMER = int(grass::SleepMode::TIMER),
 		SLEEP_ENERGY = int(grass::SleepMode::ENERGY),
 	};
-	enum BackendMode {
+	enum BackendMode : int64_t {
 		BACKEND_AUTO, // GPU where the renderer has a RenderingDevice, else CPU
 		BACKEND_CPU,
 	};
-	enum DebugView {
+	enum DebugView : int64_t {
 		DEBUG_VIEW_OFF = GRASS_DEBUG_OFF,
 		DEBUG_VIEW_AWAKE_TILES = GRASS_DEBUG_AWAKE,
 		DEBUG_VIEW_LOD = GRASS_DEBUG_LOD,
@@ -91,10 +91,10 @@ public:
 	void set_measure_time(bool p_measure);
 	bool is_measuring_time() const { return _measure_time; }
 	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
-	void set_param(int p_param, double p_value);
-	double get_param(int p_param) const;
-	void set_color(int p_index, const godot::Color &p_color);
-	godot::Color get_color(int p_index) const;
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
+	void set_color(int64_t p_index, const godot::Color &p_color);
+	godot::Color get_color(int64_t p_index) const;
 
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;

@@ -82,7 +82,7 @@ void GrassField::set_simulated(bool p_simulated) {
 
 void GrassField::set_backend(BackendMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
 	if (_backend_mode != p_mode) {
 		_backend_mode = p_mode;
 		_backend.reset();
@@ -93,7 +93,7 @@ void GrassField::set_backend(BackendMode p_mode) {
 
 void GrassField::set_method(SolverMethod p_method) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	_solver_method = p_method;
 	if (_backend) {
 		choose_method();
@@ -103,7 +103,7 @@ void GrassField::set_method(SolverMethod p_method) {
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
 	_sleep_mode = p_mode;
 	update_tiles();
 }
@@ -123,7 +123,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
 	_debug_view = p_view;
 	set_uniform("debug_view", int64_t(p_view));
 }
@@ -136,7 +136,7 @@ void GrassField::set_measure_time(bool p_measure) {
 	}
 }
 
-void GrassField::set_param(int p_param, double p_value) {
+void GrassField::set_param(int64_t p_param, double p_value) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_param, int(FIELD_PARAMS.size()));
 	const FieldParam &info = FIELD_PARAMS[size_t(p_param)];
@@ -167,19 +167,19 @@ void GrassField::update_tiles() {
 	}
 }
 
-double GrassField::get_param(int p_param) const {
+double GrassField::get_param(int64_t p_param) const {
 	ERR_FAIL_INDEX_V(p_param, int(FIELD_PARAMS.size()), 0.0);
 	return _params[size_t(p_param)];
 }
 
-void GrassField::set_color(int p_index, const Color &p_color) {
+void GrassField::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
 	_colors[size_t(p_index)] = p_color;
 	set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
 }
 
-Color GrassField::get_color(int p_index) const {
+Color GrassField::get_color(int64_t p_index) const {
 	ERR_FAIL_INDEX_V(p_index, int(FIELD_COLORS.size()), Color());
 	return _colors[size_t(p_index)];
 }

@@ -22,14 +22,14 @@ void GrassFillRule::set_seed(int64_t p_seed) {
 	emit_changed();
 }
 
-void GrassFillRule::set_param(int p_param, double p_value) {
+void GrassFillRule::set_param(int64_t p_param, double p_value) {
 	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
 	_rule.params[size_t(p_param)] = checked(FILL_PARAMS[size_t(p_param)], p_value, "GrassFillRule");
 	emit_changed();
 }
 
-double GrassFillRule::get_param(int p_param) const {
+double GrassFillRule::get_param(int64_t p_param) const {
 	ERR_FAIL_INDEX_V(p_param, int(FILL_PARAM_COUNT), 0.0);
 	return _rule.params[size_t(p_param)];
 }
@@ -54,7 +54,7 @@ void GrassFillRule::_mask_changed() {
 
 void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
 	GRASS_CHANGE_GUARD("GrassFillRule");
-	ERR_FAIL_INDEX_MSG(int(p_channel), 4, "GrassFillRule: `mask_channel` is one of the MASK_* constants.");
+	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, "GrassFillRule: `mask_channel` is one of the MASK_* constants.");
 	_mask_channel = p_channel;
 	_mask_changed();
 }
@@ -72,14 +72,14 @@ void GrassFillRule::set_mask_region(const Rect2 &p_region) {
 	emit_changed();
 }
 
-void GrassFillRule::set_group(int p_group, const StringName &p_name) {
+void GrassFillRule::set_group(int64_t p_group, const StringName &p_name) {
 	GRASS_CHANGE_GUARD("GrassFillRule");
 	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
 	_groups[size_t(p_group)] = p_name;
 	emit_changed();
 }
 
-StringName GrassFillRule::get_group(int p_group) const {
+StringName GrassFillRule::get_group(int64_t p_group) const {
 	ERR_FAIL_INDEX_V(p_group, int(GROUP_COUNT), StringName());
 	return _groups[size_t(p_group)];
 }

@@ -16,15 +16,15 @@ class GrassFillRule : public godot::Resource {
 	GDCLASS(GrassFillRule, godot::Resource)
 
 public:
-	enum MaskChannel { MASK_RED, MASK_GREEN, MASK_BLUE, MASK_ALPHA };
+	enum MaskChannel : int64_t { MASK_RED, MASK_GREEN, MASK_BLUE, MASK_ALPHA };
 	enum Group { GROUP_MASK, GROUP_DISTANCE, GROUP_EXCLUSION, GROUP_COUNT };
 
 	GrassFillRule();
 
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return int64_t(_rule.seed); }
-	void set_param(int p_param, double p_value);
-	double get_param(int p_param) const;
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
 	void set_mask(const godot::Ref<godot::Texture2D> &p_mask);
 	godot::Ref<godot::Texture2D> get_mask() const { return _mask; }
 	void set_mask_channel(MaskChannel p_channel);
@@ -33,8 +33,8 @@ public:
 	bool is_mask_inverted() const { return _rule.inverts_mask; }
 	void set_mask_region(const godot::Rect2 &p_region); // x, z in metres; empty: all that is filled
 	godot::Rect2 get_mask_region() const { return _mask_region; }
-	void set_group(int p_group, const godot::StringName &p_name);
-	godot::StringName get_group(int p_group) const;
+	void set_group(int64_t p_group, const godot::StringName &p_name);
+	godot::StringName get_group(int64_t p_group) const;
 
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height(); }
 	// p_region: what is filled.

@@ -137,7 +137,7 @@ double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, c
 }
 
 double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_component) const {
-	ERR_FAIL_INDEX_V_MSG(int(p_channel), int(MAP_CHANNELS), 0.0, "GrassMap: no such channel. Use one of the CHANNEL_* constants.");
+	ERR_FAIL_INDEX_V_MSG(int64_t(p_channel), int(MAP_CHANNELS), 0.0, "GrassMap: no such channel. Use one of the CHANNEL_* constants.");
 	ERR_FAIL_INDEX_V_MSG(
 			p_component, int64_t(info_of(MapChannel(p_channel)).components), 0.0, "GrassMap: the channel has fewer components.");
 	return _map.sample(MapChannel(p_channel), int(p_component), to_eigen(p_place));

@@ -30,7 +30,7 @@ class GrassMap : public godot::Resource {
 	GDCLASS(GrassMap, godot::Resource)
 
 public:
-	enum Channel {
+	enum Channel : int64_t {
 		CHANNEL_DENSITY = MAP_DENSITY,
 		CHANNEL_HEIGHT = MAP_HEIGHT,
 		CHANNEL_SPECIES = MAP_SPECIES,

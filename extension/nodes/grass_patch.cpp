@@ -52,13 +52,13 @@ void GrassPatch::set_seed(int64_t p_seed) {
 
 void GrassPatch::set_param(Param p_param, double p_value) {
 	GRASS_CHANGE_GUARD("GrassPatch");
-	ERR_FAIL_INDEX_MSG(int(p_param), int(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
+	ERR_FAIL_INDEX_MSG(int64_t(p_param), int64_t(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
 	value_of(_params, p_param) = checked(tunable_of(p_param), p_value, "GrassPatch");
 	forget();
 }
 
 double GrassPatch::get_param(Param p_param) const {
-	ERR_FAIL_INDEX_V_MSG(int(p_param), int(PARAM_MAX), 0.0, "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
+	ERR_FAIL_INDEX_V_MSG(int64_t(p_param), int64_t(PARAM_MAX), 0.0, "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
 	return value_of(const_cast<PatchParams &>(_params), p_param);
 }
 

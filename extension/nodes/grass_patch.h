@@ -14,7 +14,7 @@ class GrassPatch : public godot::Resource {
 	GDCLASS(GrassPatch, godot::Resource)
 
 public:
-	enum Param {
+	enum Param : int64_t {
 		PARAM_LENGTH_MIN,
 		PARAM_LENGTH_MAX,
 		PARAM_WIDTH_MIN,

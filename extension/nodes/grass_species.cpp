@@ -60,26 +60,26 @@ double GrassSpecies::get_card_size() const {
 			: 0.0;
 }
 
-void GrassSpecies::set_param(int p_param, double p_value) {
+void GrassSpecies::set_param(int64_t p_param, double p_value) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
 	ERR_FAIL_INDEX(p_param, int(SPECIES_PARAM_COUNT));
 	_params[size_t(p_param)] = checked(SPECIES_PARAMS[size_t(p_param)], p_value, "GrassSpecies");
 	emit_changed();
 }
 
-double GrassSpecies::get_param(int p_param) const {
+double GrassSpecies::get_param(int64_t p_param) const {
 	ERR_FAIL_INDEX_V(p_param, int(SPECIES_PARAM_COUNT), 0.0);
 	return _params[size_t(p_param)];
 }
 
-void GrassSpecies::set_color(int p_index, const Color &p_color) {
+void GrassSpecies::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
 	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
 	_colors[size_t(p_index)] = p_color;
 	emit_changed();
 }
 
-Color GrassSpecies::get_color(int p_index) const {
+Color GrassSpecies::get_color(int64_t p_index) const {
 	ERR_FAIL_INDEX_V(p_index, int(SPECIES_COLOR_COUNT), Color());
 	return _colors[size_t(p_index)];
 }

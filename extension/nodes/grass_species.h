@@ -25,10 +25,10 @@ public:
 	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
 	godot::Ref<godot::Texture2D> get_card() const { return _card; }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
-	void set_param(int p_param, double p_value);
-	double get_param(int p_param) const;
-	void set_color(int p_index, const godot::Color &p_color);
-	godot::Color get_color(int p_index) const;
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
+	void set_color(int64_t p_index, const godot::Color &p_color);
+	godot::Color get_color(int64_t p_index) const;
 
 	std::shared_ptr<const Patch> find_patch() const;
 	bool prepare_patch() const; // whether find_patch() has it at once. If not, it is being made from now on

@@ -106,8 +106,6 @@ class Api:
 			return self.enum(text)
 		if text.startswith("typedarray::"):
 			return self.typed_array(text[len("typedarray::"):])
-		if text.startswith("typeddictionary::"):
-			return Type("Dictionary", "builtin", "const Dictionary &")
 		return self.object(text)
 
 	def enum(self, text):
@@ -132,10 +130,6 @@ class Api:
 				return None
 			element_class = element
 			element = "Ref<%s>" % element if self.is_refcounted(element) else element
-		elif element == "int":
-			element = "int64_t"
-		elif element == "float":
-			element = "double"
 		name = "TypedArray<%s>" % element
 		return Type(name, "array", "const %s &" % name, None, element_class)
 

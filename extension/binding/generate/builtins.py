@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The builtin types: the methods and operators that the engine offers and the hand-written headers lack.
+"""The builtin types with storage of their own: the methods and operators that the hand-written headers lack.
 
 The hand-written header of a type includes `gen/<type>.inc` inside its class; that file declares the rest.
-The packed arrays differ only in their element, so their headers are written whole.
+The packed arrays differ only in their element, so their headers are written whole. Types that are plain numbers
+get nothing: upstream writes those by hand, with other types than the dump says.
 """
 
 import os
@@ -21,6 +22,11 @@ ELEMENTS = {
 	"PackedVector2Array": "Vector2", "PackedVector3Array": "Vector3", "PackedColorArray": "Color",
 	"PackedVector4Array": "Vector4",
 }
+
+
+# Global functions that upstream leaves out, and those that it calls otherwise.
+NOT_UPSTREAM = {"is_instance_valid"}
+RENAMED = {"typeof": "type_of"}
 
 
 def type_code(name):
@@ -58,6 +64,9 @@ def method(api, name, entry):
 	return declaration, definition(head, [lookup] + body)
 
 
+PRIVATE = "\nprivate:\n\t%s;\n\npublic:\n\t"  # what a template of the same name calls
+
+
 def pass_on(name, fixed):
 	"""The end of a vararg template: hands the array `values` to the function that takes pointers."""
 	count = "sizeof...(Arguments) + %d" % fixed if fixed else "sizeof...(Arguments)"
@@ -70,7 +79,7 @@ def vararg_method(function, name, place, tail):
 	given = "".join("Variant(%s), " % argument for _, argument, _ in function.arguments)
 	head = "%s%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), function.name, tail)
 	# For the same reason what the template says of Variant must depend on its arguments.
-	declaration = head + ";\n\ttemplate <typename... Arguments>\n\tauto %s(%sconst Arguments &...p_arguments)%s {\n" % (function.name, first, tail)
+	declaration = PRIVATE % head + "template <typename... Arguments>\n\tauto %s(%sconst Arguments &...p_arguments)%s {\n" % (function.name, first, tail)
 	declaration += "\t\tusing Value = typename internal::Later<Variant, Arguments...>::Type;\n"
 	declaration += "\t\tconst Value values[] = { %sValue(p_arguments)..., Value() };\n" % given.replace("Variant(", "Value(")
 	declaration += pass_on(function.name, len(function.arguments))
@@ -134,7 +143,7 @@ def packed_header(name, declarations):
 def write_builtins(output, api, core):
 	"""Writes gen/*.inc, the packed arrays' headers, builtin_types.hpp and builtins.cpp."""
 	source = [HEADER + "#include <godot_cpp/core/object.hpp>\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n"]
-	for name in OPAQUE + PLAIN:
+	for name in OPAQUE:
 		entry = api.builtins[name]
 		skip = hand_written(core, name)
 		pairs = [method(api, name, item) for item in entry.get("methods", []) if item["name"] not in skip]
@@ -163,16 +172,18 @@ def write_utility_functions(output, api):
 	declarations, source = [], []
 	for entry in api.dump["utility_functions"]:
 		function = Function(api, entry)
-		if not function.known():
+		if not function.known() or function.name in NOT_UPSTREAM:
 			continue
 		lookup = "static constinit internal::UtilityFunction function{ \"%s\", %d };" % (function.name, function.hash)
-		plain = guard(function.name)
+		plain = guard(RENAMED.get(function.name, function.name))
 		if function.vararg:
 			head = "%s%s_variants(const Variant *const *p_arguments, int p_count)" % (function.result_text(), plain)
-			declaration = "static %s;\n\ttemplate <typename... Arguments>\n\tstatic %s%s(const Arguments &...p_arguments) {\n" % (
-				head, function.result_text(), plain)
-			declaration += "\t\tconst Variant values[] = { Variant(p_arguments)..., Variant() };\n"
-			declarations.append(declaration + pass_on(plain, 0))
+			first = "".join(kind.declare(argument) + ", " for kind, argument, _ in function.arguments)
+			declaration = PRIVATE % ("static " + head) + "template <typename... Arguments>\n\tstatic %s%s(%sconst Arguments &...p_arguments) {\n" % (
+				function.result_text(), plain, first)
+			given = "".join(argument + ", " for _, argument, _ in function.arguments)
+			declaration += "\t\tconst Variant values[] = { %sVariant(p_arguments)..., Variant() };\n" % given
+			declarations.append(declaration + pass_on(plain, len(function.arguments)))
 			call = "function.call(reinterpret_cast<const GDExtensionConstTypePtr *>(p_arguments), %s, p_count);"
 			declare, give = function.returned() if function.result else (None, None)
 			body = [lookup, declare, call % "&result", give] if function.result else [lookup, call % "nullptr"]

@@ -2,7 +2,7 @@
 """The engine's classes: one header each, and a few sources with all their methods."""
 
 from generate.api import snake
-from generate.builtins import pass_on
+from generate.builtins import PRIVATE, pass_on
 from generate.calls import Function, definition
 from generate.interface import HEADER
 
@@ -115,8 +115,8 @@ class EngineClass:
 		first = "".join(kind.declare(name) + ", " for kind, name, _ in function.arguments)
 		given = "".join("Variant(%s), " % name for _, name, _ in function.arguments)
 		count = len(function.arguments)
-		text = "%s%s_variants(const Variant *const *p_arguments, int p_count)%s;\n" % (function.result_text(), function.name, tail)
-		text += "\ttemplate <typename... Arguments>\n\t%s%s(%sconst Arguments &...p_arguments)%s {\n" % (function.result_text(), function.name, first, tail)
+		text = PRIVATE % ("%s%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), function.name, tail))
+		text += "template <typename... Arguments>\n\t%s%s(%sconst Arguments &...p_arguments)%s {\n" % (function.result_text(), function.name, first, tail)
 		text += "\t\tconst Variant values[] = { %sVariant(p_arguments)..., Variant() };\n" % given
 		return text + pass_on(function.name, count)
 

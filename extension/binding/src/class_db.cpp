@@ -20,7 +20,7 @@ struct ClassRecord {
 	StringName name;
 	ClassRecord *parent = nullptr; // null where the base is the engine's
 	GDExtensionInitializationLevel level;
-	std::unordered_map<StringName, std::unique_ptr<MethodBind>, internal::StringNameHash> methods;
+	std::unordered_map<StringName, std::unique_ptr<internal::MethodBind>, internal::StringNameHash> methods;
 	std::unordered_map<StringName, VirtualMethod, internal::StringNameHash> virtuals;
 };
 
@@ -51,15 +51,15 @@ GDExtensionClassCallVirtual find_virtual(void *p_class, GDExtensionConstStringNa
 void call_method(void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstVariantPtr *p_arguments,
 		GDExtensionInt p_count, GDExtensionVariantPtr r_result, GDExtensionCallError *r_error) {
 	const Variant *const *arguments = reinterpret_cast<const Variant *const *>(p_arguments);
-	static_cast<MethodBind *>(p_bind)->call(p_instance, arguments, p_count, *static_cast<Variant *>(r_result), *r_error);
+	static_cast<internal::MethodBind *>(p_bind)->call(p_instance, arguments, p_count, *static_cast<Variant *>(r_result), *r_error);
 }
 
 void call_method_pointers(
 		void *p_bind, GDExtensionClassInstancePtr p_instance, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result) {
-	static_cast<MethodBind *>(p_bind)->call_pointers(p_instance, p_arguments, r_result);
+	static_cast<internal::MethodBind *>(p_bind)->call_pointers(p_instance, p_arguments, r_result);
 }
 
-void tell_engine(const MethodBind &p_method) {
+void tell_engine(const internal::MethodBind &p_method) {
 	std::vector<GDExtensionPropertyInfo> arguments;
 	for (const PropertyInfo &info : p_method.arguments) {
 		arguments.push_back(info._to_gdextension());
@@ -72,7 +72,7 @@ void tell_engine(const MethodBind &p_method) {
 	GDExtensionPropertyInfo result = p_method.result._to_gdextension();
 	GDExtensionClassMethodInfo info = {};
 	info.name = p_method.name._native_ptr();
-	info.method_userdata = const_cast<MethodBind *>(&p_method);
+	info.method_userdata = const_cast<internal::MethodBind *>(&p_method);
 	info.call_func = &call_method;
 	info.ptrcall_func = &call_method_pointers;
 	info.method_flags = p_method.flags;
@@ -85,6 +85,16 @@ void tell_engine(const MethodBind &p_method) {
 	info.default_argument_count = static_cast<uint32_t>(defaults.size());
 	info.default_arguments = defaults.data();
 	engine::classdb_register_extension_class_method(engine::library, p_method.class_name._native_ptr(), &info);
+}
+
+internal::MethodBind *get_method(const StringName &p_class, const StringName &p_method) {
+	for (ClassRecord *record = find_class(p_class); record; record = record->parent) {
+		auto found = record->methods.find(p_method);
+		if (found != record->methods.end()) {
+			return found->second.get();
+		}
+	}
+	return nullptr;
 }
 
 } // namespace
@@ -101,35 +111,24 @@ void ClassDB::add_class(const StringName &p_name, const StringName &p_parent, GD
 	engine::classdb_register_extension_class5(engine::library, p_name._native_ptr(), p_parent._native_ptr(), &p_info);
 }
 
-MethodBind *ClassDB::add_method(
-		const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
-	std::unique_ptr<MethodBind> method(p_method);
+void ClassDB::add_method(
+		const StringName &p_class, internal::MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults) {
+	std::unique_ptr<internal::MethodBind> method(p_method);
 	ClassRecord *record = find_class(p_class);
-	ERR_FAIL_NULL_V_MSG(record, nullptr, vformat("Method '%s' is bound to '%s', which is not registered.", p_definition.name, p_class));
-	ERR_FAIL_COND_V_MSG(
-			record->methods.count(p_definition.name), nullptr, vformat("Method '%s::%s' is bound twice.", p_class, p_definition.name));
-	const size_t most = MAX(p_definition.arguments.size(), p_defaults.size());
-	ERR_FAIL_COND_V_MSG(most > method->arguments.size(), nullptr,
+	ERR_FAIL_COND_MSG(!record, vformat("Method '%s' is bound to '%s', which is not registered.", p_definition.name, p_class));
+	ERR_FAIL_COND_MSG(record->methods.count(p_definition.name), vformat("Method '%s::%s' is bound twice.", p_class, p_definition.name));
+	const size_t most = MAX(p_definition._arguments.size(), p_defaults.size());
+	ERR_FAIL_COND_MSG(most > method->arguments.size(),
 			vformat("Method '%s::%s' is bound with more argument names or defaults than it has arguments.", p_class, p_definition.name));
 	method->name = p_definition.name;
 	method->class_name = p_class;
 	method->defaults = std::move(p_defaults);
 	for (size_t i = 0; i < method->arguments.size(); i++) {
 		method->arguments[i].name =
-				i < p_definition.arguments.size() ? p_definition.arguments[i] : StringName(vformat("arg%d", int64_t(i)));
+				i < p_definition._arguments.size() ? p_definition._arguments[i] : StringName(vformat("arg%d", int64_t(i)));
 	}
 	tell_engine(*method);
-	return (record->methods[p_definition.name] = std::move(method)).get();
-}
-
-MethodBind *ClassDB::get_method(const StringName &p_class, const StringName &p_method) {
-	for (ClassRecord *record = find_class(p_class); record; record = record->parent) {
-		auto found = record->methods.find(p_method);
-		if (found != record->methods.end()) {
-			return found->second.get();
-		}
-	}
-	return nullptr;
+	record->methods[p_definition.name] = std::move(method);
 }
 
 void ClassDB::add_property(

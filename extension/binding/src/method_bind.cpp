@@ -3,7 +3,7 @@
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
-namespace godot {
+namespace godot::internal {
 
 void MethodBind::call(
 		void *p_instance, const Variant *const *p_arguments, int64_t p_count, Variant &r_result, GDExtensionCallError &r_error) const {
@@ -30,8 +30,6 @@ void MethodBind::call(
 	}
 	call_complete(p_instance, complete, r_result, r_error);
 }
-
-namespace internal {
 
 void mark_argument(GDExtensionVariantType p_type, int p_index, GDExtensionCallError &r_error) {
 	r_error.error = GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT;
@@ -105,6 +103,4 @@ Callable make_callable(CallableMethod *p_method) {
 	return callable;
 }
 
-} // namespace internal
-
-} // namespace godot
+} // namespace godot::internal

@@ -54,7 +54,7 @@ StringName engine_enum_name(const char *p_qualified) {
 	String text = p_qualified;
 	const PackedStringArray parts = text.split("::");
 	const int64_t count = parts.size();
-	return count < 2 ? text : parts[count - 2] + "." + parts[count - 1];
+	return count < 2 ? text : parts[count - 2] + String(".") + parts[count - 1];
 }
 
 // The engine gets an array of C structures that point into copies kept behind it.

@@ -14,7 +14,7 @@ template <typename T, typename F> CharStringT<T> encode(const String &p_text, F 
 	const GDExtensionInt length = p_function(p_text._native_ptr(), nullptr, 0);
 	std::basic_string<T> text(length, T(0));
 	p_function(p_text._native_ptr(), text.data(), length);
-	return CharStringT<T>(std::move(text));
+	return CharStringT<T>::_make(std::move(text));
 }
 
 } // namespace
@@ -66,7 +66,7 @@ Char32String String::utf32() const {
 
 String String::num_real(double p_number, bool p_trailing) {
 	const String text = String::num(p_number);
-	return p_trailing && text.is_valid_int() ? text + ".0" : text;
+	return p_trailing && text.is_valid_int() ? text + String(".0") : text;
 }
 
 const char32_t *String::ptr() const {
@@ -85,7 +85,7 @@ Error String::resize(int64_t p_size) {
 	return static_cast<Error>(engine::string_resize(_storage, p_size));
 }
 
-String String::operator+(char32_t p_other) const {
+String String::operator+(char32_t p_other) {
 	String text = *this;
 	return text += p_other;
 }

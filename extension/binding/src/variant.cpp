@@ -244,7 +244,18 @@ GODOT_TEXT(Projection)
 GODOT_TEXT(Color)
 #undef GODOT_TEXT
 
-Color::Color(const String &p_code) : Color(from_string(p_code, Color())) {}
-Color::Color(const char *p_code) : Color(String(p_code)) {}
+// What the engine's renderer takes for the curve of sRGB.
+Color Color::srgb_to_linear() const {
+	const auto linear = [](float p_x) {
+		return p_x < 0.04045f ? p_x * (1.0f / 12.92f) : std::pow(static_cast<float>((p_x + 0.055) * (1.0 / 1.055)), 2.4f);
+	};
+	return Color(linear(r), linear(g), linear(b), a);
+}
+
+String Color::to_html(bool p_alpha) const {
+	const auto byte = [](float p_x) { return static_cast<int64_t>(std::round(CLAMP(p_x, 0.0f, 1.0f) * 255.0f)); };
+	const String text = vformat("%02x%02x%02x", byte(r), byte(g), byte(b));
+	return p_alpha ? text + vformat("%02x", byte(a)) : text;
+}
 
 } // namespace godot

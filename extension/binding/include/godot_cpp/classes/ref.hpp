@@ -19,14 +19,11 @@ public:
 	Ref(const Variant &p_value) { share(Object::cast_to<T>(p_value.get_validated_object())); }
 	~Ref() { unref(); }
 
-	Ref &operator=(const Ref &p_other) { return replace(Ref(p_other)); }
-	Ref &operator=(Ref &&p_other) noexcept {
-		std::swap(_object, p_other._object);
-		return *this;
-	}
-	template <typename Other> Ref &operator=(const Ref<Other> &p_other) { return replace(Ref(p_other)); }
-	Ref &operator=(T *p_object) { return replace(Ref(p_object)); }
-	Ref &operator=(const Variant &p_value) { return replace(Ref(p_value)); }
+	void operator=(const Ref &p_other) { replace(Ref(p_other)); }
+	void operator=(Ref &&p_other) noexcept { std::swap(_object, p_other._object); }
+	template <typename Other> void operator=(const Ref<Other> &p_other) { replace(Ref(p_other)); }
+	void operator=(T *p_object) { replace(Ref(p_object)); }
+	void operator=(const Variant &p_value) { replace(Ref(p_value)); }
 
 	T *ptr() const { return _object; }
 	T *operator->() const { return _object; }
@@ -51,7 +48,6 @@ public:
 		}
 	}
 	template <typename... Arguments> void instantiate(const Arguments &...p_arguments) { replace(Ref(memnew(T(p_arguments...)))); }
-	template <typename Other> void reference_ptr(Other *p_object) { replace(Ref(Object::cast_to<T>(p_object))); }
 	static String get_class_static() { return T::get_class_static(); }
 
 	// From a call that has already counted the reference it returns.
@@ -74,10 +70,7 @@ private:
 			_object = p_object;
 		}
 	}
-	Ref &replace(Ref &&p_other) {
-		std::swap(_object, p_other._object);
-		return *this;
-	}
+	void replace(Ref &&p_other) { std::swap(_object, p_other._object); }
 };
 
 } // namespace godot

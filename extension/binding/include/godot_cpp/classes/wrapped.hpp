@@ -93,6 +93,6 @@ private:
 public:                                                                                                                                    \
 	using self_type = m_class;                                                                                                             \
 	using parent_type = m_inherits;                                                                                                        \
-	using engine_type = m_class;                                                                                                           \
+	using _engine_type = m_class;                                                                                                          \
 	static constexpr const char *_engine_class = #m_name;                                                                                  \
 	static const ::godot::StringName &get_class_static();

@@ -8,9 +8,7 @@
 
 #include <tuple>
 
-namespace godot {
-
-namespace internal {
+namespace godot::internal {
 
 // The object as a T, or null where it is none (defined in core/object.hpp).
 template <typename T> T *object_as(Object *p_object);
@@ -21,20 +19,18 @@ void set_ref(void *r_ref, GodotObject *p_object);
 template <typename T> inline constexpr bool is_ref = false;
 template <typename T> inline constexpr bool is_ref<Ref<T>> = true;
 
-} // namespace internal
-
 // One argument from a Variant.
 template <typename T> struct VariantCaster {
 	using Bare = std::remove_cvref_t<T>;
 
 	static Bare cast(const Variant &p_value) {
 		if constexpr (std::is_pointer_v<Bare>) {
-			return internal::object_as<std::remove_cv_t<std::remove_pointer_t<Bare>>>(p_value.get_validated_object());
-		} else if constexpr (std::is_enum_v<Bare> || internal::is_bitfield<Bare>) {
+			return object_as<std::remove_cv_t<std::remove_pointer_t<Bare>>>(p_value.get_validated_object());
+		} else if constexpr (std::is_enum_v<Bare> || is_bitfield<Bare>) {
 			return static_cast<Bare>(p_value.operator int64_t());
 		} else if constexpr (std::is_same_v<Bare, Variant>) {
 			return p_value;
-		} else if constexpr (internal::is_ref<Bare> || !std::is_void_v<typename internal::Element<Bare>::Type>) {
+		} else if constexpr (is_ref<Bare> || !std::is_void_v<typename Element<Bare>::Type>) {
 			return Bare(p_value);
 		} else {
 			return p_value.operator Bare();
@@ -49,17 +45,16 @@ template <typename T> struct PtrToArg {
 	static Bare convert(const void *p_place) {
 		if constexpr (std::is_pointer_v<Bare>) {
 			using Class = std::remove_cv_t<std::remove_pointer_t<Bare>>;
-			return p_place ? static_cast<Class *>(internal::get_object_instance_binding(*static_cast<GodotObject *const *>(p_place)))
-						   : nullptr;
-		} else if constexpr (internal::is_ref<Bare>) {
-			return p_place ? Bare(static_cast<typename internal::NamedClass<Bare>::Type *>(internal::object_in_ref(p_place))) : Bare();
+			return p_place ? static_cast<Class *>(get_object_instance_binding(*static_cast<GodotObject *const *>(p_place))) : nullptr;
+		} else if constexpr (is_ref<Bare>) {
+			return p_place ? Bare(static_cast<typename NamedClass<Bare>::Type *>(object_in_ref(p_place))) : Bare();
 		} else if constexpr (std::is_same_v<Bare, bool>) {
 			return *static_cast<const uint8_t *>(p_place) != 0;
-		} else if constexpr (std::is_integral_v<Bare> || std::is_enum_v<Bare> || internal::is_bitfield<Bare>) {
+		} else if constexpr (std::is_integral_v<Bare> || std::is_enum_v<Bare> || is_bitfield<Bare>) {
 			return static_cast<Bare>(*static_cast<const int64_t *>(p_place));
 		} else if constexpr (std::is_floating_point_v<Bare>) {
 			return static_cast<Bare>(*static_cast<const double *>(p_place));
-		} else if constexpr (!std::is_void_v<typename internal::Element<Bare>::Type>) {
+		} else if constexpr (!std::is_void_v<typename Element<Bare>::Type>) {
 			return Bare(*static_cast<const Array *>(p_place));
 		} else {
 			return *static_cast<const Bare *>(p_place);
@@ -68,24 +63,22 @@ template <typename T> struct PtrToArg {
 
 	static void encode(const Bare &p_value, void *r_place) {
 		if constexpr (std::is_pointer_v<Bare>) {
-			*static_cast<GodotObject **>(r_place) = internal::owner_of(p_value);
-		} else if constexpr (internal::is_ref<Bare>) {
-			internal::set_ref(r_place, internal::owner_of(p_value.ptr()));
+			*static_cast<GodotObject **>(r_place) = owner_of(p_value);
+		} else if constexpr (is_ref<Bare>) {
+			set_ref(r_place, owner_of(p_value.ptr()));
 		} else if constexpr (std::is_same_v<Bare, bool>) {
 			*static_cast<uint8_t *>(r_place) = p_value;
-		} else if constexpr (std::is_integral_v<Bare> || std::is_enum_v<Bare> || internal::is_bitfield<Bare>) {
+		} else if constexpr (std::is_integral_v<Bare> || std::is_enum_v<Bare> || is_bitfield<Bare>) {
 			*static_cast<int64_t *>(r_place) = static_cast<int64_t>(p_value);
 		} else if constexpr (std::is_floating_point_v<Bare>) {
 			*static_cast<double *>(r_place) = p_value;
-		} else if constexpr (!std::is_void_v<typename internal::Element<Bare>::Type>) {
+		} else if constexpr (!std::is_void_v<typename Element<Bare>::Type>) {
 			*static_cast<Array *>(r_place) = p_value;
 		} else {
 			*static_cast<Bare *>(r_place) = p_value;
 		}
 	}
 };
-
-namespace internal {
 
 // Whose function it is, what it takes and what it gives. Class is void for functions of no object.
 template <typename F> struct FunctionTraits;
@@ -171,13 +164,11 @@ void call_with_pointers(
 	}
 }
 
-} // namespace internal
-
 template <typename T, typename F>
 void call_with_ptr_args(T *p_instance, F p_function, const GDExtensionConstTypePtr *p_arguments, void *r_result) {
-	using Class = typename internal::FunctionTraits<F>::Class;
+	using Class = typename FunctionTraits<F>::Class;
 	Class *instance = p_instance;
-	internal::call_with_pointers(instance, p_function, p_arguments, r_result, std::make_index_sequence<internal::parameter_count<F>>{});
+	call_with_pointers(instance, p_function, p_arguments, r_result, std::make_index_sequence<parameter_count<F>>{});
 }
 
-} // namespace godot
+} // namespace godot::internal

@@ -5,7 +5,6 @@
 #include <godot_cpp/classes/class_db_singleton.hpp>
 #include <godot_cpp/classes/ref.hpp>
 #include <godot_cpp/core/method_bind.hpp>
-#include <godot_cpp/core/print_string.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #define DEFVAL(m_value) (m_value)
@@ -15,7 +14,7 @@ namespace godot {
 // A method's name and those of its arguments.
 struct MethodDefinition {
 	StringName name;
-	std::vector<StringName> arguments;
+	std::vector<StringName> _arguments;
 };
 
 template <typename... Names> MethodDefinition D_METHOD(const StringName &p_name, const Names &...p_arguments) {
@@ -30,19 +29,17 @@ public:
 	template <typename T> static void register_runtime_class() { register_as<T>(Kind{ .is_runtime = true }); }
 
 	template <typename F, typename... Defaults>
-	static MethodBind *bind_method(const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
+	static void bind_method(const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
 		using Class = typename internal::FunctionTraits<F>::Class;
-		return add_method(
-				Class::get_class_static(), new internal::MethodBindOf<Class, F>(p_function), p_definition, { Variant(p_defaults)... });
+		add_method(Class::get_class_static(), new internal::MethodBindOf<Class, F>(p_function), p_definition, { Variant(p_defaults)... });
+	}
+	template <typename F, typename... Defaults> static void bind_method(const char *p_name, F p_function, const Defaults &...p_defaults) {
+		bind_method(D_METHOD(p_name), p_function, p_defaults...);
 	}
 	template <typename F, typename... Defaults>
-	static MethodBind *bind_method(const char *p_name, F p_function, const Defaults &...p_defaults) {
-		return bind_method(D_METHOD(p_name), p_function, p_defaults...);
-	}
-	template <typename F, typename... Defaults>
-	static MethodBind *bind_static_method(
+	static void bind_static_method(
 			const StringName &p_class, const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
-		return add_method(p_class, new internal::MethodBindOf<void, F>(p_function), p_definition, { Variant(p_defaults)... });
+		add_method(p_class, new internal::MethodBindOf<void, F>(p_function), p_definition, { Variant(p_defaults)... });
 	}
 
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter,
@@ -52,7 +49,6 @@ public:
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
 	static void bind_integer_constant(
 			const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield = false);
-	static MethodBind *get_method(const StringName &p_class, const StringName &p_method);
 
 	// Called by the library's entry, level by level.
 	static void initialize(GDExtensionInitializationLevel p_level);
@@ -90,8 +86,8 @@ private:
 		Hooks::bind();
 	}
 	static void add_class(const StringName &p_name, const StringName &p_parent, GDExtensionClassCreationInfo5 &p_info);
-	static MethodBind *add_method(
-			const StringName &p_class, MethodBind *p_method, const MethodDefinition &p_definition, std::vector<Variant> p_defaults);
+	static void add_method(const StringName &p_class, internal::MethodBind *p_method, const MethodDefinition &p_definition,
+			std::vector<Variant> p_defaults);
 };
 
 namespace internal {
@@ -106,14 +102,7 @@ template <typename T> StringName enum_name_of(T) {
 } // namespace godot
 
 #define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>();
-#define GDREGISTER_VIRTUAL_CLASS(m_class) ::godot::ClassDB::register_class<m_class>(true);
-#define GDREGISTER_ABSTRACT_CLASS(m_class) ::godot::ClassDB::register_abstract_class<m_class>();
 #define GDREGISTER_INTERNAL_CLASS(m_class) ::godot::ClassDB::register_internal_class<m_class>();
-#define GDREGISTER_RUNTIME_CLASS(m_class) ::godot::ClassDB::register_runtime_class<m_class>();
 
-#define BIND_CONSTANT(m_constant)                                                                                                          \
-	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::StringName(), #m_constant, m_constant);
 #define BIND_ENUM_CONSTANT(m_constant)                                                                                                     \
 	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant);
-#define BIND_BITFIELD_FLAG(m_constant)                                                                                                     \
-	::godot::ClassDB::bind_integer_constant(get_class_static(), ::godot::internal::enum_name_of(m_constant), #m_constant, m_constant, true);

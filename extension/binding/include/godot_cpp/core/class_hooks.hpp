@@ -149,8 +149,10 @@ template <typename T> struct ClassHooks {
 
 	// Classes that the engine knows only by their base bind nothing of their own.
 	static void bind() {
-		if constexpr (static_cast<void (*)()>(&T::_bind_methods) != static_cast<void (*)()>(&Parent::_bind_methods)) {
-			T::_bind_methods();
+		void (*const own)() = &T::_bind_methods;
+		void (*const inherited)() = &Parent::_bind_methods;
+		if (own != inherited) { // as the program runs: with -fsanitize=undefined an address is no constant
+			own();
 		}
 		T::template register_virtuals<T, Parent>();
 	}
@@ -182,7 +184,7 @@ inline constexpr GDExtensionInstanceBindingCallbacks engine_callbacks = {
 
 template <typename T> constexpr ClassIdentity make_identity() {
 	if constexpr (T::_is_extension) {
-		return { &T::engine_type::get_class_static, &T::get_class_static, &extension_callbacks };
+		return { &T::_engine_type::get_class_static, &T::get_class_static, &extension_callbacks };
 	} else {
 		return { &T::get_class_static, nullptr, &engine_callbacks<T> };
 	}

@@ -24,9 +24,6 @@
 #define _ALWAYS_INLINE_ inline
 #define _NO_INLINE_
 #endif
-#define _FORCE_INLINE_ inline
-
-#define SWAP(m_a, m_b) std::swap((m_a), (m_b))
 
 namespace godot {
 

@@ -41,58 +41,30 @@ void _err_flush_stdout();
 	} else                                                                                                                                 \
 		((void)0)
 
-#define ERR_FAIL_COND(m_condition) _GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true.", "", false, return)
 #define ERR_FAIL_COND_MSG(m_condition, m_message)                                                                                          \
-	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true.", m_message, false, return)
-#define ERR_FAIL_COND_EDMSG(m_condition, m_message)                                                                                        \
-	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true.", m_message, true, return)
+	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true.", m_message, false, return )
 #define ERR_FAIL_COND_V(m_condition, m_value)                                                                                              \
 	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Returning: " #m_value, "", false, return m_value)
 #define ERR_FAIL_COND_V_MSG(m_condition, m_value, m_message)                                                                               \
 	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Returning: " #m_value, m_message, false, return m_value)
-#define ERR_FAIL_COND_V_EDMSG(m_condition, m_value, m_message)                                                                             \
-	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Returning: " #m_value, m_message, true, return m_value)
-#define ERR_CONTINUE(m_condition) _GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Continuing.", "", false, continue)
-#define ERR_CONTINUE_MSG(m_condition, m_message)                                                                                           \
-	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Continuing.", m_message, false, continue)
-#define ERR_BREAK(m_condition) _GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Breaking.", "", false, break)
-#define ERR_BREAK_MSG(m_condition, m_message)                                                                                              \
-	_GODOT_LEAVE_IF(m_condition, "Condition \"" #m_condition "\" is true. Breaking.", m_message, false, break)
 
-#define ERR_FAIL_NULL(m_pointer) _GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", "", false, return)
 #define ERR_FAIL_NULL_MSG(m_pointer, m_message)                                                                                            \
-	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", m_message, false, return)
-#define ERR_FAIL_NULL_EDMSG(m_pointer, m_message)                                                                                          \
-	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", m_message, true, return)
+	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", m_message, false, return )
 #define ERR_FAIL_NULL_V(m_pointer, m_value)                                                                                                \
 	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", "", false, return m_value)
 #define ERR_FAIL_NULL_V_MSG(m_pointer, m_value, m_message)                                                                                 \
 	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", m_message, false, return m_value)
-#define ERR_FAIL_NULL_V_EDMSG(m_pointer, m_value, m_message)                                                                               \
-	_GODOT_LEAVE_IF((m_pointer) == nullptr, "Parameter \"" #m_pointer "\" is null.", m_message, true, return m_value)
 
-#define ERR_FAIL_INDEX(m_index, m_size) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", return)
-#define ERR_FAIL_INDEX_MSG(m_index, m_size, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return)
-#define ERR_FAIL_INDEX_EDMSG(m_index, m_size, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return)
+#define ERR_FAIL_INDEX(m_index, m_size) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", return )
+#define ERR_FAIL_INDEX_MSG(m_index, m_size, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return )
 #define ERR_FAIL_INDEX_V(m_index, m_size, m_value) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", return m_value)
 #define ERR_FAIL_INDEX_V_MSG(m_index, m_size, m_value, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return m_value)
-#define ERR_FAIL_UNSIGNED_INDEX(m_index, m_size) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", return)
-#define ERR_FAIL_UNSIGNED_INDEX_MSG(m_index, m_size, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return)
-#define ERR_FAIL_UNSIGNED_INDEX_V(m_index, m_size, m_value) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", return m_value)
-#define ERR_FAIL_UNSIGNED_INDEX_V_MSG(m_index, m_size, m_value, m_message) _GODOT_LEAVE_IF_INDEX(m_index, m_size, m_message, return m_value)
 
-#define ERR_FAIL() _GODOT_LEAVE_IF(true, "Method/function failed.", "", false, return)
-#define ERR_FAIL_MSG(m_message) _GODOT_LEAVE_IF(true, "Method/function failed.", m_message, false, return)
-#define ERR_FAIL_EDMSG(m_message) _GODOT_LEAVE_IF(true, "Method/function failed.", m_message, true, return)
-#define ERR_FAIL_V(m_value) _GODOT_LEAVE_IF(true, "Method/function failed. Returning: " #m_value, "", false, return m_value)
-#define ERR_FAIL_V_MSG(m_value, m_message)                                                                                                 \
-	_GODOT_LEAVE_IF(true, "Method/function failed. Returning: " #m_value, m_message, false, return m_value)
+#define ERR_FAIL_MSG(m_message) _GODOT_LEAVE_IF(true, "Method/function failed.", m_message, false, return )
 
 #define CRASH_COND(m_condition) _GODOT_LEAVE_IF(m_condition, "FATAL: Condition \"" #m_condition "\" is true.", "", false, GENERATE_TRAP())
 #define CRASH_COND_MSG(m_condition, m_message)                                                                                             \
 	_GODOT_LEAVE_IF(m_condition, "FATAL: Condition \"" #m_condition "\" is true.", m_message, false, GENERATE_TRAP())
-#define CRASH_NOW() _GODOT_LEAVE_IF(true, "FATAL: Method/function failed.", "", false, GENERATE_TRAP())
-#define CRASH_NOW_MSG(m_message) _GODOT_LEAVE_IF(true, "FATAL: Method/function failed.", m_message, false, GENERATE_TRAP())
 #define CRASH_BAD_INDEX(m_index, m_size) _GODOT_LEAVE_IF_INDEX(m_index, m_size, "", GENERATE_TRAP())
 
 #define ERR_PRINT(m_message) ::godot::_err_print_error(__FUNCTION__, __FILE__, __LINE__, m_message)
@@ -109,9 +81,7 @@ void _err_flush_stdout();
 	} else                                                                                                                                 \
 		((void)0)
 #define ERR_PRINT_ONCE(m_message) _GODOT_ONCE(ERR_PRINT(m_message))
-#define ERR_PRINT_ONCE_ED(m_message) _GODOT_ONCE(ERR_PRINT_ED(m_message))
 #define WARN_PRINT_ONCE(m_message) _GODOT_ONCE(WARN_PRINT(m_message))
-#define WARN_PRINT_ONCE_ED(m_message) _GODOT_ONCE(WARN_PRINT_ED(m_message))
 
 #ifdef DEV_ENABLED
 #define DEV_ASSERT(m_condition) CRASH_COND_MSG(!(m_condition), "DEV_ASSERT failed.")

@@ -65,14 +65,6 @@ template <typename T> void memdelete(T *p_object) {
 void *operator new(size_t p_bytes, ::godot::DefaultAllocator);
 void operator delete(void *p_memory, ::godot::DefaultAllocator);
 
-#define memalloc(m_bytes) ::godot::Memory::alloc_static(m_bytes)
-#define memrealloc(m_memory, m_bytes) ::godot::Memory::realloc_static(m_memory, m_bytes)
-#define memfree(m_memory) ::godot::Memory::free_static(m_memory)
 #define memnew(m_class)                                                                                                                    \
 	(::godot::internal::before_construction<std::remove_pointer_t<decltype(new (::godot::DefaultAllocator{}) m_class)>>(),                 \
 			::godot::internal::finish_construction(new (::godot::DefaultAllocator{}) m_class))
-#define memdelete_notnull(m_object)                                                                                                        \
-	if (m_object) {                                                                                                                        \
-		::godot::memdelete(m_object);                                                                                                      \
-	} else                                                                                                                                 \
-		((void)0)

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace godot {
+namespace godot::internal {
 
 class MethodBind {
 public:
@@ -36,8 +36,6 @@ protected:
 		argument_metadata.push_back(GetTypeInfo<T>::METADATA);
 	}
 };
-
-namespace internal {
 
 // T: the class it is bound for, which may inherit the method.
 template <typename T, typename F> class MethodBindOf : public MethodBind {
@@ -76,6 +74,4 @@ private:
 	static typename Traits::Class *instance(void *p_instance) { return reinterpret_cast<typename Traits::Class *>(p_instance); }
 };
 
-} // namespace internal
-
-} // namespace godot
+} // namespace godot::internal

@@ -7,11 +7,9 @@
 #include <godot_cpp/core/class_hooks.hpp>
 #include <godot_cpp/core/object_id.hpp>
 #include <godot_cpp/templates/local_vector.hpp>
-#include <godot_cpp/templates/vector.hpp>
 
 #define ADD_SIGNAL(m_signal) ::godot::ClassDB::add_signal(get_class_static(), m_signal)
 #define ADD_GROUP(m_name, m_prefix) ::godot::ClassDB::add_property_group(get_class_static(), m_name, m_prefix)
-#define ADD_SUBGROUP(m_name, m_prefix) ::godot::ClassDB::add_property_subgroup(get_class_static(), m_name, m_prefix)
 #define ADD_PROPERTY(m_property, m_setter, m_getter) ::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter)
 #define ADD_PROPERTYI(m_property, m_setter, m_getter, m_index)                                                                             \
 	::godot::ClassDB::add_property(get_class_static(), m_property, m_setter, m_getter, m_index)
@@ -30,8 +28,6 @@ struct MethodInfo {
 	MethodInfo() = default;
 	template <typename... Arguments>
 	MethodInfo(const StringName &p_name, const Arguments &...p_arguments) : name(p_name), arguments({ p_arguments... }) {}
-	template <typename... Arguments>
-	MethodInfo(const char *p_name, const Arguments &...p_arguments) : name(p_name), arguments({ p_arguments... }) {}
 	template <typename... Arguments>
 	MethodInfo(Variant::Type p_result, const StringName &p_name, const Arguments &...p_arguments) :
 			name(p_name), arguments({ p_arguments... }) {

@@ -12,20 +12,13 @@ public:
 	explicit ObjectID(uint64_t p_id) : _id(p_id) {}
 	explicit ObjectID(int64_t p_id) : _id(static_cast<uint64_t>(p_id)) {}
 
-	bool is_ref_counted() const { return (_id >> 63) != 0; }
 	bool is_valid() const { return _id != 0; }
 	bool is_null() const { return _id == 0; }
 	operator uint64_t() const { return _id; }
 	operator int64_t() const { return static_cast<int64_t>(_id); }
 
-	ObjectID &operator=(uint64_t p_id) {
-		_id = p_id;
-		return *this;
-	}
-	ObjectID &operator=(int64_t p_id) {
-		_id = static_cast<uint64_t>(p_id);
-		return *this;
-	}
+	void operator=(uint64_t p_id) { _id = p_id; }
+	void operator=(int64_t p_id) { _id = static_cast<uint64_t>(p_id); }
 	bool operator==(const ObjectID &p_other) const { return _id == p_other._id; }
 	bool operator!=(const ObjectID &p_other) const { return _id != p_other._id; }
 	bool operator<(const ObjectID &p_other) const { return _id < p_other._id; }

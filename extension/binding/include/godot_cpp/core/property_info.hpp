@@ -23,7 +23,7 @@ struct PropertyInfo {
 			const String &p_hint_string = String(), uint32_t p_usage = PROPERTY_USAGE_DEFAULT,
 			const StringName &p_class_name = StringName()) :
 			PropertyInfo(static_cast<Variant::Type>(p_type), p_name, p_hint, p_hint_string, p_usage, p_class_name) {}
-	explicit PropertyInfo(const GDExtensionPropertyInfo *p_info);
+	PropertyInfo(const GDExtensionPropertyInfo *p_info);
 
 	operator Dictionary() const;
 	// Writes into a structure of the engine's.

@@ -11,9 +11,7 @@ namespace godot {
 template <typename T> class BitField {
 public:
 	BitField(int64_t p_value) : _value(p_value) {}
-	void set_flag(T p_flag) { _value |= int64_t(p_flag); }
 	bool has_flag(T p_flag) const { return _value & int64_t(p_flag); }
-	void clear_flag(T p_flag) { _value &= ~int64_t(p_flag); }
 	operator int64_t() const { return _value; }
 	operator Variant() const { return _value; }
 
@@ -56,53 +54,43 @@ template <typename T> constexpr GDExtensionClassMethodArgumentMetadata number_me
 }
 
 // The class that a pointer, Ref or TypedArray element names; void for anything else.
-template <typename T> struct NamedClass {
-	using Type = void;
-};
-template <typename T> struct NamedClass<T *> {
-	using Type = std::remove_const_t<T>;
-};
-template <typename T> struct NamedClass<Ref<T>> {
-	using Type = T;
-};
-template <typename T> struct Element {
-	using Type = void;
-};
-template <typename T> struct Element<TypedArray<T>> {
-	using Type = T;
-};
-
-} // namespace internal
+template <typename T> struct NamedClass { using Type = void; };
+template <typename T> struct NamedClass<T *> { using Type = std::remove_const_t<T>; };
+template <typename T> struct NamedClass<Ref<T>> { using Type = T; };
+template <typename T> struct Element { using Type = void; };
+template <typename T> struct Element<TypedArray<T>> { using Type = T; };
 
 template <typename T> struct GetTypeInfo {
 	using Bare = std::remove_cvref_t<T>;
-	static constexpr GDExtensionVariantType VARIANT_TYPE = internal::type_code<T>;
-	static constexpr GDExtensionClassMethodArgumentMetadata METADATA = internal::number_metadata<Bare>();
+	static constexpr GDExtensionVariantType VARIANT_TYPE = type_code<T>;
+	static constexpr GDExtensionClassMethodArgumentMetadata METADATA = number_metadata<Bare>();
 
 	static PropertyInfo get_class_info() {
 		PropertyInfo info(VARIANT_TYPE, StringName());
 		if constexpr (std::is_same_v<Bare, Variant>) {
 			info.usage |= PROPERTY_USAGE_NIL_IS_VARIANT;
-		} else if constexpr (std::is_enum_v<Bare> || internal::is_bitfield<Bare>) {
-			static_assert(internal::enum_name<Bare> != nullptr, "VARIANT_ENUM_CAST or VARIANT_BITFIELD_CAST must stand after this enum.");
-			info.usage |= internal::is_bitfield<Bare> ? PROPERTY_USAGE_CLASS_IS_BITFIELD : PROPERTY_USAGE_CLASS_IS_ENUM;
-			info.class_name = internal::engine_enum_name(internal::enum_name<Bare>);
-		} else if constexpr (!std::is_void_v<typename internal::NamedClass<Bare>::Type>) {
-			info.class_name = internal::NamedClass<Bare>::Type::get_class_static();
+		} else if constexpr (std::is_enum_v<Bare> || is_bitfield<Bare>) {
+			static_assert(enum_name<Bare> != nullptr, "VARIANT_ENUM_CAST or VARIANT_BITFIELD_CAST must stand after this enum.");
+			info.usage |= is_bitfield<Bare> ? PROPERTY_USAGE_CLASS_IS_BITFIELD : PROPERTY_USAGE_CLASS_IS_ENUM;
+			info.class_name = engine_enum_name(enum_name<Bare>);
+		} else if constexpr (!std::is_void_v<typename NamedClass<Bare>::Type>) {
+			info.class_name = NamedClass<Bare>::Type::get_class_static();
 			info.hint = PROPERTY_HINT_RESOURCE_TYPE;
 			info.hint_string = info.class_name;
-		} else if constexpr (!std::is_void_v<typename internal::Element<Bare>::Type>) {
-			using Element = typename internal::Element<Bare>::Type;
+		} else if constexpr (!std::is_void_v<typename Element<Bare>::Type>) {
+			using Element = typename Element<Bare>::Type;
 			info.hint = PROPERTY_HINT_ARRAY_TYPE;
-			if constexpr (internal::type_code<Element> == GDEXTENSION_VARIANT_TYPE_OBJECT) {
+			if constexpr (type_code<Element> == GDEXTENSION_VARIANT_TYPE_OBJECT) {
 				info.hint_string = Element::get_class_static();
 			} else {
-				info.hint_string = Variant::get_type_name(static_cast<Variant::Type>(internal::type_code<Element>));
+				info.hint_string = Variant::get_type_name(static_cast<Variant::Type>(type_code<Element>));
 			}
 		}
 		return info;
 	}
 };
+
+} // namespace internal
 
 } // namespace godot
 

@@ -9,7 +9,6 @@ namespace godot {
 template <typename T> class List {
 public:
 	void push_back(const T &p_value) { _values.push_back(p_value); }
-	void push_front(const T &p_value) { _values.push_front(p_value); }
 	void clear() { _values.clear(); }
 	int size() const { return static_cast<int>(_values.size()); }
 	bool is_empty() const { return _values.empty(); }

@@ -13,7 +13,7 @@ public:
 	LocalVector() = default;
 	LocalVector(std::initializer_list<T> p_values) : _values(p_values) {}
 
-	void push_back(const T &p_value) { _values.push_back(p_value); }
+	void push_back(T p_value) { _values.push_back(std::move(p_value)); }
 	void resize(uint32_t p_size) { _values.resize(p_size); }
 	void reserve(uint32_t p_size) { _values.reserve(p_size); }
 	void clear() { _values.clear(); }
@@ -21,7 +21,6 @@ public:
 	bool is_empty() const { return _values.empty(); }
 	T *ptr() { return _values.data(); }
 	const T *ptr() const { return _values.data(); }
-	T *ptrw() { return _values.data(); }
 	T &operator[](uint32_t p_index) { return _values[p_index]; }
 	const T &operator[](uint32_t p_index) const { return _values[p_index]; }
 	auto begin() { return _values.begin(); }

@@ -65,4 +65,3 @@ template <typename F> Callable callable_of_static(F p_function) {
 } // namespace godot
 
 #define callable_mp(m_object, m_method) ::godot::internal::callable_of(m_object, m_method)
-#define callable_mp_static(m_function) ::godot::internal::callable_of_static(m_function)

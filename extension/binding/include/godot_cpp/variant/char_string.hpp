@@ -11,14 +11,18 @@ namespace godot {
 template <typename T> class CharStringT {
 public:
 	CharStringT() = default;
-	explicit CharStringT(std::basic_string<T> p_text) : _text(std::move(p_text)) {}
+	static CharStringT _make(std::basic_string<T> p_text) {
+		CharStringT made;
+		made._text = std::move(p_text);
+		return made;
+	}
 
 	const T *get_data() const { return _text.c_str(); }
 	const T *ptr() const { return _text.c_str(); }
 	T *ptrw() { return _text.data(); }
-	int64_t length() const { return static_cast<int64_t>(_text.size()); }
-	int64_t size() const { return _text.empty() ? 0 : length() + 1; } // with the terminating zero
-	const T &operator[](int64_t p_index) const { return _text.c_str()[p_index]; }
+	int length() const { return static_cast<int>(_text.size()); }
+	int size() const { return _text.empty() ? 0 : length() + 1; } // with the terminating zero
+	const T &operator[](int p_index) const { return _text.c_str()[p_index]; }
 	bool operator==(const CharStringT &p_other) const { return _text == p_other._text; }
 
 private:

@@ -16,11 +16,9 @@ struct Color {
 	};
 
 	constexpr Color() : r(0), g(0), b(0), a(1) {}
-	constexpr Color(float p_r, float p_g, float p_b, float p_a = 1) : r(p_r), g(p_g), b(p_b), a(p_a) {}
-	constexpr Color(const Color &p_color, float p_a) : r(p_color.r), g(p_color.g), b(p_color.b), a(p_a) {}
-	// A name or #rrggbb.
-	Color(const String &p_code);
-	Color(const char *p_code);
+	constexpr Color(float p_r, float p_g, float p_b, float p_a) : r(p_r), g(p_g), b(p_b), a(p_a) {}
+	constexpr Color(float p_r, float p_g, float p_b) : Color(p_r, p_g, p_b, 1) {}
+	constexpr Color(const Color &p_color, float p_a) : Color(p_color.r, p_color.g, p_color.b, p_a) {}
 
 	float &operator[](int p_index) { return components[p_index]; }
 	const float &operator[](int p_index) const { return components[p_index]; }
@@ -28,29 +26,18 @@ struct Color {
 	constexpr Color operator+(const Color &p_c) const { return Color(r + p_c.r, g + p_c.g, b + p_c.b, a + p_c.a); }
 	constexpr Color operator-(const Color &p_c) const { return Color(r - p_c.r, g - p_c.g, b - p_c.b, a - p_c.a); }
 	constexpr Color operator*(const Color &p_c) const { return Color(r * p_c.r, g * p_c.g, b * p_c.b, a * p_c.a); }
-	constexpr Color operator/(const Color &p_c) const { return Color(r / p_c.r, g / p_c.g, b / p_c.b, a / p_c.a); }
 	constexpr Color operator*(float p_s) const { return Color(r * p_s, g * p_s, b * p_s, a * p_s); }
 	constexpr Color operator/(float p_s) const { return Color(r / p_s, g / p_s, b / p_s, a / p_s); }
 	void operator+=(const Color &p_c) { *this = *this + p_c; }
 	void operator-=(const Color &p_c) { *this = *this - p_c; }
-	void operator*=(const Color &p_c) { *this = *this * p_c; }
 	void operator*=(float p_s) { *this = *this * p_s; }
-	void operator/=(float p_s) { *this = *this / p_s; }
 	constexpr bool operator==(const Color &p_c) const { return r == p_c.r && g == p_c.g && b == p_c.b && a == p_c.a; }
 	constexpr bool operator!=(const Color &p_c) const { return !(*this == p_c); }
 	Color lerp(const Color &p_to, float p_weight) const { return *this + (p_to - *this) * p_weight; }
-	bool is_equal_approx(const Color &p_c) const {
-		return Math::is_equal_approx(r, p_c.r) && Math::is_equal_approx(g, p_c.g) && Math::is_equal_approx(b, p_c.b) &&
-				Math::is_equal_approx(a, p_c.a);
-	}
+	Color srgb_to_linear() const;
+	String to_html(bool p_alpha = true) const; // rrggbbaa
 
 	operator String() const;
-
-#include <godot_cpp/variant/gen/color.inc>
 };
-
-constexpr Color operator*(float p_s, const Color &p_c) {
-	return p_c * p_s;
-}
 
 } // namespace godot

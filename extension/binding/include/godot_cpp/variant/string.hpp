@@ -39,9 +39,9 @@ public:
 	bool operator!=(const StringName &p_other) const;
 	bool operator==(const char *p_other) const { return *this == String(p_other); }
 	bool operator!=(const char *p_other) const { return !(*this == p_other); }
-	String operator+(const char *p_other) const { return *this + String(p_other); }
+	String operator+(const char *p_other) { return *this + String(p_other); }
 	String operator+(const StringName &p_other) const;
-	String operator+(char32_t p_other) const;
+	String operator+(char32_t p_other);
 	String &operator+=(const String &p_other);
 	String &operator+=(const char *p_other);
 	String &operator+=(char32_t p_other);

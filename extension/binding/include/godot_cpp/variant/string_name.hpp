@@ -8,6 +8,12 @@
 
 namespace godot {
 
+namespace internal {
+
+struct StringNameHash;
+
+} // namespace internal
+
 class StringName : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, 1> {
 public:
 	StringName() = default;
@@ -22,23 +28,13 @@ public:
 	bool operator<(const StringName &p_other) const { return std::less<>()(_storage[0], p_other._storage[0]); }
 	bool operator==(const String &p_other) const { return *this == StringName(p_other); }
 	bool operator!=(const String &p_other) const { return !(*this == p_other); }
-	bool operator==(const char *p_other) const { return *this == StringName(p_other); }
-	bool operator!=(const char *p_other) const { return !(*this == p_other); }
 	String operator+(const String &p_other) const { return String(*this) + p_other; }
-	String operator+(const char *p_other) const { return String(*this) + p_other; }
-
-	// The identity itself.
-	const void *data_unique_pointer() const { return _storage[0]; }
 
 #include <godot_cpp/variant/gen/string_name.inc>
-};
 
-inline bool operator==(const char *p_a, const StringName &p_b) {
-	return p_b == p_a;
-}
-inline String operator+(const char *p_a, const StringName &p_b) {
-	return String(p_a) + String(p_b);
-}
+private:
+	friend struct internal::StringNameHash;
+};
 
 inline String::String(const StringName &p_from) : Opaque(2, &p_from) {}
 inline bool String::operator==(const StringName &p_other) const {
@@ -54,7 +50,7 @@ inline String String::operator+(const StringName &p_other) const {
 namespace internal {
 
 struct StringNameHash {
-	size_t operator()(const StringName &p_name) const { return std::hash<const void *>()(p_name.data_unique_pointer()); }
+	size_t operator()(const StringName &p_name) const { return std::hash<const void *>()(p_name._storage[0]); }
 };
 
 } // namespace internal
