@@ -43,8 +43,9 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, headless, docs, gpu, editor (default: all, in that order)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, headless, docs, gpu, validation, editor (default: all)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
+	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
 	build = commands.add_parser("build", help="build the extension")
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
@@ -62,6 +63,7 @@ def parser():
 	export = commands.add_parser("export", help="pack the project to run elsewhere")
 	export.add_argument("out", metavar="OUT", help="folder to write to")
 	export.add_argument("--debug", action="store_true", help="with the debug template and library")
+	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
 
 	clean = commands.add_parser("clean", help="remove what was built")
 	clean.add_argument("--all", action="store_true", help="also remove what was fetched")
@@ -98,14 +100,14 @@ def dispatch(options):
 
 		site.make()
 	elif options.command == "export":
-		export.export(options.out, options.debug)
+		export.export(options.out, options.debug, options.tests)
 	elif options.command == "clean":
 		build.clean(options.all)
 	elif options.command == "test":
 		unknown = set(options.layers) - set(testing.LAYERS)
 		if unknown:
 			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
-		return 0 if testing.run(tuple(options.layers) or testing.LAYERS, options.only) else 1
+		return 0 if testing.run(tuple(options.layers) or tuple(testing.LAYERS), options.only, options.gpu) else 1
 	return 0
 
 

@@ -14,7 +14,7 @@ from tools import machine, settle
 from tools.places import UNPACKED
 from tools.say import Failure
 
-START_LIMIT = 30  # seconds; the server takes well under one on an idle machine
+START_LIMIT = 120  # seconds; the server takes well under one on an idle machine
 PR_SET_PDEATHSIG = 1
 
 

@@ -14,7 +14,9 @@ from tools.display import die_with_parent, screen
 from tools.places import BUILD, PROJECT, UNPACKED
 from tools.say import Failure, progress
 
-SILENCE_LIMIT = 300  # seconds without a line of output after which a run is taken for hung, where lines are expected
+# Seconds without a line of output after which a run is taken for hung, where lines are expected. More than the runner of the
+# tests gives one of them, so that it can still name the one that hangs.
+SILENCE_LIMIT = 1200
 HOME = BUILD / "home"  # the engine's settings, caches and user:// while we run it
 
 
@@ -42,14 +44,14 @@ def window_arguments(method, size):
 
 
 @contextlib.contextmanager
-def window(method="forward_plus", size="1280x720", software=False):
+def window(method="forward_plus", size="1280x720", software=False, hardware=False):
 	"""Yields (command, environment additions) of an engine with a window.
 
 	The machine's screen and GPU are used where it has them (a GPU only with a screen), unless `software`: then, or
-	where there are none, a virtual screen and lavapipe.
+	where there are none, a virtual screen and lavapipe. With `hardware` it is the GPU in any case.
 	"""
 	virtual = software or not machine.display()
-	prefix, driver = software_vulkan() if virtual or not machine.gpu() else ([], {})
+	prefix, driver = software_vulkan() if not hardware and (virtual or not machine.gpu()) else ([], {})
 	with screen(own=virtual) as display:
 		on_x11 = ["--display-driver", "x11"] if virtual else []
 		command = [*prefix, machine.godot(), *on_x11, *window_arguments(method, size)]
@@ -125,7 +127,7 @@ def import_project():
 	output = []
 	command, environment = headless()
 	with progress("Importing the project"):
-		code = run([*command, "--path", str(PROJECT), "--import"], environment, output.append, limit=600)
+		code = run([*command, "--path", str(PROJECT), "--import"], environment, output.append)
 	if code:
 		raise Failure("The engine could not import the project:\n" + "\n".join(output[-30:]))
 	BUILD.mkdir(exist_ok=True)

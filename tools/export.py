@@ -11,6 +11,7 @@ from tools.places import ADDON_BIN, BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PRESET = "Linux"  # in godot_project/export_presets.cfg
+TESTS_PRESET = "Tests"  # the same, but that res://tests/runner.tscn is the main scene
 BENCH_PRESET = "Benchmark"  # the same, but that res://bench/bench.tscn is the main scene
 NAME = "grass_field"
 KINDS = ("debug", "release")
@@ -28,8 +29,8 @@ def install_templates():
 		place.symlink_to(machine.program(f"godot-template-{kind}"))
 
 
-def export(out, debug):
-	kind = "debug" if debug else "release"
+def export(out, debug, tests=False):
+	kind = "debug" if debug or tests else "release"
 	folder = pathlib.Path(out).resolve()
 	if folder == PROJECT or PROJECT in folder.parents:
 		raise Failure("OUT must lie outside of the project that is packed.", 2)
@@ -39,7 +40,7 @@ def export(out, debug):
 	engine.import_project()
 	install_templates()
 	folder.mkdir(parents=True, exist_ok=True)
-	pack(f"--export-{kind}", PRESET, folder / NAME, folder / f"{NAME}.pck")
+	pack(f"--export-{kind}", TESTS_PRESET if tests else PRESET, folder / NAME, folder / f"{NAME}.pck")
 	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}")
 	say("Debian's template needs Debian's libraries: elsewhere, put a template of your own in the place of " + NAME)
 
@@ -48,7 +49,7 @@ def pack(how, preset, file, pck):
 	output = []
 	command, environment = engine.headless()
 	with progress("Packing the project"):
-		code = engine.run([*command, "--path", str(PROJECT), how, preset, str(file)], environment, output.append, limit=600)
+		code = engine.run([*command, "--path", str(PROJECT), how, preset, str(file)], environment, output.append)
 	if code or not pck.exists():
 		raise Failure("The engine could not pack the project:\n" + "\n".join(output[-30:]))
 

@@ -129,6 +129,14 @@ def software_vulkan():
 	return fetched if engine_is_fetched else next(iter(vulkan_drivers()[1]), fetched)
 
 
+def validation_layer():
+	"""The folder that tells the Vulkan loader of the validation layer: of the machine for an engine of its own, else the fetched one."""
+	folders = [pathlib.Path(top) / "vulkan/explicit_layer.d" for top in ("/etc", "/usr/share", "/usr/local/share")]
+	fetched = UNPACKED / "usr/share/vulkan/explicit_layer.d"
+	known = [fetched] if godot() in (None, str(UNPACKED / "usr/bin/godot")) else [*folders, fetched]
+	return next((folder for folder in known if (folder / "VkLayer_khronos_validation.json").exists()), None)
+
+
 # What each command needs: how to find it, and the Debian packages that bring it.
 ENGINE = (godot, ("godot", "patchelf"))
 BUILDING = (
@@ -141,6 +149,7 @@ BUILDING = (
 VIRTUAL_SCREEN = (x_server, ("xvfb", "xkb-data", "x11-xkb-utils", "patchelf"))
 SCREEN = (lambda: display() or x_server(), VIRTUAL_SCREEN[1])
 SOFTWARE_VULKAN = (software_vulkan, ("libvulkan1", "mesa-vulkan-drivers", "patchelf"))
+VALIDATION = (validation_layer, ("vulkan-validationlayers", "patchelf"))
 VULKAN = (lambda: gpu() and display() or software_vulkan(), SOFTWARE_VULKAN[1])
 
 

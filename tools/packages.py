@@ -28,7 +28,7 @@ STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in wh
 LEFT_OUT = (
 	"./usr/share/doc/*", "./usr/share/man/*", "./usr/share/locale/*", "./usr/share/info/*", "./usr/share/lintian/*",
 	"./usr/share/zoneinfo/*", "./usr/share/perl5/*", "./usr/bin/*python*", "./usr/bin/py*3*", "./usr/bin/spirv-*",
-	"./usr/lib/python3.*", "./usr/lib/*/gconv/*", "./usr/share/vulkan/*",
+	"./usr/lib/python3.*", "./usr/lib/*/gconv/*", "./usr/share/vulkan/icd.d/*", "./usr/share/vulkan/implicit_layer.d/*",
 	*(f"./usr/lib/*/libvulkan_{name}.so" for name in
 	("asahi", "freedreno", "gfxstream", "intel", "intel_hasvk", "nouveau", "panfrost", "broadcom", "powervr_mesa", "radeon", "virtio")),
 )

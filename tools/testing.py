@@ -7,19 +7,20 @@ import shutil
 import subprocess
 from dataclasses import dataclass, field
 
-from tools import binding_tests, build, engine, machine
+from tools import binding_tests, build, engine, machine, validation
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
-PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
-LAYERS = ("binding", *PROGRAMS, "headless", "docs", "gpu", "editor")
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
-PROGRAM_LIMIT = 900  # seconds
-ENGINE_LIMIT = 2400  # seconds
+# Seconds; ten times what the longest layer takes on two cores, for machines that are slow or busy. What hangs is found long before.
+PROGRAM_LIMIT = 3600
+ENGINE_LIMIT = 14400
 EDITED = BUILD / "editor/project" # the copy of the project that the editor may change; its pictures lie beside it
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
+UNSUPPORTED = re.compile(r"is not supported yet") # the engine about a shader of ours
+SOFTWARE = re.compile(r"Vulkan .* Using Device #\d+: .*(llvmpipe|lavapipe|SwiftShader)")
 
 
 @dataclass
@@ -86,15 +87,19 @@ def stress_in_full():
 class Reports:
 	"""Follows what the runner in the engine reports."""
 
-	def __init__(self, layer, may_be_none, title=""):
+	def __init__(self, layer, may_be_none, title="", forbidden=()):
+		"""`forbidden`: what the engine must not say, as (pattern, what it is)."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
-		self.open, self.running, self.leaks = [], None, []
+		self.open, self.running = [], None
+		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
+		self.heard = {} # lines, by what they are
 
 	def line(self, text):
 		if not text.startswith(MARK):
 			print(text, flush=True)
-			if LEAK.search(text):
-				self.leaks.append(text)
+			for pattern, what in self.forbidden:
+				if pattern.search(text):
+					self.heard.setdefault(what, []).append(text)
 			return
 		what, name = text[len(MARK) :].split(" ", 1)
 		name = self.title + name.removeprefix(self.layer)
@@ -120,16 +125,17 @@ class Reports:
 			self.tally.failed.append(f"{self.title}: no test was found ({how})")
 		elif died and not self.open:
 			self.tally.failed.append(f"{self.title}: after the last test {how}")
-		if self.leaks:
-			self.tally.failed.append(f"{self.title}: leaks at exit: {'; '.join(self.leaks)}")
+		for what, lines in self.heard.items():
+			self.tally.failed.append(f"{self.title}: {what}: {'; '.join(lines)}")
 		return self.tally
 
 
 def in_engine(
-	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT
+	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"),
+	project=PROJECT, forbidden=(),
 ):  # fmt: skip
-	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose)."""
-	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title)
+	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose); `forbidden`: see Reports."""
+	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden)
 	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
@@ -151,12 +157,14 @@ def headless(only):
 	return in_engine("headless", *engine.headless(), only)
 
 
-def gpu(only):
-	with engine.window(size="320x180", software=True) as (command, environment):
-		tally = in_engine("gpu", command, environment, only)
+def gpu(only, hardware):
+	where = {"size": "320x180", "software": not hardware, "hardware": hardware}
+	forbidden = [(SOFTWARE, "not on the machine's GPU")] if hardware else []
+	with engine.window(**where) as (command, environment):
+		tally = in_engine("gpu", command, environment, only, forbidden=forbidden)
 	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
-		with engine.window(method, "320x180", software=True) as (command, environment):
-			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})"))
+		with engine.window(method, **where) as (command, environment):
+			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
 	return tally
 
 
@@ -181,19 +189,48 @@ def editor(only):
 		return in_engine("editor", command, environment, only, start=("--editor",), project=EDITED)
 
 
-def run(layers=LAYERS, only=""):
-	"""Builds, runs `layers`, prints the sum. Returns whether all went well."""
-	on_screen = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if {"gpu", "editor"} & set(layers) else []
-	machine.ensure(*machine.BUILDING, *on_screen)
-	targets = {layer: layer if layer in PROGRAMS else "extension" for layer in layers if layer != "binding"}
+def on_screen(layers, hardware):
+	"""What layers that draw need."""
+	software = {"gpu", "validation", "editor"} & set(layers) - ({"gpu"} if hardware else set())
+	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
+	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
+
+
+@dataclass
+class Layer:
+	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it."""
+
+	run: object
+	target: str = "extension"
+
+
+# In the order in which they run.
+LAYERS = {
+	"binding": Layer(lambda only, _: binding(only), None),
+	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
+	"stress": Layer(lambda only, _: core("stress", only), "stress"),
+	"headless": Layer(lambda only, _: headless(only)),
+	"docs": Layer(lambda only, _: docs(only)),
+	"gpu": Layer(gpu),
+	"validation": Layer(lambda only, _: validation.layer(only, Tally())),
+	"editor": Layer(lambda only, _: editor(only)),
+}
+
+
+def run(layers=tuple(LAYERS), only="", hardware=False):
+	"""Builds, runs `layers`, the gpu layer on the machine's GPU if it is to be `hardware`; prints the sum. Returns whether all went well."""
+	if hardware and not machine.gpu():
+		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
+	machine.ensure(*machine.BUILDING, *on_screen(layers, hardware))
+	targets = sorted({LAYERS[layer].target for layer in layers} - {None})
 	if targets:
-		build.scons(*sorted(set(targets.values())))
-	if "extension" in targets.values():
+		build.scons(*targets)
+	if "extension" in targets:
 		engine.import_project()
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = core(layer, only) if layer in PROGRAMS else {"binding": binding, "headless": headless, "docs": docs, "gpu": gpu, "editor": editor}[layer](only)
+		tally = LAYERS[layer].run(only, hardware)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

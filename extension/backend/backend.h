@@ -95,7 +95,7 @@ struct BackendStatistics {
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
 	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
-								// free tiles by whole solves; after a change of method all by the one before
+						   // free tiles by whole solves; after a change of method all by the one before
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
@@ -139,8 +139,9 @@ public:
 	// Whether BackendStatistics' times are taken: it costs a little on the GPU.
 	virtual void set_measure_time(bool p_measure) = 0;
 
-	// Knots of a blade of an awake tile, blade space, metres: GRASS_KNOTS points. Waits for the GPU: for tests and tools.
-	virtual std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) = 0;
+	// Knots of p_count blades of an awake tile from p_blade on, blade space, metres: GRASS_KNOTS points each. Waits for the GPU: for
+	// tests and tools.
+	virtual std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count) = 0;
 	// The newest that is known, without waiting; holds until the next call.
 	virtual EnergyReport read_energy() = 0;
 	virtual BackendStatistics get_statistics() = 0;

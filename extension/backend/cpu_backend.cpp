@@ -309,6 +309,15 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 	}
 }
 
+std::vector<Eigen::Vector3f> CpuBackend::read_knots(int p_slot, int p_blade, int p_count) {
+	std::vector<Eigen::Vector3f> knots;
+	for (int blade = p_blade; blade < p_blade + p_count; blade++) {
+		const std::vector<Eigen::Vector3f> own = _pool.get_knots(p_slot, blade);
+		knots.insert(knots.end(), own.begin(), own.end());
+	}
+	return knots;
+}
+
 BackendStatistics CpuBackend::get_statistics() {
 	BackendStatistics statistics = _statistics;
 	for (const FieldInstance &level : _levels) {

@@ -196,9 +196,10 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	}
 }
 
-std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade) {
+std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade, int p_count) {
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
-	RenderQueue::get_singleton()->post([field = _field, knots, p_slot, p_blade] { *knots = field->read_knots(p_slot, p_blade); });
+	RenderQueue::get_singleton()->post(
+			[field = _field, knots, p_slot, p_blade, p_count] { *knots = field->read_knots(p_slot, p_blade, p_count); });
 	RenderingServer::get_singleton()->force_sync(); // the render thread may be another one: until then `knots` is its own
 	return *knots;
 }

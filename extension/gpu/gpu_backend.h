@@ -38,7 +38,7 @@ public:
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) override;
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count) override;
 	EnergyReport read_energy() override;
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;

@@ -89,7 +89,7 @@ public:
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
 	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade);
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count);
 	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
 

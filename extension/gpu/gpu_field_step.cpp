@@ -139,18 +139,26 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
 }
 
-std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade) {
-	std::vector<Eigen::Vector3f> knots(GRASS_KNOTS, Eigen::Vector3f::Zero());
-	const PackedByteArray half = main_device()->buffer_get_data(_halves.rid(), uint32_t(p_slot * 4), 4);
-	if (half.is_empty()) {
+// Whoever reads waits until the device has done all it was given, which takes far longer than the copy: so both halves come at once, with
+// the word that says which one holds.
+std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade, int p_count) {
+	constexpr uint32_t HALVES = 2 * KNOT_FLOATS_PER_HALF * 4; // bytes
+	std::vector<Eigen::Vector3f> knots(size_t(p_count * GRASS_KNOTS), Eigen::Vector3f::Zero());
+	GpuBuffer copy;
+	copy.allocate(HALVES + 4);
+	RenderingDevice *device = main_device();
+	device->buffer_copy(_knots.rid(), copy.rid(), uint32_t(p_slot) * HALVES, 0, HALVES);
+	device->buffer_copy(_halves.rid(), copy.rid(), uint32_t(p_slot * 4), HALVES, 4);
+	const PackedByteArray data = device->buffer_get_data(copy.rid());
+	if (data.size() != HALVES + 4) {
 		return knots;
 	}
-	const int64_t first = (2 * p_slot + int64_t(half.decode_u32(0) & 1)) * KNOT_FLOATS_PER_HALF * 4;
-	const PackedByteArray data = main_device()->buffer_get_data(_knots.rid(), uint32_t(first), uint32_t(KNOT_FLOATS_PER_HALF * 4));
-	for (int component = 0; component < 3 && !data.is_empty(); component++) {
-		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++) {
-			const int at = (component * GRASS_FREE_KNOTS + knot - GRASS_CLAMPED_KNOTS) * GRASS_BLADES_PER_TILE + p_blade;
-			knots[size_t(knot)][component] = float(data.decode_float(at * 4));
+	const float *row = reinterpret_cast<const float *>(data.ptr()) + (data.decode_u32(HALVES) & 1) * KNOT_FLOATS_PER_HALF;
+	for (int component = 0; component < 3; component++) {
+		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++, row += GRASS_BLADES_PER_TILE) {
+			for (int i = 0; i < p_count; i++) {
+				knots[size_t(i * GRASS_KNOTS + knot)][component] = row[p_blade + i];
+			}
 		}
 	}
 	return knots;

@@ -106,6 +106,7 @@ public:
 	int64_t get_awake_tile_count() const;
 	// Global positions of a blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
+	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile) const;
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _tracker.body_count(); }
 	int64_t get_memory_usage() const; // bytes
@@ -266,6 +267,8 @@ private:
 	TileGrid find_grid() const;
 	bool has_blades() const;
 	Drawn find_drawn(const BackendStatistics &p_backend) const;
+	// Knots of p_count blades of the tile from p_first on, in the world.
+	godot::PackedVector3Array find_knots(const godot::Vector2i &p_tile, int p_first, int p_count) const;
 	SolverParams solver_params() const;
 	TileParams tile_params() const;
 	TileRange all_tiles() const;

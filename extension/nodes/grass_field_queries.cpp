@@ -82,25 +82,37 @@ int64_t GrassField::get_awake_tile_count() const {
 
 PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), PackedVector3Array(), message("a tile has 64 blades, 0 to 63."));
+	return find_knots(p_tile, int(p_blade), 1);
+}
+
+PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return find_knots(p_tile, 0, GRASS_BLADES_PER_TILE);
+}
+
+PackedVector3Array GrassField::find_knots(const Vector2i &p_tile, int p_first, int p_count) const {
 	PackedVector3Array result;
 	ERR_FAIL_COND_V_MSG(!_backend, result, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	ERR_FAIL_COND_V_MSG(!_standing.setup.grid.has_tile(p_tile.x, p_tile.y), result,
 			message("there is no such tile. get_tiles() tells how many there are."));
-	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), result, message("a tile has 64 blades, 0 to 63."));
 	const TileGrid &grid = _standing.setup.grid;
-	const FieldBlades::Pose pose = _standing.blades.get_pose(p_tile.x, p_tile.y, int(p_blade));
 	const int slot = _tiles.get_slot_of(grid.get_index(p_tile.x, p_tile.y));
 	std::vector<Eigen::Vector3f> simulated;
 	if (slot != GRASS_NO_SLOT) {
-		simulated = _backend->read_knots(slot, int(p_blade));
+		simulated = _backend->read_knots(slot, p_first, p_count);
 	}
 	const Eigen::Affine3d field = to_eigen(field_transform());
-	const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * grid.get_tile_size();
-	const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
-	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
-		const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-		const Eigen::Vector3f in_blade = at_rest ? _standing.blades.get_rest_knot(pose, knot) : simulated[size_t(knot)];
-		result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
+	for (int i = 0; i < p_count; i++) {
+		const FieldBlades::Pose pose = _standing.blades.get_pose(p_tile.x, p_tile.y, p_first + i);
+		const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * grid.get_tile_size();
+		const Eigen::Vector3d root = grid.get_centre(p_tile.x, p_tile.y) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
+		for (int knot = 0; knot < GRASS_KNOTS; knot++) {
+			const bool at_rest = simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
+			const Eigen::Vector3f in_blade =
+					at_rest ? _standing.blades.get_rest_knot(pose, knot) : simulated[size_t(i * GRASS_KNOTS + knot)];
+			result.push_back(to_godot(Eigen::Vector3d(field * (root + in_blade.cast<double>()))));
+		}
 	}
 	return result;
 }

@@ -8,6 +8,8 @@
 @tool
 extends Node3D
 
+const PATIENCE := 300.0 # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
+
 var failures: Array[String] = []
 var skipped := ""
 var _expected: Array[String] = []
@@ -23,6 +25,20 @@ func ticks(count: int) -> void:
 func frames(count: int) -> void:
 	for i in count:
 		await get_tree().process_frame
+
+
+## Frames until `condition` is true; fails after PATIENCE, with the words of `what`. For work of a thread or a driver, which takes
+## seconds and no known number of frames. With `by_ticks` it returns in a tick: what a test does next, it does before the next one.
+func wait_until(condition: Callable, what: String, by_ticks := false) -> bool:
+	var deadline := Time.get_ticks_msec() + PATIENCE * 1000
+	while not condition.call():
+		if Time.get_ticks_msec() > deadline:
+			return fail("waited %d s, in vain, until %s" % [PATIENCE, what])
+		if by_ticks:
+			await ticks(1)
+		else:
+			await frames(1)
+	return true
 
 
 func assert_true(value: bool, message := "") -> bool:

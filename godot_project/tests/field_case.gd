@@ -5,7 +5,6 @@ extends "res://tests/case.gd"
 const BLADES := 64 # of a tile
 const KNOTS := 16 # of a blade
 const CLAMPED := 2 # knots at the root that never move
-const COMPILING := 150.0 # seconds; a driver that takes longer to compile a pass is taken for hung
 
 
 ## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide and without wind unless told.
@@ -36,7 +35,8 @@ static func warm_up(to: Node) -> Dictionary:
 	var entered := []
 	field.body_entered_grass.connect(entered.append)
 	var ticks := 0
-	while ticks < 5 or field.get_statistics().steps == 0 and ticks < 100_000:
+	var deadline := Time.get_ticks_msec() + PATIENCE * 1000
+	while ticks < 5 or field.get_statistics().steps == 0 and Time.get_ticks_msec() < deadline:
 		await to.get_tree().physics_frame
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
@@ -44,7 +44,8 @@ static func warm_up(to: Node) -> Dictionary:
 			first_field = { ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size() }
 	first_field.steps_after = field.get_statistics().steps
 	field.species = [GrassSpecies.new()]
-	while field.get_statistics().waiting or field.get_statistics().compiling > 0:
+	deadline = Time.get_ticks_msec() + PATIENCE * 1000
+	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
 		await to.get_tree().process_frame
 	field.free()
 	body.free()
@@ -53,29 +54,18 @@ static func warm_up(to: Node) -> Dictionary:
 
 ## Ticks until the driver has all passes of a field.
 func compiled(field: GrassField) -> void:
-	var deadline := Time.get_ticks_msec() + COMPILING * 1000
-	while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
-		await ticks(1) # not frames: what a test does next, it does before a tick
-	assert_eq(field.get_statistics().compiling, 0, "all passes are compiled")
+	await wait_until(func() -> bool: return field.get_statistics().compiling == 0, "all passes are compiled", true)
 
 
 ## Frames until the field has been made as often as that.
 func made(field: GrassField, makings: int) -> void:
-	for i in 2000:
-		if field.get_statistics().makings >= makings:
-			return
-		await frames(1)
-	fail("it is not made")
+	await wait_until(func() -> bool: return field.get_statistics().makings >= makings, "the field has been made %d times" % makings)
 
 
 ## Frames until the field is what its properties and its map say.
 func grown(field: GrassField) -> void:
-	for i in 2000:
-		await frames(1)
-		var now := field.get_statistics()
-		if not now.waiting and now.map_waiting == 0:
-			return
-	fail("it waits for ever")
+	await frames(1)
+	await wait_until(func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0, "the field is grown")
 
 
 ## `body` in the tree at `place` with `shape`, or with nothing where that is null.
@@ -142,6 +132,11 @@ func awake_tiles(field: GrassField) -> Array[Vector2i]:
 	return awake
 
 
+## The knots of one blade of `knots`, those of a whole tile.
+func blade_of(knots: PackedVector3Array, blade: int) -> PackedVector3Array:
+	return knots.slice(KNOTS * blade, KNOTS * (blade + 1))
+
+
 ## Metres along a blade of `knots`, those of a whole tile.
 func length_of(knots: PackedVector3Array, blade: int) -> float:
 	var length := 0.0
@@ -152,10 +147,7 @@ func length_of(knots: PackedVector3Array, blade: int) -> float:
 
 ## Knots of all blades of `tile`, one after the other.
 func tile_knots(field: GrassField, tile: Vector2i) -> PackedVector3Array:
-	var knots := PackedVector3Array()
-	for blade in BLADES:
-		knots.append_array(field.get_knots(tile, blade))
-	return knots
+	return field.get_tile_knots(tile)
 
 
 ## Knots of all blades of the tiles, by tile.

@@ -21,11 +21,17 @@ func add_pair(properties := {}) -> bool:
 func difference(tiles: Array[Vector2i]) -> float:
 	var most := 0.0
 	for tile in tiles:
-		for blade in BLADES:
-			most = maxf(most, blade_difference(tile, blade))
+		for off in blade_differences(tile):
+			most = maxf(most, off)
 	return most
 
 
-func blade_difference(tile: Vector2i, blade: int) -> float:
-	var a := gpu.get_knots(tile, blade)
-	return farthest(a, cpu.get_knots(tile, blade)) / (15 * a[0].distance_to(a[1]))
+## The same of each blade of a tile.
+func blade_differences(tile: Vector2i) -> PackedFloat64Array:
+	var by_gpu := tile_knots(gpu, tile)
+	var by_cpu := tile_knots(cpu, tile)
+	var off := PackedFloat64Array()
+	for blade in BLADES:
+		var knots := blade_of(by_gpu, blade)
+		off.append(farthest(knots, blade_of(by_cpu, blade)) / (15 * knots[0].distance_to(knots[1])))
+	return off

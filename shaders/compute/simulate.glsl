@@ -104,9 +104,10 @@ layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer
 layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
 	uint blade_species[];
 };
-// Written by the CPU for this step: the step as each species takes it.
+// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a complaint where a shader asks
+// a buffer for its length.
 layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly buffer SpeciesStepBuffer {
-	GrassStep species_steps[];
+	GrassStep species_steps[GRASS_MAX_SPECIES];
 };
 #endif
 
@@ -160,7 +161,7 @@ const float BEND_UNITS = 65536.0;
 // Before the barriers of share_colliders().
 void share_quick_joints(uint p_thread) {
 #ifdef GRASS_SPECIES
-	if (p_thread < GRASS_MAX_SPECIES && p_thread < species_steps.length()) {
+	if (p_thread < GRASS_MAX_SPECIES) { // more than there are: nobody reads those
 		vec4 motion = species_steps[p_thread].motion;
 		make_quick_joints(int(p_thread), motion.x, motion.y, step.chain.x);
 	}

@@ -199,7 +199,7 @@ func move_by_history(body: Node3D, to: Vector3) -> void:
 ## Two looks at the bodies, and the ground is read.
 func settled() -> void:
 	await frames(50)
-	assert_eq(plugin.get_statistics().watch_waiting, 0)
+	await wait_until(func() -> bool: return plugin.get_statistics().watch_waiting == 0, "the ground is read")
 
 
 func ground(place: Vector2) -> float:

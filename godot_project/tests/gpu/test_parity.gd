@@ -11,6 +11,19 @@ func test_rest_is_the_same() -> void:
 	assert_eq(difference([Vector2i.ZERO, Vector2i(7, 7)]), 0.0)
 
 
+func test_knots_of_a_tile_are_those_of_its_blades() -> void:
+	if not await add_pair():
+		return
+	add_held_body(ball(0.2), PLACE)
+	await ticks(10)
+	var tile := gpu.get_tile_at(PLACE)
+	var knots := tile_knots(gpu, tile)
+	assert_eq(knots.size(), BLADES * KNOTS)
+	assert_greater(farthest(knots, tile_knots(gpu, Vector2i.ZERO)), 1.0, "metres from the first tile")
+	for blade: int in [0, 1, 17, 38, 62, 63]: # a wait for the device each
+		assert_eq(gpu.get_knots(tile, blade), blade_of(knots, blade))
+
+
 func test_six_hundred_steps_without_contact() -> void:
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
@@ -19,18 +32,17 @@ func test_six_hundred_steps_without_contact() -> void:
 	body.free()
 	var tiles: Array[Vector2i] = [gpu.get_tile_at(PLACE)]
 	var most := 0.0
-	var bent: Array[PackedVector3Array] = []
-	for blade in BLADES:
-		bent.append(cpu.get_knots(tiles[0], blade))
+	var bent := tile_knots(cpu, tiles[0])
 	for i in 60:
 		most = maxf(most, difference(tiles))
 		await ticks(10)
 	most = maxf(most, difference(tiles))
 	print("    parity over 600 steps without contact: %s of a blade's length" % String.num_scientific(most))
 	assert_less(most, MANY_STEPS)
+	var risen := tile_knots(cpu, tiles[0])
 	var leaning := 0 # by more than 5 cm
 	for blade in BLADES:
-		leaning += 1 if farthest(bent[blade], cpu.get_knots(tiles[0], blade)) > 0.05 else 0
+		leaning += 1 if farthest(blade_of(bent, blade), blade_of(risen, blade)) > 0.05 else 0
 	assert_greater(leaning, 6)
 	assert_eq(gpu.get_statistics().steps, cpu.get_statistics().steps)
 	assert_eq(gpu.get_statistics().simulated_blades, cpu.get_statistics().simulated_blades)

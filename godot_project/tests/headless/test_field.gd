@@ -151,3 +151,18 @@ func test_asking_for_what_is_not_there() -> void:
 	assert_eq(field.get_tile_at(Vector3(NAN, 0, INF)), Vector2i(-1, -1))
 	assert_eq(field.get_tile_at(Vector3(16.01, 0, 0)), Vector2i(-1, -1))
 	assert_eq(field.get_tile_at(Vector3(15.99, 0, -15.99)), Vector2i(63, 0))
+
+
+func test_knots_of_a_tile_are_those_of_its_blades() -> void:
+	var field := add_field()
+	add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
+	await ticks(10)
+	var awake := field.get_tile_at(Vector3(0.25, 0, 0.25))
+	assert_true(field.is_tile_awake(awake))
+	for tile: Vector2i in [Vector2i.ZERO, awake]:
+		var knots := PackedVector3Array()
+		for blade in BLADES:
+			knots.append_array(field.get_knots(tile, blade))
+		assert_eq(field.get_tile_knots(tile), knots)
+	expect_error("there is no such tile")
+	assert_eq(field.get_tile_knots(Vector2i(-1, 0)).size(), 0)
