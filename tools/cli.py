@@ -42,6 +42,9 @@ def parser():
 			"default: large on a GPU, small on software Vulkan")
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
+	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
+	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU")
+
 	test = commands.add_parser("test", help="build and run the tests")
 	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, headless, docs, gpu, validation, editor (default: all)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
@@ -72,9 +75,11 @@ def parser():
 
 def dispatch(options):
 	"""Returns the exit code."""
-	from tools import accuracy, build, export, paper, scenes, testing  # here, so that the explanation is at once
+	from tools import accuracy, build, export, film, paper, scenes, testing  # here, so that the explanation is at once
 
-	if options.command == "demo":
+	if options.command == "demo" and options.video:
+		film.record(options.out) if not options.recorded else film.encode_recorded(options.recorded)
+	elif options.command == "demo":
 		scenes.demo(options.place, options.out, options.size, options.method)
 	elif options.command == "bench":
 		if options.what == "stress":

@@ -17,7 +17,7 @@ MULTIARCH = f"{platform.machine()}-linux-gnu"
 LOADER = {"x86_64": "ld-linux-x86-64.so.2", "aarch64": "ld-linux-aarch64.so.1"}.get(platform.machine(), "ld.so")
 LIBRARIES = f"usr/lib/{MULTIARCH}"
 FOLDERS = ("", "/pulseaudio", "/blas", "/lapack")  # below LIBRARIES
-PROGRAMS = ("godot", "Xvfb", "xkbcomp", "glslang")
+PROGRAMS = ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg")
 SETTLED = "settled"  # file in the root: where the programs believe that it lies
 SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to the Vulkan loader
 

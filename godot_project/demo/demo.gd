@@ -6,6 +6,7 @@
 ##   --size SIZE    side of the field: large (64 m, 1,048,576 blades), small (20 m, 102,400 blades) or a number of metres;
 ##                  default by what draws it, large on a GPU
 ##   --bodies N     default 128
+##   --place NAME   another scene of this folder instead: lawn, meadow, reeds, film (an exported project takes no scene's path)
 extends Node3D
 
 const Bodies := preload("res://demo/bodies.gd")
@@ -19,13 +20,16 @@ const SIZES := { "large": 64.0, "small": 20.0 } # metres
 @onready var field: GrassField = $Field
 @onready var camera: Camera3D = $Camera
 
-var _options := { "out": "", "size": "", "bodies": 128 }
+var _options := { "out": "", "size": "", "bodies": 128, "place": "demo" }
 var _bodies: Array[RigidBody3D] = []
 var _time := 0.0 # seconds since the throw, in physics ticks
 
 
 func _ready() -> void:
 	_read_options()
+	if _options.place != "demo":
+		get_tree().change_scene_to_file.call_deferred("res://demo/%s.tscn" % _options.place)
+		return
 	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU or RenderingServer.get_current_rendering_method() == "gl_compatibility"
 	var size: String = _options.size if _options.size else ("small" if software else "large")
 	var side: float = SIZES.get(size, size.to_float())
@@ -64,7 +68,7 @@ func _read_options() -> void:
 	for i in range(0, arguments.size(), 2):
 		var key := arguments[i].trim_prefix("--")
 		if not _options.has(key) or i + 1 == arguments.size():
-			push_error("Demo: cannot read the argument '%s'. Use --out DIR, --size SIZE, --bodies N." % arguments[i])
+			push_error("Demo: cannot read the argument '%s'. Use --out DIR, --size SIZE, --bodies N, --place NAME." % arguments[i])
 		else:
 			_options[key] = type_convert(arguments[i + 1], typeof(_options[key]))
 
