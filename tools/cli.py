@@ -42,7 +42,8 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="unit, stress, headless, gpu, editor (default: all, in that order)")
+	test.add_argument("layers", nargs="*", metavar="LAYER",
+			help="unit, stress, headless, gpu, editor, platforms (default: all, in that order); windows, arm64")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 
 	build = commands.add_parser("build", help="build the extension")
@@ -95,9 +96,9 @@ def dispatch(options):
 	elif options.command == "clean":
 		build.clean(options.all)
 	elif options.command == "test":
-		unknown = set(options.layers) - set(testing.LAYERS)
+		unknown = set(options.layers) - {*testing.LAYERS, *testing.MORE_LAYERS}
 		if unknown:
-			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
+			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS + testing.MORE_LAYERS)}.", 2)
 		return 0 if testing.run(tuple(options.layers) or testing.LAYERS, options.only) else 1
 	return 0
 

@@ -5,14 +5,16 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass, field
 
-from tools import build, engine, machine
+from tools import build, engine, machine, testing_platforms
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
 PROGRAMS = ("unit", "stress")  # layers without the engine: of doctest, a test case counts one
-LAYERS = (*PROGRAMS, "headless", "gpu", "editor")
+LAYERS = (*PROGRAMS, "headless", "gpu", "editor", "platforms")
+MORE_LAYERS = ("windows", "arm64")  # where they are named; see testing_platforms.py
 OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
 PICTURES = "test_picture"
 PROGRAM_LIMIT = 900  # seconds
@@ -43,15 +45,19 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def core(layer, only):
-	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one."""
-	program = str(BUILD / layer / f"{layer}_tests")
+def core(layer, only, program=None, environment=None, title=None):
+	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's."""
+	program = program or [str(BUILD / layer / f"{layer}_tests")]
+	title = title or layer
+	environment = {**os.environ, **(environment or {})}
 	chosen = [f"--test-case=*{only}*"] if only else []
 	try:
-		with progress(f"Running the {layer} tests"):
-			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT)
+		with progress(f"Running the {title} tests"):
+			result = subprocess.run(
+				[*program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment
+			)
 	except subprocess.TimeoutExpired:
-		return Tally(failed=[f"{layer}: still running after {PROGRAM_LIMIT} s"])
+		return Tally(failed=[f"{title}: still running after {PROGRAM_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
@@ -59,17 +65,18 @@ def core(layer, only):
 	blocks = [block for block in re.split(r"^=+$", result.stdout, flags=re.MULTILINE) if "ERROR:" in block]
 	names = [name.strip() for block in blocks for name in re.findall(r"^TEST CASE:\s*(.*)$", block, re.MULTILINE)]
 	names = list(dict.fromkeys(names)) + ["a test case"] * failed
-	failures = [f"{layer}: {name}" for name in names[:failed]]
+	failures = [f"{title}: {name}" for name in names[:failed]]
 	if result.returncode and not failures:
-		failures = [f"{layer}: the tests ended with code {result.returncode}"]
-	return Tally(passed, failures, [f"{layer}: {name} (marked to be skipped)" for name in skips(program, chosen)])
+		failures = [f"{title}: the tests ended with code {result.returncode}"]
+	return Tally(passed, failures, [f"{title}: {name} (marked to be skipped)" for name in skips(program, chosen, environment)])
 
 
-def skips(program, chosen):
+def skips(program, chosen, environment):
 	"""Names of the test cases that are marked to be skipped."""
 
 	def names(*arguments):
-		listing = subprocess.run([program, *chosen, "--list-test-cases", *arguments], capture_output=True, text=True).stdout
+		command = [*program, *chosen, "--list-test-cases", *arguments]
+		listing = subprocess.run(command, capture_output=True, text=True, env=environment).stdout
 		return {line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))}
 
 	return sorted(names("--no-skip") - names())
@@ -126,11 +133,13 @@ class Reports:
 
 
 def in_engine(
-	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT
+	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"), project=PROJECT,
+	more=(),
 ):  # fmt: skip
-	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose)."""
+	"""`only`: which tests (parts of names, between commas); `may_be_none`: whether none of them may be there (where the user chose).
+	`more`: arguments for the runner."""
 	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title)
-	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
+	arguments = ["--path", str(project), *start, "--", f"--layer={layer}", *more]
 	if only:
 		arguments.append(f"--only={only}")
 	try:
@@ -178,10 +187,14 @@ def run(layers=LAYERS, only=""):
 	build.scons(*sorted(set(targets.values())))
 	if "extension" in targets.values():
 		engine.import_project()
+	testing_platforms.prepare(layers)
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")
-		tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu, "editor": editor}[layer](only)
+		if layer in testing_platforms.LAYERS:
+			tally = testing_platforms.run_layer(layer, only, sys.modules[__name__])
+		else:
+			tally = core(layer, only) if layer in PROGRAMS else {"headless": headless, "gpu": gpu, "editor": editor}[layer](only)
 		say(f"{layer}: {tally.line()}")
 		total.add(tally)
 	if not total.count():

@@ -33,10 +33,13 @@ def compiler(system, arch):
 	if (system, arch) == HERE:
 		return machine.compiler()
 	if system == "windows" and arch == "x86_64":
-		return tool(f"{MINGW}-g++-posix")  # the variant that has std::thread
-	if system == "linux" and arch in GNU:
-		return tool(f"{GNU[arch]}-g++")
-	return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
+		found = tool(f"{MINGW}-g++-posix")  # the variant that has std::thread
+	elif system == "linux" and arch in GNU:
+		found = tool(f"{GNU[arch]}-g++")
+	else:
+		return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
+	launcher = os.environ.get("GRASS_LAUNCHER")  # such as ccache
+	return f"{launcher} {found}" if found and launcher else found
 
 
 def glibc(arch):

@@ -58,6 +58,8 @@ def prepare(env):
 	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=PLATFORMS[system].suffix, PROGSUFFIX=PLATFORMS[system].program)
 	if arch == "x86_64":
 		env.Append(CCFLAGS=["-march=x86-64"])
+	if arch == "arm64" and "clang" not in found:  # GCC would tell of each vector that other compilers once passed otherwise
+		env.Append(CCFLAGS=["-Wno-psabi"])
 	if system == "windows":
 		# GCC cannot align the stack to more than 16 bytes there (its bug 54412), so wide moves must not count on it. The runtime
 		# is linked in, and a file's bytes tell nothing of when it was made.
