@@ -52,7 +52,7 @@ def prepare(env):
 	"""Sets compiler, names and flags of `env`, for programs as for the library. Returns the platform, None if it has no compiler."""
 	system, arch = env["platform"], env["arch"]
 	found = env["cxx"] or toolchains.compiler(system, arch)
-	if not found or not shutil.which(found.split()[-1]):
+	if not found or not shutil.which(found.split()[0]):
 		print(f"There is no C++ compiler for {system} {arch}: name one as cxx=COMMAND, or in the environment as CXX.")
 		return None
 	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=PLATFORMS[system].suffix, PROGSUFFIX=PLATFORMS[system].program)
