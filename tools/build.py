@@ -5,14 +5,16 @@ import os
 import shutil
 import subprocess
 
-from tools import machine
+from tools import machine, toolchains
 from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS
 from tools.say import Failure, say
 
 
 def scons(*arguments):
 	"""Runs SCons with `arguments` (targets and option=value). Failure if the build fails."""
-	machine.ensure(*machine.BUILDING)
+	given = dict(argument.split("=", 1) for argument in arguments if "=" in argument)
+	system, arch = given.get("platform", toolchains.HERE[0]), given.get("arch", toolchains.HERE[1])
+	machine.ensure(*machine.BUILDING, *toolchains.needs(system, arch))
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
 	say("Building" + "".join(f" {argument}" for argument in arguments))

@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 from tools import settle
-from tools.packages import fetch
+from tools.packages import MAIN, fetch
 from tools.places import UNPACKED
 from tools.say import Failure
 
@@ -137,7 +137,7 @@ def validation_layer():
 	return next((folder for folder in known if (folder / "VkLayer_khronos_validation.json").exists()), None)
 
 
-# What each command needs: how to find it, and the Debian packages that bring it.
+# What each command needs: how to find it, the Debian packages that bring it, and where to unpack them if not beside the engine.
 ENGINE = (godot, ("godot", "patchelf"))
 BUILDING = (
 	ENGINE,
@@ -157,10 +157,13 @@ def ensure(*needs):
 	"""Fetches those of `needs` that the machine lacks. Failure if it lacks a compiler, or where fetching fails."""
 	ensure_compiler()
 	settle.check()
-	packages = sorted({name for found, names in needs if not found() for name in names})
-	if packages:
-		fetch(packages)
-	lacking = [names[0] for found, names in needs if not found()]
+	wanted = {}
+	for found, names, *root in needs:
+		if not found():
+			wanted.setdefault(root[0] if root else MAIN, set()).update(names)
+	for root, packages in wanted.items():
+		fetch(sorted(packages), root)
+	lacking = [names[0] for found, names, *_ in needs if not found()]
 	if lacking:
 		raise Failure(f"Fetched, but not found: {', '.join(lacking)}. Remove {UNPACKED.parent} and run this again.")
 

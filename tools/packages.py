@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Fetches what the machine lacks: packages of Debian's `testing` suite, unpacked into a folder of the project.
+"""Fetches what the machine lacks: Debian packages, unpacked into folders of the project.
+
+Each folder (a root) holds packages of one suite, for one architecture. The engine and what it needs come from `testing`;
+compilers for other platforms and what runs their programs from a stable release, so that a library is made by the same
+compiler wherever it is made.
 
 No root, nothing installed: apt gets a state of its own, and `dpkg-deb` unpacks. The folder appears under its name only
 when it is whole (unpacked beside it, then renamed), so a run that was interrupted leaves nothing half-done behind.
@@ -13,22 +17,55 @@ import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 
-from tools import settle
+from tools import places, settle
 from tools.places import TOOLS, UNPACKED
 from tools.say import Failure, progress
 
-APT = TOOLS / "apt"
-ARCHIVES = APT / "archives"
-PARTIAL = TOOLS / "root.partial"
-OLD = TOOLS / "root.old"
+
+@dataclass(frozen=True)
+class Root:
+	"""A folder of unpacked packages, and the state of apt that fills it."""
+
+	place: pathlib.Path
+	suite: str
+	architecture: str = ""  # by Debian's name; empty: this machine's
+
+	@property
+	def apt(self):
+		return TOOLS / "apt" / self.place.name
+
+	@property
+	def archives(self):
+		return self.apt / "archives"
+
+	@property
+	def partial(self):
+		return self.place.with_name(self.place.name + ".partial")
+
+	@property
+	def old(self):
+		return self.place.with_name(self.place.name + ".old")
+
+
+MAIN = Root(UNPACKED, "testing")
+CROSS = Root(places.CROSS, "bookworm")  # compilers for other platforms, Wine, qemu
+GLIBC = {  # what a library for Linux is linked against: glibc 2.31
+	"x86_64": Root(TOOLS / "linux_x86_64", "bullseye", "amd64"),
+	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
+}
+ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")
+MERGED = ("bin", "sbin", "lib", "lib64")  # links into usr, as on a machine; older packages still fill both
 STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in which apt reads it
 
-# Not unpacked: documentation, what the machine's own Python replaces, drivers of GPUs. Cards use the system's drivers.
+# Not unpacked: documentation, what the machine's own Python replaces, drivers of GPUs (cards use the system's), what compilers of
+# other languages bring.
 LEFT_OUT = (
 	"./usr/share/doc/*", "./usr/share/man/*", "./usr/share/locale/*", "./usr/share/info/*", "./usr/share/lintian/*",
 	"./usr/share/zoneinfo/*", "./usr/share/perl5/*", "./usr/bin/*python*", "./usr/bin/py*3*", "./usr/bin/spirv-*",
 	"./usr/lib/python3.*", "./usr/lib/*/gconv/*", "./usr/share/vulkan/icd.d/*", "./usr/share/vulkan/implicit_layer.d/*",
+	"./usr/bin/*lto-dump*", "./usr/bin/qemu-[!a]*", "./usr/lib/gcc*/*lto1", "./usr/lib/gcc*/adalib/*", "./usr/lib/gcc*/libgfortran*",
 	*(f"./usr/lib/*/libvulkan_{name}.so" for name in
 	("asahi", "freedreno", "gfxstream", "intel", "intel_hasvk", "nouveau", "panfrost", "broadcom", "powervr_mesa", "radeon", "virtio")),
 )
@@ -48,7 +85,7 @@ Dir::Etc::sourcelist "{apt}/sources.list";
 Dir::Etc::sourceparts "/dev/null";
 Dir::Etc::preferences "/dev/null";
 Dir::Etc::preferencesparts "/dev/null";
-APT::Default-Release "testing";
+APT::Default-Release "{suite}";
 APT::Install-Recommends "false";
 APT::Sandbox::User "{user}";
 APT::Update::Error-Mode "any";
@@ -58,7 +95,7 @@ Acquire::Retries "3";
 Acquire::IndexTargets::deb::DEP-11::DefaultEnabled "false";
 Acquire::IndexTargets::deb::Contents-deb::DefaultEnabled "false";
 Debug::NoLocking "true";
-#clear APT::Update::Post-Invoke;
+{architecture}#clear APT::Update::Post-Invoke;
 #clear APT::Update::Post-Invoke-Success;
 #clear DPkg::Post-Invoke;
 """
@@ -71,9 +108,9 @@ def run(*command, **options):
 	return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, pass_fds=_held, **options)
 
 
-def apt_get(*arguments):
-	"""Runs apt-get on the private state; returns what it printed. Failure with its own words if it fails."""
-	result = run("apt-get", "-c", str(APT / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"})
+def apt_get(root, *arguments):
+	"""Runs apt-get on the private state of `root`; returns what it printed. Failure with its own words if it fails."""
+	result = run("apt-get", "-c", str(root.apt / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"})
 	if result.returncode:
 		words = [line for line in (result.stdout + result.stderr).splitlines() if line[:2] in ("E:", "W:", "Er")]
 		raise Failure("Fetching packages failed. Is the network there? apt says:\n  " + "\n  ".join(words[-6:]) + f"\n{BY_HAND}")
@@ -93,44 +130,48 @@ def mirror():
 	return found
 
 
-def configure():
+def configure(root):
 	"""Writes the private state of apt."""
 	keyring = pathlib.Path("/usr/share/keyrings/debian-archive-keyring.gpg")
 	signed = f"[signed-by={keyring}] " if keyring.exists() else ""
-	for folder in (APT / "lists/partial", ARCHIVES / "partial", APT / "none/partial"):
+	for folder in (root.apt / "lists/partial", root.archives / "partial", root.apt / "none/partial"):
 		folder.mkdir(parents=True, exist_ok=True)
-	(APT / "sources.list").write_text(f"deb {signed}{mirror()} testing main\n")
-	status = UNPACKED / STATUS
+	(root.apt / "sources.list").write_text(f"deb {signed}{mirror()} {root.suite} main\n")
+	status = root.place / STATUS
 	if not status.exists():
-		status = APT / "status"
+		status = root.apt / "status"
 		status.touch()
 	user = "root" if os.geteuid() == 0 else ""
-	(APT / "apt.conf").write_text(CONFIGURATION.format(apt=APT, status=status, user=user))
+	name = root.architecture
+	architecture = f'APT::Architecture "{name}";\nAPT::Architectures {{ "{name}"; }};\n' if name else ""
+	text = CONFIGURATION.format(apt=root.apt, status=status, user=user, suite=root.suite, architecture=architecture)
+	(root.apt / "apt.conf").write_text(text)
 
 
-def download(packages):
+def download(root, packages):
 	"""Fetches `packages` and what they need beyond what is unpacked already. Returns the archives' paths."""
 	with progress("Looking up packages"):
-		apt_get("update")
+		apt_get(root, "update")
 	# Each line: 'address' file size checksum. With an empty cache, or what was fetched before is left out.
-	uris = apt_get("-o", f"Dir::Cache::archives={APT}/none", "-y", "--print-uris", "install", *packages)
+	uris = apt_get(root, "-o", f"Dir::Cache::archives={root.apt}/none", "-y", "--print-uris", "install", *packages)
 	wanted = {name: int(size) for name, size in re.findall(r"^'[^']+' (\S+\.deb) (\d+)", uris, re.MULTILINE)}
 	total = sum(wanted.values()) / 1e6
 
 	def fetched():
-		sizes = (file.stat().st_size for file in [*ARCHIVES.glob("*.deb"), *(ARCHIVES / "partial").glob("*.deb")] if file.exists())
+		files = [*root.archives.glob("*.deb"), *(root.archives / "partial").glob("*.deb")]
+		sizes = (file.stat().st_size for file in files if file.exists())
 		return f"{sum(sizes) / 1e6:.0f} of {total:.0f} MB"
 
 	with progress(f"Fetching {len(wanted)} packages", fetched):
-		apt_get("-y", "--download-only", "install", *packages)
-	return [ARCHIVES / name for name in wanted]
+		apt_get(root, "-y", "--download-only", "install", *packages)
+	return [root.archives / name for name in wanted]
 
 
-def unpack_one(archive):
+def unpack_one(archive, place):
 	"""Unpacks one archive; returns its entry for the status file."""
 	reader = subprocess.Popen(["dpkg-deb", "--fsys-tarfile", str(archive)], stdout=subprocess.PIPE, pass_fds=_held)
 	left_out = [f"--exclude={pattern}" for pattern in LEFT_OUT]
-	command = ["tar", "-x", "-C", str(PARTIAL), "--no-same-owner", "--wildcards", *left_out]
+	command = ["tar", "-x", "-C", str(place), "--no-same-owner", "--keep-directory-symlink", "--wildcards", *left_out]
 	result = subprocess.run(command, stdin=reader.stdout, capture_output=True, text=True, pass_fds=_held)
 	reader.stdout.close()
 	if reader.wait() or result.returncode:
@@ -140,33 +181,37 @@ def unpack_one(archive):
 	return f"{name}\nStatus: install ok installed\n{rest.rstrip()}\n\n"
 
 
-def unpack(archives):
-	"""Makes a new root of the old one and `archives`, and puts it in the old one's place."""
-	for leftover in (PARTIAL, OLD):
+def unpack(root, archives):
+	"""Makes a new folder of the old one and `archives`, and puts it in the old one's place."""
+	for leftover in (root.partial, root.old):
 		shutil.rmtree(leftover, ignore_errors=True)
-	if UNPACKED.exists():  # hard links cost no space; tar and patchelf replace files, they do not write into them
-		subprocess.run(["cp", "-al", str(UNPACKED), str(PARTIAL)], check=True)
-	PARTIAL.mkdir(exist_ok=True)
+	if root.place.exists():  # hard links cost no space; tar and patchelf replace files, they do not write into them
+		subprocess.run(["cp", "-al", str(root.place), str(root.partial)], check=True)
+	else:
+		for name in MERGED:
+			(root.partial / "usr" / name).mkdir(parents=True)
+			(root.partial / name).symlink_to(f"usr/{name}")
 	entries = []
 	pool = ThreadPoolExecutor(os.cpu_count())
 	try:
 		with progress("Unpacking", lambda: f"{len(entries)} of {len(archives)}"):
-			for entry in pool.map(unpack_one, archives):
+			for entry in pool.map(unpack_one, archives, [root.partial] * len(archives)):
 				entries.append(entry)
-			settle.patch(PARTIAL)
+			settle.keep_links_inside(root.partial)
+			if not root.architecture:
+				settle.patch(root.partial, root.place)
 	finally:
 		pool.shutdown(cancel_futures=True)
-	merge_status(entries)
-	if UNPACKED.exists():
-		UNPACKED.rename(OLD)
-	PARTIAL.rename(UNPACKED)
-	shutil.rmtree(OLD, ignore_errors=True)
-	shutil.rmtree(ARCHIVES, ignore_errors=True)
+	merge_status(root.partial / STATUS, entries)
+	if root.place.exists():
+		root.place.rename(root.old)
+	root.partial.rename(root.place)
+	shutil.rmtree(root.old, ignore_errors=True)
+	shutil.rmtree(root.archives, ignore_errors=True)
 
 
-def merge_status(entries):
+def merge_status(status, entries):
 	"""Writes the status file: the old entries, those of the same packages replaced."""
-	status = PARTIAL / STATUS
 	old = re.findall(r"^Package:.*?\n\n", status.read_text(), re.MULTILINE | re.DOTALL) if status.exists() else []
 	by_name = {entry.split("\n", 1)[0]: entry for entry in [*old, *entries]}
 	status.parent.mkdir(parents=True, exist_ok=True)
@@ -189,11 +234,11 @@ def alone():
 		_held.clear()
 
 
-def fetch(packages):
-	"""Gets `packages` into the project's folder."""
+def fetch(packages, root=MAIN):
+	"""Gets `packages` into the folder of `root`."""
 	try:
 		with alone():
-			configure()
-			unpack(download(packages))
+			configure(root)
+			unpack(root, download(root, packages))
 	except OSError as error:
 		raise Failure(f"Fetching packages failed: {error}") from error

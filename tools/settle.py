@@ -10,14 +10,17 @@ import os
 import platform
 import subprocess
 
-from tools.places import UNPACKED
+from tools.places import CROSS, UNPACKED
 from tools.say import Failure, progress
 
 MULTIARCH = f"{platform.machine()}-linux-gnu"
 LOADER = {"x86_64": "ld-linux-x86-64.so.2", "aarch64": "ld-linux-aarch64.so.1"}.get(platform.machine(), "ld.so")
 LIBRARIES = f"usr/lib/{MULTIARCH}"
 FOLDERS = ("", "/pulseaudio", "/blas", "/lapack")  # below LIBRARIES
-PROGRAMS = ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg")
+PROGRAMS = (
+	*(f"usr/bin/{name}" for name in ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg", "x86_64-w64-mingw32-*", "aarch64-linux-gnu-*")),
+	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*",
+)  # fmt: skip
 SETTLED = "settled"  # file in the root: where the programs believe that it lies
 SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to the Vulkan loader
 
@@ -28,23 +31,40 @@ def through_loader(root, program):
 	return [f"{root}/{LIBRARIES}/{LOADER}", "--library-path", library_path, str(program)]
 
 
-def patch(root):
-	"""Patches the programs in `root` to run once it lies at UNPACKED. Files are replaced, never written into."""
+def patch(root, place):
+	"""Patches the programs in `root` to run once it lies at `place`. Files are replaced, never written into."""
 	patchelf = [*through_loader(root, root / "usr/bin/patchelf")]
-	loader = f"{UNPACKED}/{LIBRARIES}/{LOADER}"
-	search = ":".join(f"$ORIGIN/../../{LIBRARIES}{folder}" for folder in FOLDERS)
-	for name in PROGRAMS:
-		program = root / "usr/bin" / name
-		if program.exists() and ask(patchelf, "--print-interpreter", program) != loader:
+	loader = f"{place}/{LIBRARIES}/{LOADER}"
+	for program in (file for pattern in PROGRAMS for file in root.glob(pattern) if is_elf(file)):
+		if ask(patchelf, "--print-interpreter", program) not in ("", loader):  # a library has none
+			libraries = os.path.relpath(root / LIBRARIES, program.parent)
+			search = ":".join(f"$ORIGIN/{libraries}{folder}" for folder in FOLDERS)
 			replace(program, [*patchelf, "--set-interpreter", loader, "--force-rpath", "--set-rpath", search])
 	for library in (root / LIBRARIES).rglob("*.so*"):
 		# a search path of its own would be taken instead of the program's
 		if library.is_file() and not library.is_symlink() and ask(patchelf, "--print-rpath", library):
 			replace(library, [*patchelf, "--remove-rpath"])
 	localise_keyboard(root / "usr/bin/Xvfb")
-	lavapipe = {"library_path": f"{UNPACKED}/{LIBRARIES}/libvulkan_lvp.so", "api_version": "1.3.0"}
+	localise_wine(root)
+	lavapipe = {"library_path": f"{place}/{LIBRARIES}/libvulkan_lvp.so", "api_version": "1.3.0"}
 	rewrite(root / SOFTWARE_VULKAN, json.dumps({"file_format_version": "1.0.1", "ICD": lavapipe}).encode())
-	rewrite(root / SETTLED, str(UNPACKED).encode())
+	rewrite(root / SETTLED, str(place).encode())
+
+
+def keep_links_inside(root):
+	"""A link from the top, such as /lib/libm.so.6, would lead to the machine's own file: let it begin in `root`."""
+	for folder, folders, names in os.walk(root):
+		for link in (os.path.join(folder, name) for name in [*folders, *names]):
+			if os.path.islink(link) and os.path.isabs(target := os.readlink(link)) and os.path.lexists(f"{root}{target}"):
+				os.unlink(link)
+				os.symlink(os.path.relpath(f"{root}{target}", folder), link)
+
+
+def is_elf(file):
+	if file.is_symlink() or not file.is_file():
+		return False
+	with open(file, "rb") as data:
+		return data.read(4) == b"\x7fELF"
 
 
 def replace(file, command):
@@ -74,12 +94,22 @@ def localise_keyboard(xvfb):
 		rewrite(xvfb, data.replace(there, b"\0.".ljust(len(there), b"\0")))
 
 
+def localise_wine(root):
+	"""Wine looks under /usr for its server, by way of a script, and for a library of MinGW's: put both where it looks first."""
+	script, library = root / "usr/lib/wine/wineserver", root / LIBRARIES / "wine/x86_64-windows/zlib1.dll"
+	for place, file in ((script, root / "usr/lib/wine/wineserver64"), (library, root / "usr/x86_64-w64-mingw32/lib/zlib1.dll")):
+		if file.exists() and not place.is_symlink():
+			place.unlink(missing_ok=True)
+			place.symlink_to(os.path.relpath(file, place.parent))
+
+
 def check():
 	"""Fits the programs anew if the project was moved since they were unpacked."""
-	marker = UNPACKED / SETTLED
-	if (UNPACKED / "usr/bin/patchelf").exists() and not (marker.exists() and marker.read_text() == str(UNPACKED)):
-		with progress("Fitting the fetched programs to their new place"):
-			patch(UNPACKED)
+	for place in (UNPACKED, CROSS):
+		marker = place / SETTLED
+		if (place / "usr/bin/patchelf").exists() and not (marker.exists() and marker.read_text() == str(place)):
+			with progress("Fitting the fetched programs to their new place"):
+				patch(place, place)
 
 
 def environment():

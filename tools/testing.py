@@ -5,9 +5,10 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass, field
 
-from tools import binding_tests, build, engine, machine, validation
+from tools import binding_tests, build, engine, machine, testing_platforms, validation
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, progress, say
 
@@ -44,15 +45,19 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def core(layer, only):
-	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one."""
-	program = str(BUILD / layer / f"{layer}_tests")
+def core(layer, only, program=None, environment=None, title=None):
+	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's."""
+	program = program or [str(BUILD / layer / f"{layer}_tests")]
+	title = title or layer
+	environment = {**os.environ, **(environment or {})}
 	chosen = [f"--test-case=*{only}*"] if only else []
 	try:
-		with progress(f"Running the {layer} tests"):
-			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT)
+		with progress(f"Running the {title} tests"):
+			result = subprocess.run(
+				[*program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment
+			)
 	except subprocess.TimeoutExpired:
-		return Tally(failed=[f"{layer}: still running after {PROGRAM_LIMIT} s"])
+		return Tally(failed=[f"{title}: still running after {PROGRAM_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
@@ -60,17 +65,18 @@ def core(layer, only):
 	blocks = [block for block in re.split(r"^=+$", result.stdout, flags=re.MULTILINE) if "ERROR:" in block]
 	names = [name.strip() for block in blocks for name in re.findall(r"^TEST CASE:\s*(.*)$", block, re.MULTILINE)]
 	names = list(dict.fromkeys(names)) + ["a test case"] * failed
-	failures = [f"{layer}: {name}" for name in names[:failed]]
+	failures = [f"{title}: {name}" for name in names[:failed]]
 	if result.returncode and not failures:
-		failures = [f"{layer}: the tests ended with code {result.returncode}"]
-	return Tally(passed, failures, [f"{layer}: {name} (marked to be skipped)" for name in skips(program, chosen)])
+		failures = [f"{title}: the tests ended with code {result.returncode}"]
+	return Tally(passed, failures, [f"{title}: {name} (marked to be skipped)" for name in skips(program, chosen, environment)])
 
 
-def skips(program, chosen):
+def skips(program, chosen, environment):
 	"""Names of the test cases that are marked to be skipped."""
 
 	def names(*arguments):
-		listing = subprocess.run([program, *chosen, "--list-test-cases", *arguments], capture_output=True, text=True).stdout
+		command = [*program, *chosen, "--list-test-cases", *arguments]
+		listing = subprocess.run(command, capture_output=True, text=True, env=environment).stdout
 		return {line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))}
 
 	return sorted(names("--no-skip") - names())
@@ -132,11 +138,12 @@ class Reports:
 
 def in_engine(
 	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"),
-	project=PROJECT, forbidden=(),
+	project=PROJECT, forbidden=(), more=(),
 ):  # fmt: skip
-	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose); `forbidden`: see Reports."""
+	"""`only`: which tests (parts of names, between commas); `may_be_none`: whether none of them may be there (where the user chose).
+	`forbidden`: see Reports; `more`: arguments for the runner."""
 	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden)
-	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
+	arguments = ["--path", str(project), *start, "--", f"--layer={layer}", *more]
 	if only:
 		arguments.append(f"--only={only}")
 	try:
@@ -172,6 +179,10 @@ def docs(only):
 	from tools import docs_tests  # it imports this module
 
 	return docs_tests.run(only)
+
+
+def on_platform(layer, only):
+	return testing_platforms.run_layer(layer, only, sys.modules[__name__])
 
 
 def copy_project():
@@ -214,10 +225,14 @@ LAYERS = {
 	"gpu": Layer(gpu),
 	"validation": Layer(lambda only, _: validation.layer(only, Tally())),
 	"editor": Layer(lambda only, _: editor(only)),
+	"platforms": Layer(lambda only, _: on_platform("platforms", only)),
+	"windows": Layer(lambda only, _: on_platform("windows", only)),
+	"arm64": Layer(lambda only, _: on_platform("arm64", only)),
 }
+DEFAULT = tuple(layer for layer in LAYERS if layer not in ("windows", "arm64"))
 
 
-def run(layers=tuple(LAYERS), only="", hardware=False):
+def run(layers=DEFAULT, only="", hardware=False):
 	"""Builds, runs `layers`, the gpu layer on the machine's GPU if it is to be `hardware`; prints the sum. Returns whether all went well."""
 	if hardware and not machine.gpu():
 		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
@@ -227,6 +242,7 @@ def run(layers=tuple(LAYERS), only="", hardware=False):
 		build.scons(*targets)
 	if "extension" in targets:
 		engine.import_project()
+	testing_platforms.prepare(layers)
 	total = Tally()
 	for layer in layers:
 		say(f"Tests: {layer}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
-## (or gpu), optionally with `--only=PART` of a test's name. `./grass test` does that and adds up the layers. The layer
+## (or gpu), optionally with `--only=PART[,PART...]` of tests' names. `./grass test` does that and adds up the layers. The layer
 ## `editor` runs inside the editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene
 ## (`./grass export OUT --tests`) it wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
 ##
@@ -9,7 +9,8 @@
 @tool
 extends Node
 
-const TIME_LIMIT := 900.0 # seconds; a test that takes longer is taken for hung. A few wait for what may take Case.PATIENCE
+const TIME_LIMIT := 900.0 # seconds; a test that takes longer is taken for hung, unless --limit=SECONDS says otherwise. A few wait for what
+# may take Case.PATIENCE.
 const Case := preload("res://tests/case.gd")
 const FieldCase := preload("res://tests/field_case.gd")
 
@@ -84,7 +85,7 @@ func _argument(key: String, fallback: String) -> String:
 	return fallback
 
 
-## Every test of `layer` whose name contains `only`: {name, path, function}. A script that does not load is one too.
+## Every test of `layer` whose name contains one of `only`'s parts: {name, path, function}. A script that does not load is one too.
 func _plan(layer: String, only: String) -> Array:
 	var plan := []
 	for file in ResourceLoader.list_directory("res://tests/" + layer): # in an export, too, where they have other names on disk
@@ -93,7 +94,7 @@ func _plan(layer: String, only: String) -> Array:
 		var path := "res://tests/%s/%s" % [layer, file]
 		for function in _functions(path):
 			var test_name := "%s/%s.%s" % [layer, file.get_basename(), function]
-			if not only or test_name.contains(only):
+			if not only or Array(only.split(",")).any(func(part: String) -> bool: return test_name.contains(part)):
 				plan.append({name = test_name, path = path, function = function})
 	return plan
 
@@ -120,11 +121,12 @@ func _run(test: Dictionary) -> void:
 	add_child(case)
 	_done = false
 	_call(case, test.function)
-	var deadline := Time.get_ticks_msec() + TIME_LIMIT * 1000
+	var limit := float(_argument("limit", str(TIME_LIMIT)))
+	var deadline := Time.get_ticks_msec() + limit * 1000
 	while not _done and Time.get_ticks_msec() < deadline:
 		await get_tree().process_frame
 	if not _done:
-		case.fail("still running after %d s" % TIME_LIMIT)
+		case.fail("still running after %d s" % limit)
 	remove_child(case)
 	for child in case.get_children():
 		child.free()

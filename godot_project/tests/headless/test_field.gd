@@ -99,7 +99,7 @@ func test_patch_changes_rebuild_the_field() -> void:
 	await made(field, makings + 2)
 	assert_ne(tile_knots(field, Vector2i.ZERO), after, "another patch seed")
 	field.patch = null
-	await ticks(2)
+	await made(field, makings + 3)
 	assert_eq(tile_knots(field, Vector2i.ZERO), before, "the default patch again")
 
 
