@@ -44,7 +44,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
+		GDREGISTER_INTERNAL_CLASS(grass::SpeciesChoice);
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
+		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
 		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
 		for (const std::string_view &text : grass::CLASS_DOCS) {

@@ -68,7 +68,7 @@ void BrushToolbar::show_brush() {
 	for (const Slider &entry : _sliders) {
 		entry.slider->set_value(_brush->get_param(entry.param));
 	}
-	_species->set_value(double(_brush->get_species()));
+	_species->show_species(_brush->get_species());
 	_color->set_pick_color(_brush->get_color());
 	_channel->select(_channel->get_item_index(int32_t(_brush->get_channel())));
 	slider_of(BRUSH_TARGET)->set_label(info.target == nullptr ? "" : info.target);
@@ -96,7 +96,9 @@ void BrushToolbar::put_tool_down() {
 void BrushToolbar::nudge(Number p_number, int p_notches) {
 	const GrassBrush::Tool tool = _brush->get_tool();
 	if (p_number == NUMBER_TARGET && tool == GrassBrush::TOOL_SPECIES) {
-		_species->set_value(_species->get_value() + p_notches);
+		const int64_t last = _species->get_count();
+		_species->set_chosen();
+		_brush->set_species(std::clamp<int64_t>(_brush->get_species() + p_notches, 0, last));
 		return;
 	}
 	constexpr BrushParamId PARAMS[] = { BRUSH_RADIUS, BRUSH_HARDNESS, BRUSH_STRENGTH, BRUSH_TARGET };
@@ -124,13 +126,29 @@ void BrushToolbar::_number_changed(double) {
 	for (const Slider &entry : _sliders) {
 		_brush->set_param(entry.param, entry.slider->get_value());
 	}
-	_brush->set_species(int64_t(_species->get_value()));
 	_showing = false;
 	show_brush();
 }
 
 void BrushToolbar::_color_changed(const Color &p_color) {
 	_brush->set_color(p_color);
+}
+
+void BrushToolbar::_species_selected(int64_t p_index) {
+	_species->set_chosen();
+	_brush->set_species(_species->get_item_id(int32_t(p_index)));
+}
+
+void BrushToolbar::show_species(const GrassField *p_field) {
+	if (_brush->get_tool() != GrassBrush::TOOL_SPECIES) {
+		return;
+	}
+	_species->show_field(p_field);
+	const int64_t species = _species->fitting(_brush->get_species());
+	if (species != _brush->get_species()) {
+		_brush->set_species(species);
+	}
+	_species->show_species(species);
 }
 
 void BrushToolbar::_channel_selected(int64_t p_index) {

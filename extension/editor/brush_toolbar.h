@@ -3,6 +3,7 @@
 // with it is the plugin.
 #pragma once
 
+#include "editor/species_choice.h"
 #include "nodes/grass_brush.h"
 
 #include <godot_cpp/classes/button.hpp>
@@ -42,6 +43,7 @@ public:
 	bool has_tool() const { return _has_tool; }
 	bool follows_ground() const; // bakes the ground under the brush, and where something moved
 	void put_tool_down(); // nothing is painted until another is chosen
+	void show_species(const GrassField *p_field); // of the selected field, as they are now
 	void nudge(Number p_number, int p_notches);
 	godot::Color get_tool_color() const; // for the ring
 
@@ -70,6 +72,7 @@ private:
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);
 	void _color_changed(const godot::Color &p_color);
+	void _species_selected(int64_t p_index);
 	void _channel_selected(int64_t p_index);
 	void _limits_pressed();
 	void _bake_pressed();
@@ -78,7 +81,7 @@ private:
 	godot::Ref<GrassBrush> _brush;
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
-	godot::EditorSpinSlider *_species = nullptr;
+	SpeciesChoice *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
 	godot::Button *_limits = nullptr, *_bake = nullptr;

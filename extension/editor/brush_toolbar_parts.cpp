@@ -20,7 +20,6 @@ namespace grass {
 
 namespace {
 
-constexpr Tunable SPECIES_TARGET{ "species_target", "", 0.0, 255.0, 1.0, 0.0 };
 constexpr double WIDE = 118.0, NARROW = 92.0; // of sliders, in the editor's unscaled pixels
 
 double editor_scale() {
@@ -90,7 +89,11 @@ void BrushToolbar::add_numbers() {
 	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
-	_species = add_slider(this, SPECIES_TARGET, "Species", TARGET_TOOLTIP, WIDE);
+	_species = memnew(SpeciesChoice);
+	_species->set_name("SpeciesTarget");
+	_species->set_custom_minimum_size(Vector2(real_t(1.5 * WIDE * editor_scale()), 0));
+	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
+	add_child(_species);
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));

@@ -19,6 +19,8 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
+	_export_check.instantiate();
+	add_export_plugin(_export_check);
 	set_process(true);
 }
 
@@ -26,6 +28,8 @@ void GrassEditorPlugin::_exit_tree() {
 	put_down();
 	_watch.forget();
 	_ring.free();
+	remove_export_plugin(_export_check);
+	_export_check.unref();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_toolbar->queue_free();
 	_toolbar = nullptr;
@@ -35,6 +39,9 @@ void GrassEditorPlugin::_notification(int p_what) {
 	if (p_what == NOTIFICATION_APPLICATION_FOCUS_OUT || p_what == NOTIFICATION_WM_WINDOW_FOCUS_OUT) {
 		finish_stroke();
 	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
+		if (_toolbar->is_visible()) {
+			_toolbar->show_species(find_field());
+		}
 		if (!_toolbar->follows_ground()) {
 			_watch.forget();
 		} else if (!_stroke.is_active()) { // it keeps a snapshot, which is whole strokes and whole ground
@@ -100,6 +107,7 @@ void GrassEditorPlugin::_tool_changed() {
 	if (!_toolbar->has_tool()) {
 		put_down();
 	}
+	_toolbar->show_species(find_field());
 }
 
 // Something done to the whole field's map, as one step of the history.

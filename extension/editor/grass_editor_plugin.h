@@ -4,6 +4,7 @@
 #pragma once
 
 #include "editor/brush_toolbar.h"
+#include "editor/export_check.h"
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
@@ -58,6 +59,7 @@ private:
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
+	godot::Ref<ExportCheck> _export_check;
 	uint64_t _field_id = 0; // of the selected field; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;

@@ -212,6 +212,8 @@ private:
 	// grass_field_map.cpp
 	void show_map();
 	void update_map();
+	bool is_map_bare() const;
+	void watch_bare_map();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	std::span<const SlotGrowth> grow_tiles();
 	double ground_reach() const;
@@ -282,6 +284,7 @@ private:
 	godot::Ref<GrassPatch> _patch;
 	std::vector<godot::Ref<GrassSpecies>> _species; // may hold empty ones
 	godot::Ref<GrassMap> _map;
+	bool _is_map_bare = false; // as far as the editor was told
 	int64_t _seed = 0, _pool_tiles = TileParams().pool_size, _collision_mask = 1;
 	bool _simulated = true, _measure_time = false, _has_ground = true;
 	SolverMethod _solver_method = SolverMethod(SolverParams().method);

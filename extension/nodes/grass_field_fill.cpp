@@ -56,6 +56,7 @@ void GrassField::set_fill_live(bool p_live) {
 		EditorInterface::get_singleton()->set_object_edited(_map.ptr(), true); // what is filled is saved with it from now on
 	}
 	_fill.state = LiveFill(); // without it the map keeps what is filled
+	update_configuration_warnings();
 	notify_property_list_changed();
 }
 
@@ -181,13 +182,6 @@ void GrassField::_fill_pressed() {
 
 Callable GrassField::get_fill_button() const {
 	return callable_mp(const_cast<GrassField *>(this), &GrassField::_fill_pressed);
-}
-
-void GrassField::_validate_property(PropertyInfo &p_property) const {
-	const bool is_button = p_property.name == StringName("fill_now");
-	if ((is_button && (_fill.is_live || _fill.rule.is_null())) || (p_property.name == StringName("fill_live") && _fill.rule.is_null())) {
-		p_property.usage = p_property.usage & ~uint32_t(PROPERTY_USAGE_EDITOR);
-	}
 }
 
 } // namespace grass

@@ -30,12 +30,28 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	if (_map.is_valid()) {
 		_map->connect("chunks_changed", changed);
 	}
+	_is_map_bare = is_map_bare();
 	request_rebuild();
+}
+
+// Nothing grows on it, nor will by a rule.
+bool GrassField::is_map_bare() const {
+	const bool is_filled = _fill.rule.is_valid() && _fill.is_live;
+	return _map.is_valid() && _map->is_readable() && !is_filled && _map->get_base_density() == 0.0 && !_map->get_map().uses(MAP_DENSITY);
+}
+
+// The editor looks at a node's warnings only when it is told to, and then draws its whole tree of nodes anew.
+void GrassField::watch_bare_map() {
+	if (_is_map_bare != is_map_bare()) {
+		_is_map_bare = !_is_map_bare;
+		update_configuration_warnings();
+	}
 }
 
 // However often the map changes, it is looked at once, at the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
 	touch_fill(p_chunks);
+	watch_bare_map();
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	for (ShownMap *map : shown_maps()) {
 		if (map != nullptr && map->get_map() == _map) {

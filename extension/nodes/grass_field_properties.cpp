@@ -4,6 +4,7 @@
 
 #include "draw/patch_texture.h"
 #include "nodes/build_info.h"
+#include "nodes/inherited_properties.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
 
@@ -241,6 +242,16 @@ SolverParams GrassField::solver_params() const {
 	params.max_speed = param(PARAM_MAX_SPEED);
 	params.iterations = int(param(PARAM_ITERATIONS));
 	return params;
+}
+
+void GrassField::_validate_property(PropertyInfo &p_property) const {
+	const CharString utf8 = String(p_property.name).utf8();
+	const std::string_view name = utf8.get_data();
+	const bool has_no_rule =
+			(name == "fill_now" && (_fill.is_live || _fill.rule.is_null())) || (name == "fill_live" && _fill.rule.is_null());
+	if (has_no_rule || has_no_effect(name)) {
+		p_property.usage = p_property.usage & ~uint32_t(PROPERTY_USAGE_EDITOR);
+	}
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include "nodes/build_info.h"
 #include "nodes/main_thread.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
 using namespace godot;
@@ -268,7 +269,14 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (prepare_patches() && find_patch()->is_empty()) {
 		warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
 	}
+	if (_species.empty() && _patch.is_valid()) {
+		warnings.append_array(_patch->find_warnings("`patch`"));
+	}
 	warn_of_species(warnings);
+	if (is_map_bare() && Engine::get_singleton()->is_editor_hint()) { // a game may begin with bare ground
+		warnings.push_back("`map` has nothing painted and `base_density` 0, so no grass grows. Paint with the brush, or set the map's "
+						   "`base_density` to 1.");
+	}
 	if (is_inside_tree()) {
 		const Transform3D transform = get_global_transform();
 		if (!transform.is_finite()) {
@@ -301,7 +309,10 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (_fill.rule.is_valid() && _fill.rule->asks_ground() && (_map.is_null() || !_map->get_map().uses(MAP_GROUND))) {
 		warnings.push_back(
 				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
-				"height.");
+				"height. Bake the ground.");
+	}
+	if (_fill.rule.is_valid()) {
+		warnings.append_array(_fill.rule->find_warnings());
 	}
 	return warnings;
 }

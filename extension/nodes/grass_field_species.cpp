@@ -225,6 +225,9 @@ void GrassField::warn_of_species(PackedStringArray &r_warnings) const {
 		} else if (_species[i]->prepare_patch() && _species[i]->find_patch()->is_empty()) {
 			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _species[i]->find_patch()->empty_because));
 		}
+		if (_species[i].is_valid() && _species[i]->get_patch().is_valid()) {
+			r_warnings.append_array(_species[i]->get_patch()->find_warnings(vformat("The patch of species %d", int64_t(i))));
+		}
 	}
 }
 

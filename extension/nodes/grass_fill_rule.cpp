@@ -34,6 +34,15 @@ double GrassFillRule::get_param(int64_t p_param) const {
 	return _rule.params[size_t(p_param)];
 }
 
+PackedStringArray GrassFillRule::find_warnings() const {
+	PackedStringArray warnings;
+	for (const auto &[least, most] : { std::pair(FILL_SLOPE_MIN, FILL_SLOPE_MAX), std::pair(FILL_HEIGHT_MIN, FILL_HEIGHT_MAX) }) {
+		warn_if_reversed("`fill_rule`", FILL_PARAMS[least], get_param(least), FILL_PARAMS[most], get_param(most),
+				"it fills little or nothing", warnings);
+	}
+	return warnings;
+}
+
 void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
 	GRASS_CHANGE_GUARD("GrassFillRule");
 	const Callable changed = callable_mp(this, &GrassFillRule::_mask_changed);

@@ -36,6 +36,7 @@ public:
 	void set_group(int64_t p_group, const godot::StringName &p_name);
 	godot::StringName get_group(int64_t p_group) const;
 
+	godot::PackedStringArray find_warnings() const; // what of it can hardly be meant
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height(); }
 	// p_region: what is filled.
 	FillRule get_rule(const MapRegion &p_region);

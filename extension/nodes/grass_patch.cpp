@@ -62,6 +62,13 @@ double GrassPatch::get_param(Param p_param) const {
 	return value_of(const_cast<PatchParams &>(_params), p_param);
 }
 
+PackedStringArray GrassPatch::find_warnings(const String &p_who) const {
+	PackedStringArray warnings;
+	warn_if_reversed(p_who, LENGTH_MIN, _params.length_min, LENGTH_MAX, _params.length_max, "all blades are `length_min` long", warnings);
+	warn_if_reversed(p_who, WIDTH_MIN, _params.width_min, WIDTH_MAX, _params.width_max, "all blades are `width_min` wide", warnings);
+	return warnings;
+}
+
 std::shared_ptr<const Patch> GrassPatch::get_patch() {
 	if (!_patch) {
 		prepare();

@@ -5,6 +5,7 @@
 #include "core/patch_maker.h"
 
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 
 #include <memory>
 
@@ -30,6 +31,9 @@ public:
 	int64_t get_seed() const { return _params.seed; }
 	void set_param(Param p_param, double p_value);
 	double get_param(Param p_param) const;
+
+	// What of it can hardly be meant. p_who: what to call the patch.
+	godot::PackedStringArray find_warnings(const godot::String &p_who) const;
 
 	// The blades; made when first asked for after a change, and shared by all fields that use this resource.
 	std::shared_ptr<const Patch> get_patch();

@@ -34,4 +34,12 @@ int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int6
 	return value;
 }
 
+void warn_if_reversed(const String &p_who, const Tunable &p_min, double p_least, const Tunable &p_max, double p_most, const char *p_so,
+		PackedStringArray &r_warnings) {
+	if (p_least > p_most) {
+		r_warnings.push_back(vformat(
+				"%s has `%s` above `%s`, so %s. Bring `%s` below `%s`.", p_who, p_min.name, p_max.name, p_so, p_min.name, p_max.name));
+	}
+}
+
 } // namespace grass

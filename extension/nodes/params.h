@@ -6,6 +6,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
 namespace grass {
@@ -17,5 +18,9 @@ double checked(const Tunable &p_tunable, double p_value, const godot::String &p_
 
 // A whole number within limits, likewise.
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const godot::String &p_owner);
+
+// Where a least value is above the greatest one: that, and p_so, what comes of it, among the warnings of p_who.
+void warn_if_reversed(const godot::String &p_who, const Tunable &p_min, double p_least, const Tunable &p_max, double p_most,
+		const char *p_so, godot::PackedStringArray &r_warnings);
 
 } // namespace grass

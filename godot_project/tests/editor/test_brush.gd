@@ -140,12 +140,12 @@ func test_every_tool_changes_its_channel() -> void:
 		"Density": GrassMap.CHANNEL_DENSITY, "Height": GrassMap.CHANNEL_HEIGHT, "Species": GrassMap.CHANNEL_SPECIES,
 		"Tint": GrassMap.CHANNEL_TINT, "Comb": GrassMap.CHANNEL_LEAN, "Cut": GrassMap.CHANNEL_CUT, "Flatten": GrassMap.CHANNEL_WEAR,
 	}
+	field.species = [GrassSpecies.new(), GrassSpecies.new()]
+	await frames(3)
 	for tool_name: String in channels:
 		await take(tool_name)
 		if tool_name == "Density" or tool_name == "Height":
 			set_number("Target", 0.5)
-		if tool_name == "Species":
-			set_number("SpeciesTarget", 2)
 		if tool_name == "Flatten" or tool_name == "Comb":
 			set_number("Target", 1.0)
 		var before := channel(channels[tool_name])

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+## What the editor says and shows to somebody who has just begun: warnings beside the node, species by name, exports without a library.
+@tool
+extends "res://tests/editor/editor_case.gd"
+
+const EXTENSION := "res://addons/grass_field/grass_field.gdextension"
+const BARE := "`map` has nothing painted"
+
+var _updates := 0
+
+
+## The editor's list of nodes is made anew some time after a warning came or went.
+func assert_warned(expected: bool, message: String) -> void:
+	for i in 400:
+		if (await warning()).contains(BARE) == expected:
+			return
+	fail(message)
+
+
+## The tooltip of the yellow triangle beside the field in the scene tree; "" without one.
+func warning() -> String:
+	await frames(1)
+	for tree: Tree in EditorInterface.get_base_control().find_children("*", "Tree", true, false):
+		var item := _item_of(tree.get_root()) if tree.get_parent().is_class("SceneTreeEditor") and tree.is_visible_in_tree() else null
+		if item:
+			for i in item.get_button_count(0):
+				if item.get_button_tooltip_text(0, i).contains("warning"):
+					return item.get_button_tooltip_text(0, i).replace("\n", " ")
+			return ""
+	fail("the field is not in the scene tree's list")
+	return ""
+
+
+func _item_of(item: TreeItem) -> TreeItem:
+	if item == null or item.get_text(0) == "Field":
+		return item
+	for child in item.get_children():
+		var found := _item_of(child)
+		if found:
+			return found
+	return null
+
+
+func _count_update(node: Node) -> void:
+	_updates += int(node == field)
+
+
+func test_a_new_map_that_grows_nothing_is_said() -> void:
+	await assert_warned(false, "no map: grass everywhere")
+	field.map = GrassMap.new()
+	await assert_warned(true, "an empty one")
+	await shoot("bare_map")
+	field.map.base_density = 1.0
+	await assert_warned(false, "full")
+	field.map.base_density = 0.0
+	await assert_warned(true, "empty again")
+	field.fill_rule = GrassFillRule.new()
+	await assert_warned(false, "the rule fills it")
+	field.fill_rule = null
+	field.map = GrassMap.new()
+	await assert_warned(true, "empty again")
+
+	get_tree().node_configuration_warning_changed.connect(_count_update)
+	await take("Paint")
+	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 0, -1)])
+	await assert_warned(false, "painted")
+	assert_greater(plugin.get_statistics().steps, 4)
+	assert_eq(_updates, 1, "the editor looks once, however long the stroke")
+	await stroke([Vector3(-1, 0, -1), Vector3(0, 0, -1)])
+	assert_eq(_updates, 1)
+	await undo()
+	await undo()
+	await assert_warned(true, "undone")
+	get_tree().node_configuration_warning_changed.disconnect(_count_update)
+
+
+func species_item(index: int) -> String:
+	return (toolbar.get_node("SpeciesTarget") as OptionButton).get_item_text(index)
+
+
+## The brush's choice of species, with three to choose from.
+func mix_species() -> OptionButton:
+	var clover := GrassSpecies.new()
+	clover.resource_name = "Clover"
+	clover.tip_color = Color.DARK_GREEN
+	var straw := GrassSpecies.new()
+	straw.tip_color = Color.GOLD
+	straw.root_color = Color.SADDLE_BROWN
+	ResourceSaver.save(straw, "res://tests/editor/dry_straw.tres")
+	var of_file: GrassSpecies = load("res://tests/editor/dry_straw.tres")
+	var poppy := GrassSpecies.new()
+	var image := Image.create_empty(32, 32, false, Image.FORMAT_RGBA8)
+	image.fill_rect(Rect2i(6, 6, 20, 20), Color.RED)
+	poppy.card = ImageTexture.create_from_image(image)
+	poppy.card_share = 0.5
+	var species: Array[GrassSpecies] = [clover, of_file, poppy]
+	field.species = species
+	await frames(3)
+	return toolbar.get_node("SpeciesTarget")
+
+
+func test_species_are_chosen_by_name() -> void:
+	await take("Erase")
+	var choice := await mix_species()
+	await take("Species")
+	assert_eq(choice.item_count, 4)
+	assert_eq(choice.text, "Clover", "the first species, not the mixture")
+	assert_eq([species_item(0), species_item(1), species_item(2), species_item(3)], ["As mixed", "Clover", "Dry Straw", "Species 3"])
+	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
+	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 1.0, "something useful at once")
+
+	await click(choice) # its popup opens
+	await frames(3)
+	assert_true(choice.get_popup().visible)
+	await shoot("species_choice")
+	choice.get_popup().get_texture().get_image().save_png(ProjectSettings.globalize_path("res://../species_popup.png"))
+	for i in 8:
+		if choice.get_popup().get_focused_item() != 3:
+			await popup_key(choice.get_popup(), KEY_DOWN)
+	await popup_key(choice.get_popup(), KEY_ENTER)
+	await frames(2)
+	assert_false(choice.get_popup().visible)
+	assert_eq(choice.text, "Species 3")
+	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
+	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 3.0)
+	await move(at(Vector3.ZERO))
+	await key(KEY_BRACKETLEFT, KEY_MASK_CTRL | KEY_MASK_SHIFT)
+	assert_eq(choice.text, "Dry Straw", "by key")
+
+	(field.species[1] as GrassSpecies).resource_name = "Hay"
+	await frames(2)
+	assert_eq(choice.text, "Hay", "a new name shows at once")
+	var swatch := choice.get_item_icon(2).get_image()
+	assert_greater(swatch.get_pixel(4, 1).r, swatch.get_pixel(4, 1).b + 0.3, "golden tips above")
+	assert_less(swatch.get_pixel(4, swatch.get_height() - 1).g, swatch.get_pixel(4, 1).g, "brown roots below")
+	var flower := choice.get_item_icon(3).get_image()
+	assert_greater(flower.get_pixel(flower.get_width() / 2, flower.get_height() / 2).r, 0.8, "a red flower")
+	field.species = field.species.slice(0, 1)
+	await frames(2)
+	assert_eq(choice.text, "Clover", "the one that is left")
+	field.species = []
+	await frames(2)
+	assert_true(choice.disabled)
+	assert_true(choice.tooltip_text.contains("`species`"), "says what to do")
+
+
+## A key to a window of its own, by way of the display server.
+func popup_key(popup: PopupMenu, code: Key) -> void:
+	for pressed: bool in [true, false]:
+		var event := InputEventKey.new()
+		event.window_id = popup.get_window_id()
+		event.keycode = code
+		event.physical_keycode = code
+		event.pressed = pressed
+		Input.parse_input_event(event)
+		await frames(1)
+
+
+## What an export to a platform of this class says of the field, by its messages.
+func export_errors(platform: EditorExportPlatform, options: Dictionary) -> PackedStringArray:
+	var preset := platform.create_preset()
+	for option: String in options:
+		preset.set(option, options[option])
+	platform.clear_messages()
+	platform.export_pack(preset, true, ProjectSettings.globalize_path("user://first_minute.pck"))
+	var errors := PackedStringArray()
+	for i in platform.get_message_count():
+		if platform.get_message_category(i) == "GrassField":
+			assert_eq(platform.get_message_type(i), EditorExportPlatform.EXPORT_MESSAGE_ERROR)
+			errors.append(platform.get_message_text(i))
+	return errors
+
+
+func test_an_export_without_its_library_is_an_error() -> void:
+	var lists := FileAccess.get_file_as_string(EXTENSION)
+	var linux := EditorExportPlatformLinuxBSD.new()
+	assert_eq(export_errors(linux, {"binary_format/architecture": "x86_64"}), PackedStringArray(), "it is there")
+
+	expect_error("GrassField: grass_field.gdextension names no library for linux rv64 (debug)")
+	var errors := export_errors(linux, {"binary_format/architecture": "rv64"})
+	if assert_eq(errors.size(), 1):
+		assert_true(errors[0].contains("./grass build platform=linux arch=rv64 target=debug"), errors[0])
+
+	var file := FileAccess.open(EXTENSION, FileAccess.WRITE)
+	file.store_string(lists.replace("[libraries]", "[libraries]\n\nwindows.debug.x86_64 = \"bin/nowhere.dll\""))
+	file.close()
+	expect_error("GrassField: res://addons/grass_field/bin/nowhere.dll is missing, the library for windows x86_64 (debug)")
+	errors = export_errors(EditorExportPlatformWindows.new(), {"binary_format/architecture": "x86_64"})
+	assert_eq(errors.size(), 1)
+	file = FileAccess.open(EXTENSION, FileAccess.WRITE)
+	file.store_string(lists)
+	file.close()
