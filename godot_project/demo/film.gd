@@ -3,15 +3,15 @@
 ## the engine's movie writer record it. Says on the console which frames are the film: those before them wait for the driver.
 extends Node3D
 
-const LENGTH := 6.0 # seconds
+const LENGTH := 5.0 # seconds
 const FADE := 0.5 # seconds at the end that the encoder fades into the beginning
 const COMPILING := 150_000 # milliseconds
-const COLORS: Array[Color] = [Color(0.75, 0.22, 0.15), Color(0.2, 0.4, 0.65), Color(0.85, 0.6, 0.2)]
-## Radius, place (field space), velocity. Metres and seconds.
-const BALLS: Array[Array] = [
-	[0.24, Vector3(-3.6, 0.24, 0.25), Vector3(3.4, 0, -0.1)],
-	[0.34, Vector3(4.8, 0.34, -1.3), Vector3(-3.2, 0, 0.25)],
-	[0.16, Vector3(-4.6, 0.16, 0.95), Vector3(2.7, 0, -0.05)],
+const LOG := 1.7 # metres long; the rest are balls
+## Radius, place, velocity, colour. Metres and seconds.
+const BODIES: Array[Array] = [
+	[0.36, Vector3(-4.4, 0.36, 0.5), Vector3(4.2, 0, -0.1), Color(0.75, 0.22, 0.15)],
+	[0.2, Vector3(0.5, 0.2, -5.2), Vector3(0, 0, 3.4), Color(0.45, 0.3, 0.18)],
+	[0.5, Vector3(6.0, 0.5, -2.2), Vector3(-4.0, 0, 0.3), Color(0.2, 0.4, 0.65)],
 ]
 
 var _frame := 0 # of the movie
@@ -22,8 +22,8 @@ var _frame := 0 # of the movie
 func _ready() -> void:
 	await _compiled()
 	print("film: from frame %d, %d frames, fade %d" % [_frame, roundi(LENGTH * 60.0), roundi(FADE * 60.0)])
-	for i in BALLS.size():
-		add_child(_ball(BALLS[i][0], BALLS[i][1], BALLS[i][2], COLORS[i]))
+	for i in BODIES.size():
+		add_child(_body(BODIES[i][0], BODIES[i][1], BODIES[i][2], BODIES[i][3], i == 1))
 	await get_tree().create_timer(LENGTH + FADE + 0.1).timeout
 	get_tree().quit()
 
@@ -41,15 +41,24 @@ func _compiled() -> void:
 		await get_tree().process_frame
 
 
-func _ball(radius: float, place: Vector3, velocity: Vector3, color: Color) -> RigidBody3D:
+func _body(radius: float, place: Vector3, velocity: Vector3, color: Color, is_log: bool) -> RigidBody3D:
 	var body := RigidBody3D.new()
 	var shape := CollisionShape3D.new()
-	shape.shape = SphereShape3D.new()
-	shape.shape.radius = radius
 	var look := MeshInstance3D.new()
-	look.mesh = SphereMesh.new()
-	look.mesh.radius = radius
-	look.mesh.height = 2.0 * radius
+	if is_log:
+		shape.shape = CapsuleShape3D.new()
+		shape.shape.height = LOG
+		look.mesh = CapsuleMesh.new()
+		look.mesh.radius = radius
+		look.mesh.height = LOG
+		shape.rotation.z = 0.5 * PI
+		look.rotation.z = 0.5 * PI
+	else:
+		shape.shape = SphereShape3D.new()
+		look.mesh = SphereMesh.new()
+		look.mesh.radius = radius
+		look.mesh.height = 2.0 * radius
+	shape.shape.radius = radius
 	look.material_override = StandardMaterial3D.new()
 	look.material_override.albedo_color = color
 	look.material_override.roughness = 0.5

@@ -35,3 +35,13 @@ func blade_differences(tile: Vector2i) -> PackedFloat64Array:
 		var knots := blade_of(by_gpu, blade)
 		off.append(farthest(knots, blade_of(by_cpu, blade)) / (15 * knots[0].distance_to(knots[1])))
 	return off
+
+
+## Share of the tiles' blades that lie farther apart than `limit` of their length. For blades that a body has just squashed: which way
+## one of them buckles may hang on its last bits, which differ between cards.
+func share_apart(tiles: Array[Vector2i], limit: float) -> float:
+	var apart := 0
+	for tile in tiles:
+		for off in blade_differences(tile):
+			apart += int(off > limit)
+	return float(apart) / (tiles.size() * BLADES)
