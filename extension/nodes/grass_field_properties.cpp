@@ -21,7 +21,7 @@ String GrassField::label() const {
 	return vformat("GrassField '%s'", get_name());
 }
 String GrassField::message(const String &p_text) const {
-	if (_has_reported) {
+	if (_has_reported || !is_main_thread()) { // which the rendering server would wait for
 		return vformat("%s: %s", label(), p_text);
 	}
 	_has_reported = true;
