@@ -11,10 +11,10 @@ from tools.say import Failure, progress, say
 
 SCENE = "res://demo/film.tscn"
 RATE = 60  # frames a second
-SIZE = "1280x720"
+SIZE = "1280x720"  # the project's: the movie writer takes no other
 FFMPEG = (lambda: machine.program("ffmpeg"), ("ffmpeg", "patchelf"))
 MOST_BYTES = 6_000_000  # of the loop, which opens the README
-LOOP = {"width": 600, "qualities": (70, 55, 45, 35, 25)}  # the best that is not too large
+LOOP = {"width": 480, "qualities": (60, 50, 40, 30)}  # the best that is not too large
 SAYS = re.compile(r"film: from frame (\d+), (\d+) frames, fade (\d+)")
 
 

@@ -11,7 +11,7 @@ const LOG := 1.7 # metres long; the rest are balls
 const BODIES: Array[Array] = [
 	[0.36, Vector3(-4.4, 0.36, 0.5), Vector3(4.2, 0, -0.1), Color(0.75, 0.22, 0.15)],
 	[0.2, Vector3(0.5, 0.2, -5.2), Vector3(0, 0, 3.4), Color(0.45, 0.3, 0.18)],
-	[0.5, Vector3(6.0, 0.5, -2.2), Vector3(-4.0, 0, 0.3), Color(0.2, 0.4, 0.65)],
+	[0.5, Vector3(6.6, 0.5, -2.7), Vector3(-4.0, 0, 0), Color(0.2, 0.4, 0.65)],
 ]
 
 var _frame := 0 # of the movie
