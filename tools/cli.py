@@ -18,6 +18,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass bench    runs the benchmarks, of the core and in the engine
   ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
+  ./grass release  makes the zips of a release, out/release
   ./grass clean    removes what was built (--all: also what was fetched)
 
 What the machine lacks (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) is fetched into .tools/ here:
@@ -46,7 +47,7 @@ def parser():
 	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows and arm64)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows, arm64 and release)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
@@ -67,6 +68,11 @@ def parser():
 	export.add_argument("out", metavar="OUT", help="folder to write to")
 	export.add_argument("--debug", action="store_true", help="with the debug template and library")
 	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
+
+	release = commands.add_parser("release", help="make the zips of a release, out/release")
+	release.add_argument("--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows")
+	release.add_argument("--out", default=None, metavar="DIR", help="folder for the zips (default: out/release)")
+	release.add_argument("--fixtures", action="store_true", help="instead, write files of this version for the tests of later ones")
 
 	clean = commands.add_parser("clean", help="remove what was built")
 	clean.add_argument("--all", action="store_true", help="also remove what was fetched")
@@ -106,6 +112,10 @@ def dispatch(options):
 		site.make()
 	elif options.command == "export":
 		export.export(options.out, options.debug, options.tests)
+	elif options.command == "release":
+		from tools import release
+
+		release.write_fixtures() if options.fixtures else release.make(options.only, options.out)
 	elif options.command == "clean":
 		build.clean(options.all)
 	elif options.command == "test":

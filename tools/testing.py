@@ -185,6 +185,12 @@ def on_platform(layer, only):
 	return testing_platforms.run_layer(layer, only, sys.modules[__name__])
 
 
+def packed(layer, only):
+	from tools import testing_release  # it imports this module
+
+	return testing_release.run_layer(layer, only)
+
+
 def copy_project():
 	"""The project once more, with the plugin that runs the tests in the editor."""
 	shutil.rmtree(EDITED, ignore_errors=True)
@@ -202,7 +208,7 @@ def editor(only):
 
 def on_screen(layers, hardware):
 	"""What layers that draw need."""
-	software = {"gpu", "validation", "editor"} & set(layers) - ({"gpu"} if hardware else set())
+	software = {"gpu", "validation", "editor", "release"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
 
@@ -226,10 +232,12 @@ LAYERS = {
 	"validation": Layer(lambda only, _: validation.layer(only, Tally())),
 	"editor": Layer(lambda only, _: editor(only)),
 	"platforms": Layer(lambda only, _: on_platform("platforms", only)),
+	"package": Layer(lambda only, _: packed("package", only)),
 	"windows": Layer(lambda only, _: on_platform("windows", only)),
 	"arm64": Layer(lambda only, _: on_platform("arm64", only)),
+	"release": Layer(lambda only, _: packed("release", only)),
 }
-DEFAULT = tuple(layer for layer in LAYERS if layer not in ("windows", "arm64"))
+DEFAULT = tuple(layer for layer in LAYERS if layer not in ("windows", "arm64", "release"))
 
 
 def run(layers=DEFAULT, only="", hardware=False):

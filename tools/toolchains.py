@@ -78,6 +78,11 @@ WINE = (lambda: tool("wine64"), ("wine64", "patchelf"), CROSS)
 QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), CROSS)
 
 
+def binutil(name, system, arch):
+	"""objdump, strip and the like for files of `system` and `arch`."""
+	prefix = MINGW if system == "windows" else GNU[arch]
+	return tool(f"{prefix}-{name}", *([name] if (system, arch) == HERE else []))
+
+
 def objdump(system, arch):
-	name = f"{MINGW}-objdump" if system == "windows" else f"{GNU[arch]}-objdump"
-	return tool(name, *(["objdump"] if (system, arch) == HERE else []))
+	return binutil("objdump", system, arch)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from SCons.Variables import EnumVariable
 
 from tools import toolchains
-from tools.places import BUILD
+from tools.places import BUILD, ROOT, TOOLS
 
 ARCHITECTURES = ("x86_64", "arm64", "universal", "wasm32")
 
@@ -83,6 +83,14 @@ def link_library(env):
 	# What is linked in stays inside: the engine has a libstdc++ of its own.
 	env.Append(LINKFLAGS=["-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL"])
 	return link_old_glibc(env, arch)
+
+
+def forget_folders(env):
+	"""Keeps out of the library where it was built, so that the same sources make the same bytes anywhere."""
+	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in ((TOOLS.resolve(), ".tools"), (ROOT, "."))]
+	env.Append(CCFLAGS=[*maps, "-frandom-seed=$SOURCE"])
+	if env["platform"] == "linux":
+		env.Append(LINKFLAGS=["-Wl,--build-id=sha1"])
 
 
 def link_program(env):
