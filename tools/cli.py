@@ -43,7 +43,8 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, headless, docs, gpu, validation, editor (default: all)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="binding, unit, stress, sanitize-short, headless, docs, gpu, validation, "
+			"editor (default: all of these); sanitize: all of it under sanitizers, long")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
@@ -107,7 +108,7 @@ def dispatch(options):
 		unknown = set(options.layers) - set(testing.LAYERS)
 		if unknown:
 			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
-		return 0 if testing.run(tuple(options.layers) or tuple(testing.LAYERS), options.only, options.gpu) else 1
+		return 0 if testing.run(tuple(options.layers) or testing.ALL, options.only, options.gpu) else 1
 	return 0
 
 

@@ -44,16 +44,21 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def core(layer, only):
-	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one."""
-	program = str(BUILD / layer / f"{layer}_tests")
+def core(layer, only, folder="", environment=None, said=None):
+	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `folder`: where another build of them lies;
+	`said`: gets the lines of its errors."""
+	program = str(BUILD / (folder or layer) / f"{layer}_tests")
 	chosen = [f"--test-case=*{only}*"] if only else []
 	try:
 		with progress(f"Running the {layer} tests"):
-			result = subprocess.run([program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT)
+			everything = {**os.environ, **(environment or {})}
+			command = [program, *chosen]
+			result = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=everything)
 	except subprocess.TimeoutExpired:
 		return Tally(failed=[f"{layer}: still running after {PROGRAM_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
+	if said is not None:
+		said += result.stderr.splitlines()
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
 	# A block between rulers is one report: of failed checks, or only of a message.
@@ -87,16 +92,18 @@ def stress_in_full():
 class Reports:
 	"""Follows what the runner in the engine reports."""
 
-	def __init__(self, layer, may_be_none, title="", forbidden=()):
-		"""`forbidden`: what the engine must not say, as (pattern, what it is)."""
+	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
+		"""`forbidden`: what the engine must not say, as (pattern, what it is); `said`: gets all that it says."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running = [], None
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
 		self.heard = {} # lines, by what they are
+		self.said = [] if said is None else said
 
 	def line(self, text):
 		if not text.startswith(MARK):
 			print(text, flush=True)
+			self.said.append(text)
 			for pattern, what in self.forbidden:
 				if pattern.search(text):
 					self.heard.setdefault(what, []).append(text)
@@ -132,10 +139,10 @@ class Reports:
 
 def in_engine(
 	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"),
-	project=PROJECT, forbidden=(),
+	project=PROJECT, forbidden=(), said=None,
 ):  # fmt: skip
-	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose); `forbidden`: see Reports."""
-	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden)
+	"""`only`: which tests; `may_be_none`: whether none of them may be there (where the user chose); `forbidden`, `said`: see Reports."""
+	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden, said)
 	arguments = ["--path", str(project), *start, "--", f"--layer={layer}"]
 	if only:
 		arguments.append(f"--only={only}")
@@ -174,6 +181,12 @@ def docs(only):
 	return docs_tests.run(only)
 
 
+def sanitize(only, in_full):
+	from tools import sanitize as sanitizers  # it imports this module
+
+	return sanitizers.run(only) if in_full else sanitizers.run_short(only)
+
+
 def copy_project():
 	"""The project once more, with the plugin that runs the tests in the editor."""
 	shutil.rmtree(EDITED, ignore_errors=True)
@@ -191,17 +204,19 @@ def editor(only):
 
 def on_screen(layers, hardware):
 	"""What layers that draw need."""
-	software = {"gpu", "validation", "editor"} & set(layers) - ({"gpu"} if hardware else set())
+	software = {"gpu", "validation", "editor", "sanitize"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
 
 
 @dataclass
 class Layer:
-	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it."""
+	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it; `in_all`: whether it runs
+	where no layer is named."""
 
 	run: object
 	target: str = "extension"
+	in_all: bool = True
 
 
 # In the order in which they run.
@@ -209,6 +224,8 @@ LAYERS = {
 	"binding": Layer(lambda only, _: binding(only), None),
 	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
 	"stress": Layer(lambda only, _: core("stress", only), "stress"),
+	"sanitize-short": Layer(lambda only, _: sanitize(only, False), None),
+	"sanitize": Layer(lambda only, _: sanitize(only, True), in_all=False),
 	"headless": Layer(lambda only, _: headless(only)),
 	"docs": Layer(lambda only, _: docs(only)),
 	"gpu": Layer(gpu),
@@ -217,7 +234,10 @@ LAYERS = {
 }
 
 
-def run(layers=tuple(LAYERS), only="", hardware=False):
+ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
+
+
+def run(layers=ALL, only="", hardware=False):
 	"""Builds, runs `layers`, the gpu layer on the machine's GPU if it is to be `hardware`; prints the sum. Returns whether all went well."""
 	if hardware and not machine.gpu():
 		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
