@@ -47,7 +47,7 @@ def parser():
 	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU")
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows, arm64 and release)")
+	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)")
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
@@ -122,7 +122,7 @@ def dispatch(options):
 		unknown = set(options.layers) - set(testing.LAYERS)
 		if unknown:
 			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
-		return 0 if testing.run(tuple(options.layers) or testing.DEFAULT, options.only, options.gpu) else 1
+		return 0 if testing.run(tuple(options.layers) or testing.ALL, options.only, options.gpu) else 1
 	return 0
 
 

@@ -45,8 +45,9 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def core(layer, only, program=None, environment=None, title=None):
-	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's."""
+def core(layer, only, program=None, environment=None, title=None, said=None):
+	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's
+	ordinary one; `said`: gets the lines of its errors."""
 	program = program or [str(BUILD / layer / f"{layer}_tests")]
 	title = title or layer
 	environment = {**os.environ, **(environment or {})}
@@ -59,6 +60,8 @@ def core(layer, only, program=None, environment=None, title=None):
 	except subprocess.TimeoutExpired:
 		return Tally(failed=[f"{title}: still running after {PROGRAM_LIMIT} s"])
 	print(result.stdout + result.stderr, end="")
+	if said is not None:
+		said += result.stderr.splitlines()
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
 	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
 	# A block between rulers is one report: of failed checks, or only of a message.
@@ -93,16 +96,18 @@ def stress_in_full():
 class Reports:
 	"""Follows what the runner in the engine reports."""
 
-	def __init__(self, layer, may_be_none, title="", forbidden=()):
-		"""`forbidden`: what the engine must not say, as (pattern, what it is)."""
+	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
+		"""`forbidden`: what the engine must not say, as (pattern, what it is); `said`: gets all that it says."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running = [], None
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
 		self.heard = {} # lines, by what they are
+		self.said = [] if said is None else said
 
 	def line(self, text):
 		if not text.startswith(MARK):
 			print(text, flush=True)
+			self.said.append(text)
 			for pattern, what in self.forbidden:
 				if pattern.search(text):
 					self.heard.setdefault(what, []).append(text)
@@ -138,11 +143,11 @@ class Reports:
 
 def in_engine(
 	layer, command, environment, only, may_be_none=None, title="", start=("--fixed-fps", "60", "res://tests/runner.tscn"),
-	project=PROJECT, forbidden=(), more=(),
+	project=PROJECT, forbidden=(), more=(), said=None,
 ):  # fmt: skip
 	"""`only`: which tests (parts of names, between commas); `may_be_none`: whether none of them may be there (where the user chose).
-	`forbidden`: see Reports; `more`: arguments for the runner."""
-	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden)
+	`forbidden`, `said`: see Reports; `more`: arguments for the runner."""
+	reports = Reports(layer, bool(only) if may_be_none is None else may_be_none, title, forbidden, said)
 	arguments = ["--path", str(project), *start, "--", f"--layer={layer}", *more]
 	if only:
 		arguments.append(f"--only={only}")
@@ -191,6 +196,12 @@ def packed(layer, only):
 	return testing_release.run_layer(layer, only)
 
 
+def sanitize(only, in_full):
+	from tools import sanitize as sanitizers  # it imports this module
+
+	return sanitizers.run(only) if in_full else sanitizers.run_short(only)
+
+
 def copy_project():
 	"""The project once more, with the plugin that runs the tests in the editor."""
 	shutil.rmtree(EDITED, ignore_errors=True)
@@ -208,17 +219,19 @@ def editor(only):
 
 def on_screen(layers, hardware):
 	"""What layers that draw need."""
-	software = {"gpu", "validation", "editor", "release"} & set(layers) - ({"gpu"} if hardware else set())
+	software = {"gpu", "validation", "editor", "release", "sanitize"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
 
 
 @dataclass
 class Layer:
-	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it."""
+	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it; `in_all`: whether it runs
+	where no layer is named."""
 
 	run: object
 	target: str = "extension"
+	in_all: bool = True
 
 
 # In the order in which they run.
@@ -226,6 +239,8 @@ LAYERS = {
 	"binding": Layer(lambda only, _: binding(only), None),
 	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
 	"stress": Layer(lambda only, _: core("stress", only), "stress"),
+	"sanitize-short": Layer(lambda only, _: sanitize(only, False), None),
+	"sanitize": Layer(lambda only, _: sanitize(only, True), in_all=False),
 	"headless": Layer(lambda only, _: headless(only)),
 	"docs": Layer(lambda only, _: docs(only)),
 	"gpu": Layer(gpu),
@@ -233,14 +248,14 @@ LAYERS = {
 	"editor": Layer(lambda only, _: editor(only)),
 	"platforms": Layer(lambda only, _: on_platform("platforms", only)),
 	"package": Layer(lambda only, _: packed("package", only)),
-	"windows": Layer(lambda only, _: on_platform("windows", only)),
-	"arm64": Layer(lambda only, _: on_platform("arm64", only)),
-	"release": Layer(lambda only, _: packed("release", only)),
+	"windows": Layer(lambda only, _: on_platform("windows", only), in_all=False),
+	"arm64": Layer(lambda only, _: on_platform("arm64", only), in_all=False),
+	"release": Layer(lambda only, _: packed("release", only), in_all=False),
 }
-DEFAULT = tuple(layer for layer in LAYERS if layer not in ("windows", "arm64", "release"))
+ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 
 
-def run(layers=DEFAULT, only="", hardware=False):
+def run(layers=ALL, only="", hardware=False):
 	"""Builds, runs `layers`, the gpu layer on the machine's GPU if it is to be `hardware`; prints the sum. Returns whether all went well."""
 	if hardware and not machine.gpu():
 		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")

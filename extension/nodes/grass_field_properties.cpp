@@ -21,7 +21,8 @@ String GrassField::label() const {
 	return vformat("GrassField '%s'", get_name());
 }
 String GrassField::message(const String &p_text) const {
-	if (_has_reported || !is_main_thread()) { // which the rendering server would wait for
+	// On another thread the renderer answers only once the main thread is free, which may be waiting for this one.
+	if (_has_reported || !is_main_thread()) {
 		return vformat("%s: %s", label(), p_text);
 	}
 	_has_reported = true;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "on_threads.h"
+
 #include "core/map/brush.h"
 #include "core/map/fill.h"
 #include "core/map/hand_paint.h"
@@ -11,6 +13,7 @@
 #include <random>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
@@ -368,12 +371,7 @@ TEST_CASE("fill: many threads write what one writes") {
 	const MapRegion area{ { -500, -500 }, { 500, 500 } };
 	const FillResult serial = fill_all(one, rule, {}, area);
 	CHECK(serial.cells == 2000 * 2000);
-	const ParallelFor backwards = [](int p_count, const std::function<void(int)> &p_body) {
-		for (int i = p_count - 1; i >= 0; i--) {
-			p_body(i);
-		}
-	};
-	const FillResult parallel = fill(other, chunks_in(area), area, &rule, {}, backwards);
+	const FillResult parallel = fill(other, chunks_in(area), area, &rule, {}, on_threads);
 	CHECK(one.compare(other).empty());
 	CHECK(parallel.changed == serial.changed);
 	CHECK(double(serial.changed.size()) * CELLS_A_CHUNK >= double(serial.cells));

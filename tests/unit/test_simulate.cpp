@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "blade_scene.h"
+#include "on_threads.h"
 
 #include "core/blade.h"
 #include "core/half.h"
@@ -134,6 +135,21 @@ TEST_CASE_TEMPLATE("The order of the tiles does not change a bit", M, Direct, Pb
 	for (int slot = 0; slot < 8; slot++) {
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			CHECK(forwards.pool.get_knots(slot, b) == backwards.pool.get_knots(slot, b));
+		}
+	}
+}
+
+TEST_CASE_TEMPLATE("Many threads step as one does", M, Direct, Pbd) {
+	PoolScene one(32, M::METHOD), many(32, M::METHOD);
+	for (int i = 0; i < 30; i++) {
+		one.step();
+		many.step(on_threads);
+	}
+	CHECK(one.pool.get_simulated_blades() == many.pool.get_simulated_blades());
+	for (int slot = 0; slot < 32; slot++) {
+		CHECK(one.pool.get_energy()[size_t(slot)] == many.pool.get_energy()[size_t(slot)]);
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			CHECK(one.pool.get_knots(slot, b) == many.pool.get_knots(slot, b));
 		}
 	}
 }
