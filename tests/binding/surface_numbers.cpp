@@ -275,6 +275,7 @@ METHOD(Color, operator==, bool(const Color &) const)
 METHOD(Color, operator!=, bool(const Color &) const)
 METHOD(Color, lerp, Color(const Color &, float) const)
 METHOD(Color, srgb_to_linear, Color() const)
+METHOD(Color, linear_to_srgb, Color() const)
 METHOD(Color, to_html, String(bool) const)
 METHOD(Color, operator String, String() const)
 

@@ -251,6 +251,12 @@ Color Color::srgb_to_linear() const {
 	};
 	return Color(linear(r), linear(g), linear(b), a);
 }
+Color Color::linear_to_srgb() const {
+	const auto srgb = [](float p_x) {
+		return p_x < 0.0031308f ? 12.92f * p_x : static_cast<float>(1.055 * std::pow(p_x, 1.0f / 2.4f) - 0.055);
+	};
+	return Color(srgb(r), srgb(g), srgb(b), a);
+}
 
 String Color::to_html(bool p_alpha) const {
 	const auto byte = [](float p_x) { return static_cast<int64_t>(std::round(CLAMP(p_x, 0.0f, 1.0f) * 255.0f)); };

@@ -35,6 +35,7 @@ struct Color {
 	constexpr bool operator!=(const Color &p_c) const { return !(*this == p_c); }
 	Color lerp(const Color &p_to, float p_weight) const { return *this + (p_to - *this) * p_weight; }
 	Color srgb_to_linear() const;
+	Color linear_to_srgb() const;
 	String to_html(bool p_alpha = true) const; // rrggbbaa
 
 	operator String() const;
