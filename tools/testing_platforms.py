@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Layers of tests for other platforms: what is built for them is checked, loaded and run here, under Wine and qemu.
 
-`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is not optimised and compares.
+`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares.
 """
 
 import os

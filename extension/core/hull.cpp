@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/hull.h"
 
+#include "core/plane.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -85,10 +87,6 @@ void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eige
 	if (distance - p_normal.dot(p_point) <= p_tolerance && std::none_of(r_planes.begin(), r_planes.end(), is_same)) {
 		r_planes.push_back({ p_normal, distance });
 	}
-}
-
-double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
-	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
 }
 
 // Looks along the line through two points: if all others lie within half a turn, it is an edge of the hull, and the

@@ -65,7 +65,7 @@ EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
 	return { pull / (p_h * p_h), std::max(drag, (CHAIN_SLOWER - 1.0) * pull) / p_h };
 }
 
-constexpr double TURN = 2.0 * std::numbers::pi;
+constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
 double or_zero(double p_value) {
 	return std::isfinite(p_value) ? p_value : 0.0;
@@ -90,13 +90,13 @@ SolverParams SolverParams::sanitised() const {
 }
 
 double SolverParams::energy_within(double p_distance) const {
-	const double speed = TURN * sanitised().natural_frequency * p_distance;
+	const double speed = RADIANS_PER_CYCLE * sanitised().natural_frequency * p_distance;
 	return 0.5 * speed * speed / GRASS_FREE_KNOTS;
 }
 
 double SolverParams::calm_time() const {
 	const SolverParams params = sanitised();
-	return std::clamp(std::log(100.0) / std::max(TURN * params.natural_frequency * params.damping_ratio, 1e-6), 1.0, 10.0);
+	return std::clamp(std::log(100.0) / std::max(RADIANS_PER_CYCLE * params.natural_frequency * params.damping_ratio, 1e-6), 1.0, 10.0);
 }
 
 GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
@@ -119,7 +119,7 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	}
 	const double h = _delta, g = _delta_before;
 
-	const double swing = TURN * params.natural_frequency, damping = params.damping_ratio * swing;
+	const double swing = RADIANS_PER_CYCLE * params.natural_frequency, damping = params.damping_ratio * swing;
 	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
 	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(h, g)), damping };
 	const Oscillator root{ tip.w * params.root_stiffness, damping };
@@ -129,7 +129,7 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	step.motion.y = float(at_tip.pull);
 	step.motion.z = float(std::max(at_root.pull - two_step(tip, h, h).pull, 0.0));
 	// [Eq 9] One minus the share that is left after all iterations, by iteration.
-	const double bend = TURN * params.bend_stiffness * h;
+	const double bend = RADIANS_PER_CYCLE * params.bend_stiffness * h;
 	step.motion.w = float(-std::expm1(-bend * bend / params.iterations));
 
 	const double weight = at_tip.pull / (tip.w * tip.w);

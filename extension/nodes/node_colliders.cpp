@@ -15,7 +15,7 @@ namespace grass {
 namespace {
 
 // Of an ordinary body's friction, as the tracker takes it.
-constexpr double FRICTION = 0.5;
+constexpr double NODE_FRICTION = 0.5;
 
 } // namespace
 
@@ -74,7 +74,7 @@ void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick
 		judge_motion(entry, now, p_tick);
 		ColliderShape collider = entry.tracked.shape;
 		scale_shape(collider, now.linear());
-		collider.friction = FRICTION;
+		collider.friction = NODE_FRICTION;
 		collider.owner = entry.node_id;
 		collider.set_poses(entry.before, now);
 		r_colliders.push_back(collider);

@@ -11,7 +11,7 @@ namespace grass {
 
 namespace {
 
-constexpr const MapChannelInfo &INFO = info_of(MAP_DENSITY);
+constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
 constexpr size_t BATCH = 128; // chunks that are worked out before they are written: 2 MiB
 
 struct FilledChunk {
@@ -44,26 +44,27 @@ public:
 			}
 		}
 		if (p_sources.has_mesh) {
-			_mesh_shares = p_sources.mesh ? p_sources.mesh->get_shares(p_key) : std::vector<double>(size_t(INFO.side) * size_t(INFO.side));
+			_mesh_shares =
+					p_sources.mesh ? p_sources.mesh->get_shares(p_key) : std::vector<double>(size_t(DENSITY.side) * size_t(DENSITY.side));
 		}
 		_asks_ground = _rule->asks_height() || !_obstacles.empty();
 	}
 
 	FilledChunk run() {
 		FilledChunk filled;
-		auto texels = std::make_shared<MapTexels>(INFO.chunk_bytes());
+		auto texels = std::make_shared<MapTexels>(DENSITY.chunk_bytes());
 		const int32_t base = _map.initial_code(MAP_DENSITY, 0);
 		bool is_plain = true;
-		for (int row = 0; row < INFO.side; row++) {
-			for (int column = 0; column < INFO.side; column++) {
-				const int i = _key.x * INFO.side + column, j = _key.z * INFO.side + row;
-				const Eigen::Vector2d centre = Eigen::Vector2d(i + 0.5, j + 0.5) * INFO.texel_size();
-				const size_t texel = size_t(row) * size_t(INFO.side) + size_t(column);
+		for (int row = 0; row < DENSITY.side; row++) {
+			for (int column = 0; column < DENSITY.side; column++) {
+				const int i = _key.x * DENSITY.side + column, j = _key.z * DENSITY.side + row;
+				const Eigen::Vector2d centre = Eigen::Vector2d(i + 0.5, j + 0.5) * DENSITY.texel_size();
+				const size_t texel = size_t(row) * size_t(DENSITY.side) + size_t(column);
 				const int32_t before = _density.code(0, i, j);
 				int32_t after = before;
 				if (is_inside(centre)) {
 					filled.cells++;
-					const int32_t filling = _rule == nullptr ? base : INFO.code(ask(centre, texel));
+					const int32_t filling = _rule == nullptr ? base : DENSITY.code(ask(centre, texel));
 					after = HandPaint{ _paint.code(0, i, j), _paint.code(1, i, j) }.over(filling);
 				}
 				(*texels)[texel] = uint8_t(after);
@@ -72,7 +73,7 @@ public:
 				is_plain = is_plain && after == base;
 			}
 		}
-		filled.amount *= INFO.unit * INFO.texel_size() * INFO.texel_size();
+		filled.amount *= DENSITY.unit * DENSITY.texel_size() * DENSITY.texel_size();
 		filled.texels = is_plain ? nullptr : std::move(texels);
 		return filled;
 	}

@@ -9,7 +9,7 @@ namespace grass {
 
 namespace {
 
-constexpr const MapChannelInfo &INFO = info_of(MAP_DENSITY);
+constexpr const MapChannelInfo &DENSITY_TEXELS = info_of(MAP_DENSITY);
 
 // A triangle seen from above: how much of each corner is in a place.
 struct Flat {
@@ -64,23 +64,23 @@ void FillMesh::add(const Corner &p_a, const Corner &p_b, const Corner &p_c) {
 }
 
 std::vector<double> FillMesh::get_shares(const MapKey &p_key) const {
-	const size_t count = size_t(INFO.side) * size_t(INFO.side);
+	const size_t count = size_t(DENSITY_TEXELS.side) * size_t(DENSITY_TEXELS.side);
 	std::vector<double> shares(count, 0.0), heights(count, -std::numeric_limits<double>::infinity());
 	const auto found = _by_chunk.find(p_key);
 	if (found == _by_chunk.end()) {
 		return shares;
 	}
 	const Eigen::Array2d origin(p_key.x * MAP_CHUNK_SIZE, p_key.z * MAP_CHUNK_SIZE);
-	const double size = INFO.texel_size();
+	const double size = DENSITY_TEXELS.texel_size();
 	for (const size_t index : found->second) {
 		const Triangle &triangle = _triangles[index];
 		const Flat flat(triangle);
 		const Eigen::Array2i first = ((least(triangle) - origin) / size - 0.5).ceil().max(0.0).cast<int>(),
-							 last = ((greatest(triangle) - origin) / size - 0.5).floor().min(INFO.side - 1.0).cast<int>();
+							 last = ((greatest(triangle) - origin) / size - 0.5).floor().min(DENSITY_TEXELS.side - 1.0).cast<int>();
 		for (int j = first.y(); j <= last.y(); j++) {
 			for (int i = first.x(); i <= last.x(); i++) {
 				const Eigen::Array3d weights = flat.weights((origin + size * (Eigen::Array2d(i, j) + 0.5)).matrix());
-				const size_t texel = size_t(j) * size_t(INFO.side) + size_t(i);
+				const size_t texel = size_t(j) * size_t(DENSITY_TEXELS.side) + size_t(i);
 				const double height = weights[0] * triangle[0].at.y() + weights[1] * triangle[1].at.y() + weights[2] * triangle[2].at.y();
 				if ((weights >= -1e-9).all() && height > heights[texel]) {
 					heights[texel] = height;

@@ -2,6 +2,7 @@
 #include "core/map/fill_obstacle.h"
 
 #include "core/map/fill_rule.h"
+#include "core/plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,6 @@ constexpr double INFINITE = std::numeric_limits<double>::infinity();
 constexpr double SUNK = 0.25;
 // How often a third is cut from the column in which the nearest height is sought: to 1/400 of it.
 constexpr int SEARCH_STEPS = 15;
-
-double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
-	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
-}
-
-double distance_to_segment(const Eigen::Vector2d &p_at, const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
-	const Eigen::Vector2d along = p_b - p_a;
-	const double length = along.squaredNorm();
-	const double t = length > 0.0 ? std::clamp((p_at - p_a).dot(along) / length, 0.0, 1.0) : 0.0;
-	return (p_at - p_a - t * along).norm();
-}
 
 // How far out of a box whose sides lie at these distances outwards a point is; negative inside.
 template <int N> double out_of(const Eigen::Array<double, N, 1> &p_distances) {

@@ -9,16 +9,16 @@ namespace grass {
 
 namespace {
 
-constexpr double SIZE = info_of(MAP_GROUND).texel_size();
+constexpr double SHEET_TEXEL = info_of(MAP_GROUND).texel_size();
 constexpr double REACH = PaintMap::REACH * MAP_CHUNK_SIZE;
 constexpr double EDGE = 1e-9; // share of a triangle: no gap opens between neighbours
 
 } // namespace
 
 HeightSheet::HeightSheet(const MapRegion &p_region) {
-	const Eigen::Array2d low = ((p_region.min.array().max(-REACH) - SIZE) / SIZE - 0.5).floor();
-	const Eigen::Array2d high = ((p_region.max.array().min(REACH) + SIZE) / SIZE - 0.5).ceil();
-	_first = (low + 0.5) * SIZE;
+	const Eigen::Array2d low = ((p_region.min.array().max(-REACH) - SHEET_TEXEL) / SHEET_TEXEL - 0.5).floor();
+	const Eigen::Array2d high = ((p_region.max.array().min(REACH) + SHEET_TEXEL) / SHEET_TEXEL - 0.5).ceil();
+	_first = (low + 0.5) * SHEET_TEXEL;
 	if (low.allFinite() && high.allFinite() && (low <= high).all()) {
 		_width = int(high.x() - low.x()) + 1;
 		_depth = int(high.y() - low.y()) + 1;
@@ -27,7 +27,7 @@ HeightSheet::HeightSheet(const MapRegion &p_region) {
 }
 
 Eigen::Array2d HeightSheet::texel_at(const Eigen::Vector2d &p_place) const {
-	return (p_place.array() - _first) / SIZE;
+	return (p_place.array() - _first) / SHEET_TEXEL;
 }
 
 void HeightSheet::add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c) {

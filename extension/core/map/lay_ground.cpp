@@ -10,8 +10,8 @@ namespace grass {
 
 namespace {
 
-constexpr double SIZE = info_of(MAP_GROUND).texel_size();
-static_assert(SIZE == info_of(MAP_NORMAL).texel_size());
+constexpr double GROUND_TEXEL = info_of(MAP_GROUND).texel_size();
+static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size());
 
 // Heights of a block of texels, a border of one texel around it included.
 class Heights {
@@ -20,7 +20,7 @@ public:
 			_first(p_first - 1), _width(p_last.x() - p_first.x() + 3) {
 		for (int j = _first.y(); j <= p_last.y() + 1; j++) {
 			for (int i = _first.x(); i <= p_last.x() + 1; i++) {
-				_heights.push_back(p_height({ (i + 0.5) * SIZE, (j + 0.5) * SIZE }));
+				_heights.push_back(p_height({ (i + 0.5) * GROUND_TEXEL, (j + 0.5) * GROUND_TEXEL }));
 			}
 		}
 	}
@@ -31,7 +31,8 @@ public:
 		const auto slope = [&](int p_di, int p_dj) {
 			const double ahead = at(p_i + p_di, p_j + p_dj), behind = at(p_i - p_di, p_j - p_dj), here = at(p_i, p_j);
 			const int sides = (std::isfinite(ahead) ? 1 : 0) + (std::isfinite(behind) ? 1 : 0);
-			return sides == 0 ? 0.0 : ((std::isfinite(ahead) ? ahead : here) - (std::isfinite(behind) ? behind : here)) / (sides * SIZE);
+			return sides == 0 ? 0.0
+							  : ((std::isfinite(ahead) ? ahead : here) - (std::isfinite(behind) ? behind : here)) / (sides * GROUND_TEXEL);
 		};
 		return Eigen::Vector3d(-slope(1, 0), 1.0, -slope(0, 1)).normalized();
 	}
@@ -47,7 +48,8 @@ private:
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height) {
 	LaidGround result;
 	const double reach = PaintMap::REACH * double(info_of(MAP_GROUND).side);
-	const Eigen::Array2d low = (p_region.min.array() / SIZE - 0.5).ceil(), high = (p_region.max.array() / SIZE - 0.5).floor();
+	const Eigen::Array2d low = (p_region.min.array() / GROUND_TEXEL - 0.5).ceil(),
+						 high = (p_region.max.array() / GROUND_TEXEL - 0.5).floor();
 	if (!low.allFinite() || !high.allFinite() || (low > high).any()) {
 		return result;
 	}
@@ -88,8 +90,8 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 	}
 	result.changed.assign(changed.begin(), changed.end());
 	if (!changed.empty()) {
-		result.min = low_edit.cast<double>() * SIZE;
-		result.max = high_edit.cast<double>() * SIZE;
+		result.min = low_edit.cast<double>() * GROUND_TEXEL;
+		result.max = high_edit.cast<double>() * GROUND_TEXEL;
 	}
 	return result;
 }

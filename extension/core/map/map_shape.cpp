@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/map_shape.h"
 
+#include "core/plane.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,10 +10,6 @@
 namespace grass {
 
 namespace {
-
-double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
-	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
-}
 
 bool is_before(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
 	return p_a.x() != p_b.x() ? p_a.x() < p_b.x() : p_a.y() < p_b.y();
@@ -38,13 +36,6 @@ std::vector<Eigen::Vector2d> hull_of(std::span<const Eigen::Vector2d> p_points) 
 		std::reverse(points.begin(), points.end());
 	}
 	return hull;
-}
-
-double distance_to_segment(const Eigen::Vector2d &p_place, const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
-	const Eigen::Vector2d along = p_b - p_a;
-	const double length = along.squaredNorm();
-	const double t = length > 0.0 ? std::clamp((p_place - p_a).dot(along) / length, 0.0, 1.0) : 0.0;
-	return (p_place - p_a - t * along).norm();
 }
 
 double fade(double p_t, Falloff p_falloff) {

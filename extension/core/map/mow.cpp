@@ -11,11 +11,11 @@ namespace grass {
 namespace {
 
 constexpr int SIDE = info_of(MAP_CUT).side;
-constexpr double SIZE = info_of(MAP_CUT).texel_size();
+constexpr double CUT_TEXEL = info_of(MAP_CUT).texel_size();
 static_assert(SIDE == info_of(MAP_WEAR).side && SIDE == info_of(MAP_DENSITY).side);
 
 Eigen::Vector2d centre_of(int p_i, int p_j) {
-	return { (p_i + 0.5) * SIZE, (p_j + 0.5) * SIZE };
+	return { (p_i + 0.5) * CUT_TEXEL, (p_j + 0.5) * CUT_TEXEL };
 }
 
 struct TexelBlock {
@@ -25,7 +25,7 @@ struct TexelBlock {
 // Texels whose centres lie in a rectangle, within the map's reach.
 TexelBlock texels_within(const Eigen::Vector2d &p_min, const Eigen::Vector2d &p_max) {
 	constexpr double REACH = PaintMap::REACH * double(SIDE);
-	const Eigen::Array2d low = (p_min.array() / SIZE - 0.5).ceil(), high = (p_max.array() / SIZE - 0.5).floor();
+	const Eigen::Array2d low = (p_min.array() / CUT_TEXEL - 0.5).ceil(), high = (p_max.array() / CUT_TEXEL - 0.5).floor();
 	if (!low.allFinite() || !high.allFinite()) {
 		return { Eigen::Array2i::Zero(), Eigen::Array2i::Constant(-1) };
 	}
@@ -76,11 +76,11 @@ public:
 			_result.out_of_room = true;
 			return false;
 		}
-		const Eigen::Vector2d low(p_i * SIZE, p_j * SIZE), high = low.array() + SIZE;
+		const Eigen::Vector2d low(p_i * CUT_TEXEL, p_j * CUT_TEXEL), high = low.array() + CUT_TEXEL;
 		_result.min = _keys.empty() ? low : Eigen::Vector2d(_result.min.cwiseMin(low));
 		_result.max = _keys.empty() ? high : Eigen::Vector2d(_result.max.cwiseMax(high));
 		if (p_channel == MAP_CUT) { // metres and shares of wear do not add up
-			_result.amount += (double(p_code) - before) * info_of(p_channel).unit * SIZE * SIZE;
+			_result.amount += (double(p_code) - before) * info_of(p_channel).unit * CUT_TEXEL * CUT_TEXEL;
 		}
 		_keys.insert(key_of(p_channel, p_i, p_j));
 		return true;
@@ -135,7 +135,7 @@ CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind 
 			return; // below the ground, or above the grass
 		}
 		Stand stand(r_map, p_kind);
-		const double fallen = stand.standing(p_i, p_j) - info.value(code), share = stand.density(p_i, p_j) * SIZE * SIZE;
+		const double fallen = stand.standing(p_i, p_j) - info.value(code), share = stand.density(p_i, p_j) * CUT_TEXEL * CUT_TEXEL;
 		if (writer.write(MAP_CUT, p_i, p_j, code) && fallen > 0.0 && share > 0.0) {
 			result.area += share;
 			result.volume += share * fallen;
@@ -145,7 +145,7 @@ CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind 
 	visit(block_of(p_region), [&](int p_i, int p_j) { cut(p_i, p_j, centre_of(p_i, p_j)); });
 	const Eigen::Vector2d middle = footprint.get_centre();
 	if (!covers_any && p_region.rectangle.contains(middle)) {
-		const Eigen::Array2d texel = (middle.array() / SIZE).floor();
+		const Eigen::Array2d texel = (middle.array() / CUT_TEXEL).floor();
 		if ((texel.abs() < PaintMap::REACH * double(SIDE)).all()) {
 			cut(int(texel.x()), int(texel.y()), middle);
 		}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What is measured in a plane.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace grass {
+
+// Positive where p_b lies counter-clockwise of p_a.
+inline double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
+}
+
+inline double distance_to_segment(const Eigen::Vector2d &p_at, const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
+	const Eigen::Vector2d along = p_b - p_a;
+	const double length = along.squaredNorm();
+	const double t = length > 0.0 ? std::clamp((p_at - p_a).dot(along) / length, 0.0, 1.0) : 0.0;
+	return (p_at - p_a - t * along).norm();
+}
+
+} // namespace grass
