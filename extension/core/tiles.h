@@ -188,6 +188,8 @@ private:
 	void begin_step();
 	void find_touched_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
+	void add_ranges(const ColliderShape &p_collider, uint32_t p_index);
+	void touch_once(uint32_t p_collider);
 	void find_squares(const TileRange &p_range);
 	bool touch_range(
 			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
@@ -246,8 +248,10 @@ private:
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
 
 	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
+	// Of the colliders, one each or one for each piece of a long way: tiles, boxes, whose.
 	std::vector<TileRange> _ranges;
-	std::vector<Bounds> _swept; // of the colliders
+	std::vector<Bounds> _swept;
+	std::vector<uint32_t> _range_colliders;
 	std::vector<uint8_t> _has_met; // of the colliders: grass
 	std::vector<TileBounds::Tile> _met; // of a range
 	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other

@@ -165,6 +165,29 @@ TEST_CASE("tiles: a body over millions of tiles gets the pool around its centre,
 	CHECK(manager.get_statistics().awake == 100);
 }
 
+TEST_CASE("tiles: a body that crosses the field aslant in one step wakes each tile on its way") {
+	TileManager manager = make_manager(1024, TileGrid::make(50.0, 50.0, 256.0)); // 10,000 tiles
+	ColliderShape ball;
+	ball.size.x() = 0.3;
+	ball.before.position = { -22.0, 0.2, -21.0 };
+	ball.now.position = { 21.0, 0.2, 22.0 };
+	step(manager, { ball });
+	const TileStatistics &now = manager.get_statistics();
+	CHECK(now.capped == 0);
+	CHECK(now.refused == 0);
+	CHECK(now.awake < 1000);
+	int on_the_way = 0;
+	for (int i = 0; i <= 1000; i++) {
+		const Eigen::Vector3d place = ball.before.position + (ball.now.position - ball.before.position) * (0.001 * i);
+		const TilePlace tile = manager.get_grid().get_place(place);
+		on_the_way += manager.is_awake(manager.get_grid().get_index(tile.x, tile.z));
+	}
+	CHECK(on_the_way == 1001);
+	CHECK(now.list_entries == now.awake); // one entry each, where pieces overlap too
+	check_consistent(manager);
+	CHECK(manager.has_met_grass(0));
+}
+
 TEST_CASE("tiles: many bodies over everything fill the list fairly, up to its bound") {
 	TileManager manager = make_manager(256);
 	const std::vector<ColliderShape> lids(500, make_lid(50.0));
