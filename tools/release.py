@@ -67,10 +67,13 @@ def version():
 
 
 def git(*arguments):
-	"""What git says of this folder. Empty where it is no repository."""
+	"""What git says of this folder, whoever owns it. Empty where it is no repository."""
 	if not (ROOT / ".git").exists() or not shutil.which("git"):
 		return ""
-	return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+	result = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
+	if result.returncode:
+		raise Failure(f"git {arguments[0]}: {result.stderr.strip()}")
+	return result.stdout.strip()
 
 
 def commit_time():
