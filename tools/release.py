@@ -67,10 +67,13 @@ def version():
 
 
 def git(*arguments):
-	"""What git says of this folder. Empty where it is no repository."""
+	"""What git says of this folder, whoever owns it. Empty where it is no repository."""
 	if not (ROOT / ".git").exists() or not shutil.which("git"):
 		return ""
-	return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True).stdout.strip()
+	result = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
+	if result.returncode:
+		raise Failure(f"git {arguments[0]}: {result.stderr.strip()}")
+	return result.stdout.strip()
 
 
 def commit_time():
@@ -171,6 +174,20 @@ def build_libraries(targets):
 	return {target: target.built for target in targets}
 
 
+def check_glibc(target, library):
+	"""Failure if a library for Linux would not load on the systems that it is for."""
+	if target.system != "linux":
+		return
+	command = [toolchains.objdump(target.system, target.arch), "-p", str(library)]
+	text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+	newest = max(tuple(map(int, found.split("."))) for found in re.findall(r"\bGLIBC_([\d.]+)", text))
+	if newest > toolchains.GLIBC_MOST:
+		raise Failure(
+			f"{library.name} needs glibc {'.'.join(map(str, newest))}, more than {'.'.join(map(str, toolchains.GLIBC_MOST))}:"
+			" make releases with the GCC of Debian 12 (docs/building.md, Other platforms)."
+		)
+
+
 def make(only="", out=None):
 	"""Builds and packs the libraries that `only` names (empty: all)."""
 	targets = chosen(only or "")
@@ -178,7 +195,10 @@ def make(only="", out=None):
 	machine.ensure(*machine.BUILDING)
 	if changed := git("status", "--porcelain"):
 		say(f"Not the commit alone: {len(changed.splitlines())} files have changed since, such as {changed.split()[1]}")
-	for path in pack(build_libraries(targets), folder):
+	libraries = build_libraries(targets)
+	for target, library in libraries.items():
+		check_glibc(target, library)
+	for path in pack(libraries, folder):
 		say(f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}")
 	say(f"Packed, with SHA256SUMS: {folder}")
 

@@ -15,8 +15,8 @@ import subprocess
 import tempfile
 import zipfile
 
-from tools import engine, export, machine, release, toolchains
-from tools.places import ADDON_BIN, BUILD, ROOT, TOOLS
+from tools import engine, export, machine, release, settle, toolchains
+from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS, UNPACKED
 from tools.say import Failure, progress
 from tools.testing import Tally
 
@@ -26,6 +26,10 @@ PLACE = "addons/grass_field"
 PER_LIBRARY = release.SIZE_MOST // len(release.TARGETS)
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
 SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "shaders", "godot_project")
+
+
+class Skip(Exception):
+	"""A check that cannot run here, and why."""
 
 
 def check(condition, text):
@@ -115,6 +119,24 @@ def demo_is_whole(_sources):
 			check(path in files, f"{name} names res://{path}, which is not there")
 
 
+def archive_is_the_addon(_sources):
+	"""What Godot's Asset Library would get of the repository."""
+	names = release.git("ls-files")
+	if not names:
+		raise Skip("this is no git repository")
+	ignored = release.git("-c", "core.quotePath=false", "check-attr", "export-ignore", "--", *folders_of(names.splitlines()))
+	gone = {line.rsplit(": ", 2)[0] for line in ignored.splitlines() if line.endswith(": set")}
+	kept = [name for name in names.splitlines() if not gone & set(folders_of([name]))]
+	strangers = [name for name in kept if name != "LICENSE" and not name.startswith(f"{PROJECT.name}/{PLACE}/")]
+	check(not strangers, f"{strangers} are no part of the add-on")
+	check(f"{PROJECT.name}/{PLACE}/grass_field.gdextension" in kept, "the add-on itself is left out")
+
+
+def folders_of(names):
+	"""`names` of files, and of all the folders that they lie in."""
+	return sorted({str(path) for name in names for path in (pathlib.PurePosixPath(name), *pathlib.PurePosixPath(name).parents)} - {"."})
+
+
 def run_engine(command, environment, *arguments):
 	"""Runs an engine to its end. Returns what it said; Failure if it said an error."""
 	said = []
@@ -162,6 +184,16 @@ def runs_on_software_vulkan(_sources):
 		bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "forward_plus")
 
 
+def fit(game):
+	"""Lets a copy of a fetched template find the libraries that were fetched with it."""
+	if not machine.program("godot-template-release").startswith(str(UNPACKED)):
+		return
+	patchelf = settle.through_loader(UNPACKED, UNPACKED / "usr/bin/patchelf")
+	libraries = UNPACKED / settle.LIBRARIES
+	search = ":".join(f"{libraries}{folder}" for folder in settle.FOLDERS)
+	settle.replace(game, [*patchelf, "--set-interpreter", f"{libraries}/{settle.LOADER}", "--force-rpath", "--set-rpath", search])
+
+
 def export_runs(kind):
 	def action(_sources):
 		out = WORK / f"export_{kind}"
@@ -170,6 +202,7 @@ def export_runs(kind):
 		export.install_templates()
 		run_engine(*engine.headless(), "--path", WORK / "project_", f"--export-{kind}", "Linux", out / "game")
 		check(list(out.glob(f"libgrass_field.*_{kind}.*")), f"the library is not in {sorted(path.name for path in out.iterdir())}")
+		fit(out / "game")
 		bends(run_engine([out / "game", "--headless"], {}, "--fixed-fps", 60), "no GPU")
 
 	return action
@@ -206,6 +239,7 @@ PACKING = {
 	"SHA256SUMS are right": sums_are_right,
 	"each library finds its symbols": symbols_find_their_library,
 	"the demo is whole": demo_is_whole,
+	"an archive of the repository holds the add-on alone": archive_is_the_addon,
 	"the editor opens an empty project with the zip": editor_opens(""),
 	"a scene in it runs headless": runs_headless,
 }
@@ -242,6 +276,8 @@ def run_layer(layer, only):
 			action(sources)
 			tally.passed += 1
 			print(f"  pass {layer}: {name}", flush=True)
+		except Skip as skip:
+			tally.skipped.append(f"{layer}: {name}: {skip}")
 		except Failure as failure:
 			tally.failed.append(f"{layer}: {name}: {failure}")
 			print(f"  fail {layer}: {name}: {failure}", flush=True)

@@ -87,8 +87,11 @@ def link_library(env):
 
 def forget_folders(env):
 	"""Keeps out of the library where it was built, so that the same sources make the same bytes anywhere."""
-	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in ((TOOLS.resolve(), ".tools"), (ROOT, "."))]
+	names = ((ROOT, "."), (f"{ROOT}/", ""), (f"{TOOLS.resolve()}/", ".tools/"))  # the last that fits counts
+	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in names]
 	env.Append(CCFLAGS=[*maps, "-frandom-seed=$SOURCE"])
+	if "clang" not in env["CXX"]:  # GCC names a system's header by its real path, if that is shorter
+		env.Append(CCFLAGS=["-fno-canonical-system-headers"])
 	if env["platform"] == "linux":
 		env.Append(LINKFLAGS=["-Wl,--build-id=sha1"])
 

@@ -33,7 +33,8 @@ func test_files_of_every_version_hold_what_they_held() -> void:
 
 func test_every_file_of_a_version_is_expected_and_every_kind_is_there() -> void:
 	for version in _versions():
-		var files := Array(DirAccess.get_files_at(FOLDER + version)).filter(func(file: String) -> bool: return file != "expected.json" and not file.ends_with(".uid"))
+		var files := Array(DirAccess.get_files_at(FOLDER + version))
+		files = files.filter(func(file: String) -> bool: return file != "expected.json" and not file.ends_with(".uid"))
 		var expected := _kept(version).keys()
 		files.sort()
 		expected.sort()
