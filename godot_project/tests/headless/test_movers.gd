@@ -190,3 +190,24 @@ func test_a_registered_node_that_turns_in_place_sweeps() -> void:
 	rotor.rotation.y -= 0.8
 	await ticks(2)
 	assert_greater(field.get_statistics().woken, before)
+
+
+## 60 m in a tick, aslant: the box around that way has more tiles than the pool.
+func test_a_way_aslant_across_the_field() -> void:
+	for kind: String in ["slide", "animatable", "static", "node"]:
+		Engine.physics_ticks_per_second = 10
+		var field := add_field({size = Vector2(50, 50), sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
+		await ticks(1)
+		var aslant := Vector3(1, 0, 1).normalized()
+		var mover := add_mover(kind, HEIGHT - 90.0 * aslant, field)
+		await ticks(3)
+		for i in 4:
+			await push(mover, kind, 600.0 * aslant)
+		await push(mover, kind, Vector3.ZERO)
+		await ticks(2)
+		var missed := 0
+		for i in range(-30, 31):
+			missed += int(not field.is_tile_awake(field.get_tile_at(HEIGHT + i * aslant)))
+		assert_eq(missed, 0, kind)
+		mover.free()
+		field.free()
