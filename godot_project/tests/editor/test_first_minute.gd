@@ -182,7 +182,7 @@ func test_an_export_without_its_library_is_an_error() -> void:
 		assert_true(errors[0].contains("./grass build platform=linux arch=rv64 target=debug"), errors[0])
 
 	var file := FileAccess.open(EXTENSION, FileAccess.WRITE)
-	file.store_string(lists.replace("[libraries]", "[libraries]\n\nwindows.debug.x86_64 = \"bin/nowhere.dll\""))
+	file.store_string(lists.replace("libgrass_field.windows.template_debug.x86_64.dll", "nowhere.dll"))
 	file.close()
 	expect_error("GrassField: res://addons/grass_field/bin/nowhere.dll is missing, the library for windows x86_64 (debug)")
 	errors = export_errors(EditorExportPlatformWindows.new(), {"binary_format/architecture": "x86_64"})
