@@ -3,7 +3,7 @@
 // axes and quaternions; what differs is precision, storage order (Godot's bases hold rows) and who owns memory.
 #pragma once
 
-#include "core/layout.h"
+#include "core/base/layout.h"
 
 #include <Eigen/Geometry>
 

@@ -3,14 +3,14 @@
 // (Forward+, Mobile) and backend/cpu_backend.h (headless, Compatibility, and the oracle of the tests).
 #pragma once
 
-#include "core/clump.h"
-#include "core/lod.h"
+#include "core/base/tile_grid.h"
+#include "core/blades/clump.h"
+#include "core/blades/patch.h"
+#include "core/detail/lod.h"
 #include "core/map/tile_cover.h"
-#include "core/patch.h"
-#include "core/solver_params.h"
-#include "core/species.h"
-#include "core/step.h"
-#include "core/tile_grid.h"
+#include "core/plants/species.h"
+#include "core/solver/solver_params.h"
+#include "core/solver/step.h"
 
 #include <Eigen/Core>
 

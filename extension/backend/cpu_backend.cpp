@@ -2,7 +2,7 @@
 #include "backend/cpu_backend.h"
 
 #include "convert.h"
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "draw/blade_mesh.h"
 
 #include <godot_cpp/classes/image.hpp>
@@ -163,7 +163,7 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 
 namespace {
 
-// The CPU's twins of casts_into() and choose() in shaders/compute/cull.glsl.
+// The CPU's twins of casts_into() and choose() in shaders/detail/cull.glsl.
 bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
 	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
 	return grass_tile_visible(p_camera.planes, p_middle, p_half, p_view.shadow_margin, none) ||

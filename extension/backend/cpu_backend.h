@@ -5,8 +5,8 @@
 
 #include "backend/backend.h"
 #include "backend/parallel.h"
-#include "core/simulate.h"
-#include "core/slot_set.h"
+#include "core/solver/simulate.h"
+#include "core/tiles/slot_set.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/patch_texture.h"

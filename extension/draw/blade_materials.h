@@ -2,7 +2,7 @@
 // The materials of blades and of what casts their shadows: one for each number of segments (the `segments` uniform).
 #pragma once
 
-#include "core/layout.h"
+#include "core/base/layout.h"
 
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/variant/string_name.hpp>

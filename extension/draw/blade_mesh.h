@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The mesh of a tile at each level of detail: indices only. The shaders find blade, row and side in VERTEX_ID
-// (contract in shaders/render/pose.gdshaderinc), so the mesh holds no vertex data.
+// (contract in shaders/draw/pose.gdshaderinc), so the mesh holds no vertex data.
 #pragma once
 
 #include <godot_cpp/classes/array_mesh.hpp>

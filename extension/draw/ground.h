@@ -2,7 +2,7 @@
 // The soil between the blades: one quad over the field, so that the floor below does not shine through.
 #pragma once
 
-#include "core/tile_grid.h"
+#include "core/base/tile_grid.h"
 #include "draw/node_follower.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Numbers and colours that go to the blade shader as they are: the property's name is the uniform's
-// (shaders/render/blade.gdshader says what each does).
+// (shaders/draw/blade.gdshader says what each does).
 #pragma once
 
-#include "core/tunable.h"
+#include "core/base/tunable.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field's map as textures for the blade and ground shaders (shaders/shared/map.inc): a layer a chunk, and a page that
+// A field's map as textures for the blade and ground shaders (shaders/map/map.inc): a layer a chunk, and a page that
 // says which. Only layers that changed travel.
 #pragma once
 

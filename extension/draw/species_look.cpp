@@ -2,7 +2,7 @@
 #include "draw/species_look.h"
 
 #include "convert.h"
-#include "core/half.h"
+#include "core/base/half.h"
 
 #include <godot_cpp/variant/typed_array.hpp>
 

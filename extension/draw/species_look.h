@@ -2,7 +2,7 @@
 // How the species of a field look, as a texture for the blade shader: a row for each, GRASS_LOOK_TEXELS wide.
 #pragma once
 
-#include "core/layout.h"
+#include "core/base/layout.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/image_texture.hpp>

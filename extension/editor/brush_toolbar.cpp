@@ -2,7 +2,7 @@
 // What the toolbar does. What it is made of: brush_toolbar_parts.cpp.
 #include "editor/brush_toolbar.h"
 
-#include "core/map/brush_keys.h"
+#include "core/paint/brush_keys.h"
 #include "editor/tool_info.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>

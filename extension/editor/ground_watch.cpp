@@ -2,9 +2,9 @@
 #include "editor/ground_watch.h"
 
 #include "convert.h"
-#include "core/cpu_clock.h"
-#include "core/map/fill.h"
-#include "core/map/lay_ground.h"
+#include "core/base/cpu_clock.h"
+#include "core/fill/fill.h"
+#include "core/paint/lay_ground.h"
 #include "nodes/ground_rays.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>

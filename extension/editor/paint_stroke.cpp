@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/paint_stroke.h"
 
-#include "core/map/brush_keys.h"
+#include "core/paint/brush_keys.h"
 #include "nodes/ground_rays.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>

@@ -3,7 +3,7 @@
 // history. A field without a map gets one, as part of that step.
 #pragma once
 
-#include "core/map/stroke_path.h"
+#include "core/paint/stroke_path.h"
 #include "editor/ground_picker.h"
 #include "nodes/grass_brush.h"
 #include "nodes/grass_field.h"

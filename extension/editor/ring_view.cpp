@@ -2,7 +2,7 @@
 #include "editor/ring_view.h"
 
 #include "convert.h"
-#include "core/map/brush_ring.h"
+#include "core/paint/brush_ring.h"
 #include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
 

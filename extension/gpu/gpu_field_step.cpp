@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tick of GpuField: what travels to the device, the simulation pass, and what comes back of it.
-#include "core/cpu_clock.h"
+#include "core/base/cpu_clock.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
 #include "gpu/render_queue.h"

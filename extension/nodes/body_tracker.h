@@ -3,8 +3,8 @@
 // which bodies overlap the field; every tick their shapes and poses become colliders.
 #pragma once
 
-#include "core/body_shape.h"
-#include "core/motion.h"
+#include "core/bodies/body_shape.h"
+#include "core/bodies/motion.h"
 
 #include <Eigen/Geometry>
 

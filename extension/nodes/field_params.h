@@ -3,16 +3,16 @@
 // its properties, clamps, hints and setters all come from this one table.
 #pragma once
 
-#include "core/clump.h"
-#include "core/lod.h"
+#include "core/base/tile_grid.h"
+#include "core/blades/clump.h"
+#include "core/blades/patch.h"
+#include "core/blades/wind.h"
+#include "core/bodies/motion.h"
+#include "core/detail/lod.h"
 #include "core/map/growth.h"
-#include "core/map/recovery.h"
-#include "core/motion.h"
-#include "core/patch.h"
-#include "core/solver_params.h"
-#include "core/tile_grid.h"
-#include "core/tiles.h"
-#include "core/wind.h"
+#include "core/solver/solver_params.h"
+#include "core/tiles/tiles.h"
+#include "core/wear/recovery.h"
 #include "draw/look_params.h"
 
 #include <array>

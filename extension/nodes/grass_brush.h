@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// GrassBrush: what a brush does, and where it may. Properties only; core/map/brush.h does it.
+// GrassBrush: what a brush does, and where it may. Properties only; core/paint/brush.h does it.
 #pragma once
 
-#include "core/map/brush.h"
-#include "core/map/brush_params.h"
+#include "core/paint/brush.h"
+#include "core/paint/brush_params.h"
 
 #include <godot_cpp/classes/resource.hpp>
 

@@ -2,7 +2,7 @@
 // GrassExclusion3D: keeps what rules fill away from a shape. Draws itself in the editor.
 #pragma once
 
-#include "core/tunable.h"
+#include "core/base/tunable.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>

@@ -4,7 +4,7 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
-#include "core/cpu_clock.h"
+#include "core/base/cpu_clock.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "core/map/field_blades.h"
-#include "core/map/live_fill.h"
-#include "core/tiles.h"
+#include "core/fill/live_fill.h"
+#include "core/plants/field_blades.h"
+#include "core/tiles/tiles.h"
 #include "draw/ground.h"
 #include "nodes/body_tracker.h"
 #include "nodes/field_monitors.h"

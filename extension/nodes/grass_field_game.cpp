@@ -3,7 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
-#include "core/map/mow.h"
+#include "core/wear/mow.h"
 #include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/engine.hpp>

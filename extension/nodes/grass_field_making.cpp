@@ -5,7 +5,7 @@
 #include "nodes/grass_field.h"
 
 #include "backend/cpu_backend.h"
-#include "core/cpu_clock.h"
+#include "core/base/cpu_clock.h"
 #include "draw/frame_share.h"
 #include "gpu/gpu_backend.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// GrassFillRule: where grass grows by itself. Properties only; core/map/fill.h fills, nodes/fill_gatherer.h finds the nodes
+// GrassFillRule: where grass grows by itself. Properties only; core/fill/fill.h fills, nodes/fill_gatherer.h finds the nodes
 // that its groups name.
 #pragma once
 
-#include "core/map/fill.h"
+#include "core/fill/fill.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>

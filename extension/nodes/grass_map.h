@@ -3,8 +3,8 @@
 // changed. Saved by nodes/grass_map_file.h in a file of its own, or as a property within scenes and .res files.
 #pragma once
 
-#include "core/map/brush.h"
-#include "core/map/lay_ground.h"
+#include "core/paint/brush.h"
+#include "core/paint/lay_ground.h"
 #include "nodes/grass_brush.h"
 #include "nodes/grass_fill_rule.h"
 

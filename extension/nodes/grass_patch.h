@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// GrassPatch: the blades that a GrassField grows from. Properties only; core/patch.h makes the blades.
+// GrassPatch: the blades that a GrassField grows from. Properties only; core/blades/patch.h makes the blades.
 #pragma once
 
-#include "core/patch_maker.h"
+#include "core/blades/patch_maker.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>

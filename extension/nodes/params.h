@@ -2,7 +2,7 @@
 // How a core Tunable becomes a property: hint, clamp and warning are all made from it.
 #pragma once
 
-#include "core/tunable.h"
+#include "core/base/tunable.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/core/property_info.hpp>

@@ -3,7 +3,7 @@
 #include "nodes/body_tracker.h"
 
 #include "convert.h"
-#include "core/hull.h"
+#include "core/bodies/hull.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>

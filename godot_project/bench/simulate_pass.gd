@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## simulate.glsl on a RenderingDevice of its own, for benchmarks: no field, no physics, no frames. One object is one
-## number of tiles with their state; the bindings are those of shaders/shared/constants.inc.
+## number of tiles with their state; the bindings are those of shaders/base/constants.inc.
 extends RefCounted
 
 const BLADES := 64 # a tile

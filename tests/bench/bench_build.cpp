@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a field's making takes on the CPU, piece by piece, as CSV on stdout: the median of some runs, against the number of
 // blades. The renderer's own objects are not in it.
-#include "core/cpu_clock.h"
-#include "core/map/brush.h"
+#include "core/base/cpu_clock.h"
 #include "core/map/field_map.h"
-#include "core/simulate.h"
-#include "core/tiles.h"
+#include "core/paint/brush.h"
+#include "core/solver/simulate.h"
+#include "core/tiles/tiles.h"
 
 #include <algorithm>
 #include <cstdio>

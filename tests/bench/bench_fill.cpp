@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What filling 1 km^2 by a rule costs on one thread, as CSV on stdout: 4 million texels, of rules that ask different things.
-#include "core/map/fill.h"
+#include "core/fill/fill.h"
 
 #include <chrono>
 #include <cmath>

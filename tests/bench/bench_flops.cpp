@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How many floating-point operations a blade's step takes: the solver over numbers that count what is done with them. With it, the least
-// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each. Its peak
-// counts two for a product and a sum fused into one instruction. So there are two floors: that of its peak, as if all could be fused,
+// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each. Its
+// peak counts two for a product and a sum fused into one instruction. So there are two floors: that of its peak, as if all could be fused,
 // and that of its instructions, where only a sum or difference of a product is.
 #include "blade_scene.h"
-#include "core/step_tile.h"
+#include "core/solver/step_tile.h"
 
 #include <cstdio>
 #include <cstring>

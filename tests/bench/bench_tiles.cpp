@@ -2,7 +2,7 @@
 // What tile management costs a step, as CSV on stdout: balls of 0.3 to 1 m rolling over fields of many sizes, 600
 // steps at 60 Hz after 3 s of run-up, so that as many tiles fall asleep as wake. A camera sees all of it. Once with nothing
 // else running, once with other memory written between steps, as the rest of a game does.
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 #include <algorithm>
 #include <chrono>

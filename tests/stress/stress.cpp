@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stress.h"
 
-#include "core/lanes.h"
+#include "core/base/lanes.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 // One thing at a time at its extreme: speed, place, size, numbers that are none.
 #include "stress.h"
 
-#include "core/simulate.h"
+#include "core/solver/simulate.h"
 
 #include <doctest/doctest.h>
 

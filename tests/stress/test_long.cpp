@@ -2,8 +2,8 @@
 // For a long time, and again and again: nothing drifts, and what happens again happens alike, bit for bit.
 #include "stress.h"
 
-#include "core/simulate.h"
-#include "core/tiles.h"
+#include "core/solver/simulate.h"
+#include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
 

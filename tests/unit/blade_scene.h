@@ -2,8 +2,8 @@
 // A tile of blades, colliders and time, for the tests of the solver: no patch, no pool, shapes set by hand.
 #pragma once
 
-#include "core/solver_params.h"
-#include "core/tile_state.h"
+#include "core/solver/solver_params.h"
+#include "core/solver/tile_state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // One blade in double precision by METHOD_DIRECT, for the tests of its physics.
 #pragma once
 
-#include "core/solver.h"
-#include "core/solver_params.h"
+#include "core/solver/solver.h"
+#include "core/solver/solver_params.h"
 
 #include <Eigen/Core>
 

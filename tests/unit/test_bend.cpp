@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
 

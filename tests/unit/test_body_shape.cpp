@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/body_shape.h"
+#include "core/bodies/body_shape.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/map/brush.h"
+#include "core/paint/brush.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the editor's brush rests on: even steps, held keys, the ring.
-#include "core/map/brush_keys.h"
-#include "core/map/brush_params.h"
-#include "core/map/brush_ring.h"
-#include "core/map/stroke_path.h"
+#include "core/paint/brush_keys.h"
+#include "core/paint/brush_params.h"
+#include "core/paint/brush_ring.h"
+#include "core/paint/stroke_path.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The class reference says what the code does: every number is described, with the default that stands beside its code.
 #include "class_docs.gen.h"
-#include "core/map/brush_params.h"
-#include "core/map/fill_params.h"
+#include "core/fill/fill_params.h"
+#include "core/paint/brush_params.h"
 #include "nodes/field_params.h"
 #include "nodes/species_params.h"
 

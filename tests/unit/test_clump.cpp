@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "core/blade.h"
+#include "core/blades/blade.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/half.h"
-#include "core/patch.h"
+#include "core/base/half.h"
+#include "core/blades/patch.h"
 
 using namespace grass;
 

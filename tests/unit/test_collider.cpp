@@ -4,7 +4,7 @@
 
 #include "blade_scene.h"
 
-#include "core/contact.h"
+#include "core/solver/contact.h"
 
 using namespace grass;
 using namespace grass::test;

@@ -4,7 +4,7 @@
 
 #include "blade_scene.h"
 
-#include "core/edge.h"
+#include "core/solver/edge.h"
 
 #include <Eigen/Geometry>
 

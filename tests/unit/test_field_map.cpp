@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "core/map/field_blades.h"
+#include "core/plants/field_blades.h"
 
-#include "core/blade.h"
-#include "core/hash.h"
-#include "core/map/brush.h"
-#include "core/simulate.h"
-#include "core/tiles.h"
+#include "core/base/hash.h"
+#include "core/blades/blade.h"
+#include "core/paint/brush.h"
+#include "core/solver/simulate.h"
+#include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "on_threads.h"
 
-#include "core/map/brush.h"
-#include "core/map/fill.h"
-#include "core/map/hand_paint.h"
+#include "core/fill/fill.h"
+#include "core/paint/brush.h"
+#include "core/paint/hand_paint.h"
 
 #include <doctest/doctest.h>
 

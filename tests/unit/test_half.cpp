@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/half.h"
+#include "core/base/half.h"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 // Tiles, solver and sleep together: what is seen when a tile goes to sleep by energy.
 #include "tile_scene.h"
 
-#include "core/simulate.h"
+#include "core/solver/simulate.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/hash.h"
+#include "core/base/hash.h"
 
-#include "core/half.h"
+#include "core/base/half.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/height_sheet.h"
-#include "core/map/lay_ground.h"
+#include "core/paint/lay_ground.h"
 
 #include <doctest/doctest.h>
 

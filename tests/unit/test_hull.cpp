@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hull.h"
+#include "core/bodies/hull.h"
 
 #include <Eigen/Geometry>
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/map/lay_ground.h"
+#include "core/paint/lay_ground.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Record sizes and offsets are checked at compile time in core/layout.h; here, that the numbers of
-// shaders/shared/constants.inc fit one another.
-#include "core/layout.h"
-#include "core/step.h"
+// Record sizes and offsets are checked at compile time in core/base/layout.h; here, that the numbers of
+// shaders/base/constants.inc fit one another.
+#include "core/base/layout.h"
+#include "core/solver/step.h"
 
 #include <doctest/doctest.h>
 

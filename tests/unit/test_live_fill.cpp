@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is filled again when something changes, counted in cells.
-#include "core/map/brush.h"
-#include "core/map/live_fill.h"
+#include "core/fill/live_fill.h"
+#include "core/paint/brush.h"
 
 #include <doctest/doctest.h>
 

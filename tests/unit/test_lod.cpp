@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/lod.h"
+#include "core/detail/lod.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-// shaders/shared/lod.inc and levels.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
+// shaders/detail/lod.inc and levels.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
 namespace twin {
 
 struct vec3 {
@@ -41,8 +41,8 @@ float sqrt(double p_value) {
 
 using uint = unsigned;
 
-#include "../../shaders/shared/levels.inc"
-#include "../../shaders/shared/lod.inc"
+#include "detail/levels.inc"
+#include "detail/lod.inc"
 
 } // namespace twin
 

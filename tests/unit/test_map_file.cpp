@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/lanes.h" // GRASS_IS_SANITIZED
+#include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_file.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/motion.h"
+#include "core/bodies/motion.h"
 
 #include <doctest/doctest.h>
 

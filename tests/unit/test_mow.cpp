@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/map/mow.h"
+#include "core/wear/mow.h"
 
-#include "core/map/recovery.h"
+#include "core/wear/recovery.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/patch.h"
+#include "core/blades/patch.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "core/half.h"
+#include "core/base/half.h"
 
 using namespace grass;
 

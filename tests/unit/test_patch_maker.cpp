@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A patch that is made on a thread of its own.
-#include "core/patch_maker.h"
+#include "core/blades/patch_maker.h"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,8 @@
 // The quick solve of METHOD_DIRECT: as near to the truth as the whole solve that it stands for, and home again.
 #include "elastic_blade.h"
 
-#include "core/half.h"
-#include "core/patch.h"
+#include "core/base/half.h"
+#include "core/blades/patch.h"
 
 #include <doctest/doctest.h>
 

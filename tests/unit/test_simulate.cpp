@@ -5,10 +5,10 @@
 #include "blade_scene.h"
 #include "on_threads.h"
 
-#include "core/blade.h"
-#include "core/half.h"
-#include "core/simulate.h"
-#include "core/solver_params.h"
+#include "core/base/half.h"
+#include "core/blades/blade.h"
+#include "core/solver/simulate.h"
+#include "core/solver/solver_params.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The maps from tiles to slots and to places, against the standard library's.
-#include "core/slot_map.h"
-#include "core/tile_map.h"
+#include "core/tiles/slot_map.h"
+#include "core/tiles/tile_map.h"
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 
 #include "blade_scene.h"
 
-#include "core/lanes.h"
+#include "core/base/lanes.h"
 
 using namespace grass;
 using namespace grass::test;

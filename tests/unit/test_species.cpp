@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Several species in one field: which blade is which, the patch they share, and how each swings.
-#include "core/species.h"
+#include "core/plants/species.h"
 
-#include "core/half.h"
-#include "core/map/brush.h"
-#include "core/map/field_blades.h"
-#include "core/simulate.h"
-#include "core/solver_params.h"
-#include "core/tile_bounds.h"
+#include "core/base/half.h"
+#include "core/paint/brush.h"
+#include "core/plants/field_blades.h"
+#include "core/solver/simulate.h"
+#include "core/solver/solver_params.h"
+#include "core/tiles/tile_bounds.h"
 
 #include <doctest/doctest.h>
 
@@ -212,7 +212,7 @@ TEST_CASE("species: a painted border lies where it was painted, on tiles of any 
 		int blades = 0;
 		for (int z = 0; z < grid.get_tiles_z(); z++) {
 			for (int x = 0; x < grid.get_tiles_x(); x++) {
-				for (int b = 0; b < GRASS_BLADES_PER_TILE; b += density > 1000.0 ? 8 : 1) {
+				for (int b = 0; b<GRASS_BLADES_PER_TILE; b += density> 1000.0 ? 8 : 1) {
 					const int start = int(grass_tile_start(uint32_t(x), uint32_t(z), 0));
 					const Eigen::Vector2f root = root_of(start + b);
 					const double place = (x + double(root.x()) - 0.5 * grid.get_tiles_x()) * grid.get_tile_size();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/tile_bounds.h"
+#include "core/tiles/tile_bounds.h"
 
-#include "core/blade.h"
-#include "core/half.h"
-#include "core/hash.h"
-#include "core/tiles.h"
+#include "core/base/half.h"
+#include "core/base/hash.h"
+#include "core/blades/blade.h"
+#include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/tile_grid.h"
+#include "core/base/tile_grid.h"
 
 #include <doctest/doctest.h>
 

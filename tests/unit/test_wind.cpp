@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/wind.h"
+#include "core/blades/wind.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/half.h"
-#include "core/patch.h"
+#include "core/base/half.h"
+#include "core/blades/patch.h"
 
 using namespace grass;
 

@@ -2,7 +2,7 @@
 // What the tests of TileManager have in common: managers, objects, steps.
 #pragma once
 
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
 

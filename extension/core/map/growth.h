@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the map makes of the grass at one place. Twin of shaders/shared/map.inc, which draws the same: same names, same
+// What the map makes of the grass at one place. Twin of shaders/map/map.inc, which draws the same: same names, same
 // order of operations.
 #pragma once
 
-#include "core/clump.h"
+#include "core/blades/clump.h"
 #include "core/map/map_channels.h"
 
 #include <Eigen/Core>

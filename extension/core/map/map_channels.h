@@ -20,7 +20,7 @@ enum MapChannel {
 	MAP_NORMAL, // x and z of the ground's unit normal
 	MAP_WEAR, // 0 untouched .. 1 trampled bare; lasts
 	MAP_CUT, // blades end here, metres above the ground; MAP_UNCUT: nobody cut them
-	MAP_PAINT, // density painted by hand, and how much of what rules fill it covers, 0..1 each (core/map/hand_paint.h)
+	MAP_PAINT, // density painted by hand, and how much of what rules fill it covers, 0..1 each (core/paint/hand_paint.h)
 	MAP_CHANNELS,
 };
 

@@ -4,9 +4,9 @@
 // the simulation samples the very same ones.
 #pragma once
 
+#include "core/base/tile_grid.h"
 #include "core/map/growth.h"
 #include "core/map/paint_map.h"
-#include "core/tile_grid.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/map_shape.h"
 
-#include "core/plane.h"
+#include "core/base/plane.h"
 
 #include <algorithm>
 #include <cmath>

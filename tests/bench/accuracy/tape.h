@@ -7,7 +7,7 @@
 // step if it has any. NAME.result: magic, knots, software (0 or 1), takes; takes, each a count and so many floats.
 #pragma once
 
-#include "core/tile_state.h"
+#include "core/solver/tile_state.h"
 
 #include <cstdint>
 #include <cstdio>

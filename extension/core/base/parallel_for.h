@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Work that may run on several threads: the engine's (backend/parallel.h), or none.
+#pragma once
+
+#include <functional>
+
+namespace grass {
+
+// Calls p_body(i) once for every i below p_count, in any order, on any thread, and returns when all are done.
+using ParallelFor = std::function<void(int p_count, const std::function<void(int)> &p_body)>;
+
+// The simplest one: one after the other, here.
+inline void serial_for(int p_count, const std::function<void(int)> &p_body) {
+	for (int i = 0; i < p_count; i++) {
+		p_body(i);
+	}
+}
+
+} // namespace grass

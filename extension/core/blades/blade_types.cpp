@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "core/blades/blade_types.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+constexpr double PI = 3.14159265358979323846;
+constexpr double DEGREE = PI / 180.0;
+
+using Controls = std::array<double, BladeType::CONTROLS>;
+
+// Catmull-Rom through the control numbers; p_along: 0 = root, 1 = tip.
+double control_at(const Controls &p_controls, double p_along) {
+	const double place = p_along * (BladeType::CONTROLS - 1);
+	const int i = std::clamp(int(place), 0, BladeType::CONTROLS - 2);
+	const double t = place - i;
+	const double b = p_controls[i];
+	const double c = p_controls[i + 1];
+	const double a = i > 0 ? p_controls[i - 1] : 2.0 * b - c;
+	const double d = i + 2 < BladeType::CONTROLS ? p_controls[i + 2] : 2.0 * c - b;
+	return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
+}
+
+} // namespace
+
+double sine(double p_angle) {
+	// To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
+	const double half_turns = std::floor(p_angle / PI + 0.5);
+	const double x = p_angle - half_turns * PI;
+	const double square = x * x;
+	double term = x;
+	double sum = x;
+	for (int n = 2; n <= 20; n += 2) {
+		term *= -square / double(n * (n + 1));
+		sum += term;
+	}
+	const bool odd = half_turns - 2.0 * std::floor(half_turns * 0.5) > 0.5;
+	return odd ? -sum : sum;
+}
+
+double cosine(double p_angle) {
+	return sine(p_angle + 0.5 * PI);
+}
+
+BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist) {
+	BladeCurve curve;
+	curve.knots[0].setZero();
+	curve.twist[0] = 0.0;
+	for (int k = 1; k < GRASS_KNOTS; ++k) {
+		// Directions at the middle of each segment, laid end to end: equal lengths by construction.
+		const double middle = (k - 0.5) / GRASS_SEGMENTS;
+		const double inclination = DEGREE * p_bend * control_at(p_type.inclination, middle);
+		const double bearing = DEGREE * control_at(p_type.bearing, middle);
+		const Eigen::Vector3d direction(sine(inclination) * cosine(bearing), cosine(inclination), sine(inclination) * sine(bearing));
+		curve.knots[k] = curve.knots[k - 1] + direction / double(GRASS_SEGMENTS);
+		curve.twist[k] = DEGREE * p_twist * control_at(p_type.twist, double(k) / GRASS_SEGMENTS);
+	}
+	return curve;
+}
+
+} // namespace grass

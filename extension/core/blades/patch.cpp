@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "core/blades/patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/half.h"
+#include "core/base/hash.h"
+
+namespace grass {
+
+namespace {
+
+constexpr double TURN = 2.0 * 3.14159265358979323846;
+
+// A blade shorter than this has segments that the simulation could not tell from zero.
+constexpr double SHORTEST = 0.01; // metres
+
+// Roots: the R2 sequence (Roberts 2018), whose every run of consecutive points is an even sample of the
+// square. The jitter hides its lattice; it is a third of the distance between 64 points.
+constexpr double R2_X = 0.7548776662466927;
+constexpr double R2_Y = 0.5698402909980532;
+constexpr double JITTER = 0.04;
+// The golden ratio does the same for the azimuth.
+constexpr double GOLDEN = 0.6180339887498949;
+
+// How much one blade's bend and lean direction differ from its type's.
+constexpr double BEND_MIN = 0.7;
+constexpr double BEND_MAX = 1.2;
+constexpr double SWAY = 0.4; // radians
+
+// What is random about a blade, one hash channel each.
+enum Channel : uint32_t { JITTER_X, JITTER_Y, AZIMUTH, TYPE, LENGTH, LENGTH_MORE, WIDTH, BEND, TWIST, SWAY_ANGLE };
+
+// The random numbers of one blade, each from 0 up to but not including 1.
+class Dice {
+public:
+	Dice(uint32_t p_seed, uint32_t p_blade) : _base(grass_hash(p_seed ^ grass_hash(p_blade))) {}
+	double roll(Channel p_channel) const { return grass_hash(_base + p_channel) / 4294967296.0; }
+
+private:
+	uint32_t _base;
+};
+
+double fraction(double p_value) {
+	return p_value - std::floor(p_value);
+}
+
+double between(double p_least, double p_most, double p_share) {
+	return p_least + (p_most - p_least) * p_share;
+}
+
+PatchParams cleaned(const PatchParams &p_params) {
+	PatchParams params = p_params;
+	params.length_min = LENGTH_MIN.clamp(params.length_min);
+	params.length_max = std::max(params.length_min, LENGTH_MAX.clamp(params.length_max));
+	params.width_min = WIDTH_MIN.clamp(params.width_min);
+	params.width_max = std::max(params.width_min, WIDTH_MAX.clamp(params.width_max));
+	for (size_t type = 0; type < params.weights.size(); ++type) {
+		params.weights[type] = TYPE_WEIGHTS[type].clamp(params.weights[type]);
+	}
+	return params;
+}
+
+double total_weight(const PatchParams &p_params) {
+	double total = 0.0;
+	for (const double weight : p_params.weights) {
+		total += weight;
+	}
+	return total;
+}
+
+const BladeType &pick_type(const PatchParams &p_params, double p_share) {
+	double left = p_share * total_weight(p_params);
+	size_t last = 0;
+	for (size_t type = 0; type < BLADE_TYPES.size(); ++type) {
+		if (p_params.weights[type] <= 0.0) {
+			continue;
+		}
+		last = type;
+		left -= p_params.weights[type];
+		if (left < 0.0) {
+			break;
+		}
+	}
+	return BLADE_TYPES[last];
+}
+
+void store(Patch &r_patch, int p_blade, int p_knot, double p_x, double p_y, double p_z, double p_w) {
+	uint16_t *texel = &r_patch.texels[Patch::texel_index(p_blade, p_knot)];
+	texel[0] = float_to_half(float(p_x));
+	texel[1] = float_to_half(float(p_y));
+	texel[2] = float_to_half(float(p_z));
+	texel[3] = float_to_half(float(p_w));
+}
+
+// The derived numbers come from the stored halves: they are the rest shape.
+void measure(Patch &r_patch, int p_blade) {
+	Eigen::Vector3f before = Eigen::Vector3f::Zero();
+	float length = 0.0f;
+	float height = 0.0f;
+	for (int k = 1; k < GRASS_KNOTS; ++k) {
+		const uint16_t *texel = &r_patch.texels[Patch::texel_index(p_blade, k)];
+		const Eigen::Vector3f knot(half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]));
+		length += (knot - before).norm();
+		before = knot;
+		r_patch.max_reach = std::max(r_patch.max_reach, std::hypot(knot.x(), knot.z()));
+		height = std::max(height, knot.y());
+	}
+	r_patch.max_height = std::max(r_patch.max_height, height);
+	r_patch.mean_height += height / GRASS_PATCH_BLADES;
+	r_patch.max_length = std::max(r_patch.max_length, length);
+	r_patch.mean_length += length / GRASS_PATCH_BLADES;
+	r_patch.mean_width += half_to_float(r_patch.texels[Patch::texel_index(p_blade, 0) + 3]) / GRASS_PATCH_BLADES;
+}
+
+void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
+	const Dice dice(p_params.seed, uint32_t(p_blade));
+	const double x = fraction(0.5 + R2_X * p_blade + JITTER * (dice.roll(JITTER_X) - 0.5));
+	const double z = fraction(0.5 + R2_Y * p_blade + JITTER * (dice.roll(JITTER_Y) - 0.5));
+	const double azimuth = TURN * (fraction(GOLDEN * p_blade + 0.25 * dice.roll(AZIMUTH)) - 0.5);
+
+	// Two dice make middle lengths commoner than extreme ones; long blades tend to be wide ones.
+	const double tall = 0.5 * (dice.roll(LENGTH) + dice.roll(LENGTH_MORE));
+	const double length = std::max(SHORTEST, between(p_params.length_min, p_params.length_max, tall));
+	const double width = between(p_params.width_min, p_params.width_max, 0.5 * (tall + dice.roll(WIDTH)));
+
+	const BladeType &type = pick_type(p_params, dice.roll(TYPE));
+	const double twist_side = dice.roll(TWIST) * 2.0 - 1.0;
+	const BladeCurve curve = blade_curve(type, between(BEND_MIN, BEND_MAX, dice.roll(BEND)), twist_side);
+
+	// A blade leans across its width, give or take.
+	const double lean = azimuth + 0.25 * TURN + SWAY * (dice.roll(SWAY_ANGLE) * 2.0 - 1.0);
+	const double along_x = cosine(lean);
+	const double along_z = sine(lean);
+	store(r_patch, p_blade, 0, x, z, azimuth, width);
+	for (int k = 1; k < GRASS_KNOTS; ++k) {
+		const Eigen::Vector3d knot = curve.knots[k] * length;
+		store(r_patch, p_blade, k, knot.x() * along_x - knot.z() * along_z, knot.y(), knot.x() * along_z + knot.z() * along_x,
+				curve.twist[k]);
+	}
+	measure(r_patch, p_blade);
+}
+
+} // namespace
+
+PatchParams::PatchParams() {
+	for (size_t type = 0; type < weights.size(); ++type) {
+		weights[type] = TYPE_WEIGHTS[type].initial;
+	}
+}
+
+Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop) {
+	const PatchParams params = cleaned(p_params);
+	Patch patch;
+	patch.texels.assign(size_t(Patch::WIDTH) * Patch::HEIGHT * 4, 0);
+	if (params.length_max <= 0.0) {
+		patch.empty_because = "the longest blade has a length of zero";
+	} else if (total_weight(params) <= 0.0) {
+		patch.empty_because = "every blade type has a weight of zero";
+	} else {
+		for (int blade = 0; blade < GRASS_PATCH_BLADES && !(p_stop != nullptr && *p_stop); ++blade) {
+			plant(patch, params, blade);
+		}
+	}
+	return patch;
+}
+
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares) {
+	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });
+	if (found == p_patches.end()) {
+		Patch empty = generate_patch({});
+		empty.texels.assign(empty.texels.size() * p_patches.size(), 0);
+		empty.species = int(p_patches.size());
+		empty.empty_because = p_patches.empty() ? "there is no species" : p_patches.front()->empty_because;
+		return empty;
+	}
+	const Patch &first = **found;
+	Patch joined;
+	joined.species = int(p_patches.size());
+	joined.texels.reserve(p_patches.size() * first.texels.size());
+	for (size_t s = 0; s < p_patches.size(); s++) {
+		const Patch &own = p_patches[s]->is_empty() ? first : *p_patches[s];
+		joined.texels.insert(joined.texels.end(), own.texels.begin(), own.texels.end());
+		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
+			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
+			const uint16_t *place = &first.texels[Patch::texel_index(blade, 0)];
+			root[0] = place[0];
+			root[1] = place[1];
+			root[3] = p_patches[s]->is_empty() ? 0 : root[3];
+		}
+		const float share = float(p_shares[s]);
+		joined.max_length = std::max(joined.max_length, own.max_length);
+		joined.max_reach = std::max(joined.max_reach, own.max_reach);
+		joined.max_height = std::max(joined.max_height, own.max_height);
+		joined.mean_height += share * own.mean_height;
+		joined.mean_length += share * own.mean_length;
+		joined.mean_width += share * own.mean_width;
+	}
+	return joined;
+}
+
+} // namespace grass

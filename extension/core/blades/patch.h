@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The patch (paper 3.1): 16,384 blades made once, of which every tile of the field borrows 64 consecutive
+// ones. May include Eigen, never Godot.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/tunable.h"
+#include "core/blades/blade_types.h"
+
+namespace grass {
+
+inline constexpr Tunable PATCH_SEED{ "seed", "", 0.0, 4294967295.0, 1.0, 1.0 };
+// Lengths of 0 make an empty patch. Blades longer than about three tiles reach beyond the bounds that
+// wake tiles; below 0.05 m a meadow reads as moss.
+inline constexpr Tunable LENGTH_MIN{ "length_min", "m", 0.0, 3.0, 0.01, 0.3 };
+inline constexpr Tunable LENGTH_MAX{ "length_max", "m", 0.0, 3.0, 0.01, 0.7 };
+// Full width at the root. Beyond 0.05 m blades read as reed or leaves.
+inline constexpr Tunable WIDTH_MIN{ "width_min", "m", 0.0005, 0.2, 0.0005, 0.01 };
+inline constexpr Tunable WIDTH_MAX{ "width_max", "m", 0.0005, 0.2, 0.0005, 0.02 };
+// Shares of the blade types, relative to each other; all 0 make an empty patch.
+inline constexpr std::array<Tunable, BLADE_TYPES.size()> TYPE_WEIGHTS{ {
+		{ "weight_upright", "", 0.0, 1.0, 0.01, 0.25 },
+		{ "weight_arched", "", 0.0, 1.0, 0.01, 0.35 },
+		{ "weight_drooping", "", 0.0, 1.0, 0.01, 0.25 },
+		{ "weight_wavy", "", 0.0, 1.0, 0.01, 0.15 },
+} };
+
+// Values outside the tunables' ranges are clamped, NaN counts as the default, a maximum below its minimum as
+// the minimum.
+struct PatchParams {
+	uint32_t seed = uint32_t(PATCH_SEED.initial);
+	double length_min = LENGTH_MIN.initial; // metres
+	double length_max = LENGTH_MAX.initial;
+	double width_min = WIDTH_MIN.initial; // metres, full width at the root
+	double width_max = WIDTH_MAX.initial;
+	std::array<double, BLADE_TYPES.size()> weights; // shares, in the order of BLADE_TYPES
+
+	PatchParams();
+};
+
+// Blades as the patch texture holds them, and what follows from them. Immutable once made.
+struct Patch {
+	static constexpr int WIDTH = GRASS_KNOTS * GRASS_PATCH_BLADES_PER_ROW; // texels
+	static constexpr int HEIGHT = GRASS_PATCH_BLADES / GRASS_PATCH_BLADES_PER_ROW;
+
+	std::vector<uint16_t> texels; // 16-bit floats, 4 a texel, WIDTH x HEIGHT row by row for each species; zeros if empty
+	int species = 1; // whose blades stand one below the other
+	const char *empty_because = nullptr; // why there are no blades, for a warning; nullptr if there are
+	float max_length = 0.0f; // metres, along the blade
+	float max_reach = 0.0f; // metres, horizontally from the root
+	float max_height = 0.0f; // metres, above the root
+	float mean_height = 0.0f; // metres, of the blades' highest knots
+	float mean_length = 0.0f, mean_width = 0.0f; // metres: along the blade, full width at the root
+
+	bool is_empty() const { return empty_because != nullptr; }
+	// First of the four halves of knot p_knot of blade p_blade; the blades of species s begin at GRASS_PATCH_BLADES s.
+	static size_t texel_index(int p_blade, int p_knot) {
+		const size_t row = size_t(p_blade / GRASS_PATCH_BLADES_PER_ROW), column = size_t(p_blade % GRASS_PATCH_BLADES_PER_ROW);
+		return ((row * GRASS_KNOTS + size_t(p_knot)) * GRASS_PATCH_BLADES_PER_ROW + column) * 4;
+	}
+};
+
+// The same bits for the same parameters, on every machine.
+// p_stop: when it becomes true, on whatever thread, what is not made yet is left out.
+Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop = nullptr);
+
+// The patches of several species as one. Blade b of each stands where blade b of the first one does, so that a root is known
+// before its species is. p_shares: of the species, for what is a mean. Species without blades get some of no width.
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares);
+
+} // namespace grass

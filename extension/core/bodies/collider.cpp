@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "core/bodies/collider.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+Vec3<float> xyz(const vec4 &p_a) {
+	return { p_a.x, p_a.y, p_a.z };
+}
+Turn<float> turn_of(const vec4 &p_a) {
+	return { xyz(p_a), p_a.w };
+}
+float total(const vec4 &p_a) {
+	return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w);
+}
+
+// Of a radius: an edge this long with both knots on the surface cuts l^2 / 8r, within 2 %.
+constexpr float BLUNT = 0.5f;
+
+// How many times farther away than the nearest face a box can be: at its corners.
+constexpr float SHORTFALL = 1.7321f;
+// For rounding.
+constexpr float BOX_MARGIN = 1.0001f;
+
+// Radius of a sphere about the shape's centre, half extents of a box in its own axes, the least thickness, and the longest edge that
+// knots stand for.
+void measure(int p_shape, const Vec3<float> &p_size, float &r_bound, Vec3<float> &r_box, float &r_thin, float &r_blunt) {
+	r_box = { p_size.x, p_size.x, p_size.x };
+	r_blunt = 0.0f; // corners
+	switch (p_shape) {
+		case GRASS_CAPSULE:
+			r_bound = p_size.x + p_size.y;
+			r_box.y = r_bound;
+			r_thin = p_size.x;
+			r_blunt = BLUNT * p_size.x;
+			break;
+		case GRASS_BOX:
+			r_bound = length(p_size);
+			r_box = p_size;
+			r_thin = std::min({ p_size.x, p_size.y, p_size.z });
+			break;
+		case GRASS_CYLINDER:
+			r_bound = std::sqrt(p_size.x * p_size.x + p_size.y * p_size.y);
+			r_box.y = p_size.y;
+			r_thin = std::min(p_size.x, p_size.y);
+			break;
+		case GRASS_HULL: // its least thickness is told by its planes
+			r_bound = r_thin = p_size.x;
+			break;
+		default:
+			r_bound = p_size.x;
+			r_thin = p_size.x;
+			r_blunt = BLUNT * p_size.x;
+	}
+}
+
+// How far the nearest of a hull's planes is from its centre, metres.
+float least_plane(const TileCollider &p_collider) {
+	float least = p_collider.bound;
+	for (const Eigen::Vector4f &plane : p_collider.planes) {
+		least = std::min(least, plane.w());
+	}
+	return std::max(least, 0.0f);
+}
+
+} // namespace
+
+bool is_sharp(const GrassCollider &p_collider, float p_segment) {
+	constexpr float STRETCH = 1.1f;
+	float bound = 0.0f, thin = 0.0f, blunt = 0.0f;
+	Vec3<float> box;
+	measure(p_collider.anchor.z, xyz(p_collider.size), bound, box, thin, blunt);
+	return !(blunt > STRETCH * p_segment);
+}
+
+bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
+		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider) {
+	const float sum = total(p_collider.position) + total(p_collider.rotation) + total(p_collider.position_before) +
+			total(p_collider.rotation_before) + total(p_collider.size);
+	if (!(sum < 1e30f)) {
+		return false;
+	}
+	r_collider.shape = p_collider.anchor.z;
+	r_collider.planes = {};
+	if (r_collider.shape == GRASS_HULL) {
+		const float count = p_collider.position_before.w;
+		const int first = p_collider.anchor.w;
+		if (!(count >= 1.0f) || first < 0 || size_t(first) + size_t(count) > p_planes.size()) {
+			return false;
+		}
+		r_collider.planes = p_planes.subspan(size_t(first), size_t(count));
+	}
+	const Vec3<float> anchor{ float(p_collider.anchor.x - p_tile_x) * p_tile_size, 0.0f,
+		float(p_collider.anchor.y - p_tile_z) * p_tile_size };
+	r_collider.size = xyz(p_collider.size);
+	r_collider.centre = xyz(p_collider.position) + anchor;
+	r_collider.centre_before = xyz(p_collider.position_before) + anchor;
+	r_collider.turn = turn_of(p_collider.rotation);
+	r_collider.turn_before = turn_of(p_collider.rotation_before);
+	r_collider.friction = std::max(p_collider.position.w, 0.0f);
+	const Turn<float> &turn = r_collider.turn, &before = r_collider.turn_before;
+	const float cosine = dot(turn.axis, before.axis) + turn.w * before.w; // of half the turn
+	r_collider.spin = 2.0f * std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
+	Vec3<float> box;
+	measure(r_collider.shape, r_collider.size, r_collider.bound, box, r_collider.thin, r_collider.blunt);
+	r_collider.shortfall = SHORTFALL;
+	if (r_collider.shape == GRASS_HULL) {
+		r_collider.thin = least_plane(r_collider);
+		r_collider.shortfall = r_collider.bound / std::max(r_collider.thin, 1e-12f);
+	}
+	const Vec3<float> x = turned(turn, { box.x, 0.0f, 0.0f }), y = turned(turn, { 0.0f, box.y, 0.0f }),
+					  z = turned(turn, { 0.0f, 0.0f, box.z });
+	const float bound = r_collider.bound * BOX_MARGIN;
+	r_collider.box = { std::min((std::abs(x.x) + std::abs(y.x) + std::abs(z.x)) * BOX_MARGIN, bound),
+		std::min((std::abs(x.y) + std::abs(y.y) + std::abs(z.y)) * BOX_MARGIN, bound),
+		std::min((std::abs(x.z) + std::abs(y.z) + std::abs(z.z)) * BOX_MARGIN, bound) };
+	return true;
+}
+
+} // namespace grass

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Level of detail and visibility of a tile (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/detail/lod.inc
+// and levels.inc.
+#pragma once
+
+#include "core/base/layout.h"
+#include "core/base/tunable.h"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace grass {
+
+// From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
+inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
+// How far a blade may be drawn from its curve, in pixels: decides its segments. 0: always 15; above 2 curves look cut.
+inline constexpr Tunable LOD_ERROR{ "lod_error", "px", 0.0, 8.0, 0.05, 1.0 };
+// No blade is drawn narrower at its root than this; where blades would be, fewer are drawn that cover as much. 0: all
+// blades at their own width, far grass flickers; above 2 it looks coarse.
+inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
+// How many times coarser than in the picture blades are where they only cast shadows. 1: as fine; above 6 shadows of
+// single blades are gone near the camera.
+inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 0.1, 3.0 };
+
+// Tiles that a field draws in a frame, at most; a quarter as many cast shadows. 100 bytes each. Where more are seen, far ones are left
+// out, evenly: below 10000 the grass ends before one's eyes.
+inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "tiles", 256.0, 4194304.0, 1.0, 262144.0 };
+
+struct LodParams {
+	float far = float(LOD_FAR.initial); // metres
+	float error = float(LOD_ERROR.initial); // pixels
+	float pixels_min = float(PIXELS_MIN.initial); // pixels
+	float shadow_coarseness = float(SHADOW_COARSENESS.initial);
+
+	// The same with NaN and values out of range mended: 0.001 <= far, 0 <= error, 0 <= pixels_min, 1 <= shadow_coarseness.
+	LodParams sanitised() const;
+	bool operator==(const LodParams &) const = default;
+};
+
+// The mean blade of a field, metres.
+struct BladeSize {
+	float width = 0.0f, length = 0.0f;
+};
+
+// What a tile needs: blades, and segments of each. The most that any camera asks for counts.
+struct LodNeed {
+	float blades = 0.0f, segments = 0.0f;
+
+	// Adds what a camera at p_distance (metres) asks for, whose near plane is p_near metres away, and to which p_pixel metres
+	// of the tile are a pixel.
+	void add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel);
+};
+
+struct LodLevel {
+	int blades; // That its mesh holds.
+	int segments; // A blade.
+};
+
+// Level i of GRASS_ALL_LEVELS.
+LodLevel get_lod_level(int p_level);
+
+// The twins; see lod.inc and levels.inc.
+float grass_lod_blades(float p_distance, float p_near, float p_far); // [Eq L1]
+float grass_lod_blades_of_width(float p_width, float p_least); // [Eq L2]
+float grass_lod_shown(float p_blades, float p_hash); // [Eq L3]
+float grass_lod_needed(float p_length, float p_error); // [Eq L4]
+int grass_lod_segments(float p_needed);
+int grass_lod_coarser(int p_segments);
+float grass_lod_morph(float p_needed, int p_segments); // [Eq L5]
+int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end);
+uint32_t grass_lod_rank(int p_level, uint32_t p_turn);
+float grass_lod_left_out(uint32_t p_ranks); // [Eq L6]
+
+// How many ranks, from the first on, have room for all of their tiles. p_tiles: of each rank. Twin of fit() in cull.glsl.
+uint32_t grass_lod_ranks(const std::array<uint32_t, GRASS_RANKS> &p_tiles, uint32_t p_room);
+
+// Six planes: normal.xyz, d; inside: normal . x <= d. The normals look out of the view, as Godot's do.
+using Frustum = std::array<Eigen::Vector4f, 6>;
+
+bool grass_tile_visible(const Frustum &p_planes, const Eigen::Vector3f &p_centre, const Eigen::Vector3f &p_half_extents, float p_margin,
+		const Eigen::Vector3f &p_fall);
+
+} // namespace grass

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "core/fill/fill.h"
+
+#include "core/paint/hand_paint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace grass {
+
+namespace {
+
+constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
+constexpr size_t BATCH = 128; // chunks that are worked out before they are written: 2 MiB
+
+struct FilledChunk {
+	std::shared_ptr<const MapTexels> texels; // null: none but the base density
+	double amount = 0.0;
+	int64_t cells = 0;
+	bool has_changed = false;
+};
+
+// Works out one chunk. Only reads the map.
+class ChunkFill {
+public:
+	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_area, const FillRule *p_rule, const FillSources &p_sources) :
+			_map(p_map),
+			_key(p_key),
+			_area(p_area),
+			_rule(p_rule),
+			_ground(p_map, MAP_GROUND),
+			_normal(p_map, MAP_NORMAL),
+			_density(p_map, MAP_DENSITY),
+			_paint(p_map, MAP_PAINT) {
+		if (_rule == nullptr) {
+			return;
+		}
+		const Eigen::Array2d low(p_key.x * MAP_CHUNK_SIZE, p_key.z * MAP_CHUNK_SIZE), high = low + MAP_CHUNK_SIZE;
+		for (const std::shared_ptr<const FillObstacle> &obstacle : p_sources.obstacles) {
+			const bool is_here = (obstacle->get_min().array() <= high).all() && (obstacle->get_max().array() >= low).all();
+			if (is_here && !obstacle->is_nowhere()) {
+				_obstacles.push_back(obstacle.get());
+			}
+		}
+		if (p_sources.has_mesh) {
+			_mesh_shares =
+					p_sources.mesh ? p_sources.mesh->get_shares(p_key) : std::vector<double>(size_t(DENSITY.side) * size_t(DENSITY.side));
+		}
+		_asks_ground = _rule->asks_height() || !_obstacles.empty();
+	}
+
+	FilledChunk run() {
+		FilledChunk filled;
+		auto texels = std::make_shared<MapTexels>(DENSITY.chunk_bytes());
+		const int32_t base = _map.initial_code(MAP_DENSITY, 0);
+		bool is_plain = true;
+		for (int row = 0; row < DENSITY.side; row++) {
+			for (int column = 0; column < DENSITY.side; column++) {
+				const int i = _key.x * DENSITY.side + column, j = _key.z * DENSITY.side + row;
+				const Eigen::Vector2d centre = Eigen::Vector2d(i + 0.5, j + 0.5) * DENSITY.texel_size();
+				const size_t texel = size_t(row) * size_t(DENSITY.side) + size_t(column);
+				const int32_t before = _density.code(0, i, j);
+				int32_t after = before;
+				if (is_inside(centre)) {
+					filled.cells++;
+					const int32_t filling = _rule == nullptr ? base : DENSITY.code(ask(centre, texel));
+					after = HandPaint{ _paint.code(0, i, j), _paint.code(1, i, j) }.over(filling);
+				}
+				(*texels)[texel] = uint8_t(after);
+				filled.amount += double(after - before);
+				filled.has_changed = filled.has_changed || after != before;
+				is_plain = is_plain && after == base;
+			}
+		}
+		filled.amount *= DENSITY.unit * DENSITY.texel_size() * DENSITY.texel_size();
+		filled.texels = is_plain ? nullptr : std::move(texels);
+		return filled;
+	}
+
+private:
+	// The far border belongs to the next area.
+	bool is_inside(const Eigen::Vector2d &p_at) const {
+		return (p_at.array() >= _area.min.array()).all() && (p_at.array() < _area.max.array()).all();
+	}
+
+	// The density that the rule gives a place: cheap questions first, and none once the answer is nothing.
+	double ask(const Eigen::Vector2d &p_at, size_t p_texel) {
+		double share = _rule->get(FILL_DENSITY) * _rule->mask_share(p_at);
+		share *= _mesh_shares.empty() ? 1.0 : _mesh_shares[p_texel];
+		if (share > 0.0 && _rule->asks_slope()) {
+			const double tilt = std::min(1.0, std::hypot(_normal.sample(0, p_at), _normal.sample(1, p_at))); // sine of the slope
+			share *= _rule->slope_share(std::asin(tilt) * 180.0 / std::numbers::pi);
+		}
+		const FillPlace place{ p_at, share > 0.0 && _asks_ground ? _ground.sample(0, p_at) : 0.0 };
+		share *= _rule->asks_height() ? _rule->height_share(place.ground) : 1.0;
+		for (size_t i = 0; i < _obstacles.size() && share > 0.0; i++) {
+			share *= _obstacles[i]->get_share(place);
+		}
+		return share > 0.0 ? share * _rule->noise_share(p_at) : 0.0;
+	}
+
+	const PaintMap &_map;
+	MapKey _key;
+	const MapRegion &_area;
+	const FillRule *_rule;
+	MapReader _ground, _normal, _density, _paint;
+	std::vector<const FillObstacle *> _obstacles;
+	std::vector<double> _mesh_shares; // empty: no mesh is asked
+	bool _asks_ground = false;
+};
+
+} // namespace
+
+std::vector<MapKey> chunks_in(const MapRegion &p_area) {
+	std::vector<MapKey> keys;
+	if (p_area.min.hasNaN() || p_area.max.hasNaN()) {
+		return keys;
+	}
+	constexpr double REACH = PaintMap::REACH;
+	const Eigen::Array2i first = (p_area.min.array() / MAP_CHUNK_SIZE).floor().max(-REACH).min(REACH).cast<int>(),
+						 end = (p_area.max.array() / MAP_CHUNK_SIZE).ceil().max(-REACH).min(REACH).cast<int>();
+	for (int x = first.x(); x < end.x(); x++) {
+		for (int z = first.y(); z < end.y(); z++) {
+			keys.push_back({ x, z });
+		}
+	}
+	return keys;
+}
+
+FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
+		const FillSources &p_sources, const ParallelFor &p_parallel_for) {
+	FillResult result;
+	for (size_t first = 0; first < p_keys.size(); first += BATCH) {
+		const std::span<const MapKey> keys = p_keys.subspan(first, std::min(BATCH, p_keys.size() - first));
+		std::vector<FilledChunk> filled(keys.size());
+		p_parallel_for(int(keys.size()),
+				[&](int p_index) { filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rule, p_sources).run(); });
+		for (size_t n = 0; n < keys.size(); n++) { // a chunk's filling depends on no other's
+			result.cells += filled[n].cells;
+			if (!filled[n].has_changed) {
+				continue;
+			}
+			if (!r_map.set_texels(keys[n], MAP_DENSITY, std::move(filled[n].texels))) {
+				result.out_of_room = true;
+				continue;
+			}
+			const MapRegion here = MapRegion::of_chunk(keys[n]).shared(p_area);
+			const MapRegion all = result.changed.empty() ? here : here.joined({ result.min, result.max });
+			result.min = all.min;
+			result.max = all.max;
+			result.changed.push_back(keys[n]);
+			result.amount += filled[n].amount;
+		}
+	}
+	return result;
+}
+
+} // namespace grass

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Fills a map by a rule: writes density, chunk by chunk, under what hands painted (core/paint/hand_paint.h). The same rule,
+// sources and ground give the same texels, whatever was filled before.
+#pragma once
+
+#include "core/base/parallel_for.h"
+#include "core/fill/fill_mesh.h"
+#include "core/fill/fill_obstacle.h"
+#include "core/fill/fill_rule.h"
+#include "core/map/map_layers.h"
+#include "core/paint/brush.h"
+
+namespace grass {
+
+// What a rule finds in the scene.
+struct FillSources {
+	std::vector<std::shared_ptr<const FillObstacle>> obstacles;
+	bool has_mesh = false; // whether a mesh says where grass grows; without one there yet, nowhere
+	std::shared_ptr<const FillMesh> mesh;
+
+	bool operator==(const FillSources &) const = default; // the same objects
+};
+
+struct FillResult : BrushResult { // its amount: square metres of full grass that came or, negative, went
+	int64_t cells = 0; // texels that the rule was asked about
+};
+
+// The chunks that hold an area, rising; none beyond the map's reach.
+std::vector<MapKey> chunks_in(const MapRegion &p_area);
+
+// Fills the texels of some chunks (rising) whose centres lie in p_area. p_rule null: back to the map's base density.
+FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
+		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for);
+
+} // namespace grass

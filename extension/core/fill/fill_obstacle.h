@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What keeps filled grass away: a solid shape that stands in it, an outline on the ground, a point or a line to keep a
+// distance from, a mesh above it. Map space: x, z in metres from the field's centre, heights above the field.
+#pragma once
+
+#include "core/bodies/body_shape.h"
+
+#include <span>
+
+namespace grass {
+
+// A place on the ground.
+struct FillPlace {
+	Eigen::Vector2d at = Eigen::Vector2d::Zero(); // x, z in metres
+	double ground = 0.0; // metres above the field
+};
+
+class FillObstacle {
+public:
+	static constexpr double MAX_POSITION = 1e6; // metres; what lies farther away is nowhere
+
+	// p_pose: from the shape's space, may scale. p_height: grass grows below what begins higher above the ground, metres.
+	static FillObstacle solid(const ColliderShape &p_shape, const Eigen::Affine3d &p_pose, double p_height);
+	// The inside of an outline, convex or not, at any height.
+	static FillObstacle outline(std::vector<Eigen::Vector2d> p_corners);
+	// One point, or a line through several.
+	static FillObstacle line(std::vector<Eigen::Vector2d> p_points);
+	// Triangles, three corners each: the ground below them, where they are not higher than p_height above it, nor below it.
+	static FillObstacle mesh(std::vector<Eigen::Vector3d> p_corners, double p_height);
+
+	// How far from it nothing grows, and how much farther away grass is whole again. Metres.
+	void set_clearance(double p_distance, double p_fade);
+
+	// Share of the grass that stands: 0 within its distance .. 1.
+	double get_share(const FillPlace &p_place) const;
+	// Metres to it, seen from above for all but solid shapes; 0 or less within.
+	double get_distance(const FillPlace &p_place) const;
+	// Beyond this rectangle it changes nothing; empty (min > max) if it is nowhere.
+	Eigen::Vector2d get_min() const { return _min.array() - (_distance + _fade); }
+	Eigen::Vector2d get_max() const { return _max.array() + (_distance + _fade); }
+	bool is_nowhere() const { return !(_min.array() <= _max.array()).all(); }
+
+private:
+	enum class Kind { SOLID, OUTLINE, LINE, MESH };
+
+	FillObstacle(Kind p_kind, std::span<const Eigen::Vector2d> p_extent);
+	double solid_distance(const FillPlace &p_place) const;
+	double outline_distance(const Eigen::Vector2d &p_at) const;
+	double mesh_distance(const FillPlace &p_place) const;
+
+	Kind _kind;
+	double _distance = 0.0, _fade = 0.0, _height = 0.0;
+	Eigen::Vector2d _min, _max; // of the shape itself
+	ColliderShape _shape;
+	Eigen::Matrix<double, 3, 4, Eigen::DontAlign> _to_shape; // from map space
+	double _scale = 1.0; // metres of the map in a metre of the shape
+	std::vector<Eigen::Vector2d> _points; // outline, line
+	std::vector<Eigen::Vector3d> _corners; // mesh
+};
+
+} // namespace grass

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "core/paint/brush.h"
+
+#include "core/base/hash.h"
+#include "core/paint/hand_paint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace grass {
+
+namespace {
+
+using Codes = std::array<int32_t, 4>; // of a texel's components
+
+// A number of the texel's own, 0 <= h < 1.
+double texel_hash(int p_i, int p_j) {
+	return double(grass_hash(uint32_t(p_i) ^ grass_hash(uint32_t(p_j)))) / 4294967296.0;
+}
+
+// One step of a brush over one channel.
+class Dab {
+public:
+	Dab(const PaintMap &p_map, const Brush &p_brush) :
+			_brush(p_brush), _channel(channel_of(p_brush)), _info(info_of(_channel)), _texels(p_map, _channel), _paint(p_map, MAP_PAINT) {
+		const Eigen::Vector2d direction = p_brush.direction.stableNormalized();
+		_target.fill(_info.code(p_brush.target));
+		if (p_brush.tool == MapTool::COMB) {
+			_target = { _info.code(direction.x() * p_brush.target), _info.code(direction.y() * p_brush.target), 0, 0 };
+		} else if (p_brush.tool == MapTool::TINT) {
+			for (int c = 0; c < 3; c++) {
+				_target[size_t(c)] = _info.code(p_brush.color[c]);
+			}
+		}
+	}
+
+	Codes read(int p_i, int p_j) {
+		Codes codes{};
+		for (int c = 0; c < _info.components; c++) {
+			codes[size_t(c)] = _texels.code(c, p_i, p_j);
+		}
+		return codes;
+	}
+
+	// What the texel holds after the step.
+	Codes changed(const Codes &p_now, int p_i, int p_j, double p_weight) {
+		Codes codes = p_now;
+		switch (_brush.tool) {
+			case MapTool::SPECIES:
+				codes[0] = texel_hash(p_i, p_j) < p_weight ? _target[0] : p_now[0];
+				break;
+			case MapTool::TINT:
+				for (size_t c = 0; c < 3; c++) { // a colour that did not show yet leaves no trace
+					codes[c] = p_now[3] == 0 ? _target[c] : toward(p_now[c], _target[c], p_weight);
+				}
+				codes[3] = toward(p_now[3], _target[3], p_weight);
+				break;
+			case MapTool::CUT:
+				codes[0] = p_weight >= 0.5 * std::min(_brush.strength, 1.0) ? std::min(p_now[0], _target[0]) : p_now[0];
+				break;
+			case MapTool::REGROW:
+				codes[0] = p_now[0] + grown(p_weight);
+				break;
+			case MapTool::RECOVER:
+				codes[0] = p_now[0] - grown(p_weight);
+				break;
+			default:
+				for (int c = 0; c < _info.components; c++) {
+					codes[size_t(c)] = toward(p_now[size_t(c)], aim(p_now, c, p_i, p_j), p_weight);
+				}
+		}
+		for (int c = 0; c < _info.components; c++) {
+			codes[size_t(c)] = std::clamp(codes[size_t(c)], _info.lowest, _info.highest);
+		}
+		return codes;
+	}
+
+	bool paints() const { return _channel == MAP_DENSITY; }
+	HandPaint read_paint(int p_i, int p_j) {
+		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
+	}
+	// The hand holds what the brush did, and what it came upon and left as it is, too.
+	HandPaint painted(const HandPaint &p_paint, const Codes &p_now, int p_i, int p_j, double p_weight) {
+		return paints() ? p_paint.brushed(aim(p_now, 0, p_i, p_j), p_weight) : p_paint;
+	}
+
+	MapChannel channel() const { return _channel; }
+
+private:
+	// Where the step goes.
+	int32_t aim(const Codes &p_now, int p_component, int p_i, int p_j) {
+		const size_t c = size_t(p_component);
+		switch (_brush.tool) {
+			case MapTool::PAINT:
+			case MapTool::FLATTEN:
+				return std::max(p_now[c], _target[c]);
+			case MapTool::ERASE:
+				return 0;
+			case MapTool::SMOOTH:
+				return mean(p_component, p_i, p_j);
+			default: // DENSITY, HEIGHT, COMB
+				return _target[c];
+		}
+	}
+
+	// Of the 3 x 3 texels around, weighed 1 2 1 both ways.
+	int32_t mean(int p_component, int p_i, int p_j) {
+		double sum = 0.0;
+		for (int dj = -1; dj <= 1; dj++) {
+			for (int di = -1; di <= 1; di++) {
+				sum += double((2 - std::abs(di)) * (2 - std::abs(dj))) * _texels.code(p_component, p_i + di, p_j + dj);
+			}
+		}
+		return int32_t(std::round(sum / 16.0));
+	}
+
+	int32_t grown(double p_weight) const { return int32_t(std::round(p_weight * (_target[0] - _info.zero))); }
+
+	const Brush &_brush;
+	MapChannel _channel;
+	const MapChannelInfo &_info;
+	MapReader _texels, _paint;
+	Codes _target{};
+};
+
+struct Edit {
+	int i, j;
+	Codes before, after;
+	HandPaint paint; // of density only
+};
+
+} // namespace
+
+bool MapLimits::allows(MapReader &r_ground, MapReader &r_normal, const Eigen::Vector2d &p_place) const {
+	if (is_everywhere()) {
+		return true;
+	}
+	const double height = r_ground.sample(0, p_place);
+	const double tilt = std::min(1.0, std::hypot(r_normal.sample(0, p_place), r_normal.sample(1, p_place))); // sine of the slope
+	const double slope = std::asin(tilt) * 180.0 / std::numbers::pi;
+	return height >= height_min && height <= height_max && slope >= slope_min && slope <= slope_max;
+}
+
+MapChannel channel_of(const Brush &p_brush) {
+	switch (p_brush.tool) {
+		case MapTool::SMOOTH:
+			return p_brush.channel;
+		case MapTool::HEIGHT:
+			return MAP_HEIGHT;
+		case MapTool::SPECIES:
+			return MAP_SPECIES;
+		case MapTool::TINT:
+			return MAP_TINT;
+		case MapTool::COMB:
+			return MAP_LEAN;
+		case MapTool::CUT:
+		case MapTool::REGROW:
+			return MAP_CUT;
+		case MapTool::FLATTEN:
+		case MapTool::RECOVER:
+			return MAP_WEAR;
+		default:
+			return MAP_DENSITY;
+	}
+}
+
+BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p_brush) {
+	BrushResult result;
+	const double strength = std::clamp(p_brush.strength, 0.0, 1.0);
+	if (p_shape.is_empty() || !(strength > 0.0)) {
+		return result;
+	}
+	Dab dab(r_map, p_brush);
+	MapReader ground(r_map, MAP_GROUND), normal(r_map, MAP_NORMAL);
+	const MapChannelInfo &info = info_of(dab.channel());
+	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
+	// Texels whose centres the shape may hold; first all are read, then all written, so that their order does not matter.
+	const Eigen::Array2d low = (p_shape.get_min().array() / size - 0.5).ceil(), high = (p_shape.get_max().array() / size - 0.5).floor();
+	result.out_of_room = (low < -reach).any() || (high >= reach).any();
+	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();
+	std::vector<Edit> edits;
+	for (int j = first.y(); j <= last.y(); j++) {
+		for (int i = first.x(); i <= last.x(); i++) {
+			const Eigen::Vector2d centre((i + 0.5) * size, (j + 0.5) * size);
+			const double weight = strength * p_shape.get_weight(centre);
+			if (weight > 0.0 && p_brush.limits.allows(ground, normal, centre)) {
+				const Codes now = dab.read(i, j), after = dab.changed(now, i, j, weight);
+				const HandPaint paint_now = dab.read_paint(i, j), paint = dab.painted(paint_now, now, i, j, weight);
+				if (after != now || !(paint == paint_now)) {
+					edits.push_back({ i, j, now, after, paint });
+				}
+			}
+		}
+	}
+	std::set<MapKey> changed;
+	Eigen::Array2i low_edit = last + 1, high_edit = first;
+	for (const Edit &edit : edits) {
+		bool written = true;
+		for (int c = 0; c < info.components && written; c++) {
+			written = r_map.set_code(dab.channel(), c, edit.i, edit.j, edit.after[size_t(c)]);
+		}
+		if (written && dab.paints()) {
+			written = r_map.set_code(MAP_PAINT, 0, edit.i, edit.j, edit.paint.density) &&
+					r_map.set_code(MAP_PAINT, 1, edit.i, edit.j, edit.paint.cover);
+		}
+		result.out_of_room = result.out_of_room || !written;
+		if (written) {
+			result.amount += (double(edit.after[0]) - edit.before[0]) * info.unit * size * size;
+			changed.insert(key_of(dab.channel(), edit.i, edit.j));
+			low_edit = low_edit.min(Eigen::Array2i(edit.i, edit.j));
+			high_edit = high_edit.max(Eigen::Array2i(edit.i + 1, edit.j + 1));
+		}
+	}
+	result.changed.assign(changed.begin(), changed.end());
+	if (!changed.empty()) {
+		result.min = low_edit.cast<double>() * size;
+		result.max = high_edit.cast<double>() * size;
+	}
+	return result;
+}
+
+} // namespace grass

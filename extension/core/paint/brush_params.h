@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Every number of a brush that a user may set, in the inspector's order. GrassBrush stores them by this index.
+#pragma once
+
+#include "core/base/tunable.h"
+#include "core/map/map_channels.h"
+
+namespace grass {
+
+enum BrushParamId {
+	BRUSH_RADIUS,
+	BRUSH_STRENGTH,
+	BRUSH_HARDNESS,
+	BRUSH_TARGET,
+	BRUSH_CUT_HEIGHT,
+	BRUSH_SLOPE_MIN,
+	BRUSH_SLOPE_MAX,
+	BRUSH_HEIGHT_MIN,
+	BRUSH_HEIGHT_MAX,
+	BRUSH_PARAM_COUNT,
+};
+
+inline constexpr std::array<Tunable, BRUSH_PARAM_COUNT> BRUSH_PARAMS = { {
+		// Below 0.1 m a brush falls between the texels; above 64 m one step touches a hundred thousand of them.
+		{ "radius", "m", 0.1, 64.0, 0.1, 3.0 },
+		// Share of the way to the target in one step.
+		{ "strength", "", 0.0, 1.0, 0.01, 0.5 },
+		// Share of the radius that feels the full effect.
+		{ "hardness", "", 0.0, 1.0, 0.01, 0.5 },
+		// What density, height, tint, lean or wear is brought to.
+		{ "target", "", 0.0, 1.0, 0.01, 1.0 },
+		// Cutting leaves this much, regrowing adds it.
+		{ "cut_height", "m", 0.0, MAP_UNCUT, 0.01, 0.05 },
+		// The ground that may change; heights above the field.
+		{ "slope_min", "\u00b0", 0.0, 90.0, 0.1, 0.0 },
+		{ "slope_max", "\u00b0", 0.0, 90.0, 0.1, 90.0 },
+		{ "height_min", "m", -16384.0, 16384.0, 0.1, -16384.0 },
+		{ "height_max", "m", -16384.0, 16384.0, 0.1, 16384.0 },
+} };
+
+} // namespace grass

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Writes the shape of the ground into a map: heights, and the normals that follow from them.
+#pragma once
+
+#include "core/map/map_layers.h"
+#include "core/paint/brush.h"
+
+#include <functional>
+
+namespace grass {
+
+// Height of the ground at a place (x, z in metres), metres above the field; not finite where there is none.
+using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
+
+struct LaidGround : BrushResult { // amount: 0
+	int64_t asked = 0; // places
+	int64_t missing = 0; // texels for which there was no height; they stay as they were
+};
+
+// Every texel whose centre lies in p_region, and within the map's reach. p_height is asked once a texel, and once for each
+// texel around them.
+LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height);
+
+} // namespace grass

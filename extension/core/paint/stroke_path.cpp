@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "core/paint/stroke_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grass {
+
+StrokeStep StrokePath::begin(const Eigen::Vector2d &p_place) {
+	_last = p_place;
+	return { p_place, p_place };
+}
+
+std::vector<StrokeStep> StrokePath::move(const Eigen::Vector2d &p_place, double p_radius) {
+	std::vector<StrokeStep> steps;
+	const Eigen::Vector2d way = p_place - _last;
+	const double distance = way.norm();
+	if (!std::isfinite(distance) || !(p_radius > 0.0)) {
+		return steps;
+	}
+	const double length = std::max(SPACING * p_radius, distance / MAX_STEPS);
+	// A hair less than a whole step is one: the last of MAX_STEPS must not be lost to rounding.
+	const int count = int(std::min(std::floor(distance / length + 1e-9), double(MAX_STEPS)));
+	for (int i = 0; i < count; i++) {
+		const Eigen::Vector2d next = _last + way * (length / distance);
+		steps.push_back({ _last, next });
+		_last = next;
+	}
+	return steps;
+}
+
+} // namespace grass

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "core/plants/field_blades.h"
+
+#include "core/base/half.h"
+#include "core/blades/blade.h"
+
+namespace grass {
+
+FieldBlades::FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
+		std::shared_ptr<const SpeciesMix> p_species, const FieldMap *p_map) :
+		_grid(p_grid), _patch(std::move(p_patch)), _clump(p_clump), _seed(p_seed), _species(std::move(p_species)), _map(p_map) {}
+
+Eigen::Vector3f FieldBlades::get_texel(int p_blade, int p_knot) const {
+	const uint16_t *halves = &_patch->texels[Patch::texel_index(p_blade, p_knot)];
+	return { half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]) };
+}
+
+FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
+	Pose pose;
+	pose.blade = int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed)) + p_blade;
+	pose.root = get_texel(pose.blade, 0).head<2>();
+	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), pose.root,
+			Eigen::Vector2f(float(_grid.get_tiles_x()), float(_grid.get_tiles_z())), float(_grid.get_tile_size()));
+	if (_species) {
+		pose.species = _species->choose(p_tile_x, p_tile_z, p_blade, pose.root, _map ? &_map->get_layers() : nullptr);
+		pose.blade += GRASS_PATCH_BLADES * pose.species;
+	}
+	pose.clump = clump_at(place, _clump);
+	if (_map) {
+		const Growth here = _map->get_layers().sample(place, _map->get_follow());
+		const float length = get_texel(pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
+		pose.clump = grown(pose.clump, here, length);
+		pose.ground = here.ground;
+		pose.density = here.density;
+	}
+	return pose;
+}
+
+Eigen::Vector3f FieldBlades::get_rest_knot(const Pose &p_pose, int p_knot) const {
+	return rest_knot(get_texel(p_pose.blade, p_knot), p_knot, p_pose.clump);
+}
+
+SlotGrowth FieldBlades::grow(const GrassSlot &p_slot) const {
+	SlotGrowth growth;
+	growth.slot = p_slot.tile.w;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const Pose pose = get_pose(p_slot.tile.x, p_slot.tile.y, b);
+		growth.blades[size_t(b)] = { pose.clump.height, pose.clump.lean.x(), pose.clump.lean.y(), pose.ground };
+		growth.species[size_t(b)] = uint8_t(pose.species);
+	}
+	return growth;
+}
+
+} // namespace grass

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// How each blade of a field stands at rest: its species, the clump it grows in, and what a map makes of both. The CPU's
+// twin of the first half of blade_point() in shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
+#pragma once
+
+#include "core/blades/patch.h"
+#include "core/map/field_map.h"
+#include "core/plants/species.h"
+#include "core/solver/step.h"
+
+namespace grass {
+
+class FieldBlades {
+public:
+	FieldBlades() = default;
+	// p_species: null: one species. p_map: null: grass stands everywhere; else it outlives this.
+	FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
+			std::shared_ptr<const SpeciesMix> p_species, const FieldMap *p_map);
+
+	struct Pose {
+		int blade = 0; // in the patch, below the blades of the species before
+		int species = 0;
+		Eigen::Vector2f root = Eigen::Vector2f::Zero(); // place in the tile, 0..1
+		Clump clump;
+		float ground = 0.0f; // metres above the field
+		float density = 1.0f;
+	};
+	// Of blade p_blade (0..63) of a tile.
+	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
+	// Knot p_knot of such a blade at rest, blade space, metres.
+	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
+	// All blades of an awake tile, as the simulation takes them.
+	SlotGrowth grow(const GrassSlot &p_slot) const;
+	// Whether the simulation must be told: else it finds out by itself.
+	bool is_told() const { return _species || _map; }
+
+private:
+	Eigen::Vector3f get_texel(int p_blade, int p_knot) const;
+
+	TileGrid _grid;
+	std::shared_ptr<const Patch> _patch;
+	ClumpParams _clump;
+	uint32_t _seed = 0;
+	std::shared_ptr<const SpeciesMix> _species;
+	const FieldMap *_map = nullptr;
+};
+
+} // namespace grass

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "core/plants/species.h"
+
+#include "core/map/map_layers.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace grass {
+
+namespace {
+
+constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
+
+// The values that stand noise takes, rising, each as often as the others. Where its lattice lies makes no difference.
+const std::vector<uint32_t> &noise_values() {
+	static const std::vector<uint32_t> values = [] {
+		constexpr uint32_t CELL = 8, SIDE = 64 * CELL; // 4096 cells, 64 places in each
+		std::vector<uint32_t> counts(65536); // of each value
+		for (uint32_t z = 0; z < SIDE; z++) {
+			for (uint32_t x = 0; x < SIDE; x++) {
+				counts[grass_stand_noise(x, z, CELL, 1)]++;
+			}
+		}
+		std::vector<uint32_t> found;
+		found.reserve(SIDE * SIDE);
+		for (uint32_t value = 0; value < uint32_t(counts.size()); value++) {
+			found.insert(found.end(), counts[value], value);
+		}
+		return found;
+	}();
+	return values;
+}
+
+// Share of the blades whose number is below p_limit where the noise is p_noise.
+double share_below(double p_limit, double p_noise, double p_strength) {
+	const double left = p_limit - p_noise * p_strength, span = (256.0 - p_strength) * 65536.0;
+	return span > 0.0 ? std::clamp(left / span, 0.0, 1.0) : (left > 0.0 ? 1.0 : 0.0);
+}
+
+// [Eq P2] The limit below which the numbers of a share of all blades lie.
+int32_t find_limit(double p_share, int32_t p_strength) {
+	if (p_share <= 0.0) {
+		return 0;
+	}
+	if (p_share >= 1.0) {
+		return int32_t(LIMIT);
+	}
+	const std::vector<uint32_t> &noise = noise_values();
+	if (p_strength == 0) {
+		return int32_t(std::lround(p_share * LIMIT));
+	}
+	int32_t low = 0, high = int32_t(LIMIT);
+	while (high - low > 16) {
+		const int32_t middle = low + (high - low) / 2;
+		double share = 0.0;
+		for (size_t i = 0; i < noise.size(); i += 16) { // rising, so that every sixteenth says the same
+			share += share_below(middle, noise[i], p_strength);
+		}
+		(share / double(noise.size() / 16) < p_share ? low : high) = middle;
+	}
+	return high;
+}
+
+} // namespace
+
+SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed) :
+		_grid(p_grid), _seed(p_seed), _count(int(std::min<size_t>(p_species.size(), GRASS_MAX_SPECIES))) {
+	const double units = GRASS_ROOT_UNITS / p_grid.get_tile_size(); // a metre
+	_texel_units = int(std::lround(units * GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS));
+	double total = 0.0; // of the species up to this one: later ones choose first
+	for (int s = 0; s < _count; s++) {
+		const SpeciesParams &params = p_species[size_t(s)];
+		const double share = SPECIES_SHARE.clamp(params.share);
+		total += share;
+		SpeciesRecord &record = _records[size_t(s)];
+		record.cell = std::max(int32_t(std::lround(STAND_SIZE.clamp(params.stand_size) * units)), 1);
+		record.strength = int32_t(std::lround(STAND_STRENGTH.clamp(params.stand_strength) * 256.0));
+		record.limit = find_limit(total > 0.0 ? share / total : 0.0, record.strength);
+		record.salt = int32_t(grass_hash(p_seed + 0x5eed0000u + uint32_t(s)) >> 1);
+		_shares[size_t(s)] = share;
+	}
+	for (int s = 0; s < _count; s++) {
+		_shares[size_t(s)] = total > 0.0 ? _shares[size_t(s)] / total : (s == 0 ? 1.0 : 0.0);
+	}
+}
+
+// The species that somebody painted, or -1.
+int SpeciesMix::find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const {
+	const int painted = p_layers ? p_layers->get_species(p_texel_x, p_texel_z) - 1 : -1;
+	return painted < _count ? painted : -1;
+}
+
+// The twin of species_of() in shaders/draw/pose.gdshaderinc.
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+	const uint32_t tile_seed = uint32_t(grass_tile_hash(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) * 2048.0f);
+	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed), blade = uint32_t(p_blade);
+	const int x = grass_root_units(p_tile_x, p_root.x()), z = grass_root_units(p_tile_z, p_root.y());
+	if (p_layers) {
+		const float size = float(_grid.get_tile_size());
+		const int texel_x = grass_species_texel(
+				x, grass_species_random(bits, blade, GRASS_MAX_SPECIES), _texel_units, float(_grid.get_tiles_x()), size);
+		const int texel_z = grass_species_texel(
+				z, grass_species_random(bits, blade, GRASS_MAX_SPECIES + 1), _texel_units, float(_grid.get_tiles_z()), size);
+		if (const int painted = find_painted(texel_x, texel_z, p_layers); painted >= 0) {
+			return painted;
+		}
+	}
+	for (int s = _count - 1; s > 0; s--) {
+		const SpeciesRecord &record = _records[size_t(s)];
+		if (grass_species_takes(uint32_t(x), uint32_t(z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
+					uint32_t(record.salt), grass_species_random(bits, blade, uint32_t(s)))) {
+			return s;
+		}
+	}
+	return 0;
+}
+
+std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
+	std::array<float, GRASS_MAX_SPECIES> shares{};
+	const Eigen::Array2d in_tiles = p_place.cast<double>().array() / _grid.get_tile_size() +
+			0.5 * Eigen::Array2d(double(_grid.get_tiles_x()), double(_grid.get_tiles_z()));
+	const Eigen::Array2d most = Eigen::Array2d(double(_grid.get_tiles_x()), double(_grid.get_tiles_z()));
+	const Eigen::Array2d units = in_tiles.max(0.0).min(most) * double(GRASS_ROOT_UNITS);
+	const double per_metre = GRASS_COARSE_TEXELS / GRASS_CHUNK_SIZE;
+	const Eigen::Array2d texel = (p_place.cast<double>().array() * per_metre).floor();
+	if (const int painted = find_painted(int(texel.x()), int(texel.y()), p_layers); painted >= 0) {
+		shares[size_t(painted)] = 1.0f;
+		return shares;
+	}
+	float left = 1.0f;
+	for (int s = _count - 1; s > 0; s--) {
+		const SpeciesRecord &record = _records[size_t(s)];
+		const uint32_t noise = grass_stand_noise(uint32_t(units.x()), uint32_t(units.y()), uint32_t(record.cell), uint32_t(record.salt));
+		const float taken = left * float(share_below(record.limit, noise, record.strength));
+		shares[size_t(s)] = taken;
+		left -= taken;
+	}
+	shares[0] = left;
+	return shares;
+}
+
+} // namespace grass

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The species of a field: how much of it is which, and which one a blade is. shaders/plants/species.inc as C++, and the
+// numbers that its functions take. docs/species.md, [Eq P1] to [Eq P4].
+#pragma once
+
+#include "core/base/hash.h"
+#include "core/base/tile_grid.h"
+#include "core/base/tunable.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace grass {
+
+using std::floor;
+
+#define GRASS_FUNCTION inline
+#include "plants/species.inc"
+#undef GRASS_FUNCTION
+
+class MapLayers;
+
+// Share of the field's blades, relative to those of the other species. 0: only where it is painted.
+inline constexpr Tunable SPECIES_SHARE{ "share", "", 0.0, 1.0, 0.01, 0.5 };
+// How wide the stands are that a species grows in. Below 0.5 stands are no larger than clumps.
+inline constexpr Tunable STAND_SIZE{ "stand_size", "m", 0.2, 64.0, 0.1, 4.0 };
+// 0: blade by blade among the others; 1: in stands of its own, with sharp borders.
+inline constexpr Tunable STAND_STRENGTH{ "stand_strength", "", 0.0, 1.0, 0.01, 0.6 };
+
+// Share of a species' blades that have a flower or seed head.
+inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
+// Of a flower or seed head. Above 0.3 cards look like paper.
+inline constexpr Tunable CARD_WIDTH{ "card_width", "m", 0.005, 1.0, 0.005, 0.05 };
+inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.05 };
+
+// Values outside of the tunables' ranges are clamped, NaN counts as the default.
+struct SpeciesParams {
+	double share = SPECIES_SHARE.initial;
+	double stand_size = STAND_SIZE.initial; // metres
+	double stand_strength = STAND_STRENGTH.initial;
+	bool operator==(const SpeciesParams &) const = default;
+};
+
+// What grass_species_takes() wants to know of a species.
+struct SpeciesRecord {
+	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
+};
+
+class SpeciesMix {
+public:
+	// No more than GRASS_MAX_SPECIES are taken. Where all shares are 0 the first species grows.
+	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed);
+
+	int get_count() const { return _count; }
+	std::span<const SpeciesRecord> get_records() const { return { _records.data(), size_t(_count) }; }
+	int get_texel_units() const { return _texel_units; } // of a texel of the map
+	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades that nobody painted, 0..1
+
+	// The species of blade p_blade (0..63) of a tile. p_root: its place in the tile, 0..1; p_layers: of the map, or null.
+	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const;
+	// [Eq P4] The shares of the species among the blades around a place of the field: x, z in metres. They add up to 1.
+	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
+
+private:
+	int find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const;
+
+	TileGrid _grid;
+	uint32_t _seed;
+	int _count;
+	int _texel_units;
+	std::array<SpeciesRecord, GRASS_MAX_SPECIES> _records;
+	std::array<double, GRASS_MAX_SPECIES> _shares{};
+};
+
+} // namespace grass

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// METHOD_DIRECT: a blade is a chain of rigid segments on springy joints (an inextensible elastic rod), and one implicit
+// step is one sweep from tip to root and one back. Twin of shaders/solver/chain.inc. docs/solver.md derives it.
+#pragma once
+
+#include "core/solver/beyond.h"
+
+namespace grass {
+
+// Of one joint, radians. More, after a violent hit, would be a knot that does not untie.
+inline constexpr float MOST_TWIST = 1.0f;
+
+// p_bending: EI / (density area length^4), 1/s^2.
+template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
+	const T mean = p_blade.reach * T(1.0f / float(GRASS_SEGMENTS));
+	const T squared = p_blade.reach * p_blade.reach;
+	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
+}
+
+// [Eq 23] Stiffness of joint p_joint: EI over the length of blade that it stands for. The first one stands for the whole
+// clamped segment and half of the next, and for the lever that it lacks by sitting at that segment's end.
+template <class T> GRASS_INLINE T joint_length(const Blade<T> &p_blade, int p_joint) {
+	const T here = p_blade.lengths[p_joint], before = p_blade.lengths[p_joint - 1];
+	if (p_joint > 1) {
+		return (before + here) * T(0.5f);
+	}
+	const T whole = p_blade.reach, free = whole - before, rest = free - here * T(0.5f);
+	const T a = whole * whole, b = rest * rest;
+	return (a * a - b * b) / maximum(T(4.0f) * free * free * free, T(1e-24f));
+}
+
+template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
+	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
+	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+}
+
+// [Eq 24] Where the knots would go without springs and contact: with their speed, drag and load.
+template <class T>
+GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_speed, const Vec3<T> &p_load) {
+	r_stage.base[p_knot] = p_base;
+	r_stage.target[p_knot] = p_base + (p_speed * r_stage.span + p_load * (r_stage.span * r_stage.span)) * (T(1.0f) / r_stage.weight);
+}
+
+// [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths. p_lacks: what it leaves out of them, metres.
+template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage, const Vec3<T> &p_lacks) {
+	Vec3<T> carry{};
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> guess = p_stage.target[k] - p_lacks;
+		const Vec3<T> found = (guess + carry) - r_blade.knots[k - 1];
+		const T squared = dot(found, found);
+		const auto is_long = squared > T(TINY_SQUARED);
+		const T found_length = square_root(select(is_long, squared, T(1.0f)));
+		const Vec3<T> change =
+				select(is_long, found * ((r_blade.lengths[k - 1] - found_length) / found_length), rest_segment(r_blade, k - 1) - found);
+		carry = carry + change;
+		r_blade.knots[k] = guess + carry;
+	}
+}
+
+// [Eq 25] The rotation vector (radians) of a turn: 4 atan(|q| / (1 + w)) about its axis, by Pade's quotient for atan.
+template <class T> GRASS_INLINE Vec3<T> rotation_vector(const Turn<T> &p_turn) {
+	const T quarter = T(1.0f) / (T(1.0f) + p_turn.w);
+	const T z = dot(p_turn.axis, p_turn.axis) * quarter * quarter;
+	return p_turn.axis * (T(4.0f) * quarter * (T(15.0f) + T(4.0f) * z) / (T(15.0f) + T(9.0f) * z));
+}
+
+// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted.
+template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+	Turn<T> frame;
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
+		const Vec3<T> e = segment(p_blade, s);
+		const Vec3<T> axis = e * (p_blade.twist[s] / maximum(p_blade.lengths[s], T(1e-12f)));
+		const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
+		r_gains[s].turn = rotation_vector(turn);
+		frame = after(turn, frame);
+	}
+}
+
+// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
+template <class T, class Mask>
+GRASS_INLINE Contacts<T> solve_chain(
+		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
+	JointGain<T> gains[GRASS_SEGMENTS];
+	measure_joints(r_blade, gains);
+	Beyond<T> beyond{};
+	beyond.caution = p_stage.caution;
+	Touch<T> touch{}; // of knot s + 1
+	for (int s = GRASS_SEGMENTS; s >= 1; s--) {
+		const Touch<T> first = s >= GRASS_CLAMPED_KNOTS ? find_touch(r_blade, p_terms, p_stage.base[s], s) : Touch<T>{};
+		if (s == GRASS_SEGMENTS) {
+			touch = first;
+			continue;
+		}
+		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
+		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
+		carry_to_base(beyond, segment(r_blade, s));
+		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
+		touch = first;
+		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
+	}
+	Vec3<T> shift{}, turn{};
+	T twist_before(0.0f);
+	Vec3<T> parent = r_blade.knots[1];
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		const JointGain<T> &gain = gains[s];
+		turn = gain.turn + gain.spring * turn - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
+		const Vec3<T> knot = r_blade.knots[s + 1];
+		const Vec3<T> e = knot - parent;
+		// The part about the segment itself is twist; it would spoil the turn, being much larger.
+		const T along = dot(turn, e) / maximum(dot(e, e), T(TINY_SQUARED));
+		const T twist = along * r_blade.lengths[s];
+		const T twisted = minimum(maximum(r_blade.twist[s] + (twist - twist_before), T(-MOST_TWIST)), T(MOST_TWIST));
+		r_blade.twist[s] = select(p_active, twisted, r_blade.twist[s]);
+		twist_before = twist;
+		shift = shift + turn_change(turn_by(turn - e * along), e);
+		parent = knot;
+		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
+	}
+	return beyond.contacts;
+}
+
+} // namespace grass

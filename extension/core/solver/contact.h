@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// What colliders and the ground do to a blade: the deepest contact bends it, finish() leaves no knot inside. Twin of
+// shaders/solver/contact.inc.
+#pragma once
+
+#include "core/solver/edge.h"
+#include "core/solver/shape.h"
+
+namespace grass {
+
+// Contacts of knots below this one do not bend the whole blade: on so short a lever they would fling it. finish() turns
+// their own segments.
+inline constexpr int FIRST_BENDING_KNOT = 5;
+
+// What one surface turns may run into another: so often all of them are asked. In a wedge colliders have the last word, and
+// the ground a knot at most its gap deeper.
+inline constexpr int PUSH_ROUNDS = 8;
+
+// What of a segment must lie across a normal to tell a side, segment lengths.
+inline constexpr float LEAST_SIDE = 1e-6f;
+
+// The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
+template <class T> struct DeepestContact {
+	Contact<T> contact{ {}, T(0.0f) };
+	Vec3<T> place{};
+	T knot = T(0.0f);
+};
+
+// The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
+template <class T>
+GRASS_INLINE Contact<T> find_edge_contact(
+		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
+	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
+	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
+	if (!any(!is_edge_clear(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
+		return { {}, T(0.0f) };
+	}
+	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
+	const Path<T> path_b = relative_path(p_collider, p_blade.root, from_b, to_b);
+	Edge<T> edge = sweep_edge(p_collider, path_a, path_b, T(0.0f));
+	r_share = edge.share;
+	const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
+	const auto is_free = is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
+	edge.face.distance = select(is_free, edge.face.distance, T(0.0f));
+	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
+	return make_contact(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
+}
+
+template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	DeepestContact<T> deepest;
+	for (const TileCollider &collider : p_terms.colliders) {
+		const auto is_near = comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		if (!any(is_near)) {
+			continue;
+		}
+		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
+			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
+			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
+			const auto is_edges = is_cut & (contact.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, contact.normal);
+			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !is_edges;
+			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
+			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
+			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);
+			deepest.knot = select(is_deeper, T(float(k)), deepest.knot);
+			if (!any(is_cut)) {
+				continue;
+			}
+			T share(0.0f);
+			const Contact<T> edge_contact =
+					apart<T>([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
+			const auto is_edge = is_cut & (edge_contact.depth > deepest.contact.depth);
+			deepest.contact.direction = select(is_edge, edge_contact.direction, deepest.contact.direction);
+			deepest.contact.depth = select(is_edge, edge_contact.depth, deepest.contact.depth);
+			deepest.place = select(is_edge, p_blade.knots[k - 1] + segment(p_blade, k - 1) * share, deepest.place);
+			deepest.knot = select(is_edge, T(float(k)), deepest.knot);
+		}
+	}
+	return deepest;
+}
+
+// What a force along the contact's direction turns at hinge p_knot: its moment there; none beyond the contact.
+template <class T> GRASS_INLINE Vec3<T> moment(const DeepestContact<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
+	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.contact.direction);
+	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
+}
+
+// [Eq 13] A contact bends the blade as a force there would: every hinge below it turns by the force's moment about that
+// hinge, so much in all that the knot comes out. Lengths stay; what is above the contact turns along.
+template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContact<T> &p_deepest) {
+	T stiffness(0.0f);
+	Vec3<T> sum{};
+	for (int k = 1; k < GRASS_SEGMENTS; k++) {
+		const Vec3<T> turn = moment(p_deepest, r_blade.knots[k], k);
+		stiffness = stiffness + dot(turn, turn);
+		sum = sum + turn;
+	}
+	// [Eq 14] No farther than until the lever points along the force, and at most by one radian.
+	const Vec3<T> lever = normalized(p_deepest.place - r_blade.knots[1], p_deepest.contact.direction);
+	const T sine = length(cross(lever, p_deepest.contact.direction));
+	const T most = select(dot(lever, p_deepest.contact.direction) > T(0.0f), sine, T(1.0f));
+	T strength = p_deepest.contact.depth / maximum(stiffness, T(TINY_SQUARED));
+	strength = minimum(strength, most / maximum(length(sum), T(1e-12f)));
+
+	Vec3<T> angle{}, shift{};
+	Vec3<T> hinge = r_blade.knots[1];
+	for (int k = 1; k < GRASS_SEGMENTS; k++) {
+		const Vec3<T> next = r_blade.knots[k + 1];
+		angle = angle + moment(p_deepest, hinge, k) * strength;
+		shift = shift + turn_change(turn_by(angle), next - hinge);
+		r_blade.knots[k + 1] = next + shift;
+		hinge = next;
+	}
+}
+
+// [Eq 15] A knot that must stand p_ahead in front of its parent along p_normal, at the distance p_length from it: turned
+// towards the normal no farther than needed, and where even the normal does not reach, along it.
+template <class T>
+GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> &p_normal, const T &p_ahead, const T &p_length) {
+	const T along = dot(p_segment, p_normal);
+	if (!any(along < p_ahead)) {
+		return p_segment;
+	}
+	const T wanted = minimum(p_ahead, p_length);
+	// Of a segment along the normal only rounding errors are left across it, in any direction: taken out twice, or no side.
+	const Vec3<T> rough = p_segment - p_normal * along;
+	const Vec3<T> across = rough - p_normal * dot(rough, p_normal);
+	const auto has_side = dot(across, across) > p_length * p_length * T(LEAST_SIDE * LEAST_SIDE);
+	const Vec3<T> side = normalized(select(has_side, across, Vec3<T>{}), perpendicular(p_normal));
+	const Vec3<T> placed = p_normal * wanted + side * square_root(maximum(p_length * p_length - wanted * wanted, T(0.0f)));
+	return select(along < p_ahead, placed, p_segment);
+}
+
+// [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
+template <class T>
+GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
+		const Vec3<T> &p_segment, const T &p_length) {
+	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
+	const T reach = T(p_collider.bound) + p_length * T(0.5f);
+	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < reach * reach);
+	if (!any(is_near)) {
+		return p_segment;
+	}
+	const Turn<T> back = inverse(p_turn);
+	const Edge<T> edge = find_edge(p_collider, turned(back, p_offset), turned(back, p_offset + p_segment), T(0.0f));
+	const auto is_in = is_near & is_between_knots(edge) & (edge.face.distance < T(0.0f)) &
+			!is_blocked(edge.face, ground_under(p_collider, p_parent.y + p_segment.y * edge.share));
+	if (!any(is_in)) {
+		return p_segment;
+	}
+	const Vec3<T> normal = turned(p_turn, edge.face.normal);
+	const T ahead = dot(p_segment, normal) - edge.face.distance / maximum(edge.share, T(EDGE_END));
+	return select(is_in, place_before_plane(p_segment, normal, ahead, p_length), p_segment);
+}
+
+// [Eq 16] Turns a knot about its parent until it is outside of every collider. p_gap: its least height.
+template <class T>
+GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_parent, const Vec3<T> &p_segment,
+		const T &p_length, const T &p_gap) {
+	Vec3<T> segment = p_segment;
+	for (const TileCollider &collider : p_terms.colliders) {
+		const Vec3<T> parent = p_parent + (p_blade.root - widened<T>(collider.centre));
+		const Vec3<T> offset = parent + segment;
+		const Vec3<T> nearest = maximum(minimum(parent, offset), Vec3<T>{} - maximum(parent, offset));
+		if (!any(!(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)))) {
+			continue; // the whole segment is outside
+		}
+		const Turn<T> turn = widened<T>(collider.turn);
+		if (any(dot(offset, offset) < T(collider.bound * collider.bound))) {
+			const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
+			const Face<T> face = find_face(collider, turned(inverse(turn), offset), ground);
+			if (any(face.distance < T(0.0f))) {
+				const Vec3<T> normal = turned(turn, face.normal);
+				const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
+				segment = select(face.distance < T(0.0f), placed, segment);
+			}
+		}
+		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
+	}
+	return segment;
+}
+
+// [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
+// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit. p_is_held: [Eq 36], those
+// that stay as they are: in a wedge surfaces would turn them on and on.
+template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_held) {
+	const T zero(0.0f);
+	Vec3<T> carry{};
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> parent = r_blade.knots[k - 1];
+		const Vec3<T> rest = rest_segment(r_blade, k - 1);
+		const T rest_length = r_blade.lengths[k - 1];
+		Vec3<T> knot = r_blade.knots[k] + carry;
+		const Vec3<T> found = knot - parent;
+		const T squared = dot(found, found);
+		const auto is_long = squared > T(TINY_SQUARED);
+		const T found_length = square_root(select(is_long, squared, T(1.0f)));
+		knot = knot + select(is_long, found * ((rest_length - found_length) / found_length), rest - found);
+
+		const Vec3<T> straight = knot - parent;
+		Vec3<T> segment = straight;
+		const T gap = minimum(p_terms.ground_gap * rest_length, r_blade.rest[k].y);
+		for (int round = 0; round < PUSH_ROUNDS; round++) {
+			const Vec3<T> start = segment;
+			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
+			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
+			const Vec3<T> turned_by = segment - start;
+			if (!any(dot(turned_by, turned_by) > zero)) {
+				break;
+			}
+		}
+		segment = select(p_is_held, straight, segment);
+		const Vec3<T> change = segment - straight;
+		carry = carry + change;
+		r_blade.knots[k] = select(p_is_held, r_blade.knots[k], knot + change);
+		// What a surface had to push back stands still afterwards: no bounce, no jitter, no speed from an overlap.
+		const auto is_pushed = dot(change, change) > zero;
+		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);
+	}
+}
+
+} // namespace grass

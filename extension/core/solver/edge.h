@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Where an edge, the segment between two knots, stands to a collider: what slips between knots is met here. Twin of
+// shaders/solver/edge.inc.
+#pragma once
+
+#include "core/bodies/collider.h"
+
+namespace grass {
+
+// Rounds in which the deepest point of an edge is closed in on.
+inline constexpr int EDGE_ROUNDS = 4;
+// Nearer to its ends than this, shares of the edge, the knots stand for it.
+inline constexpr float EDGE_END = 1e-3f;
+// Faces whose mixture is shorter than this face away from each other: what the edge pierces between them its knots stand for, too.
+inline constexpr float EDGE_FLAT = 1e-3f;
+
+// The deepest point of an edge, and the face there.
+template <class T> struct Edge {
+	Face<T> face;
+	T share; // of the way from the edge's first knot to its second
+};
+
+// Whether knots this far apart (metres) do not show all that the shape may cut.
+template <class T> GRASS_INLINE auto cuts(const TileCollider &p_collider, const T &p_length) {
+	return p_length > T(p_collider.blunt);
+}
+
+template <class T> GRASS_INLINE auto is_between_knots(const Edge<T> &p_edge) {
+	return (p_edge.share > T(EDGE_END)) & (p_edge.share < T(1.0f - EDGE_END));
+}
+
+// Whether an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
+template <class T>
+GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
+		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_skin) {
+	return passes_by(p_collider, extent_of(p_from_a + p_root, p_from_b + p_root), extent_of(p_to_a + p_root, p_to_b + p_root), p_skin);
+}
+
+// [Eq 33] The deepest point of the edge between two points in the shape's own axes. How far a point is in front of a convex shape is
+// convex along the edge, and each face is a line below it: where the lines of both sides meet, the next face is asked, and the
+// mixture of both that is level along the edge is the answer. p_reach (metres): that far out it is enough to know that the edge
+// is no nearer.
+template <class T>
+GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_reach) {
+	const T zero(0.0f), one(1.0f);
+	const Vec3<T> along = p_b - p_a;
+	Face<T> low = find_face(p_collider, p_a), high = find_face(p_collider, p_b); // of the sides where it falls and rises
+	T fall = dot(low.normal, along), rise = dot(high.normal, along);
+	const auto is_low_end = !(fall < zero);
+	Edge<T> edge{ { select(is_low_end, low.normal, high.normal), select(is_low_end, low.distance, high.distance) },
+		select(is_low_end, zero, one) };
+	auto is_open = (fall < zero) & (rise > zero);
+	if (!any(is_open)) {
+		return edge;
+	}
+	T nearest = minimum(low.distance, high.distance);
+	high.distance = high.distance - rise; // as lines over the share
+	for (int i = 0;; i++) {
+		const T slope = select(is_open, rise - fall, one);
+		const T share = minimum(maximum((low.distance - high.distance) / slope, zero), one);
+		const Vec3<T> normal = low.normal * (rise / slope) - high.normal * (fall / slope);
+		const T found_size = length(normal);
+		const T size = maximum(found_size, T(EDGE_FLAT));
+		const T bound = (low.distance + fall * share) / size;
+		edge.face.normal = select(is_open, normal * (one / size), edge.face.normal);
+		edge.face.distance = select(is_open, select(nearest < p_reach, bound, maximum(bound, p_reach)), edge.face.distance);
+		edge.share = select(is_open, select(found_size < T(EDGE_FLAT), zero, share), edge.share);
+		is_open = is_open & (bound < p_reach);
+		if (i == EDGE_ROUNDS || !any(is_open)) {
+			return edge;
+		}
+		const Face<T> face = find_face(p_collider, p_a + along * share);
+		const T change = dot(face.normal, along);
+		const auto is_low = is_open & (change < zero), is_high = is_open & (change > zero);
+		const auto is_level = is_open & !(is_low | is_high);
+		const T start = face.distance - change * share;
+		nearest = minimum(nearest, face.distance);
+		low = { select(is_low, face.normal, low.normal), select(is_low, start, low.distance) };
+		high = { select(is_high, face.normal, high.normal), select(is_high, start, high.distance) };
+		fall = select(is_low, change, fall);
+		rise = select(is_high, change, rise);
+		edge.face = { select(is_level, face.normal, edge.face.normal), select(is_level, face.distance, edge.face.distance) };
+		edge.share = select(is_level, share, edge.share);
+		is_open = is_open & !is_level;
+	}
+}
+
+// [Eq 34] As sweep() for a knot: the face that an edge meets whose knots go along two paths, moved along to the paths' end. In each step
+// no point of the edge goes farther than the edge is away.
+template <class T>
+GRASS_INLINE Edge<T> sweep_edge(const TileCollider &p_collider, const Path<T> &p_a, const Path<T> &p_b, const T &p_reach) {
+	const Edge<T> last = find_edge(p_collider, p_a.to, p_b.to, p_reach);
+	const Vec3<T> way_a = p_a.to - p_a.from, way_b = p_b.to - p_b.from;
+	const T way = square_root(maximum(dot(way_a, way_a), dot(way_b, way_b)));
+	const auto may_cross = way > T(p_collider.thin);
+	if (!any(may_cross)) {
+		return last;
+	}
+	const T near = T(TRACE_NEAR * p_collider.bound);
+	const T per_way = T(1.0f) / maximum(way, T(1e-12f));
+	T t(0.0f), first(0.0f);
+	Edge<T> entry{};
+	Vec3<T> place{};
+	for (int i = 0; i < TRACE_STEPS; i++) {
+		const Vec3<T> a = p_a.from + way_a * t, b = p_b.from + way_b * t;
+		entry = find_edge(p_collider, a, b, near);
+		place = a + (b - a) * entry.share;
+		first = i == 0 ? entry.face.distance : first;
+		t = t + maximum(entry.face.distance, T(0.0f)) * per_way;
+		if (!any(may_cross & (t <= T(1.0f)))) {
+			return last;
+		}
+	}
+	const Vec3<T> end = p_a.to + (p_b.to - p_a.to) * entry.share;
+	const auto is_met = may_cross & (t <= T(1.0f)) & (entry.face.distance < near) & (first > -near);
+	return { { select(is_met, entry.face.normal, last.face.normal),
+					 select(is_met, dot(entry.face.normal, end - place) + entry.face.distance, last.face.distance) },
+		select(is_met, entry.share, last.share) };
+}
+
+} // namespace grass

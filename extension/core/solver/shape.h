@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// A blade's shape without contact: integration, global and local shape constraints, lengths. Twin of
+// shaders/solver/shape.inc.
+#pragma once
+
+#include "core/bodies/collider.h"
+
+namespace grass {
+
+// How far, in blade lengths from the root, knots are looked after before their lengths are put right.
+inline constexpr float REACH_MARGIN = 1.5f;
+
+// A blade with a knot faster than a swing of its own from lying flat would be: METHOD_DIRECT takes it with more damping.
+// Frequency (radians per second) over the root of EI / (density area length^4), for a uniform cantilever.
+inline constexpr float WILD = 3.516f;
+
+// Sine of the angle between a face and an edge from which on the edge, if it leads inwards, counts and not the knot.
+inline constexpr float STEEP = 0.35f;
+
+// A blade in blade space (metres, origin at the root).
+template <class T> struct Blade {
+	Vec3<T> rest[GRASS_KNOTS]; // equilibrium under gravity; knots 0 and 1 clamp the blade
+	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
+	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
+	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending settles within a step
+	Vec3<T> root; // from the centre of the tile, metres
+	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
+	T reach; // of the whole blade
+};
+
+// [Eq 39] One joint of a straight blade whose segments have length and mass 1. Turns are radians.
+template <class T> struct QuickJoint {
+	T pass; // share of a moment, and of a turn, that goes on to the next joint
+	T shift; // what a shift of the knot takes of the turn
+	T soft; // turn by a moment
+	T stiffness;
+};
+
+// The coefficients of a GrassStep, and what else is the same for all blades of a tile.
+template <class T> struct StepTerms {
+	T keep, pull, pull_root, straighten;
+	Vec3<T> load;
+	T max_move, friction, ground_gap, blend;
+	T seconds, step_ratio, bending, drag; // GrassStep.chain
+	T free_bending, free_drag, free_solves, free_quick; // GrassStep.motion of METHOD_DIRECT
+	T wild_move;
+	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
+	int iterations;
+	bool is_direct;
+	std::span<const TileCollider> colliders;
+	QuickJoint<T> quick[GRASS_SEGMENTS]; // METHOD_DIRECT
+};
+
+// [Eq 39] From the terms of free motion.
+template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
+	constexpr float COUNT = float(GRASS_SEGMENTS), FREE = COUNT - 1.0f, REST = COUNT - 1.5f, FOURTH = COUNT * COUNT * COUNT * COUNT;
+	constexpr float FIRST = 4.0f * FREE * FREE * FREE / (FOURTH - REST * REST * REST * REST);
+	const T stiffness =
+			r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
+	T P(0.0f), Q(0.0f), S(0.0f);
+	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
+		const T own = s == 1 ? stiffness * T(FIRST) : stiffness;
+		P = P + T(s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f);
+		S = S + Q;
+		Q = Q + P;
+		S = S + Q;
+		const T soft = T(1.0f) / (S + own);
+		const T shift = Q * soft;
+		r_terms.quick[s] = { own * soft, shift, soft, own };
+		P = P - shift * Q;
+		Q = shift * own;
+		S = own - own * own * soft;
+	}
+}
+
+template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
+	StepTerms<T> terms{ T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
+		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
+		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
+	if (terms.is_direct) {
+		make_quick_joints(terms);
+	}
+	return terms;
+}
+
+// [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.
+inline constexpr float root_share(int p_knot) {
+	const float to_tip = float(GRASS_KNOTS - 1 - p_knot) / float(GRASS_KNOTS - GRASS_CLAMPED_KNOTS);
+	return to_tip * to_tip;
+}
+
+template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {
+	return p_blade.rest[p_knot + 1] - p_blade.rest[p_knot];
+}
+template <class T> GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_knot) {
+	return p_blade.knots[p_knot + 1] - p_blade.knots[p_knot];
+}
+
+// [Eq 33] Whether p_normal (blade space) is no knot's: a neighbour is so much deeper behind the same plane that it is the edge
+// between them which meets the shape, with a normal across it. Pushed along the edge, a blade would buckle.
+template <class T> GRASS_INLINE auto is_of_edge(const Blade<T> &p_blade, int p_knot, const Vec3<T> &p_normal) {
+	const int above = p_knot < GRASS_SEGMENTS ? p_knot : p_knot - 1;
+	const T below = dot(p_normal, segment(p_blade, p_knot - 1));
+	const T beyond = p_knot < GRASS_SEGMENTS ? T(0.0f) - dot(p_normal, segment(p_blade, above)) : T(0.0f);
+	return maximum(below, beyond) > p_blade.lengths[p_knot - 1] * T(STEEP);
+}
+
+template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
+	r_blade.reach = T(0.0f);
+	for (int k = 0; k < GRASS_SEGMENTS; k++) {
+		r_blade.lengths[k] = length(rest_segment(r_blade, k));
+		r_blade.reach = r_blade.reach + r_blade.lengths[k];
+	}
+}
+
+// From here on, 1 + the cosine of the angle between them, two directions count as opposite (2.6 degrees); the way from there,
+// shares of the lever, is what it would be at this angle.
+inline constexpr float OPPOSITE = 1e-3f;
+inline constexpr float WAY_ASIDE = 0.045f;
+
+// [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
+// about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.
+// A knot opposite to its rest place, where every arc is as long as the other, takes a fixed one.
+template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
+	const Vec3<T> across = cross(p_lever, p_rest);
+	const T squared = dot(p_lever, p_lever);
+	const T size = square_root(squared * dot(p_rest, p_rest));
+	const T product = size + dot(p_lever, p_rest);
+	const T outwards = dot(across, across) / maximum(product * squared, T(TINY_SQUARED));
+	const Vec3<T> way = (p_rest - p_lever) + p_lever * outwards;
+	const auto is_opposite = product < size * T(OPPOSITE);
+	if (!any(is_opposite)) {
+		return way;
+	}
+	const Vec3<T> aside = perpendicular(normalized(p_rest, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
+	return select(is_opposite, aside * (length(p_rest) * T(WAY_ASIDE)), way);
+}
+
+// [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
+// exactly as a damped oscillator about its rest place does, at any time step.
+template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	const T limit = p_terms.max_move * r_blade.reach;
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> knot = r_blade.knots[k];
+		const Vec3<T> moved = knot - r_blade.before[k];
+		const T size = length(moved);
+		const T keep = select(size > limit, p_terms.keep * limit / maximum(size, T(1e-12f)), p_terms.keep);
+		const T pull = p_terms.pull + p_terms.pull_root * T(root_share(k));
+		const Vec3<T> way = way_to_rest(knot - r_blade.rest[1], r_blade.rest[k] - r_blade.rest[1]);
+		r_blade.before[k] = knot;
+		r_blade.knots[k] = knot + (moved * keep + way * pull + p_terms.load);
+	}
+}
+
+// [Eq 5] A segment's error. One that is folded back on the segment before it is drawn aside: along itself nothing would unfold it.
+template <class T> GRASS_INLINE Vec3<T> shape_error(const Vec3<T> &p_wanted, const Vec3<T> &p_found) {
+	const Vec3<T> error = p_wanted - p_found;
+	const T squared = dot(p_wanted, p_wanted), along = dot(p_wanted, p_found);
+	const auto is_opposite = (along < T(0.0f)) & (along * along > squared * dot(p_found, p_found) * T(1.0f - 2.0f * OPPOSITE));
+	if (!any(is_opposite)) {
+		return error;
+	}
+	const Vec3<T> aside = perpendicular(normalized(p_wanted, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
+	return select(is_opposite, aside * square_root(squared), error);
+}
+
+// [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is drawn to where the segment before it, by its
+// transported frame (bend and twist), wants it. Weights 1, -2, 1 keep momentum; clamped knots do not take part.
+template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	Turn<T> frame;
+	for (int k = 1; k < GRASS_SEGMENTS; k++) {
+		const Vec3<T> wanted = turned(frame, rest_segment(r_blade, k));
+		const Vec3<T> error = shape_error(wanted, segment(r_blade, k));
+		const float share = k == 1 ? 1.0f : k == 2 ? 0.2f : 1.0f / 6.0f;
+		const Vec3<T> change = error * (p_terms.straighten * T(share));
+		r_blade.knots[k + 1] = r_blade.knots[k + 1] + change;
+		if (k > 1) {
+			r_blade.knots[k] = r_blade.knots[k] - change * T(2.0f);
+		}
+		if (k > 2) {
+			r_blade.knots[k - 1] = r_blade.knots[k - 1] + change;
+		}
+		frame = after(smallest_turn(wanted, segment(r_blade, k)), frame);
+	}
+}
+
+// [Eq 7] Length constraints, root to tip: both ends of a segment share what it is too long or too short by.
+template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
+	for (int k = 1; k < GRASS_SEGMENTS; k++) {
+		const Vec3<T> found = segment(r_blade, k);
+		const T rest_length = r_blade.lengths[k];
+		const T squared = dot(found, found);
+		const auto is_long = squared > T(TINY_SQUARED);
+		const T found_length = square_root(select(is_long, squared, T(1.0f)));
+		const Vec3<T> change = select(is_long, found * ((rest_length - found_length) / found_length), Vec3<T>{});
+		if (k == 1) {
+			r_blade.knots[k + 1] = r_blade.knots[k + 1] + change;
+		} else {
+			r_blade.knots[k + 1] = r_blade.knots[k + 1] + change * T(0.5f);
+			r_blade.knots[k] = r_blade.knots[k] - change * T(0.5f);
+		}
+	}
+}
+
+} // namespace grass

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "core/solver/simulate.h"
+
+#include "core/base/half.h"
+#include "core/blades/blade.h"
+#include "core/solver/tile_state.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace grass {
+
+namespace {
+
+constexpr int BLADES = GRASS_BLADES_PER_TILE;
+
+float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders,
+		Precision p_precision) {
+	switch (p_precision) {
+		case Precision::SCALAR_FLOAT:
+			return step_scalar_float(r_state, p_steps, p_blend, p_colliders);
+		case Precision::SCALAR_DOUBLE:
+			return step_scalar_double(r_state, p_steps, p_blend, p_colliders);
+		default:
+			return step_lanes(r_state, p_steps, p_blend, p_colliders);
+	}
+}
+
+// [Eq M6] What a blade's length changes by less, as a share, finish() brings into line.
+constexpr float LEAST_GROWTH = 1e-4f;
+
+Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
+	Eigen::Vector3f knot;
+	for (int c = 0; c < 3; c++) {
+		knot[c] = p_knot < GRASS_CLAMPED_KNOTS ? p_state.rest[c][p_knot][p_blade] : p_state.knots[c][p_knot - GRASS_CLAMPED_KNOTS][p_blade];
+	}
+	return knot;
+}
+
+// [Eq M5] All segments of a blade are equally long.
+Eigen::Vector3f bend_of(const TileState &p_state) {
+	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+	for (int b = 0; b < BLADES; b++) {
+		Eigen::Vector3f first, away;
+		for (int c = 0; c < 3; c++) {
+			first[c] = p_state.rest[c][1][b] - p_state.rest[c][0][b];
+			away[c] = p_state.knots[c][GRASS_FREE_KNOTS - 1][b] - p_state.rest[c][GRASS_KNOTS - 1][b];
+		}
+		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
+	}
+	return sum / float(BLADES);
+}
+
+} // namespace
+
+CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
+		_patch(std::move(p_patch)),
+		_slots(size_t(std::max(p_slots, 0))),
+		_energy(_slots.size(), 0.0f),
+		_bends(_slots.size(), Eigen::Vector3f::Zero()) {}
+
+CpuPool::~CpuPool() = default;
+
+void CpuPool::set_slots(int p_slots) {
+	_slots.resize(size_t(std::max(p_slots, 0)));
+	_energy.assign(_slots.size(), 0.0f);
+	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
+}
+
+void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, Precision p_precision) {
+	std::vector<const GrassSlot *> awake;
+	for (const GrassSlot &slot : p_input.slots) {
+		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
+				uint64_t(slot.list.y) + slot.list.z <= p_input.collider_list.size();
+		if (!is_known || (slot.list.w & GRASS_SLOT_RETIRED)) {
+			continue;
+		}
+		std::unique_ptr<TileState> &state = _slots[size_t(slot.tile.w)];
+		const bool is_fresh = slot.list.w & GRASS_SLOT_FRESH;
+		if (!state && !is_fresh) {
+			continue;
+		}
+		if (!state) {
+			state = std::make_unique<TileState>();
+		}
+		awake.push_back(&slot);
+	}
+	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_precision); });
+	_simulated_blades += int64_t(awake.size()) * BLADES;
+}
+
+// The rest pose: the patch's, grown by the clump at the root, or as a map and species say (p_growth).
+void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
+	const ClumpParams params{ p_step.clump.x, p_step.clump.y, p_step.clump.z, p_step.clump.w };
+	for (int b = 0; b < BLADES; b++) {
+		state.species[b] = p_growth ? std::min(p_growth->species[size_t(b)], uint8_t(_patch->species - 1)) : uint8_t(0);
+		const int blade = int(p_slot.list.x) + b + GRASS_PATCH_BLADES * int(state.species[b]);
+		const auto texel = [&](int p_knot) {
+			const uint16_t *halves = &_patch->texels[Patch::texel_index(blade, p_knot)];
+			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+		};
+		const Eigen::Vector2f place = texel(0).head<2>();
+		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
+		Clump clump;
+		if (p_growth) {
+			clump.height = growth.x;
+			clump.lean = { growth.y, growth.z };
+		} else {
+			clump = clump_at(root_place(tile, place, tiles, p_step.field.x), params);
+		}
+		state.root[0][b] = (place.x() - 0.5f) * p_step.field.x;
+		state.root[1][b] = growth.w;
+		state.root[2][b] = (place.y() - 0.5f) * p_step.field.x;
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			const Eigen::Vector3f rest = rest_knot(texel(k), k, clump);
+			for (int c = 0; c < 3; c++) {
+				state.rest[c][k][b] = rest[c];
+			}
+		}
+	}
+}
+
+// [Eq M6] Blades that were cut, or grew, keep their shape.
+void CpuPool::keep_shapes(const GrassSlot &p_slot) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	for (int b = 0; b < BLADES; b++) {
+		Eigen::Vector3f wanted, found;
+		for (int c = 0; c < 3; c++) {
+			wanted[c] = state.rest[c][GRASS_CLAMPED_KNOTS + 1][b] - state.rest[c][GRASS_CLAMPED_KNOTS][b];
+			found[c] = state.knots[c][1][b] - state.knots[c][0][b];
+		}
+		const float ratio = wanted.norm() / std::max(found.norm(), 1e-12f);
+		if (!(std::abs(ratio - 1.0f) > LEAST_GROWTH)) {
+			continue;
+		}
+		for (int c = 0; c < 3; c++) {
+			for (int k = 0; k < GRASS_FREE_KNOTS; k++) {
+				state.knots[c][k][b] *= ratio;
+				state.before[c][k][b] *= ratio;
+			}
+		}
+	}
+}
+
+// Every blade at rest.
+void CpuPool::wake(const GrassSlot &p_slot) {
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	for (int c = 0; c < 3; c++) {
+		std::memcpy(state.knots[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.knots[c]));
+		std::memcpy(state.before[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.before[c]));
+	}
+	std::memset(state.twist, 0, sizeof(state.twist));
+}
+
+void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision) {
+	const auto growth = std::find_if(
+			p_input.growth.begin(), p_input.growth.end(), [&](const SlotGrowth &p_growth) { return p_growth.slot == p_slot.tile.w; });
+	const bool is_fresh = p_slot.list.w & GRASS_SLOT_FRESH;
+	if (is_fresh || growth != p_input.growth.end()) {
+		find_rest(p_slot, p_input.step, growth == p_input.growth.end() ? nullptr : &*growth);
+	}
+	if (is_fresh) {
+		wake(p_slot);
+	} else if (growth != p_input.growth.end()) {
+		keep_shapes(p_slot);
+	}
+	std::vector<TileCollider> colliders;
+	colliders.reserve(p_slot.list.z);
+	for (const uint32_t index : p_input.collider_list.subspan(p_slot.list.y, p_slot.list.z)) {
+		TileCollider collider;
+		if (index < p_input.colliders.size() &&
+				make_tile_collider(
+						p_input.colliders[index], p_slot.tile.x, p_slot.tile.y, p_input.step.field.x, p_input.planes, collider)) {
+			colliders.push_back(collider);
+		}
+	}
+	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
+	const size_t slot = size_t(p_slot.tile.w);
+	const std::span<const GrassStep> steps =
+			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
+	_energy[slot] = step_state(*_slots[slot], steps, blend, colliders, p_precision);
+	_bends[slot] = bend_of(*_slots[slot]);
+}
+
+std::vector<Eigen::Vector3f> CpuPool::get_knots(int p_slot, int p_blade) const {
+	if (p_slot < 0 || size_t(p_slot) >= _slots.size() || !_slots[size_t(p_slot)] || p_blade < 0 || p_blade >= BLADES) {
+		return {};
+	}
+	std::vector<Eigen::Vector3f> knots;
+	for (int k = 0; k < GRASS_KNOTS; k++) {
+		knots.push_back(knot_of(*_slots[size_t(p_slot)], k, p_blade));
+	}
+	return knots;
+}
+
+void CpuPool::set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before) {
+	TileState &state = *_slots[size_t(p_slot)];
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		for (int c = 0; c < 3; c++) {
+			state.knots[c][k - GRASS_CLAMPED_KNOTS][p_blade] = p_knots[size_t(k)][c];
+			state.before[c][k - GRASS_CLAMPED_KNOTS][p_blade] = p_before[size_t(k)][c];
+		}
+	}
+}
+
+void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
+	std::fill(r_texels.begin(), r_texels.end(), uint16_t(0));
+	if (p_slot < 0 || size_t(p_slot) >= _slots.size() || !_slots[size_t(p_slot)]) {
+		return;
+	}
+	const TileState &state = *_slots[size_t(p_slot)];
+	for (int b = 0; b < BLADES; b++) {
+		for (int k = 1; k < GRASS_KNOTS; k++) {
+			uint16_t *texel = &r_texels[size_t((GRASS_POOL_BLADES_PER_ROW * k + b) * 4)];
+			const Eigen::Vector3f knot = knot_of(state, k, b);
+			for (int c = 0; c < 3; c++) {
+				texel[c] = float_to_half(knot[c] - state.rest[c][k][b]);
+			}
+			texel[3] = float_to_half(k < GRASS_CLAMPED_KNOTS ? 0.0f : state.twist[k - GRASS_CLAMPED_KNOTS][b]);
+		}
+	}
+}
+
+void CpuPool::trim(int p_slots) {
+	for (size_t slot = size_t(std::max(p_slots, 0)); slot < _slots.size(); slot++) {
+		_slots[slot].reset();
+		_energy[slot] = 0.0f;
+		_bends[slot].setZero();
+	}
+}
+
+int64_t CpuPool::get_memory_usage() const {
+	const auto used = std::count_if(_slots.begin(), _slots.end(), [](const auto &p_state) { return p_state != nullptr; });
+	return int64_t(used) * int64_t(sizeof(TileState)) +
+			int64_t(_slots.size() * (sizeof(_slots[0]) + sizeof(_energy[0]) + sizeof(_bends[0])));
+}
+
+} // namespace grass

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The simulation on the CPU: the pool's state and the step over the awake tiles, from the same records as
+// shaders/solver/simulate.glsl. Its backend in headless and Compatibility, its oracle in the tests.
+#pragma once
+
+#include "core/base/parallel_for.h"
+#include "core/blades/patch.h"
+#include "core/solver/step.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+struct TileState;
+
+// What the blades of a tile are stepped with. The double one is the oracle: slow, state kept as float.
+enum class Precision {
+	LANES, // four, eight or sixteen floats at a time
+	SCALAR_FLOAT,
+	SCALAR_DOUBLE,
+};
+
+class CpuPool {
+public:
+	// p_slots: tiles that can be awake at once. Memory comes as slots are first used.
+	CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots);
+	~CpuPool();
+
+	// Other blades, another number of slots. Tiles that are awake must wake anew.
+	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
+	void set_slots(int p_slots);
+
+	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
+	// and of blades beyond the patch are left out.
+	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, Precision p_precision = Precision::LANES);
+
+	// Knots of a blade, blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or there is no such blade.
+	std::vector<Eigen::Vector3f> get_knots(int p_slot, int p_blade) const;
+	// The slot's row of the pool texture: 4 halves for each knot of each blade, xyz how far it is from its place at rest
+	// (blade space, metres), w unused. Zeros if never awake.
+	// r_texels: GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4 values.
+	void pack_row(int p_slot, std::span<uint16_t> r_texels) const;
+	// [Eq 19] Of every slot, J/kg: its liveliest blade. 0 if never awake.
+	std::span<const float> get_energy() const { return _energy; }
+	// [Eq M5] Of every slot: how far the tips of its blades are from rest, on average, as shares of the blades' lengths.
+	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
+
+	// Gives back the memory of slots from p_slots on, none of which may be awake; it comes again when they are used.
+	void trim(int p_slots);
+
+	int get_slot_count() const { return int(_slots.size()); }
+	int64_t get_simulated_blades() const { return _simulated_blades; } // since made
+	int64_t get_memory_usage() const; // bytes
+
+	// Replaces a blade's state, for tests: GRASS_KNOTS points each, the clamped ones ignored.
+	void set_knots(int p_slot, int p_blade, std::span<const Eigen::Vector3f> p_knots, std::span<const Eigen::Vector3f> p_before);
+
+private:
+	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
+	void wake(const GrassSlot &p_slot);
+	void keep_shapes(const GrassSlot &p_slot);
+	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
+
+	std::shared_ptr<const Patch> _patch;
+	std::vector<std::unique_ptr<TileState>> _slots;
+	std::vector<float> _energy;
+	std::vector<Eigen::Vector3f> _bends;
+	int64_t _simulated_blades = 0;
+};
+
+} // namespace grass

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// One step of one blade (or of eight, one in each lane): METHOD_PBD, the method of Han and Harada 2012 that Fan et al.
+// 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc: same names, same order. docs/solver.md derives it.
+#pragma once
+
+#include "core/solver/contact.h"
+#include "core/solver/direct.h"
+
+namespace grass {
+
+// [Eq 18] Moves the blade a share of the way to rest, standing still there; a share of 1 arrives exactly.
+template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	const auto arrives = p_terms.blend >= T(1.0f);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> rest = r_blade.rest[k];
+		r_blade.knots[k] = select(arrives, rest, r_blade.knots[k] + (rest - r_blade.knots[k]) * p_terms.blend);
+		r_blade.before[k] = select(arrives, rest, r_blade.before[k] + (rest - r_blade.before[k]) * p_terms.blend);
+		r_blade.twist[k - 1] = select(arrives, T(0.0f), r_blade.twist[k - 1] * (T(1.0f) - p_terms.blend));
+	}
+}
+
+// Farthest that the knots of a blade may be from the root, all together, blade lengths: the fastest blade under the greatest load,
+// before its lengths are put right. Rounding of anything farther would spoil the lengths.
+inline constexpr float MOST_AWAY = 1000.0f;
+
+// Puts a blade with a number that is not finite, or that is absurdly large, to rest. Such a number survives every stage.
+template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
+	T sum(0.0f);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> knot = r_blade.knots[k];
+		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]) * r_blade.reach);
+	}
+	const auto is_broken = !(sum < r_blade.reach * T(MOST_AWAY));
+	if (any(is_broken)) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			r_blade.knots[k] = select(is_broken, r_blade.rest[k], r_blade.knots[k]);
+			r_blade.before[k] = select(is_broken, r_blade.rest[k], r_blade.before[k]);
+			r_blade.twist[k - 1] = select(is_broken, T(0.0f), r_blade.twist[k - 1]);
+		}
+	}
+}
+
+// [Eq 19] Half the speed squared and the pull to rest at the start of a step, the mean of the free knots: J per kg of blade.
+template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T sum(0.0f);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
+		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
+		sum = sum + dot(moved, moved) * p_terms.energy_of_speed +
+				dot(away, away) * (p_terms.energy_at_tip + p_terms.energy_at_root * T(root_share(k)));
+	}
+	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
+}
+
+// Whether the blade stands at rest with no load on it and nothing can touch it there: a step would not change a bit of it.
+template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
+	T longest(0.0f);
+	Extent<T> extent = extent_of(p_blade.rest[1], p_blade.rest[1]);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
+		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
+		sum = sum + (dot(away, away) + dot(moved, moved));
+		extent = { minimum(extent.low, p_blade.rest[k]), maximum(extent.high, p_blade.rest[k]) };
+		longest = maximum(longest, p_blade.lengths[k - 1]);
+	}
+	if (any(!(sum <= T(0.0f)))) {
+		return false;
+	}
+	extent = { extent.low + p_blade.root, extent.high + p_blade.root };
+	for (const TileCollider &collider : p_terms.colliders) {
+		if (any(!passes_by(collider, extent, extent, longest * T(SKIN)))) {
+			return false;
+		}
+	}
+	return true;
+}
+
+// Whether something may touch the blade in this step.
+template <class T> GRASS_INLINE auto is_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	auto near = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		near = near | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+	}
+	return near;
+}
+
+// The method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
+template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	integrate(r_blade, p_terms);
+	for (int i = 0; i < p_terms.iterations; i++) {
+		straighten(r_blade, p_terms);
+		keep_lengths(r_blade);
+		if (!p_terms.colliders.empty()) {
+			const DeepestContact<T> deepest = find_deepest_contact(r_blade, p_terms);
+			if (any(deepest.contact.depth > T(0.0f))) {
+				bend(r_blade, deepest);
+			}
+		}
+	}
+}
+
+// The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
+template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	if (p_terms.iterations == 0) {
+		return;
+	}
+	measure_lengths(r_blade);
+	if (is_idle(r_blade, p_terms)) {
+		return;
+	}
+	auto is_held = T(0.0f) > T(1.0f);
+	if (p_terms.is_direct) {
+		is_held = step_direct(r_blade, p_terms, is_near(r_blade, p_terms));
+	} else {
+		step_pbd(r_blade, p_terms);
+	}
+	if (any(p_terms.blend > T(0.0f))) {
+		settle(r_blade, p_terms);
+		is_held = is_held & !(p_terms.blend > T(0.0f));
+	}
+	mend(r_blade);
+	finish(r_blade, p_terms, is_held);
+	mend(r_blade); // what a body of absurd size did in finish()
+}
+
+} // namespace grass

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "core/solver/solver_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace grass {
+
+namespace {
+
+// A damped oscillator without load: x'' = -w^2 x - 2 a x'.
+struct Oscillator {
+	double w, a; // 1/s
+
+	// exp(-a t) times what the position at 0 (cosine) and the speed at 0 (sine) give to the position at t.
+	double cosine(double p_t) const {
+		const double q = w * w - a * a;
+		return q >= 0.0 ? std::cos(std::sqrt(q) * p_t) : std::cosh(std::sqrt(-q) * p_t);
+	}
+	double sine(double p_t) const {
+		const double q = w * w - a * a;
+		if (std::abs(q) * p_t * p_t < 1e-12) {
+			return p_t;
+		}
+		return q >= 0.0 ? std::sin(std::sqrt(q) * p_t) / std::sqrt(q) : std::sinh(std::sqrt(-q) * p_t) / std::sqrt(-q);
+	}
+};
+
+// Of a swing between two steps, radians.
+constexpr double MOST_TURN = 2.5;
+// Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
+constexpr double FIRST_MODE = 3.5160152685;
+// Of the first mode in a step, radians: below it one solve is enough.
+constexpr double ONE_SOLVE_TURN = 0.2;
+// And from this on a quick one is, too: what it leaves is less than what so long a step errs by.
+constexpr double QUICK_TURN = 0.04;
+// A chain of so many knots swings slower: by less than this share of the frequency's square.
+constexpr double CHAIN_SLOWER = 1.3 / (GRASS_KNOTS * GRASS_KNOTS);
+
+// [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
+struct TwoStep {
+	double keep, pull;
+};
+
+TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
+	// Beyond a quarter of a swing two places no longer tell a speed.
+	const double ratio = p_swing.sine(p_h) / p_swing.sine(p_g);
+	const double keep = std::exp(-p_swing.a * (p_h + p_g)) * ratio;
+	const double stay = std::exp(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
+	return { keep, 1.0 + keep - stay };
+}
+
+// [Eq 38] Stiffness (square of a frequency, 1/s^2) and drag (1/s) with which an implicit Euler step of h goes where the oscillator goes;
+// g the step before.
+struct EulerSwing {
+	double stiffness, drag;
+};
+
+EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
+	const TwoStep exact = two_step(p_swing, p_h, p_g);
+	const double ratio = p_h / p_g, weight = ratio / exact.keep;
+	const double drag = (1.0 + exact.keep - exact.pull) * weight - 1.0 - ratio, pull = weight - 1.0 - drag;
+	// Without damping drag is negative: it gives back what the step takes. A swing slower than this one would gain.
+	return { pull / (p_h * p_h), std::max(drag, (CHAIN_SLOWER - 1.0) * pull) / p_h };
+}
+
+constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
+
+double or_zero(double p_value) {
+	return std::isfinite(p_value) ? p_value : 0.0;
+}
+
+} // namespace
+
+SolverParams SolverParams::sanitised() const {
+	SolverParams params;
+	params.method = method;
+	params.natural_frequency = NATURAL_FREQUENCY.clamp(natural_frequency);
+	params.damping_ratio = DAMPING_RATIO.clamp(damping_ratio);
+	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
+	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
+	params.friction = FRICTION.clamp(friction);
+	params.max_speed = MAX_SPEED.clamp(max_speed);
+	params.iterations = int(ITERATIONS.clamp(iterations));
+	for (int i = 0; i < 3; i++) {
+		params.load[i] = std::clamp(or_zero(load[i]), -MAX_LOAD, MAX_LOAD);
+	}
+	return params;
+}
+
+double SolverParams::energy_within(double p_distance) const {
+	const double speed = RADIANS_PER_CYCLE * sanitised().natural_frequency * p_distance;
+	return 0.5 * speed * speed / GRASS_FREE_KNOTS;
+}
+
+double SolverParams::calm_time() const {
+	const SolverParams params = sanitised();
+	return std::clamp(std::log(100.0) / std::max(RADIANS_PER_CYCLE * params.natural_frequency * params.damping_ratio, 1e-6), 1.0, 10.0);
+}
+
+GrassStep StepClock::advance(const SolverParams &p_params, double p_delta) {
+	const bool passes = p_delta > 0.0 && std::isfinite(p_delta);
+	if (passes) {
+		const double h = std::clamp(p_delta, 1e-5, MAX_STEP);
+		_delta_before = _last > 0.0 ? _last : h;
+		_delta = _last = h;
+	} else {
+		_delta = 0.0;
+	}
+	return repeat(p_params);
+}
+
+GrassStep StepClock::repeat(const SolverParams &p_params) const {
+	const SolverParams params = p_params.sanitised();
+	GrassStep step;
+	if (_delta <= 0.0) {
+		return step;
+	}
+	const double h = _delta, g = _delta_before;
+
+	const double swing = RADIANS_PER_CYCLE * params.natural_frequency, damping = params.damping_ratio * swing;
+	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
+	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(h, g)), damping };
+	const Oscillator root{ tip.w * params.root_stiffness, damping };
+	const TwoStep at_tip = two_step(tip, h, g);
+	const TwoStep at_root = two_step(root, h, h);
+	step.motion.x = float(at_tip.keep);
+	step.motion.y = float(at_tip.pull);
+	step.motion.z = float(std::max(at_root.pull - two_step(tip, h, h).pull, 0.0));
+	// [Eq 9] One minus the share that is left after all iterations, by iteration.
+	const double bend = RADIANS_PER_CYCLE * params.bend_stiffness * h;
+	step.motion.w = float(-std::expm1(-bend * bend / params.iterations));
+
+	const double weight = at_tip.pull / (tip.w * tip.w);
+	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight),
+		float(params.max_speed * g) };
+	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
+	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
+	if (params.method == Method::DIRECT) {
+		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
+		const int solves = params.iterations >= 4 ? params.iterations / 2 : swing * std::max(h, g) <= ONE_SOLVE_TURN ? 1 : 2;
+		const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, h, g) : EulerSwing{ swing * swing, 2.0 * damping };
+		const bool is_quick = solves == 1 && swing * std::max(h, g) >= QUICK_TURN;
+		step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
+	}
+	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
+	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
+	return step;
+}
+
+} // namespace grass

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What a user sets of the solver, in physical units, and how a step's coefficients follow from it, the time step and
+// the number of iterations. docs/solver.md, [Eq 8] and [Eq 9].
+#pragma once
+
+#include "core/base/layout.h"
+#include "core/base/tunable.h"
+
+namespace grass {
+
+// Swings per second of a bent blade without damping: what it is made of, its section and its length in one number.
+// Below 0.3 grass stays down for seconds, above 5 it snaps back.
+inline constexpr Tunable NATURAL_FREQUENCY{ "natural_frequency", "Hz", 0.1, 10.0, 0.05, 1.2 };
+// How fast a swing dies down: 0 never, 1 without swinging over. Below 0.1 grass nods for seconds, above 1.5 it creeps.
+inline constexpr Tunable DAMPING_RATIO{ "damping_ratio", "", 0.0, 3.0, 0.01, 0.5 };
+// METHOD_PBD: frequency at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
+inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1.6 };
+// METHOD_PBD: swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
+inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
+// Factor on the friction of bodies. 0: blades slide freely.
+inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
+// METHOD_DIRECT: solves in one step of a blade that something is near, 1 lets it tremble; others take one, or two where a step is a large
+// part of a swing, and from 4 iterations on half as many as these. METHOD_PBD: rounds of local shape and contact; the paper found two or
+// three enough, 1 lets knots rest on each other's contacts.
+inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0 };
+// Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
+inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
+
+// How a blade is solved. docs/solver.md compares them.
+enum class Method { DIRECT = GRASS_METHOD_DIRECT, PBD = GRASS_METHOD_PBD };
+
+struct SolverParams {
+	Method method = Method::DIRECT;
+	double natural_frequency = NATURAL_FREQUENCY.initial; // Hz
+	double damping_ratio = DAMPING_RATIO.initial;
+	double root_stiffness = ROOT_STIFFNESS.initial;
+	double bend_stiffness = BEND_STIFFNESS.initial; // Hz
+	double friction = FRICTION.initial;
+	double max_speed = MAX_SPEED.initial; // blade lengths per second
+	int iterations = int(ITERATIONS.initial);
+	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, on top of the gravity that the rest pose carries already
+
+	// [Eq S1] The energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast
+	// enough to swing farther. J/kg.
+	double energy_within(double p_distance) const;
+	// [Eq S2] Seconds in which a swing dies down to a hundredth, 1 to 10.
+	double calm_time() const;
+	// The same within the tunables' ranges; what is not a number becomes the default.
+	SolverParams sanitised() const;
+};
+
+// Greatest load in any direction, m/s^2.
+inline constexpr double MAX_LOAD = 1000.0;
+// Longer steps (a frame that took half a second) are taken as this one: seconds.
+inline constexpr double MAX_STEP = 0.1;
+// Gap between a free knot and the ground, segment lengths.
+inline constexpr double GROUND_GAP = 0.02;
+
+// Turns parameters and the seconds that passed into a step's coefficients. Remembers the step before, since Verlet's
+// displacement was made in that time. `field` and `clump` of the result are left to the caller.
+class StepClock {
+public:
+	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
+	GrassStep advance(const SolverParams &p_params, double p_delta);
+	// The step of the last advance(), for blades with other parameters.
+	GrassStep repeat(const SolverParams &p_params) const;
+	void reset() { *this = StepClock(); }
+
+private:
+	double _delta = 0.0; // of the last advance(), seconds; 0: no time passed in it
+	double _delta_before = 0.0; // of the step before that one; its own where there was none
+	double _last = 0.0; // of the last one in which time passed; 0: there was none
+};
+
+} // namespace grass

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What one simulation step reads, the same for the GPU and the CPU backend.
+#pragma once
+
+#include "core/base/layout.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <span>
+
+namespace grass {
+
+// How the blades of an awake tile grow, where a map or a mix of species decides it. Made when the tile wakes, and when the map
+// changes below it.
+struct SlotGrowth {
+	int slot = GRASS_NO_SLOT;
+	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
+	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // which blades of the patch they are
+};
+
+// Views only: the arrays belong to TileManager and hold until its next update().
+struct StepInput {
+	std::span<const GrassSlot> slots; // Retired tiles first, then live ones by rising slot.
+	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
+	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
+	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
+	GrassStep step; // The solver's parameters for this step.
+	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
+	std::span<const SlotGrowth> growth = {}; // Of fields with a map or species: every fresh slot, and those below which it changed.
+	std::span<const GrassStep> species = {}; // Of fields with species: `step` as each of them takes it.
+	int sharp_slots = 0; // Slots with GRASS_SLOT_EDGES.
+};
+
+// What the blades of each slot still moved by after a step, as the backend reports it, late as it may be: energies are measured as the next
+// step begins, bends as it ends.
+struct EnergyReport {
+	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
+	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
+	std::span<const Eigen::Vector3f> bends = {}; // [Eq M5] of each slot: how far its tips are from rest, shares of their blades
+};
+
+} // namespace grass

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The one file that is compiled for AVX-512 (SConstruct gives it the flags); step_lanes() calls it where the processor has that. Nothing
+// in it may be of use to others: the linker keeps one copy of an inline function, and that must not be one of these. So it is over a type
+// of its own, what is no template is inlined always, and Eigen (by way of the colliders) is told to do as elsewhere.
+#define EIGEN_DONT_VECTORIZE
+#include "core/solver/step_tile.h"
+
+#if defined(__AVX512F__) && defined(GRASS_IS_ONE_FUNCTION)
+#include "core/base/lanes_16.h"
+
+namespace grass {
+
+static float step_lanes_16(
+		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
+	return step_tile<Lanes<16>>(r_state, p_steps, p_blend, p_colliders);
+}
+const TileStep STEP_LANES_16 = step_lanes_16;
+
+} // namespace grass
+#else
+namespace grass {
+
+const TileStep STEP_LANES_16 = nullptr;
+
+} // namespace grass
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The step of a tile's blades over any lane type; step_lanes.cpp, step_lanes_16.cpp and step_scalar.cpp instantiate it.
+#pragma once
+
+#include "core/solver/solver.h"
+#include "core/solver/tile_state.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace grass {
+
+template <class T> inline constexpr int LANE_COUNT = 1;
+template <class T>
+requires(T::COUNT > 0) inline constexpr int LANE_COUNT<T> = T::COUNT;
+
+template <class T> GRASS_INLINE T load(const float *p_from) {
+	if constexpr (LANE_COUNT<T> == 1) {
+		return T(*p_from);
+	} else {
+		T lanes;
+		std::memcpy(&lanes.values, p_from, sizeof(lanes.values));
+		return lanes;
+	}
+}
+
+GRASS_INLINE void store(float p_value, float *r_to) {
+	*r_to = p_value;
+}
+GRASS_INLINE void store(double p_value, float *r_to) {
+	*r_to = float(p_value);
+}
+template <class T> GRASS_INLINE void store(const T &p_value, float *r_to) {
+	std::memcpy(r_to, &p_value.values, sizeof(p_value.values));
+}
+
+template <class T, int N> GRASS_INLINE Vec3<T> load_knot(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	return { load<T>(&p_from[0][p_knot][p_blade]), load<T>(&p_from[1][p_knot][p_blade]), load<T>(&p_from[2][p_knot][p_blade]) };
+}
+template <class T, int N>
+GRASS_INLINE void store_knot(const Vec3<T> &p_value, float (&r_to)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	store(p_value.x, &r_to[0][p_knot][p_blade]);
+	store(p_value.y, &r_to[1][p_knot][p_blade]);
+	store(p_value.z, &r_to[2][p_knot][p_blade]);
+}
+
+GRASS_INLINE float largest(float p_value) {
+	return p_value;
+}
+GRASS_INLINE float largest(double p_value) {
+	return float(p_value);
+}
+template <class T> GRASS_INLINE float largest(const T &p_value) {
+	float most = p_value[0];
+	for (int lane = 1; lane < T::COUNT; lane++) {
+		most = std::max(most, p_value[lane]);
+	}
+	return most;
+}
+
+// One number of each lane's own species. p_species: of the first lane's blade.
+template <class T>
+GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
+	alignas(64) float own[LANE_COUNT<T>];
+	for (int lane = 0; lane < LANE_COUNT<T>; lane++) {
+		own[lane] = p_steps[p_species[lane]].*p_of.*p_part;
+	}
+	return load<T>(own);
+}
+
+// What species differ in.
+template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::span<const GrassStep> p_steps, const uint8_t *p_species) {
+	const auto own = [&](vec4 GrassStep::*p_of, float vec4::*p_part) { return own_number<T>(p_steps, p_species, p_part, p_of); };
+	r_terms.keep = own(&GrassStep::motion, &vec4::x);
+	r_terms.pull = own(&GrassStep::motion, &vec4::y);
+	r_terms.pull_root = own(&GrassStep::motion, &vec4::z);
+	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
+	r_terms.bending = own(&GrassStep::chain, &vec4::z);
+	r_terms.drag = own(&GrassStep::chain, &vec4::w);
+	r_terms.free_bending = r_terms.keep;
+	r_terms.free_drag = r_terms.pull;
+	r_terms.free_solves = r_terms.pull_root;
+	r_terms.free_quick = own(&GrassStep::motion, &vec4::w);
+	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
+	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
+	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);
+	if (r_terms.is_direct) {
+		make_quick_joints(r_terms);
+	}
+}
+
+template <class T>
+GRASS_INLINE float step_tile(
+		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
+	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders);
+	float liveliest = 0.0f;
+	for (int first = 0; first < GRASS_BLADES_PER_TILE; first += LANE_COUNT<T>) {
+		if (p_steps.size() > 1) {
+			take_species(terms, p_steps, &r_state.species[first]);
+		}
+		Blade<T> blade;
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			blade.rest[k] = load_knot<T>(r_state.rest, k, first);
+			const int free = k - GRASS_CLAMPED_KNOTS;
+			blade.knots[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.knots, free, first);
+			blade.before[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.before, free, first);
+		}
+		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
+		}
+		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
+		step_blade(blade, terms);
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
+			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
+			store(blade.twist[k - 1], &r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
+		}
+	}
+	return liveliest;
+}
+
+} // namespace grass

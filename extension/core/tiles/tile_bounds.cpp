@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "core/tiles/tile_bounds.h"
+
+#include "core/base/half.h"
+#include "core/base/hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace grass {
+
+struct TileBounds::Blade {
+	Box box;
+	float x, z;
+};
+
+// p_taller: factor on the blade's length; p_chord: how far it is tilted, shares of a knot's distance from the root.
+void TileBounds::extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord) {
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];
+		const Eigen::Vector3f knot =
+				p_taller * Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+		const float lean = p_chord * knot.norm();
+		r_box = { std::min(r_box.min_x, knot.x() - lean), std::max(r_box.max_x, knot.x() + lean), std::min(r_box.min_z, knot.z() - lean),
+			std::max(r_box.max_z, knot.z() + lean), std::max(r_box.height, knot.y() + lean) };
+	}
+}
+
+TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed) :
+		_grid(p_grid), _seed(p_seed) {
+	if (p_patch.is_empty()) {
+		return;
+	}
+	// A clump makes blades taller by at most this factor and tilts them by at most this angle (tangent of its half is the
+	// lean, on both axes at once): a knot moves by at most the chord.
+	const float taller = 1.0f + p_clump.height * (CLUMP_TALLEST - 1.0f);
+	const float half_tangent = std::sqrt(2.0f) * p_clump.lean * float(GRASS_CLUMP_LEAN);
+	const float chord = 2.0f * half_tangent / std::sqrt(1.0f + half_tangent * half_tangent);
+
+	auto blades = std::make_shared<std::vector<Blade>>(GRASS_PATCH_BLADES);
+	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {
+		Box box{ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+		for (int species = 0; species < p_patch.species; species++) { // whichever it will be
+			extend(box, p_patch, species * GRASS_PATCH_BLADES + b, taller, chord);
+		}
+		const uint16_t *root = &p_patch.texels[Patch::texel_index(b, 0)];
+		(*blades)[size_t(b)] = { box, half_to_float(root[0]), half_to_float(root[1]) };
+	}
+	_blades = blades;
+	find_boxes();
+}
+
+TileBounds::TileBounds(const TileBounds &p_other, const TileGrid &p_grid) : TileBounds(p_other) {
+	const bool is_same_size = p_grid.get_tile_size() == _grid.get_tile_size();
+	_grid = p_grid;
+	if (_blades && !is_same_size) {
+		find_boxes();
+	}
+}
+
+void TileBounds::find_boxes() {
+	const float size = float(_grid.get_tile_size());
+	const double side = 0.5 * _grid.get_tile_size();
+	_boxes.clear();
+	_reach = _height = 0.0;
+	for (int start = 0; start < GRASS_START_COUNT; start++) {
+		const float huge = std::numeric_limits<float>::max();
+		Box all{ huge, -huge, huge, -huge, 0.0f };
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			const Blade &blade = (*_blades)[size_t(start * GRASS_START_STRIDE + b)];
+			const float x = (blade.x - 0.5f) * size, z = (blade.z - 0.5f) * size;
+			all = { std::min(all.min_x, blade.box.min_x + x), std::max(all.max_x, blade.box.max_x + x),
+				std::min(all.min_z, blade.box.min_z + z), std::max(all.max_z, blade.box.max_z + z),
+				std::max(all.height, blade.box.height) };
+		}
+		_boxes.push_back(all);
+		_reach = std::max({ _reach, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
+		_height = std::max(_height, double(all.height));
+	}
+}
+
+size_t TileBounds::get_memory_usage() const {
+	return (_blades ? _blades->capacity() * sizeof(Blade) : 0) + _boxes.capacity() * sizeof(Box);
+}
+
+bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
+	Tile tile;
+	return find_met({ p_x, p_x + 1, p_z, p_z + 1 }, p_bounds, &tile) > 0;
+}
+
+void TileBounds::prefetch() const {
+#ifdef __GNUC__
+	const char *const bytes = reinterpret_cast<const char *>(_boxes.data());
+	for (size_t i = 0; i < _boxes.size() * sizeof(Box); i += 64) { // a line of the cache
+		__builtin_prefetch(bytes + i);
+	}
+#endif
+}
+
+// Without jumps: whether a tile is met cannot be foreseen.
+int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const {
+	if (_boxes.empty()) {
+		return 0;
+	}
+	const TileGrid grid = _grid; // copies: they are the same for all tiles, which r_tiles would have to prove
+	const TileCover *cover = _cover.get();
+	const Box *boxes = _boxes.data();
+	const uint32_t seed = _seed;
+	const double lean = _lean;
+	int count = 0;
+	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
+		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
+			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::Tile{ 0.0f, 0.0f };
+			// Rounded once, after the difference: a few nanometres, on any field.
+			const Eigen::Vector3d centre = grid.get_centre(x, z);
+			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
+				float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };
+			const float bottom = float(p_bounds.min.y() - lean - double(ground.high));
+			const Box &blades = boxes[grass_tile_start(uint32_t(x), uint32_t(z), seed) / GRASS_START_STRIDE];
+			r_tiles[count] = { uint16_t(x), uint16_t(z) };
+			count += int(blades.meets(box, bottom)) & int(!ground.is_bare()) & int(p_bounds.max.y() >= double(ground.low));
+		}
+	}
+	return count;
+}
+
+} // namespace grass

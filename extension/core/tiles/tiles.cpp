@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Which tiles wake. What touches them: tiles_touch.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
+// tiles_records.cpp.
+#include "core/tiles/tiles.h"
+
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+double limit(double p_value, double p_max, double p_default) {
+	return std::isnan(p_value) ? p_default : std::clamp(p_value, 0.0, p_max);
+}
+
+} // namespace
+
+TileParams TileParams::sanitised() const {
+	const TileParams defaults;
+	TileParams params = *this;
+	params.pool_size = std::clamp(pool_size, 0, MAX_POOL_SIZE);
+	params.sleep_delay = limit(sleep_delay, 3600.0, defaults.sleep_delay);
+	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
+	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
+	params.still_delay = limit(still_delay, 3600.0, defaults.still_delay);
+	params.reach = limit(reach, 100.0, defaults.reach);
+	params.low = std::isfinite(low) ? low : defaults.low;
+	params.height = std::isfinite(height) ? height : defaults.height;
+	params.segment = limit(segment, 100.0, defaults.segment);
+	return params;
+}
+
+void TileManager::set_grid(const TileGrid &p_grid) {
+	if (!(p_grid == _grid)) {
+		_grid = p_grid;
+		reset();
+	}
+}
+
+void TileManager::set_params(const TileParams &p_params) {
+	const TileParams before = _params;
+	_params = p_params.sanitised();
+	if (_params.pool_size != before.pool_size || _params.seed != before.seed) {
+		reset();
+	}
+}
+
+void TileManager::reset() {
+	_time = 0.0;
+	_has_passed_unseen = false;
+	_times.assign(size_t(_params.pool_size), {});
+	_motions.assign(size_t(_params.pool_size), {});
+	_places.assign(size_t(_params.pool_size), {});
+	_lives.assign(size_t(_params.pool_size), {});
+	_entries.assign(size_t(_params.pool_size), 0);
+	_signatures.assign(size_t(_params.pool_size), 0);
+	_signatures_before.assign(size_t(_params.pool_size), 0);
+	_bends.clear();
+	_reported_step = _bend_step = 0;
+	_free.reset(_params.pool_size, true);
+	for (SlotSet *set : { &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+		set->reset(_params.pool_size, false);
+	}
+	_slot_of_tile.reserve(_params.pool_size);
+	_place_of_tile.clear();
+	_touches.clear();
+	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be given away and live on
+	_record_count = 0;
+	_colliders.clear();
+	_collider_list.clear();
+	_planes.clear();
+	_statistics = {};
+}
+
+// Algorithm 1. One line each of the paper's three loops is one function here.
+void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
+	const double delta = std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
+	_time += delta;
+	_step_number++;
+	begin_step();
+	find_touched_tiles(p_colliders); // lines 1 to 9
+	activate_tiles(); // lines 11 to 16
+	sign_touches(p_colliders);
+	deactivate_tiles(delta); // lines 18 to 25
+	count_touches(p_colliders);
+	write_records();
+	write_list();
+}
+
+void TileManager::begin_step() {
+	_touches.clear();
+	_to_activate.clear();
+	_yielding_known = false;
+	_record_count = 0;
+	find_tile_frustums();
+}
+
+void TileManager::activate_tiles() {
+	_given_slots.clear();
+	for (const int tile : _to_activate) {
+		int slot = _free.take_lowest();
+		if (slot == SlotSet::NONE) {
+			slot = take_calmest_slot(_to_activate.size() - _given_slots.size());
+		}
+		_given_slots.push_back(slot);
+		_place_of_tile.erase(tile);
+		if (slot == SlotSet::NONE) {
+			_statistics.refused++;
+		} else {
+			activate(slot, tile);
+		}
+	}
+}
+
+void TileManager::activate(int p_slot, int p_tile) {
+	const int x = _grid.get_x(p_tile), z = _grid.get_z(p_tile);
+	_places[size_t(p_slot)] = { { uint16_t(x), uint16_t(z) }, grass_tile_start(uint32_t(x), uint32_t(z), _params.seed) };
+	_times[size_t(p_slot)] = {};
+	_motions[size_t(p_slot)] = {};
+	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
+	_fresh.insert(p_slot);
+	_touched.insert(p_slot); // deactivate_tiles() sets the timestamps
+	_stirred.insert(p_slot);
+	_slot_of_tile.insert(x, z, p_slot);
+	_used.insert(p_slot);
+	_statistics.woken++;
+}
+
+int TileManager::get_slot_of(int p_tile) const {
+	const bool exists = p_tile >= 0 && p_tile < _grid.get_tile_count();
+	return exists ? _slot_of_tile.find(_grid.get_x(p_tile), _grid.get_z(p_tile)) : GRASS_NO_SLOT;
+}
+
+int TileManager::get_tile_of(int p_slot) const {
+	if (p_slot < 0 || p_slot >= _params.pool_size || !_used.has(p_slot)) {
+		return TileMap::NONE;
+	}
+	const TileBounds::Tile tile = _places[size_t(p_slot)].tile;
+	return _grid.get_index(tile.x, tile.z);
+}
+
+bool TileManager::is_awake(int p_tile) const {
+	return get_slot_of(p_tile) != GRASS_NO_SLOT;
+}
+
+bool TileManager::is_settling(int p_tile) const {
+	const int slot = get_slot_of(p_tile);
+	return slot != GRASS_NO_SLOT && _settling.has(slot);
+}
+
+Eigen::Vector3f TileManager::get_bend(int p_tile) const {
+	const int slot = get_slot_of(p_tile);
+	const bool is_known = slot != GRASS_NO_SLOT && size_t(slot) < _bends.size() && _bend_step >= _lives[size_t(slot)].woken_step;
+	return is_known && _bends[size_t(slot)].allFinite() ? _bends[size_t(slot)] : Eigen::Vector3f(Eigen::Vector3f::Zero());
+}
+
+size_t TileManager::get_memory_usage() const {
+	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
+	size_t sets = 0;
+	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+		sets += set->get_memory_usage();
+	}
+	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
+			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) +
+			bytes(_has_met) + bytes(_touches) + bytes(_met) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
+			_place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) +
+			bytes(_collider_list) + bytes(_planes);
+}
+
+} // namespace grass

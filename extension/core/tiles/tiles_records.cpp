@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What TileManager hands to the backend.
+#include "core/bodies/collider.h"
+#include "core/tiles/tiles.h"
+
+#include <limits>
+#include <utility>
+
+namespace grass {
+
+// Drops the touches of tiles that got no slot or are not simulated, counts the others by slot, and packs the objects in use.
+void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
+	_colliders.clear();
+	_planes.clear();
+	_sharp.clear();
+	std::fill(_entries.begin(), _entries.end(), 0);
+	size_t kept = 0;
+	uint32_t last = std::numeric_limits<uint32_t>::max();
+	bool last_is_sharp = false;
+	for (const Touch &touch : _touches) { // rising by collider
+		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
+		if (slot != SlotSet::NONE && !_unseen.has(slot)) {
+			if (touch.collider != last) {
+				last = touch.collider;
+				pack_collider(p_colliders[last]);
+				last_is_sharp = is_sharp(_colliders.back(), float(_params.segment));
+			}
+			_entries[size_t(slot)]++;
+			_sharp.insert_if(slot, last_is_sharp);
+			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
+		}
+	}
+	_touches.resize(kept);
+	_statistics.list_entries = int(kept);
+}
+
+void TileManager::pack_collider(const ColliderShape &p_collider) {
+	_colliders.push_back(p_collider.pack(_grid, int(_planes.size())));
+	if (p_collider.type == GRASS_HULL) {
+		_planes.insert(_planes.end(), p_collider.planes.begin(), p_collider.planes.end());
+	}
+}
+
+// One record each of the awake tiles that are simulated.
+void TileManager::write_records() {
+	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
+	uint32_t entries = 0;
+	GrassSlot *record = _records.data() + _record_count;
+	_left.take_difference(_used, _unseen);
+	for (const int slot : _left) {
+		const Place &place = _places[size_t(slot)];
+		const int x = place.tile.x, z = place.tile.z;
+		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
+		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) |
+				(_sharp.has(slot) ? GRASS_SLOT_EDGES : 0) | mapped;
+		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags }, { blend_of(slot), 0.0f, 0.0f, 0.0f } };
+		entries += count;
+	}
+	_record_count = size_t(record - _records.data());
+	_statistics.awake = _used.count();
+	_statistics.simulated = _left.count();
+	_statistics.settling = _settling.count();
+	_statistics.sharp_tiles = _sharp.count();
+	_statistics.tile_steps += uint64_t(_statistics.simulated);
+	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated - _statistics.still);
+	_statistics.still_steps += uint64_t(_statistics.still);
+	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
+	_touched.clear();
+	_stirred.clear();
+	_fresh.clear();
+}
+
+// Each tile's objects, in the order in which they were given.
+void TileManager::write_list() {
+	_collider_list.resize(_touches.size());
+	for (const Touch &touch : _touches) {
+		_collider_list[_entries[size_t(touch.slot)]++] = touch.collider;
+	}
+}
+
+} // namespace grass

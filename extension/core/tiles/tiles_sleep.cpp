@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// How TileManager puts tiles to sleep: by a timer as in section 5.2 of Fan et al. 2015, or by energy, their future work.
+#include "core/tiles/tiles.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace grass {
+
+namespace {
+
+// Seconds for which blades must be calm.
+constexpr double CALM_TIME = 0.5;
+// A tile is no longer calm above this multiple of the energy up to which it becomes so: twice the motion.
+constexpr float CALM_ENDS = 4.0f;
+// Seconds on the way to rest of a tile that is calm, at most: nothing is to be seen on it.
+constexpr double CALM_SETTLE_TIME = 0.1;
+// Seconds after the last touch at which a tile settles that never calmed down. Very soft blades swing this long.
+constexpr double LONGEST_AWAKE = 10.0;
+
+// An object that stands elsewhere than by these steps, metres and shares of a turn, is another one.
+constexpr double PLACE_STEP = 1e-3, TURN_STEP = 5e-3;
+
+uint64_t mix(uint64_t p_signature, uint64_t p_word) {
+	const uint64_t product = (p_signature ^ p_word) * 0x9e3779b97f4a7c15u;
+	return product ^ (product >> 32);
+}
+
+uint64_t sign_of(const ColliderShape &p_shape) {
+	uint64_t signature = mix(p_shape.owner, uint64_t(p_shape.type) + (uint64_t(p_shape.planes.size()) << 8));
+	const Eigen::Vector4d turn = p_shape.now.rotation.coeffs();
+	for (int i = 0; i < 3; i++) {
+		signature = mix(signature, std::bit_cast<uint64_t>(p_shape.size[i]));
+		signature = mix(signature, uint64_t(std::llround(p_shape.now.position[i] / PLACE_STEP)));
+		signature = mix(signature, uint64_t(std::llround(turn[i] / TURN_STEP)));
+	}
+	return signature;
+}
+
+} // namespace
+
+void TileManager::report_energy(const EnergyReport &p_report) {
+	if (p_report.step == _reported_step) {
+		return; // nothing new, and who was touched since then is not in it
+	}
+	_reported_step = p_report.step;
+	if (!p_report.bends.empty()) {
+		_bend_step = p_report.step;
+		_bends.assign(p_report.bends.begin(), p_report.bends.end());
+	}
+	for (const int slot : _used) {
+		if (size_t(slot) >= p_report.energies.size()) {
+			break;
+		}
+		Motion &motion = _motions[size_t(slot)];
+		const float energy = p_report.energies[size_t(slot)];
+		const bool is_older = int32_t(uint32_t(p_report.step) - motion.touched_step) < 0;
+		if (is_older || !std::isfinite(energy)) {
+			continue;
+		}
+		motion.energy = energy > 0.0f ? energy : 0.0f; // and no zero with a sign
+		double &calm_since = _times[size_t(slot)].calm_since;
+		if (motion.energy > CALM_ENDS * float(_params.sleep_energy)) {
+			calm_since = NEVER;
+		} else if (motion.energy <= float(_params.sleep_energy)) {
+			calm_since = std::min(calm_since, _time);
+		}
+	}
+}
+
+// Notes which objects stand where, so coarsely that trembling does not show but creeping does. Tiles whose objects are others than in the
+// last step are stirred.
+void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
+	std::swap(_signatures, _signatures_before);
+	std::fill(_signatures.begin(), _signatures.end(), 0);
+	uint32_t last = std::numeric_limits<uint32_t>::max();
+	uint64_t sign = 0;
+	_statistics.colliders = 0;
+	for (const Touch &touch : _touches) { // rising by collider
+		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
+		if (slot == SlotSet::NONE) {
+			continue;
+		}
+		if (touch.collider != last) {
+			last = touch.collider;
+			_statistics.colliders++;
+			sign = sign_of(p_colliders[last]);
+		}
+		uint64_t &signature = _signatures[size_t(slot)];
+		signature = mix(signature, sign);
+	}
+	for (const int slot : _touched) {
+		_stirred.insert_if(slot, _signatures[size_t(slot)] != _signatures_before[size_t(slot)]);
+	}
+}
+
+// Those that are touched first, then the others: which of the two a slot is cannot be foreseen.
+void TileManager::deactivate_tiles(double p_delta) {
+	_unseen.clear();
+	_settling.take_difference(_settling, _touched);
+	_statistics.still = 0;
+	for (const int slot : _touched) {
+		keep_awake(slot, _stirred.has(slot));
+		const bool still = is_still(slot);
+		_statistics.still += still;
+		const bool unseen = still || (is_idle(slot) && !is_seen(_places[size_t(slot)]));
+		_unseen.insert_if(slot, unseen);
+		_times[size_t(slot)].simulated += unseen ? 0.0 : p_delta;
+	}
+	_left.take_difference(_used, _touched);
+	for (const int slot : _left) {
+		const bool is_unseen = is_idle(slot) && !is_seen(_places[size_t(slot)]);
+		if (blend_of(slot) >= 1.0f || ((is_unseen || _has_passed_unseen) && is_past(slot))) {
+			retire(slot, true);
+			_free.give_back(slot);
+		} else if (is_unseen) {
+			_unseen.insert(slot);
+		} else if (should_settle(slot)) {
+			settle(slot, p_delta);
+		}
+	}
+	_has_passed_unseen = false;
+}
+
+void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
+	Times &times = _times[size_t(p_slot)];
+	times = { _time, p_is_stirred ? _time : times.stirred, NEVER, p_is_stirred ? 0.0 : times.simulated };
+	_motions[size_t(p_slot)] = { NO_ENERGY, uint32_t(_step_number) };
+}
+
+// No object has moved in it for a while.
+bool TileManager::is_idle(int p_slot) const {
+	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
+}
+
+// Simulated for so long since then that its blades, whatever they do, are where they will be. Those that two bodies mash, or whose root is
+// in one, would tremble for ever.
+bool TileManager::is_still(int p_slot) const {
+	return _params.sleep_mode == SleepMode::ENERGY && _times[size_t(p_slot)].simulated >= _params.still_delay;
+}
+
+bool TileManager::is_calm(int p_slot) const {
+	return _params.sleep_mode == SleepMode::ENERGY && _motions[size_t(p_slot)].energy <= float(_params.sleep_energy) &&
+			_time - _times[size_t(p_slot)].calm_since >= CALM_TIME;
+}
+
+// Would be at rest by now, for all that anybody can tell who did not see it.
+bool TileManager::is_past(int p_slot) const {
+	return _settling.has(p_slot) || is_calm(p_slot) || _time - _times[size_t(p_slot)].touched >= _params.sleep_delay + _params.settle_time;
+}
+
+bool TileManager::should_settle(int p_slot) const {
+	if (_settling.has(p_slot) || is_calm(p_slot)) {
+		return true;
+	}
+	double delay = _params.sleep_delay;
+	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer holds where nothing is reported
+		delay = _motions[size_t(p_slot)].energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
+	}
+	return _time - _times[size_t(p_slot)].touched >= delay;
+}
+
+// Takes the share of what is left of the way that brings the tile to rest in time, at even pace.
+void TileManager::settle(int p_slot, double p_delta) {
+	Life &life = _lives[size_t(p_slot)];
+	if (!_settling.has(p_slot)) {
+		_settling.insert(p_slot);
+		life.settle_left = is_calm(p_slot) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
+	}
+	// What rounding leaves of a step is no step of its own.
+	const bool arrives = life.settle_left <= p_delta * 1.0001;
+	life.blend = arrives ? 1.0f : float(p_delta / life.settle_left);
+	life.settle_left -= p_delta;
+}
+
+// Announces that the slot's tile is at rest from now on. The slot is its caller's. p_is_at_rest: it was so before.
+void TileManager::retire(int p_slot, bool p_is_at_rest) {
+	const Place &place = _places[size_t(p_slot)];
+	const int x = place.tile.x, z = place.tile.z;
+	(p_is_at_rest ? _statistics.slept : _statistics.evicted)++;
+	_records[_record_count++] = { { x, z, _grid.get_index(x, z), p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {} };
+	_slot_of_tile.erase(x, z);
+	_used.erase(p_slot);
+	_settling.erase(p_slot);
+}
+
+} // namespace grass

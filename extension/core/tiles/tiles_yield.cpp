@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Which tiles give their slots to others while the pool is full: the calmest.
+#include "core/tiles/tiles.h"
+
+#include <array>
+#include <bit>
+#include <functional>
+
+namespace grass {
+
+// The slot of the calmest tile that no object touches in this step, retired; NONE if all are touched: two tiles under
+// objects would otherwise take the slot from each other in every step. p_wanted: how many slots are asked for in this
+// step from now on.
+int TileManager::take_calmest_slot(size_t p_wanted) {
+	if (!_yielding_known) {
+		_yielding_known = true;
+		find_yielding(p_wanted);
+	}
+	if (_yielding.empty()) {
+		return SlotSet::NONE;
+	}
+	const int slot = int(_yielding.back() & ((1 << SLOT_BITS) - 1));
+	_yielding.pop_back();
+	retire(slot, blend_of(slot) >= 1.0f);
+	return slot;
+}
+
+TileManager::Calm TileManager::calm_of(int p_slot) const {
+	const Motion &motion = _motions[size_t(p_slot)];
+	constexpr uint32_t OLDEST = (1u << AGE_BITS) - 1;
+	const uint32_t age = std::min(uint32_t(_step_number) - motion.touched_step, OLDEST); // steps since the last touch
+	const Calm is_up = _settling.has(p_slot) ? 0 : 1;
+	return (((is_up << 31 | std::bit_cast<uint32_t>(motion.energy)) << AGE_BITS) | (OLDEST - age)) << SLOT_BITS | Calm(p_slot);
+}
+
+// The calmest p_wanted tiles, calmest last.
+void TileManager::find_yielding(size_t p_wanted) {
+	constexpr size_t SAMPLES = 64;
+	_calm.resize(size_t(_params.pool_size));
+	_yielding.resize(size_t(_params.pool_size));
+	size_t count = 0;
+	_left.take_difference(_used, _touched);
+	for (const int slot : _left) {
+		_calm[count++] = calm_of(slot);
+	}
+	// Few of many are wanted: a sample tells about how calm they are, and all others are out without being sorted.
+	Calm bound = ~Calm(0);
+	if (count > SAMPLES * 4) {
+		std::array<Calm, SAMPLES> samples;
+		for (size_t i = 0; i < SAMPLES; i++) {
+			samples[i] = _calm[i * count / SAMPLES];
+		}
+		std::sort(samples.begin(), samples.end());
+		const size_t rank = p_wanted * SAMPLES / count + SAMPLES / 16;
+		bound = rank < SAMPLES ? samples[rank] : bound;
+	}
+	size_t chosen = 0;
+	for (size_t i = 0; i < count; i++) {
+		_yielding[chosen] = _calm[i];
+		chosen += _calm[i] <= bound ? 1 : 0;
+	}
+	if (chosen < p_wanted) { // the sample was wrong
+		std::copy_n(_calm.begin(), count, _yielding.begin());
+		chosen = count;
+	}
+	_yielding.resize(chosen);
+	if (p_wanted < chosen) {
+		std::nth_element(_yielding.begin(), _yielding.begin() + std::ptrdiff_t(p_wanted), _yielding.end());
+		_yielding.resize(p_wanted);
+	}
+	std::sort(_yielding.begin(), _yielding.end(), std::greater());
+}
+
+} // namespace grass

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Where a solid shape stands over the ground: what a mower's deck or a region that a game asks about covers.
+#pragma once
+
+#include "core/bodies/body_shape.h"
+
+#include <optional>
+
+namespace grass {
+
+class Footprint {
+public:
+	// p_shape at its pose `now`, field space. What ColliderShape::sanitise() refuses covers nothing.
+	explicit Footprint(const ColliderShape &p_shape);
+
+	bool is_empty() const { return !_usable; }
+	Eigen::Vector2d get_min() const { return _min; }
+	Eigen::Vector2d get_max() const { return _max; }
+	Eigen::Vector2d get_centre() const { return 0.5 * (_min + _max); }
+
+	// Between which heights the shape stands over a place (x, z in metres), metres above the field.
+	struct Span {
+		double low, high;
+	};
+	std::optional<Span> get_span(const Eigen::Vector2d &p_place) const;
+
+private:
+	ColliderShape _shape;
+	bool _usable = false;
+	Eigen::Matrix3d _to_shape;
+	Eigen::Vector2d _min = Eigen::Vector2d::Zero(), _max = Eigen::Vector2d::Zero();
+};
+
+} // namespace grass

@@ -1,0 +1,237 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Chooses the tiles to draw and to cast shadows, and the detail of each: one thread a tile, in two dispatches of the same
+// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of a MultiMesh's
+// instance buffer, writes the instances there, and the indirect command of each surface. What one camera sees is drawn for
+// all of them, as finely as the nearest needs it.
+// Fields of more tiles than a MultiMesh has room for take two more dispatches in between, which do nothing unless so many
+// are chosen: GRASS_CULL_TURNS counts the tiles of each turn; GRASS_CULL_FIT (one workgroup) decides which ranks have room.
+#extension GL_GOOGLE_include_directive : require
+
+#include "base/constants.inc"
+#include "base/structs.inc"
+#include "base/hash.inc"
+#include "detail/lod.inc"
+#include "detail/levels.inc"
+
+layout(local_size_x = GRASS_CULL_GROUP) in;
+
+layout(push_constant) uniform Phase {
+	uvec4 phase; // x: GRASS_CULL_*; y: tiles of the field; z, w: instances that the MultiMeshes of picture and shadows hold
+};
+
+layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
+	GrassView view;
+};
+layout(set = 0, binding = GRASS_CULL_CAMERAS, std430) readonly buffer CameraBuffer {
+	GrassCamera cameras[];
+};
+// Slot + 1 of each tile in the pool, 0 without one. Written by simulate; lives as long as the field.
+layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
+	int table[];
+};
+// What is drawn: tiles counted and written at each level; blades, and tiles that have no room, in picture and shadows. Where
+// there are such: how many ranks have room, and the tiles of each level and turn. Cleared before the first phase.
+layout(set = 0, binding = GRASS_CULL_COUNTS, std430) buffer CountBuffer {
+	uint counted[GRASS_ALL_LEVELS];
+	uint written[GRASS_ALL_LEVELS];
+	uint blades_written[2];
+	uint left_out[2];
+	uint ranks[2];
+	uint turns[GRASS_ALL_LEVELS * GRASS_TURNS];
+};
+// The MultiMeshes' own buffers: read by the renderer when it draws.
+layout(set = 0, binding = GRASS_CULL_INSTANCES, std430) writeonly buffer InstanceBuffer {
+	float instances[];
+};
+layout(set = 0, binding = GRASS_CULL_COMMANDS, std430) buffer CommandBuffer {
+	uint commands[];
+};
+layout(set = 0, binding = GRASS_CULL_SHADOW_INSTANCES, std430) writeonly buffer ShadowInstanceBuffer {
+	float shadow_instances[];
+};
+layout(set = 0, binding = GRASS_CULL_SHADOW_COMMANDS, std430) buffer ShadowCommandBuffer {
+	uint shadow_commands[];
+};
+
+// Lowest and highest ground of each tile, low > high where nothing stands, metres. Written by the CPU when the map changes;
+// only fields with a map have it.
+layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer {
+	vec2 cover[];
+};
+
+// The workgroup's own tiles of each level, where its stretch of the level begins, and its blades. One atomic a level and
+// workgroup on the shared counters instead of one a tile.
+shared uint group_tiles[GRASS_ALL_LEVELS];
+shared uint group_first[GRASS_ALL_LEVELS];
+shared uint group_blades[2];
+// How a tile is drawn, or casts its shadow.
+struct Choice {
+	int level; // of GRASS_ALL_LEVELS; -1: not at all
+	float blades;
+	float morph;
+	uint place; // among the workgroup's tiles of the level
+};
+
+#include "detail/room.inc"
+
+// What a tile needs: blades, and segments of each (core/detail/lod.h: LodNeed).
+void add_need(inout vec2 r_need, GrassCamera p_camera, float p_distance, float p_coarseness) {
+	float pixel = (p_camera.pixel.x + p_camera.pixel.y * p_distance) * p_coarseness;
+	float by_distance = grass_lod_blades(p_distance, p_camera.eye.w, view.lod.x);
+	float by_width = grass_lod_blades_of_width(view.blades.y, view.lod.z * pixel);
+	r_need = max(r_need, vec2(min(by_distance, by_width), grass_lod_needed(view.blades.z, view.lod.y * pixel)));
+}
+
+Choice choose(vec2 p_need, float p_hash, int p_first, int p_end) {
+	Choice choice = Choice(-1, 0.0, 0.0, 0u);
+	if (p_need.x > 0.0) {
+		int segments = min(grass_lod_segments(p_need.y), GRASS_SEGMENTS_OF[p_first]);
+		choice.blades = grass_lod_shown(p_need.x, p_hash);
+		choice.level = grass_lod_level(choice.blades, segments, p_first, p_end);
+		choice.morph = grass_lod_morph(p_need.y, segments);
+	}
+	return choice;
+}
+
+bool casts_into(GrassCamera p_camera, vec3 p_middle, vec3 p_half) {
+	if (grass_tile_visible(p_camera.planes, p_middle, p_half, view.shadow.x, vec3(0.0))) {
+		return true;
+	}
+	for (uint i = 0u; i < view.counts.y; i++) {
+		if (grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0, view.falls[i].xyz)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// What the cameras need of a tile, for the picture (xy) and for shadows (zw).
+vec4 find_needs(vec3 p_middle, vec3 p_half) {
+	vec2 seen = vec2(0.0), casting = vec2(0.0);
+	for (uint i = 0u; i < view.counts.x; i++) {
+		float eye_distance = max(distance(cameras[i].eye.xyz, p_middle), cameras[i].eye.w);
+		float lod_distance = cameras[i].pixel.y > 0.0 ? eye_distance : cameras[i].eye.w; // an orthogonal camera sees all alike
+		if (grass_tile_visible(cameras[i].planes, p_middle, p_half, 0.0, vec3(0.0))) {
+			add_need(seen, cameras[i], lod_distance, 1.0);
+		}
+		if (eye_distance < view.shadow.y && casts_into(cameras[i], p_middle, p_half)) {
+			add_need(casting, cameras[i], lod_distance, view.lod.w);
+		}
+	}
+	return vec4(seen, casting);
+}
+
+// Adds a tile to the workgroup's.
+void enlist(inout Choice r_choice, int p_list) {
+	if (r_choice.level >= 0) {
+		r_choice.place = atomicAdd(group_tiles[r_choice.level], 1u);
+		atomicAdd(group_blades[p_list], uint(ceil(r_choice.blades)));
+	}
+}
+
+float[GRASS_INSTANCE_FLOATS] make_instance(ivec2 p_tile, vec3 p_centre, Choice p_choice, float p_hash, int p_slot) {
+	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
+	int high = p_slot == GRASS_NO_SLOT ? 0 : p_slot / GRASS_SLOT_HALF;
+	uint start = grass_tile_start(uint(p_tile.x), uint(p_tile.y), view.counts.z);
+	return float[GRASS_INSTANCE_FLOATS](
+			1.0, 0.0, 0.0, p_centre.x,
+			0.0, 1.0, 0.0, p_centre.y,
+			0.0, 0.0, 1.0, p_centre.z,
+			float(p_tile.x), float(p_tile.y), p_choice.blades, p_choice.morph,
+			float(start / uint(GRASS_START_STRIDE)), float(low), p_hash, float(high));
+}
+
+void write_command(int p_level) {
+	bool casts = p_level >= GRASS_LOD_LEVELS;
+	uint first = first_instance(p_level), count = counted[p_level];
+	uint command = uint(casts ? p_level - GRASS_LOD_LEVELS : p_level) * uint(GRASS_COMMAND_WORDS);
+	if (casts) {
+		shadow_commands[command + 1u] = count; // instanceCount
+		shadow_commands[command + 4u] = first; // firstInstance
+	} else {
+		commands[command + 1u] = count;
+		commands[command + 4u] = first;
+	}
+}
+
+void main() {
+	int thread = int(gl_LocalInvocationID.x);
+	if (phase.x == uint(GRASS_CULL_TURNS) || phase.x == uint(GRASS_CULL_FIT)) {
+		if (!is_crowded()) {
+			return;
+		}
+		if (phase.x == uint(GRASS_CULL_FIT)) {
+			fit(thread);
+			return;
+		}
+	}
+	if (thread < GRASS_ALL_LEVELS) {
+		group_tiles[thread] = 0u;
+	}
+	if (thread < 2) {
+		group_blades[thread] = 0u;
+	}
+	barrier();
+
+	// Fields of millions of tiles take more workgroups than fit in one row.
+	uint tile_index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GRASS_CULL_GROUP);
+	bool exists = tile_index < phase.y;
+	ivec2 tiles = ivec2(view.field.xy);
+	ivec2 tile = ivec2(int(tile_index) % tiles.x, int(tile_index) / tiles.x);
+	vec2 place = (vec2(tile) + 0.5 - 0.5 * view.field.xy) * view.field.z;
+	vec3 centre = vec3(place.x, 0.0, place.y);
+	float side = 0.5 * view.field.z + view.blades.x;
+	vec2 ground = exists && view.counts.w == 1u ? cover[tile_index] : vec2(0.0);
+	vec3 half_extents = vec3(side, 0.5 * (view.field.w + ground.y - ground.x), side);
+	bool stands = exists && ground.x <= ground.y; // else it is bare
+	vec4 needs = stands ? find_needs(centre + vec3(0.0, ground.x + half_extents.y, 0.0), half_extents) : vec4(0.0);
+	float hash = grass_tile_hash(uint(tile.x), uint(tile.y), view.counts.z);
+	Choice drawn = choose(needs.xy, hash, 0, GRASS_LOD_LEVELS);
+	Choice casting = choose(needs.zw, hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
+	uint turn = grass_tile_turn(uint(tile.x), uint(tile.y), view.counts.z);
+	if (phase.x == uint(GRASS_CULL_TURNS)) {
+		count_turn(drawn.level, turn);
+		count_turn(casting.level, turn);
+		return;
+	}
+	make_room(drawn, turn, 0);
+	make_room(casting, turn, 1);
+	enlist(drawn, 0);
+	enlist(casting, 1);
+	barrier();
+
+	if (phase.x == uint(GRASS_CULL_COUNT)) {
+		if (thread < GRASS_ALL_LEVELS && group_tiles[thread] > 0u) {
+			atomicAdd(counted[thread], group_tiles[thread]);
+		}
+		return;
+	}
+	if (thread < 2 && group_blades[thread] > 0u) {
+		atomicAdd(blades_written[thread], group_blades[thread]);
+	}
+	if (thread < GRASS_ALL_LEVELS) {
+		if (group_tiles[thread] > 0u) {
+			group_first[thread] = first_instance(thread) + atomicAdd(written[thread], group_tiles[thread]);
+		}
+		if (gl_WorkGroupID.x + gl_WorkGroupID.y == 0u) {
+			write_command(thread);
+		}
+	}
+	barrier();
+	int slot = exists ? table[tile_index] - 1 : GRASS_NO_SLOT;
+	if (drawn.level >= 0 && group_first[drawn.level] + drawn.place < phase.z) {
+		float values[GRASS_INSTANCE_FLOATS] = make_instance(tile, centre, drawn, hash, slot);
+		uint at = (group_first[drawn.level] + drawn.place) * uint(GRASS_INSTANCE_FLOATS);
+		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
+			instances[at + uint(i)] = values[i];
+		}
+	}
+	if (casting.level >= 0 && group_first[casting.level] + casting.place < phase.w) {
+		float values[GRASS_INSTANCE_FLOATS] = make_instance(tile, centre, casting, hash, slot);
+		uint at = (group_first[casting.level] + casting.place) * uint(GRASS_INSTANCE_FLOATS);
+		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
+			shadow_instances[at + uint(i)] = values[i];
+		}
+	}
+}

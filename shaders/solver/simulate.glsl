@@ -1,0 +1,290 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade; a thread whose own blade stands at rest takes one
+// that does not. Dispatched over the GrassSlot records. Twin of core/solver/simulate.cpp.
+#extension GL_GOOGLE_include_directive : require
+#pragma variant GRASS_SPECIES // for fields with species
+#pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
+#pragma variant GRASS_SPECIES_EDGES
+#pragma variant GRASS_FREE // for tiles without colliders: a third of the code, and METHOD_DIRECT takes 40 % less time
+#pragma variant GRASS_SPECIES_FREE
+#ifdef GRASS_SPECIES_EDGES
+#define GRASS_SPECIES
+#define GRASS_EDGES
+#endif
+#ifdef GRASS_SPECIES_FREE
+#define GRASS_SPECIES
+#define GRASS_FREE
+#endif
+
+#include "base/constants.inc"
+#include "base/structs.inc"
+#include "base/hash.inc"
+#include "blades/clump.inc"
+#include "blades/blade.inc"
+
+layout(local_size_x = GRASS_BLADES_PER_TILE) in;
+layout(constant_id = GRASS_CONSTANT_METHOD) const int METHOD = GRASS_METHOD_DIRECT;
+
+layout(push_constant, std430) uniform StepBlock {
+#ifdef GRASS_SPECIES
+	GrassStep field_step;
+#else
+	GrassStep step;
+#endif
+};
+#ifdef GRASS_SPECIES
+GrassStep step; // this thread's: as its blade's species takes it
+int own_species; // whose quick joints are this thread's
+#endif
+
+#ifdef GRASS_FREE
+#define KNOT_COUNT GRASS_KNOTS
+#else
+// GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
+// and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
+// colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
+#define KNOT_COUNT int(step.field.w)
+#endif
+// The same for any number of rounds.
+#define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
+
+// Written by the CPU for this step.
+layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
+	GrassSlot slots[];
+};
+layout(set = 0, binding = GRASS_BINDING_COLLIDERS, std430) restrict readonly buffer ColliderBuffer {
+	GrassCollider colliders[];
+};
+layout(set = 0, binding = GRASS_BINDING_COLLIDER_LIST, std430) restrict readonly buffer ColliderListBuffer {
+	uint collider_list[];
+};
+layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer PlaneBuffer {
+	vec4 planes[];
+};
+
+// The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
+// [slot][half][component][knot][blade]. One half holds the places now, the other one those of the step before; a step writes its places over the
+// latter, and the halves change roles: so nothing is copied. Within a step the places now are what is called start below, and the
+// other half is `before`: METHOD_DIRECT keeps there what its stage aims at, since what else a thread keeps for itself would push it out of the caches.
+layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
+	float pool_knots[];
+};
+// By slot. Lowest bit: which half holds the places now. The others: for how many steps to take all blades without asking which ones stand
+// at rest.
+layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
+	uint pool_half[];
+};
+// So many, where none did.
+#define STEPS_UNASKED 7u
+// Twists of the joints below knots 2 .. 15, radians, and the blade's length, metres, as [slot][joint, the length last][blade].
+layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
+	float pool_twists[];
+};
+
+// Written once, when the field is made.
+layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
+// Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians.
+layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict writeonly image2D pool_texture;
+// Written here, read by the CPU some frames later; by slot: the liveliest blade's energy, J/kg; the tile's bend, [Eq M5].
+layout(set = 0, binding = GRASS_BINDING_ENERGY, std430) restrict writeonly buffer EnergyBuffer {
+	vec4 slot_report[];
+};
+// Slot + 1 of every tile of the field, 0 without one: a new table is all zeros. Written here, read by cull.
+layout(set = 0, binding = GRASS_BINDING_TILE_TABLE, std430) restrict writeonly buffer TileTableBuffer {
+	int tile_table[];
+};
+// Written by the CPU when a tile of a field with a map or species wakes, and when the map changes below it; by slot and blade: factor
+// on the length; lean x, z; ground under the root, metres.
+layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer GrowthBuffer {
+	vec4 blade_growth[];
+};
+#ifdef GRASS_SPECIES
+// Written with blade_growth; by slot and blade, a byte each: the species.
+layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
+	uint blade_species[];
+};
+// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a complaint where a shader asks
+// a buffer for its length.
+layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly buffer SpeciesStepBuffer {
+	GrassStep species_steps[GRASS_MAX_SPECIES];
+};
+#endif
+
+// This thread's blade.
+GrassSlot slot;
+uint half_now; // that holds the slot's places now
+ivec2 texel; // of its knot 0 in the patch
+GrassClump clump;
+uint pool_start, pool_before; // of knot 2's x in either half
+uint twist_index; // of the first joint
+int pool_column; // of knot 0 in the pool texture
+
+#include "solver/pool.inc"
+
+// grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
+vec3 rest_of(int p_knot) {
+	vec3 place = texelFetch(patch_texture, texel + ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot, 0), 0).xyz;
+	precise vec3 knot = place * clump.height;
+	float x = clump.lean.x, z = clump.lean.y;
+	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
+	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
+	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
+	return rest;
+}
+
+#include "base/vector.inc"
+#include "bodies/collider.inc"
+#include "solver/edge.inc"
+
+#include "solver/share.inc"
+#include "solver/shape.inc"
+#include "solver/near.inc"
+#include "solver/contact.inc"
+#include "solver/touch.inc"
+#include "base/matrix.inc"
+#include "solver/joint.inc"
+#include "solver/beyond.inc"
+#include "solver/chain.inc"
+#ifdef GRASS_FREE
+#include "solver/quick.inc"
+#endif
+#include "solver/finish.inc"
+#include "solver/direct.inc"
+#include "solver/solve.inc"
+
+shared uint liveliest; // the bits of a float that is not negative order as the float does
+shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
+const float BEND_UNITS = 65536.0;
+
+#ifdef GRASS_FREE
+// Before the barriers of share_colliders().
+void share_quick_joints(uint p_thread) {
+#ifdef GRASS_SPECIES
+	if (p_thread < GRASS_MAX_SPECIES) { // more than there are: nobody reads those
+		vec4 motion = species_steps[p_thread].motion;
+		make_quick_joints(int(p_thread), motion.x, motion.y, step.chain.x);
+	}
+#else
+	if (p_thread == 0u) {
+		make_quick_joints(0, step.motion.x, step.motion.y, step.chain.x);
+	}
+#endif
+}
+#endif
+
+#ifdef GRASS_SPECIES
+// The blade's species, and its step.
+int find_species(uint p_blade) {
+	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + p_blade;
+	uint species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
+	GrassStep own = species_steps[species];
+	step.motion = own.motion;
+	step.load = own.load;
+	step.chain = own.chain;
+	step.energy = own.energy;
+	own_species = int(species);
+	return own_species;
+}
+#endif
+
+void find_blade(uint p_blade) {
+	int blade = int(slot.list.x + p_blade);
+#ifdef GRASS_SPECIES
+	blade += GRASS_PATCH_BLADES * find_species(p_blade);
+#endif
+	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
+	pool_column = int(p_blade);
+	const uint places = 3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE; // in a half
+	uint first = 2u * places * uint(slot.tile.w) + p_blade;
+	pool_start = first + half_now * places;
+	pool_before = first + (1u - half_now) * places;
+	twist_index = uint(slot.tile.w) * ((GRASS_FREE_KNOTS + 1u) * GRASS_BLADES_PER_TILE) + p_blade;
+	vec2 place = texelFetch(patch_texture, texel, 0).xy;
+	float ground = 0.0;
+	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
+		vec4 growth = blade_growth[slot.tile.w * GRASS_BLADES_PER_TILE + int(p_blade)];
+		clump = GrassClump(growth.x, growth.yz, 0.0);
+		ground = growth.w;
+	} else {
+		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
+	}
+	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
+	energy = 0.0;
+	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
+}
+
+#include "solver/wake.inc"
+
+// [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
+vec3 measure_bend() {
+	const int tip = GRASS_KNOTS - 1;
+	float reach = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
+	return clamp((start_of(tip) - rest_of(tip)) / reach, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
+}
+
+void main() {
+#ifdef GRASS_SPECIES
+	step = field_step;
+#endif
+	slot = slots[gl_WorkGroupID.x];
+#ifndef GRASS_EVERY_SLOT
+#if defined(GRASS_EDGES)
+	const uint own = GRASS_SLOT_EDGES;
+#elif defined(GRASS_FREE)
+	const uint own = GRASS_SLOT_FREE;
+#else
+	const uint own = 0u;
+#endif
+	if ((slot.list.w & (GRASS_SLOT_EDGES | GRASS_SLOT_FREE)) != own) {
+		return; // another variant's
+	}
+#endif
+	uint thread = gl_LocalInvocationID.x;
+	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
+	if (thread == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
+		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
+	}
+	if (is_retired) {
+		return;
+	}
+	if (thread == 0u) {
+		liveliest = 0u;
+		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
+	}
+	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
+	uint kept = pool_half[slot.tile.w];
+	half_now = kept & 1u;
+	uint unasked = is_fresh ? 0u : kept >> 1u;
+#ifdef GRASS_FREE
+	share_quick_joints(thread);
+#endif
+	share_colliders(thread);
+	find_blade(thread);
+	uint count = uint(GRASS_BLADES_PER_TILE);
+	if (unasked == 0u) {
+		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
+	}
+	if (thread < count) {
+		if (count < uint(GRASS_BLADES_PER_TILE)) {
+			find_blade(blade_of[thread]);
+		}
+		load_rest(is_fresh);
+		if (step.contact.x >= 1.0) { // else no time passes
+			step_blade(slot.list.z);
+		}
+		atomicMax(liveliest, floatBitsToUint(measured_energy()));
+		vec3 bend = measure_bend() * BEND_UNITS;
+		for (int c = 0; c < 3; c++) {
+			atomicAdd(bend_sum[c], int(round(bend[c])));
+		}
+	}
+	barrier();
+	if (thread == 0u) {
+		bool takes_time = step.contact.x >= 1.0;
+		pool_half[slot.tile.w] = (takes_time ? 1u - half_now : half_now) | ((max(unasked, 1u) - 1u) << 1u);
+		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
+		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
+	}
+}
