@@ -41,6 +41,7 @@ public:
 		CHANNEL_WEAR = MAP_WEAR,
 		CHANNEL_CUT = MAP_CUT,
 		CHANNEL_PAINT = MAP_PAINT,
+		CHANNEL_WEAR_REST = MAP_WEAR_REST,
 	};
 
 	void set_base_density(double p_density);

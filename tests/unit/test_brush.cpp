@@ -186,6 +186,32 @@ TEST_CASE("brush: a cut only shortens, grass grows again, and wear recovers") {
 	CHECK(map.sample(MAP_WEAR, 0, { 0, 0 }) == doctest::Approx(0.6));
 }
 
+TEST_CASE("brush: steps wear a place alike wherever it lies on the grid of texels, and light steps add up") {
+	for (const double amount : { 0.03, 0.01, 0.001 }) {
+		for (int place = 0; place < 25; place++) {
+			PaintMap map;
+			const double x = 10.0 + 0.1 * (place % 5), z = -7.0 + 0.1 * (place / 5);
+			const MapShape boot = disc(x, z, 0.4, 0.5, Falloff::SMOOTH);
+			for (int step = 0; step < 100; step++) {
+				apply_brush(map, boot, brush_of(MapTool::FLATTEN, 1.0, amount));
+			}
+			CAPTURE(x);
+			CAPTURE(z);
+			CHECK(map.sample(MAP_WEAR, 0, { x, z }) == doctest::Approx(1.0 - std::pow(1.0 - amount, 100)).epsilon(0.05));
+		}
+	}
+}
+
+TEST_CASE("map_shape: the most weight of a square is that of its point nearest to the shape") {
+	CHECK(disc(0, 0, 1.0, 0.0).get_most_weight({ 0.75, 0.0 }, 0.25) == doctest::Approx(0.5));
+	CHECK(disc(0, 0, 1.0, 0.0).get_most_weight({ 0.75, 0.75 }, 0.25) == doctest::Approx(1.0 - std::sqrt(0.5)));
+	CHECK(disc(0, 0, 1.0, 0.0).get_most_weight({ 0.1, -0.2 }, 0.25) == 1.0);
+	CHECK(disc(0, 0, 1.0, 0.0).get_most_weight({ 1.26, 0.0 }, 0.25) == 0.0);
+	const MapShape stroke = MapShape::stroke({ -2.0, -2.0 }, { 2.0, 2.0 }, 1.0, 0.0, Falloff::LINEAR);
+	CHECK(stroke.get_most_weight({ 1.0, -1.0 }, 0.5) == doctest::Approx(1.0 - std::sqrt(0.5)));
+	CHECK(stroke.get_most_weight({ 2.75, 2.0 }, 0.25) == doctest::Approx(0.5));
+}
+
 TEST_CASE("brush: limits of slope and height leave the rest alone") {
 	PaintMap map;
 	const double steep = std::sin(40.0 * PI / 180.0);

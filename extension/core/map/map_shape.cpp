@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace grass {
 
@@ -90,6 +91,35 @@ double MapShape::get_distance(const Eigen::Vector2d &p_place) const {
 		inside = inside && cross(b - a, p_place - a) >= 0.0;
 	}
 	return (inside ? -nearest : nearest) - _radius;
+}
+
+Eigen::Vector2d MapShape::get_nearest(const Eigen::Vector2d &p_place) const {
+	Eigen::Vector2d nearest = p_place;
+	double least = std::numeric_limits<double>::infinity();
+	bool inside = _corners.size() > 2;
+	for (size_t i = 0; i < _corners.size(); i++) {
+		const Eigen::Vector2d &a = _corners[i], &b = _corners[(i + 1) % _corners.size()];
+		const Eigen::Vector2d point = nearest_on_segment(p_place, a, b);
+		if (const double distance = (p_place - point).norm(); distance < least) {
+			least = distance;
+			nearest = point;
+		}
+		inside = inside && cross(b - a, p_place - a) >= 0.0;
+	}
+	return inside ? p_place : nearest;
+}
+
+// Two convex sets: going to and fro between them ends at the points that are nearest to each other.
+double MapShape::get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const {
+	constexpr int ROUNDS = 8; // one does for a disc
+	if (_corners.empty() || get_distance(p_centre) > p_half * std::numbers::sqrt2) {
+		return 0.0;
+	}
+	Eigen::Vector2d place = p_centre;
+	for (int round = 0; round < (_corners.size() > 1 ? ROUNDS : 1); round++) {
+		place = get_nearest(place).array().max(p_centre.array() - p_half).min(p_centre.array() + p_half).matrix();
+	}
+	return std::max(get_weight(place), get_weight(p_centre));
 }
 
 double MapShape::get_weight(const Eigen::Vector2d &p_place) const {

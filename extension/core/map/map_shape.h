@@ -36,10 +36,14 @@ public:
 	double get_distance(const Eigen::Vector2d &p_place) const;
 	// 0 outside .. 1 where the full effect is.
 	double get_weight(const Eigen::Vector2d &p_place) const;
+	// The most that any place has in a square of 2 * p_half metres around p_centre.
+	double get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const;
 	Eigen::Vector2d get_min() const { return _min; }
 	Eigen::Vector2d get_max() const { return _max; }
 
 private:
+	Eigen::Vector2d get_nearest(const Eigen::Vector2d &p_place) const; // of the hull
+
 	std::vector<Eigen::Vector2d> _corners; // of the hull, one after the other
 	double _radius = 0.0, _softness = 0.0;
 	Falloff _falloff = Falloff::SMOOTH;

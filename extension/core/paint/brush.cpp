@@ -2,6 +2,7 @@
 #include "core/paint/brush.h"
 
 #include "core/base/hash.h"
+#include "core/paint/fine_wear.h"
 #include "core/paint/hand_paint.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace grass {
 
 namespace {
 
-using Codes = std::array<int32_t, 4>; // of a texel's components
+using Codes = std::array<int32_t, 4>; // of a texel's components; of wear, the second is MAP_WEAR_REST
 
 // A number of the texel's own, 0 <= h < 1.
 double texel_hash(int p_i, int p_j) {
@@ -24,7 +25,12 @@ double texel_hash(int p_i, int p_j) {
 class Dab {
 public:
 	Dab(const PaintMap &p_map, const Brush &p_brush) :
-			_brush(p_brush), _channel(channel_of(p_brush)), _info(info_of(_channel)), _texels(p_map, _channel), _paint(p_map, MAP_PAINT) {
+			_brush(p_brush),
+			_channel(channel_of(p_brush)),
+			_info(info_of(_channel)),
+			_texels(p_map, _channel),
+			_paint(p_map, MAP_PAINT),
+			_rest(p_map, MAP_WEAR_REST) {
 		const Eigen::Vector2d direction = p_brush.direction.stableNormalized();
 		_target.fill(_info.code(p_brush.target));
 		if (p_brush.tool == MapTool::COMB) {
@@ -41,6 +47,7 @@ public:
 		for (int c = 0; c < _info.components; c++) {
 			codes[size_t(c)] = _texels.code(c, p_i, p_j);
 		}
+		codes[1] = wears() ? _rest.code(0, p_i, p_j) : codes[1];
 		return codes;
 	}
 
@@ -63,9 +70,10 @@ public:
 			case MapTool::REGROW:
 				codes[0] = p_now[0] + grown(p_weight);
 				break;
+			case MapTool::FLATTEN:
+				return codes_of(FineWear::of_codes(p_now[0], p_now[1]).raised(_target[0], p_weight));
 			case MapTool::RECOVER:
-				codes[0] = p_now[0] - grown(p_weight);
-				break;
+				return codes_of(FineWear::of_codes(p_now[0], p_now[1]).lowered(p_weight * _target[0]));
 			default:
 				for (int c = 0; c < _info.components; c++) {
 					codes[size_t(c)] = toward(p_now[size_t(c)], aim(p_now, c, p_i, p_j), p_weight);
@@ -77,6 +85,12 @@ public:
 		return codes;
 	}
 
+	// A boot leaves its full effect wherever it stands on the grid of texels: each feels its most trodden point.
+	double weight_at(const MapShape &p_shape, const Eigen::Vector2d &p_centre) const {
+		return _brush.tool == MapTool::FLATTEN ? p_shape.get_most_weight(p_centre, 0.5 * _info.texel_size()) : p_shape.get_weight(p_centre);
+	}
+
+	bool wears() const { return _channel == MAP_WEAR; }
 	bool paints() const { return _channel == MAP_DENSITY; }
 	HandPaint read_paint(int p_i, int p_j) {
 		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
@@ -94,7 +108,6 @@ private:
 		const size_t c = size_t(p_component);
 		switch (_brush.tool) {
 			case MapTool::PAINT:
-			case MapTool::FLATTEN:
 				return std::max(p_now[c], _target[c]);
 			case MapTool::ERASE:
 				return 0;
@@ -116,12 +129,13 @@ private:
 		return int32_t(std::round(sum / 16.0));
 	}
 
+	static Codes codes_of(const FineWear &p_wear) { return { p_wear.wear(), p_wear.rest() }; }
 	int32_t grown(double p_weight) const { return int32_t(std::round(p_weight * (_target[0] - _info.zero))); }
 
 	const Brush &_brush;
 	MapChannel _channel;
 	const MapChannelInfo &_info;
-	MapReader _texels, _paint;
+	MapReader _texels, _paint, _rest;
 	Codes _target{};
 };
 
@@ -176,15 +190,15 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 	MapReader ground(r_map, MAP_GROUND), normal(r_map, MAP_NORMAL);
 	const MapChannelInfo &info = info_of(dab.channel());
 	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
-	// Texels whose centres the shape may hold; first all are read, then all written, so that their order does not matter.
-	const Eigen::Array2d low = (p_shape.get_min().array() / size - 0.5).ceil(), high = (p_shape.get_max().array() / size - 0.5).floor();
+	// Texels that the shape may hold; first all are read, then all written, so that their order does not matter.
+	const Eigen::Array2d low = (p_shape.get_min().array() / size).floor(), high = (p_shape.get_max().array() / size).ceil() - 1.0;
 	result.out_of_room = (low < -reach).any() || (high >= reach).any();
 	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();
 	std::vector<Edit> edits;
 	for (int j = first.y(); j <= last.y(); j++) {
 		for (int i = first.x(); i <= last.x(); i++) {
 			const Eigen::Vector2d centre((i + 0.5) * size, (j + 0.5) * size);
-			const double weight = strength * p_shape.get_weight(centre);
+			const double weight = strength * dab.weight_at(p_shape, centre);
 			if (weight > 0.0 && p_brush.limits.allows(ground, normal, centre)) {
 				const Codes now = dab.read(i, j), after = dab.changed(now, i, j, weight);
 				const HandPaint paint_now = dab.read_paint(i, j), paint = dab.painted(paint_now, now, i, j, weight);
@@ -201,13 +215,17 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 		for (int c = 0; c < info.components && written; c++) {
 			written = r_map.set_code(dab.channel(), c, edit.i, edit.j, edit.after[size_t(c)]);
 		}
+		if (written && dab.wears()) {
+			written = r_map.set_code(MAP_WEAR_REST, 0, edit.i, edit.j, edit.after[1]);
+		}
 		if (written && dab.paints()) {
 			written = r_map.set_code(MAP_PAINT, 0, edit.i, edit.j, edit.paint.density) &&
 					r_map.set_code(MAP_PAINT, 1, edit.i, edit.j, edit.paint.cover);
 		}
 		result.out_of_room = result.out_of_room || !written;
 		if (written) {
-			result.amount += (double(edit.after[0]) - edit.before[0]) * info.unit * size * size;
+			const double rest = dab.wears() ? double(edit.after[1] - edit.before[1]) / FineWear::PARTS : 0.0;
+			result.amount += (edit.after[0] - edit.before[0] + rest) * info.unit * size * size;
 			changed.insert(key_of(dab.channel(), edit.i, edit.j));
 			low_edit = low_edit.min(Eigen::Array2i(edit.i, edit.j));
 			high_edit = high_edit.max(Eigen::Array2i(edit.i + 1, edit.j + 1));
