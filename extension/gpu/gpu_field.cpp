@@ -22,22 +22,23 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-static_assert(GRASS_CONSTANT_METHOD == 0); // the one that GpuPass::Code::constant sets
-const GpuPass::Code CULL = { shader::CULL_SPIRV, "GrassField cull" };
+const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull" };
 
-GpuPass::Code simulate_code(const PassKind &p_kind) {
-	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV,
-		"GrassField simulate", int(p_kind.method) };
-}
+// What a tile meets, and so which of a field's passes simulates it.
+enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE };
 
-GpuPass::Code edges_code(const PassKind &p_kind) {
-	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : shader::SIMULATE_GRASS_EDGES_SPIRV,
-		"GrassField simulate edges", int(p_kind.method) };
-}
-
-GpuPass::Code free_code(const PassKind &p_kind) {
-	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV) : shader::SIMULATE_GRASS_FREE_SPIRV,
-		"GrassField simulate free", int(p_kind.method) };
+PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
+	struct Variant {
+		std::span<const uint32_t> grass, species;
+		const char *name;
+	};
+	static const Variant variants[] = {
+		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate" },
+		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges" },
+		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free" },
+	};
+	const Variant &variant = variants[p_tiles];
+	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method) };
 }
 
 } // namespace
@@ -58,7 +59,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 
 void GpuField::begin_passes(const PassKind &p_kind) {
 	GpuPass::prepare(CULL);
-	GpuPass::prepare(simulate_code(p_kind));
+	GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
 }
 
 void GpuField::look_for_passes() {
@@ -68,9 +69,10 @@ void GpuField::look_for_passes() {
 }
 
 void GpuField::prepare(const PassKind &p_kind) {
-	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind)), has_free = GpuPass::prepare(free_code(p_kind)),
-			   has_edges = GpuPass::prepare(edges_code(p_kind));
-	const bool is_complete = can_simulate && has_free && has_edges && !GpuPass::is_refused(simulate_code(p_kind));
+	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind, TILES_ALL)),
+			   has_free = GpuPass::prepare(simulate_code(p_kind, TILES_FREE)),
+			   has_edges = GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
+	const bool is_complete = can_simulate && has_free && has_edges && !GpuPass::is_refused(simulate_code(p_kind, TILES_ALL));
 	std::lock_guard lock(_report->mutex);
 	_report->prepared[p_kind.index()] = { can_simulate, is_complete };
 }
@@ -143,9 +145,9 @@ void GpuField::make_pool_texture() {
 }
 
 void GpuField::make_simulate() {
-	_simulate.create(simulate_code(_kind), GpuPass::Compile::LATER);
-	_simulate_free.create(free_code(_kind), GpuPass::Compile::LATER);
-	_simulate_edges.create(edges_code(_kind), GpuPass::Compile::LATER);
+	_simulate.create(simulate_code(_kind, TILES_ALL), GpuPass::Compile::LATER);
+	_simulate_free.create(simulate_code(_kind, TILES_FREE), GpuPass::Compile::LATER);
+	_simulate_edges.create(simulate_code(_kind, TILES_WITH_EDGES), GpuPass::Compile::LATER);
 }
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
@@ -153,6 +155,11 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	_table_changed = true; // other tiles may be drawn now
 	std::lock_guard lock(_report->mutex);
 	_report->statistics.uploaded_bytes += uploaded;
+}
+
+std::array<GpuBuffer *, 16> GpuField::buffers() {
+	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
+		&_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
 }
 
 void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
@@ -173,8 +180,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_simulate_edges.free();
 	_simulate_free.free();
 	_cull.free();
-	for (GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy, &_table,
-				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
+	for (GpuBuffer *buffer : buffers()) {
 		buffer->free();
 	}
 }
@@ -190,8 +196,7 @@ void GpuField::report_times() {
 // The report's mutex is held.
 void GpuField::report_memory() {
 	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
-	for (const GpuBuffer *buffer : { &_slot_records, &_colliders, &_collider_list, &_planes, &_knots, &_halves, &_twists, &_energy, &_table,
-				 &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts }) {
+	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes;

@@ -100,6 +100,7 @@ private:
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
+	std::array<GpuBuffer *, 16> buffers();
 	void fit_tables();
 	void make_pool_texture();
 	void make_simulate();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/render_queue.h"
 
+#include "gpu/compile_queue.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -25,7 +26,7 @@ RenderQueue *RenderQueue::get_singleton() {
 void RenderQueue::free_singleton() {
 	if (_singleton != nullptr) {
 		if (main_device() != nullptr) {
-			_singleton->post(&GpuPass::free_pipelines);
+			_singleton->post([] { CompileQueue::get().free_pipelines(); });
 			RenderingServer::get_singleton()->force_sync();
 		}
 		memdelete(_singleton);

@@ -2,6 +2,7 @@
 #include "nodes/grass_exclusion_3d.h"
 
 #include "nodes/params.h"
+#include "nodes/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -45,14 +46,7 @@ void GrassExclusion3D::changed() {
 }
 
 void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {
-	const Callable on_change = callable_mp(this, &GrassExclusion3D::changed);
-	if (_shape.is_valid()) {
-		_shape->disconnect("changed", on_change);
-	}
-	_shape = p_shape;
-	if (_shape.is_valid()) {
-		_shape->connect("changed", on_change);
-	}
+	watch_instead(_shape, p_shape, callable_mp(this, &GrassExclusion3D::changed));
 	changed();
 }
 

@@ -4,6 +4,7 @@
 #include "convert.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/watch_resource.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -45,14 +46,7 @@ PackedStringArray GrassFillRule::find_warnings() const {
 
 void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
 	GRASS_CHANGE_GUARD("GrassFillRule");
-	const Callable changed = callable_mp(this, &GrassFillRule::_mask_changed);
-	if (_mask.is_valid()) {
-		_mask->disconnect("changed", changed);
-	}
-	_mask = p_mask;
-	if (_mask.is_valid()) {
-		_mask->connect("changed", changed);
-	}
+	watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed));
 	_mask_changed();
 }
 

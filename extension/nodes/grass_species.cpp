@@ -3,6 +3,7 @@
 
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/watch_resource.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -21,35 +22,21 @@ GrassSpecies::GrassSpecies() {
 	}
 }
 
-// What changes in a part changes in the species.
-void GrassSpecies::swap_part(const Ref<Resource> &p_old, const Ref<Resource> &p_new) {
-	const Callable changed = callable_mp(this, &GrassSpecies::_part_changed);
-	if (p_old.is_valid()) {
-		p_old->disconnect("changed", changed);
-	}
-	if (p_new.is_valid()) {
-		p_new->connect("changed", changed);
-	}
-}
-
 void GrassSpecies::set_patch(const Ref<GrassPatch> &p_patch) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
-	swap_part(_patch, p_patch);
-	_patch = p_patch;
+	watch_instead(_patch, p_patch, callable_mp(this, &GrassSpecies::_part_changed));
 	emit_changed();
 }
 
 void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
-	swap_part(_gradient, p_gradient);
-	_gradient = p_gradient;
+	watch_instead(_gradient, p_gradient, callable_mp(this, &GrassSpecies::_part_changed));
 	emit_changed();
 }
 
 void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
-	swap_part(_card, p_card);
-	_card = p_card;
+	watch_instead(_card, p_card, callable_mp(this, &GrassSpecies::_part_changed));
 	_card_image.unref();
 	emit_changed();
 }

@@ -44,7 +44,6 @@ protected:
 
 private:
 	void _part_changed();
-	void swap_part(const godot::Ref<godot::Resource> &p_old, const godot::Ref<godot::Resource> &p_new);
 	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }
 
 	godot::Ref<GrassPatch> _patch;

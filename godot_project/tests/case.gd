@@ -8,10 +8,13 @@
 @tool
 extends Node3D
 
+const MOST_TEXT := 200 # characters of a value in a failure
+const MOST_FAILURES := 5 # of a test that are printed
 const PATIENCE := 300.0 # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
 
 var failures: Array[String] = []
 var skipped := ""
+var checks := 0 # assertions so far, and errors that the test expects
 var _expected: Array[String] = []
 
 
@@ -42,39 +45,47 @@ func wait_until(condition: Callable, what: String, by_ticks := false) -> bool:
 
 
 func assert_true(value: bool, message := "") -> bool:
+	checks += 1
 	return value or _fail("expected true", message)
 
 
 func assert_false(value: bool, message := "") -> bool:
+	checks += 1
 	return not value or _fail("expected false", message)
 
 
 func assert_eq(got: Variant, expected: Variant, message := "") -> bool:
+	checks += 1
 	var same := typeof(got) == typeof(expected) or _is_number(got) and _is_number(expected)
-	return same and got == expected or _fail("expected %s, got %s" % [expected, got], message)
+	return same and got == expected or _fail(_difference(got, expected), message)
 
 
 func assert_ne(got: Variant, unexpected: Variant, message := "") -> bool:
+	checks += 1
 	var same := typeof(got) == typeof(unexpected) or _is_number(got) and _is_number(unexpected)
-	return not (same and got == unexpected) or _fail("expected anything but %s" % unexpected, message)
+	return not (same and got == unexpected) or _fail("expected anything but " + _shortened(unexpected), message)
 
 
 ## `got` within `tolerance` of `expected`: numbers, or vectors by their distance. NaN is near nothing.
 func assert_near(got: Variant, expected: Variant, tolerance: float, message := "") -> bool:
+	checks += 1
 	var off: float = absf(got - expected) if _is_number(got) else (got - expected).length()
-	return off <= tolerance or _fail("expected %s within %s, got %s (off by %s)" % [expected, tolerance, got, off], message)
+	var words := [_shortened(expected), tolerance, _shortened(got), off]
+	return off <= tolerance or _fail("expected %s within %s, got %s (off by %s)" % words, message)
 
 
 func assert_less(got: Variant, bound: Variant, message := "") -> bool:
-	return got < bound or _fail("expected less than %s, got %s" % [bound, got], message)
+	checks += 1
+	return got < bound or _fail("expected less than %s, got %s" % [_shortened(bound), _shortened(got)], message)
 
 
 func assert_greater(got: Variant, bound: Variant, message := "") -> bool:
-	return got > bound or _fail("expected more than %s, got %s" % [bound, got], message)
+	checks += 1
+	return got > bound or _fail("expected more than %s, got %s" % [_shortened(bound), _shortened(got)], message)
 
 
 func fail(message: String) -> bool:
-	return _fail(message, "")
+	return _fail(_shortened(message), "")
 
 
 ## Ends the test's claim to be judged: `skip("no GPU"); return`. Skips are named and counted.
@@ -84,6 +95,7 @@ func skip(reason: String) -> void:
 
 ## The test provokes an error or warning whose text contains `part`, at least once; any number is then no failure.
 func expect_error(part: String) -> void:
+	checks += 1
 	_expected.append(part)
 
 
@@ -95,10 +107,18 @@ func judge(errors: Array) -> void:
 		if part:
 			seen[part] = true
 		elif not error.warning:
-			failures.append("%s: %s" % [error.where, error.text])
+			failures.append("%s: %s" % [error.where, _shortened(error.text)])
 	for part in _expected:
 		if not seen.has(part):
 			failures.append("expected an error with the words: " + part)
+	if checks == 0 and not failures and not skipped:
+		failures.append("%s: the test checks nothing" % get_script().resource_path)
+
+
+## For the runner: the failures in a few lines.
+func summary() -> String:
+	var text := " | ".join(failures.slice(0, MOST_FAILURES))
+	return text + (" | and %d more" % (failures.size() - MOST_FAILURES) if failures.size() > MOST_FAILURES else "")
 
 
 func _expectation(text: String) -> String:
@@ -112,11 +132,28 @@ func _is_number(value: Variant) -> bool:
 	return value is float or value is int
 
 
+## What differs; of long arrays the first elements that do, since a tile's knots fill pages.
+func _difference(got: Variant, expected: Variant) -> String:
+	if typeof(got) != typeof(expected) or typeof(got) < TYPE_ARRAY or str(got).length() + str(expected).length() <= MOST_TEXT:
+		return "expected %s, got %s" % [_shortened(expected), _shortened(got)]
+	if got.size() != expected.size():
+		return "expected %d elements, got %d" % [expected.size(), got.size()]
+	for i: int in got.size():
+		if typeof(got[i]) != typeof(expected[i]) or got[i] != expected[i]:
+			return "element %d of %d: expected %s, got %s" % [i, got.size(), _shortened(expected[i]), _shortened(got[i])]
+	return "NaN differs from itself"
+
+
+func _shortened(value: Variant) -> String:
+	var text := str(value)
+	return text if text.length() <= MOST_TEXT else "%s... (%d characters)" % [text.left(MOST_TEXT), text.length()]
+
+
 func _fail(what: String, message: String) -> bool:
 	var where := get_script().resource_path as String
 	for entry in get_stack():
 		if not entry.source.ends_with("tests/case.gd") and not entry.source.ends_with("tests/runner.gd"):
 			where = "%s:%d" % [entry.source, entry.line]
 			break
-	failures.append("%s: %s%s" % [where, what, " (%s)" % message if message else ""])
+	failures.append("%s: %s%s" % [where, what, " (%s)" % _shortened(message) if message else ""])
 	return false

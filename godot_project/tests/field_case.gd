@@ -158,9 +158,9 @@ func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i,
 	return knots
 
 
-## The farthest that a knot lies from the same knot in the other list, metres. NaN and INF count as INF.
+## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not finite.
 func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
-	if a.size() != b.size():
+	if a.size() != b.size() or a.is_empty():
 		return INF
 	var most := 0.0
 	for i in a.size():
@@ -169,20 +169,42 @@ func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	return most
 
 
-## The farthest that a blade of `tile` stands from where `knots` has it.
+## The farthest that a blade of a tile in `knots` stands from where `knots` has it. INF without tiles.
 func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Array]) -> float:
-	var most := 0.0
+	var most := 0.0 if knots else INF
 	for tile in knots:
 		most = maxf(most, farthest(tile_knots(field, tile), knots[tile]))
 	return most
 
 
+## Whether there are tiles, and every knot of theirs is finite.
 func all_finite(field: GrassField, tiles: Array[Vector2i]) -> bool:
 	for tile in tiles:
 		for knot in tile_knots(field, tile):
 			if not knot.is_finite():
 				return false
-	return true
+	return not tiles.is_empty()
+
+
+## Ticks until no tile is awake; fails after `limit`.
+func ticks_to_sleep(field: GrassField, limit := 1200) -> int:
+	for count in limit:
+		if field.get_awake_tile_count() == 0:
+			return count
+		await ticks(1)
+	fail("tiles are awake after %d ticks" % limit)
+	return limit
+
+
+## A ball just above the blades of `tile`: it wakes the tile and touches nothing.
+func add_ball_above(field: GrassField, tile: Vector2i) -> AnimatableBody3D:
+	var tip := -INF
+	for x: int in [-1, 0, 1]:
+		for z: int in [-1, 0, 1]:
+			for knot in tile_knots(field, tile + Vector2i(x, z)):
+				tip = maxf(tip, knot.y)
+	var center := field.get_tile_center(tile)
+	return add_held_body(ball(0.1), Vector3(center.x, tip + 0.11, center.z))
 
 
 ## Bends grass with a ball for some ticks and tells the farthest that a knot moved, metres.

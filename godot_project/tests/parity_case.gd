@@ -3,6 +3,7 @@
 extends "res://tests/field_case.gd"
 
 const PLACE := Vector3(0.25, 0.25, 0.25)
+const AT_REST := 1e-5 # of a blade's length, in tiles that are awake and that nothing touches
 
 var cpu: GrassField
 var gpu: GrassField
@@ -17,10 +18,13 @@ func add_pair(properties := {}) -> bool:
 	return assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")
 
 
-## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length, over all awake tiles.
+## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length. INF where a tile is asleep: then both fields
+## read its blades from the same place.
 func difference(tiles: Array[Vector2i]) -> float:
-	var most := 0.0
+	var most := 0.0 if tiles else INF
 	for tile in tiles:
+		if not (gpu.is_tile_awake(tile) and cpu.is_tile_awake(tile)):
+			return INF
 		for off in blade_differences(tile):
 			most = maxf(most, off)
 	return most
@@ -45,3 +49,15 @@ func share_apart(tiles: Array[Vector2i], limit: float) -> float:
 		for off in blade_differences(tile):
 			apart += int(off > limit)
 	return float(apart) / (tiles.size() * BLADES)
+
+
+## Compares both fields' blades in `tile` at rest, simulated: a ball above them wakes it.
+func assert_same_rest(tile: Vector2i) -> void:
+	var rest := tile_knots(cpu, tile)
+	var above := add_ball_above(cpu, tile)
+	await seen()
+	var off := difference([tile])
+	print("    parity at rest: %s of a blade's length" % String.num_scientific(off))
+	assert_less(off, AT_REST, "at rest")
+	assert_less(farthest(tile_knots(cpu, tile), rest), 1e-3, "metres: the ball touches no blade")
+	above.free()

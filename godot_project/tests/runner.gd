@@ -116,7 +116,7 @@ func _run(test: Dictionary) -> void:
 	if not case or not case.is_class("Node3D") or not case.has_method("judge") or not case.has_method(test.function):
 		if case:
 			case.free()
-		_finish(test.name, ['%s: does not load, has no test_*() or does not extend "res://tests/case.gd"' % test.path], "")
+		_finish(test.name, '%s: does not load, has no test_*() or does not extend "res://tests/case.gd"' % test.path, "")
 		return
 	add_child(case)
 	_done = false
@@ -132,7 +132,7 @@ func _run(test: Dictionary) -> void:
 		child.free()
 	await get_tree().process_frame # what was put off until now may report errors too
 	case.judge(_listener.take())
-	_finish(test.name, case.failures, case.skipped)
+	_finish(test.name, case.summary(), case.skipped)
 	case.free()
 
 
@@ -145,10 +145,10 @@ func _call(case: Node, function: String) -> void:
 	_done = true
 
 
-func _finish(test_name: String, failures: Array, skipped: String) -> void:
-	if failures:
+func _finish(test_name: String, failure: String, skipped: String) -> void:
+	if failure:
 		_failed += 1
-		_report("fail", "%s: %s" % [test_name, " | ".join(failures)])
+		_report("fail", "%s: %s" % [test_name, failure])
 	elif skipped:
 		_skipped += 1
 		_report("skip", "%s: %s" % [test_name, skipped])

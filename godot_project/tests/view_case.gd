@@ -101,3 +101,24 @@ func is_green(color: Color) -> bool:
 
 func is_red(color: Color) -> bool:
 	return color.r > 1.3 * color.g and color.r > 1.3 * color.b
+
+
+## A ball comes down to the tips of the field and goes: the tiles that it woke are drawn as they were asleep.
+func assert_waking_is_not_seen(field: GrassField) -> void:
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
+	await drawn()
+	var asleep := await picture()
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	add_shape(body, ball(0.05))
+	body.position = Vector3(0, 1.2, 0.5)
+	viewport.add_child(body)
+	for i in 120:
+		body.position.y -= 0.01
+		await ticks(1)
+		if field.get_awake_tile_count() > 0:
+			break
+	body.position.y = 5.0
+	await ticks(3)
+	if assert_greater(field.get_awake_tile_count(), 0):
+		assert_less(difference(asleep, await picture()).y, 5e-4)

@@ -2,6 +2,7 @@
 #include "fuzz_scene.h"
 
 #include "blade_scene.h"
+#include "draw_params.h"
 
 #include <array>
 #include <sstream>
@@ -42,14 +43,7 @@ private:
 
 SolverParams read_params(Bytes &r_bytes) {
 	const auto draw = [&](const Tunable &p_tunable) { return r_bytes.odd(r_bytes.between(p_tunable.minimum, p_tunable.maximum)); };
-	SolverParams params;
-	params.method = r_bytes.below(2) ? Method::PBD : Method::DIRECT;
-	params.natural_frequency = draw(NATURAL_FREQUENCY);
-	params.damping_ratio = draw(DAMPING_RATIO);
-	params.root_stiffness = draw(ROOT_STIFFNESS);
-	params.bend_stiffness = draw(BEND_STIFFNESS);
-	params.friction = draw(FRICTION);
-	params.max_speed = draw(MAX_SPEED);
+	SolverParams params = draw_params(r_bytes.below(2) ? Method::PBD : Method::DIRECT, draw);
 	params.iterations = r_bytes.below(14) - 1;
 	for (double &load : params.load) {
 		load = r_bytes.below(4) == 0 ? r_bytes.odd(r_bytes.between(-30.0, 30.0)) : 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "stress.h"
 
+#include "draw_params.h"
+
 #include "core/base/lanes.h"
 
 #include <doctest/doctest.h>
@@ -91,14 +93,7 @@ SolverParams Dice::params(Method p_method) {
 		const int where = below(10);
 		return where == 0 ? p_tunable.minimum : where == 1 ? p_tunable.maximum : within(p_tunable);
 	};
-	SolverParams params;
-	params.method = p_method;
-	params.natural_frequency = draw(NATURAL_FREQUENCY);
-	params.damping_ratio = draw(DAMPING_RATIO);
-	params.root_stiffness = draw(ROOT_STIFFNESS);
-	params.bend_stiffness = draw(BEND_STIFFNESS);
-	params.friction = draw(FRICTION);
-	params.max_speed = draw(MAX_SPEED);
+	SolverParams params = draw_params(p_method, draw);
 	params.iterations = int(std::lround(draw(ITERATIONS)));
 	if (below(3) == 0) {
 		const Eigen::Vector3f load = direction() * float(uniform(0.0, 20.0));

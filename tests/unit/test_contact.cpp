@@ -2,7 +2,8 @@
 // Contact: every shape, every speed, every degenerate place, by either method.
 #include <doctest/doctest.h>
 
-#include "blade_scene.h"
+#include "draw_params.h"
+#include "pass_through.h"
 
 #include <Eigen/Geometry>
 
@@ -17,18 +18,6 @@ const Eigen::Vector3f FORWARD = Eigen::Vector3f::UnitX();
 // The lowest height at which the shape stands on the ground.
 float standing_height(int p_shape) {
 	return p_shape == GRASS_SPHERE ? SIZE.x() : p_shape == GRASS_CAPSULE ? SIZE.x() + SIZE.y() : SIZE.y();
-}
-
-// Moves collider 0 along x through the blades at p_speed (m/s), calling p_check after every step.
-template <class Check> void pass_through(BladeScene &r_scene, float p_speed, float p_height, const Check &p_check, float p_rate = 60.0f) {
-	const float stride = p_speed / p_rate;
-	const int count = int(2.0f / stride) + 4;
-	for (int i = 0; i < count; i++) {
-		const float x = (float(i) - 0.5f * float(count) + 0.37f) * stride;
-		BladeScene::place(r_scene.colliders[0], { x - stride, p_height, 0.02f }, { x, p_height, 0.02f });
-		r_scene.step(1.0 / p_rate);
-		p_check(x);
-	}
 }
 
 } // namespace
@@ -252,12 +241,7 @@ TEST_CASE_TEMPLATE(
 		CAPTURE(round);
 		BladeScene scene(M::METHOD);
 		scene.step_function = ALL_STEPS[round % 3];
-		scene.params.natural_frequency = draw(NATURAL_FREQUENCY);
-		scene.params.root_stiffness = draw(ROOT_STIFFNESS);
-		scene.params.damping_ratio = draw(DAMPING_RATIO);
-		scene.params.bend_stiffness = draw(BEND_STIFFNESS);
-		scene.params.friction = draw(FRICTION);
-		scene.params.max_speed = draw(MAX_SPEED);
+		scene.params = draw_params(M::METHOD, draw);
 		scene.params.iterations = 1 + int(uniform(0.0, 9.99));
 		for (int i = 0; i < 60; i++) {
 			if (i % 7 == 0) {

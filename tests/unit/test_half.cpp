@@ -77,5 +77,5 @@ TEST_CASE("half: the ends of the range") {
 	CHECK(float_to_half(-0x1p-26f) == 0x8000);
 	CHECK(float_to_half(std::numeric_limits<float>::denorm_min()) == 0);
 	CHECK(float_to_half(-0.0f) == 0x8000);
-	CHECK(round_to_half(0.1f) == 0.0999755859375f);
+	CHECK(half_to_float(float_to_half(0.1f)) == 0.0999755859375f);
 }

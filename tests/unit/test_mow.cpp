@@ -81,8 +81,8 @@ TEST_CASE("cut_grass: a deck of 2 m x 1 m at 10 cm leaves 10 cm, and says what f
 	CHECK(result.volume == doctest::Approx(2.0 * 0.3));
 	CHECK(result.blades == doctest::Approx(512.0));
 	CHECK(result.changed.size() == 4);
-	CHECK(standing_height(map, KIND, 0, 0) == doctest::Approx(0.1));
-	CHECK(standing_height(map, KIND, 2, 0) == doctest::Approx(0.4));
+	CHECK(map.sample(MAP_CUT, 0, { 0.25, 0.25 }) == doctest::Approx(0.1));
+	CHECK(map.get_code(MAP_CUT, 0, 2, 0) == map.initial_code(MAP_CUT, 0));
 	CHECK(cut(map, deck).area == 0.0);
 	CHECK(cut(map, deck).changed.empty());
 	CHECK(mown_share(map, square(2.0), KIND) == doctest::Approx(2.0 / 16.0));

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "blade_scene.h"
+#include "draw_params.h"
 
 using namespace grass;
 using namespace grass::test;
@@ -30,10 +31,7 @@ TEST_CASE_TEMPLATE("A blade at rest keeps every bit whatever the parameters and 
 	};
 	for (int i = 0; i < 50; i++) {
 		BladeScene scene(M::METHOD);
-		scene.params.natural_frequency = draw(NATURAL_FREQUENCY);
-		scene.params.root_stiffness = draw(ROOT_STIFFNESS);
-		scene.params.damping_ratio = draw(DAMPING_RATIO);
-		scene.params.bend_stiffness = draw(BEND_STIFFNESS);
+		scene.params = draw_params(M::METHOD, draw);
 		scene.params.iterations = int(draw(ITERATIONS));
 		scene.add(GRASS_SPHERE, NEARBY, { 0.15f, 0, 0 });
 		for (int j = 0; j < 20; j++) {

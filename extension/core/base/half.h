@@ -43,9 +43,4 @@ constexpr float half_to_float(uint16_t p_half) {
 	return std::bit_cast<float>(sign | wide << 23 | fraction << 13);
 }
 
-// p_value as a half holds it.
-constexpr float round_to_half(float p_value) {
-	return half_to_float(float_to_half(p_value));
-}
-
 } // namespace grass

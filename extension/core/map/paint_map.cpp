@@ -146,25 +146,6 @@ double PaintMap::sample(MapChannel p_channel, int p_component, const Eigen::Vect
 	return MapReader(*this, p_channel).sample(p_component, p_place);
 }
 
-MapSnapshot PaintMap::take(std::span<const MapKey> p_keys) const {
-	MapSnapshot snapshot;
-	for (const MapKey &key : p_keys) {
-		const MapChunk *chunk = find(key);
-		snapshot.emplace_back(key, chunk == nullptr ? MapChunk() : *chunk);
-	}
-	return snapshot;
-}
-
-void PaintMap::restore(const MapSnapshot &p_snapshot) {
-	for (const auto &[key, chunk] : p_snapshot) {
-		if (chunk.is_empty()) {
-			_chunks.erase(key);
-		} else if (is_in_reach(key)) {
-			_chunks[key] = chunk;
-		}
-	}
-}
-
 std::vector<MapKey> PaintMap::compare(const PaintMap &p_other) const {
 	std::set<MapKey> keys;
 	for (const PaintMap *map : { this, &p_other }) {

@@ -33,9 +33,6 @@ struct MapChunk {
 	bool operator==(const MapChunk &p_other) const; // the same codes
 };
 
-// Chunks as they were: what undo puts back. A chunk that was not there is empty.
-using MapSnapshot = std::vector<std::pair<MapKey, MapChunk>>;
-
 class PaintMap {
 public:
 	static constexpr int REACH = 256; // chunks x, z from -REACH to REACH - 1: 16 km to each side
@@ -60,8 +57,6 @@ public:
 	// blends. Places that are not finite or out of reach: the initial value.
 	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
 
-	MapSnapshot take(std::span<const MapKey> p_keys) const;
-	void restore(const MapSnapshot &p_snapshot);
 	// Chunks in which the two differ.
 	std::vector<MapKey> compare(const PaintMap &p_other) const;
 	// Frees texels that all have the initial codes again, and chunks without texels.

@@ -52,7 +52,6 @@ public:
 	// Gives back the memory of slots from p_slots on, none of which may be awake; it comes again when they are used.
 	void trim(int p_slots);
 
-	int get_slot_count() const { return int(_slots.size()); }
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since made
 	int64_t get_memory_usage() const; // bytes
 

@@ -67,6 +67,32 @@ EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
 
 constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
+// GrassStep::motion and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
+void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
+	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
+	const double turn = swing * std::max(p_h, p_g);
+	const int solves = p_params.iterations >= 4 ? p_params.iterations / 2 : turn <= ONE_SOLVE_TURN ? 1 : 2;
+	const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, p_h, p_g) : EulerSwing{ swing * swing, 2.0 * damping };
+	const bool is_quick = solves == 1 && turn >= QUICK_TURN;
+	r_step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
+	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
+}
+
+// The same for METHOD_PBD.
+void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
+	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
+	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
+	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(p_h, p_g)), damping };
+	const Oscillator root{ tip.w * p_params.root_stiffness, damping };
+	const TwoStep at_tip = two_step(tip, p_h, p_g), at_root = two_step(root, p_h, p_h);
+	// [Eq 9] One minus the share that is left after all iterations, by iteration.
+	const double bend = RADIANS_PER_CYCLE * p_params.bend_stiffness * p_h;
+	r_step.motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
+		float(-std::expm1(-bend * bend / p_params.iterations)) };
+	const double weight = at_tip.pull / (tip.w * tip.w);
+	r_step.load = { float(p_params.load[0] * weight), float(p_params.load[1] * weight), float(p_params.load[2] * weight), 0.0f };
+}
+
 double or_zero(double p_value) {
 	return std::isfinite(p_value) ? p_value : 0.0;
 }
@@ -117,33 +143,15 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	if (_delta <= 0.0) {
 		return step;
 	}
-	const double h = _delta, g = _delta_before;
-
-	const double swing = RADIANS_PER_CYCLE * params.natural_frequency, damping = params.damping_ratio * swing;
-	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
-	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(h, g)), damping };
-	const Oscillator root{ tip.w * params.root_stiffness, damping };
-	const TwoStep at_tip = two_step(tip, h, g);
-	const TwoStep at_root = two_step(root, h, h);
-	step.motion.x = float(at_tip.keep);
-	step.motion.y = float(at_tip.pull);
-	step.motion.z = float(std::max(at_root.pull - two_step(tip, h, h).pull, 0.0));
-	// [Eq 9] One minus the share that is left after all iterations, by iteration.
-	const double bend = RADIANS_PER_CYCLE * params.bend_stiffness * h;
-	step.motion.w = float(-std::expm1(-bend * bend / params.iterations));
-
-	const double weight = at_tip.pull / (tip.w * tip.w);
-	step.load = { float(params.load[0] * weight), float(params.load[1] * weight), float(params.load[2] * weight),
-		float(params.max_speed * g) };
-	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
-	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * damping) };
+	const double h = _delta, g = _delta_before, swing = RADIANS_PER_CYCLE * params.natural_frequency;
 	if (params.method == Method::DIRECT) {
-		step.load = { float(params.load[0]), float(params.load[1]), float(params.load[2]), step.load.w };
-		const int solves = params.iterations >= 4 ? params.iterations / 2 : swing * std::max(h, g) <= ONE_SOLVE_TURN ? 1 : 2;
-		const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, h, g) : EulerSwing{ swing * swing, 2.0 * damping };
-		const bool is_quick = solves == 1 && swing * std::max(h, g) >= QUICK_TURN;
-		step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
+		set_direct_motion(step, params, h, g);
+	} else {
+		set_pbd_motion(step, params, h, g);
 	}
+	step.load.w = float(params.max_speed * g);
+	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
+	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * params.damping_ratio * swing) };
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
 	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
 	return step;

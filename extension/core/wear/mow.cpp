@@ -55,6 +55,7 @@ public:
 		const double height = _kind.height_at ? _kind.height_at(place) : _kind.height;
 		return height * _height.sample(0, place) * (1.0 - GRASS_WEAR_PRESSES * _wear.value(0, p_i, p_j));
 	}
+	// How high grass stands on average, metres. [Eq M1]
 	double standing(int p_i, int p_j) { return std::min(uncut(p_i, p_j), _cut.value(0, p_i, p_j)); }
 
 private:
@@ -109,10 +110,6 @@ TexelBlock block_of(const MowRegion &p_region) {
 }
 
 } // namespace
-
-double standing_height(const PaintMap &p_map, const GrassKind &p_kind, int p_i, int p_j) {
-	return Stand(p_map, p_kind).standing(p_i, p_j);
-}
 
 CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind) {
 	CutResult result;

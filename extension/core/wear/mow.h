@@ -20,9 +20,6 @@ struct GrassKind {
 	std::function<double(const Eigen::Vector2d &)> height_at; // by place, where species differ, in place of `height`
 };
 
-// How high grass stands on average at a texel of the cuts, by its height, wear and cut, metres. [Eq M1]
-double standing_height(const PaintMap &p_map, const GrassKind &p_kind, int p_i, int p_j);
-
 struct CutResult : BrushResult {
 	double area = 0.0; // m^2 on which grass became shorter, as dense as it stands there
 	double volume = 0.0; // m^3: that area times the height that fell

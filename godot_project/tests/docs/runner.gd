@@ -33,7 +33,7 @@ func _run(test: Dictionary) -> void:
 		await super(test)
 		return
 	_report("run", test.name)
-	_finish(test.name, ["no function %s() in guides.gd or classes.gd says what this block must do" % test.function], "")
+	_finish(test.name, "no function %s() in guides.gd or classes.gd says what this block must do" % test.function, "")
 
 
 func _call(case: Node, function: String) -> void:

@@ -6,10 +6,11 @@ const Table := preload("res://bench/table.gd")
 
 
 func test_scripts_load() -> void:
-	for file in DirAccess.get_files_at("res://bench"):
-		if file.get_extension() == "gd":
-			var script := load("res://bench".path_join(file)) as GDScript
-			assert_true(script != null and script.can_instantiate(), file)
+	var scripts := Array(DirAccess.get_files_at("res://bench")).filter(func(file: String) -> bool: return file.get_extension() == "gd")
+	assert_greater(scripts.size(), 10)
+	for file: String in scripts:
+		var script := load("res://bench".path_join(file)) as GDScript
+		assert_true(script != null and script.can_instantiate(), file)
 
 
 func test_awake_blades() -> void:

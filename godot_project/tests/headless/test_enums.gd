@@ -79,9 +79,9 @@ func test_hints_name_the_enums() -> void:
 			["GrassBrush", "set_tool", &"GrassBrush.Tool"], ["GrassBrush", "set_falloff", &"GrassBrush.FalloffCurve"],
 			["GrassFillRule", "set_mask_channel", &"GrassFillRule.MaskChannel"], ["GrassPatch", "set_param", &"GrassPatch.Param"],
 			["GrassMap", "sample", &"GrassMap.Channel"]]:
-		for method in ClassDB.class_get_method_list(entry[0], true):
-			if method.name == entry[1]:
-				assert_eq(StringName(method.args[0].class_name), entry[2], entry[1])
-				assert_true(method.args[0].usage & PROPERTY_USAGE_CLASS_IS_ENUM, entry[1])
+		var methods := ClassDB.class_get_method_list(entry[0], true).filter(func(found: Dictionary) -> bool: return found.name == entry[1])
+		if assert_eq(methods.size(), 1, entry[1]):
+			assert_eq(StringName(methods[0].args[0].class_name), entry[2], entry[1])
+			assert_true(methods[0].args[0].usage & PROPERTY_USAGE_CLASS_IS_ENUM, entry[1])
 		var values := ClassDB.class_get_enum_constants(entry[0], String(entry[2]).get_slice(".", 1), true)
 		assert_greater(values.size(), 1, String(entry[2]))

@@ -10,9 +10,9 @@ const STEP := 1.0 / 32.0 # metres a tick: exact everywhere
 
 
 ## The farthest that a knot of one field lies from the same knot of the other, beside their fields, as a share of its
-## blade's length; over all tiles awake in the first. INF if they do not have the same tiles awake.
+## blade's length; over all tiles awake in the first. INF if they do not have the same tiles awake, or none.
 func difference(a: GrassField, b: GrassField) -> float:
-	if awake_tiles(a) != awake_tiles(b):
+	if awake_tiles(a) != awake_tiles(b) or awake_tiles(a).is_empty():
 		return INF
 	var most := 0.0
 	for tile in awake_tiles(a):

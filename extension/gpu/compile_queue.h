@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Compiles compute passes beside the frames, for drivers take seconds for one, and keeps the pipelines.
+#pragma once
+
+#include <godot_cpp/variant/rid.hpp>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <span>
+#include <utility>
+
+namespace grass {
+
+// What a pipeline is made of.
+struct PassCode {
+	static constexpr int NO_METHOD = -1;
+
+	std::span<const uint32_t> spirv;
+	const char *name;
+	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
+};
+
+// The only object of its class is get(). Its functions run on the render thread, where no other is named.
+class CompileQueue {
+public:
+	struct Pipeline {
+		PassCode code{ {}, nullptr };
+		godot::RID shader, pipeline; // from is_done() on; invalid if the driver has refused them
+
+	private:
+		friend CompileQueue;
+		enum class State { NEW, WAITING, COMPILING, DONE };
+		State state = State::NEW; // guarded by _mutex
+	};
+
+	static CompileQueue &get();
+
+	// The pipeline of p_code, which a worker thread compiles from the first call on, after those before it.
+	Pipeline &find(const PassCode &p_code);
+	// Whether the driver has compiled or refused it.
+	bool is_done(const Pipeline &p_pipeline);
+	// Returns when it is done: compiles it here, unless the worker thread has begun it.
+	void finish(Pipeline &r_pipeline);
+	// Frees all pipelines, for when the library is unloaded.
+	void free_pipelines();
+	// Pipelines that are not done yet. From any thread.
+	int count_compiling() const { return _compiling; }
+
+private:
+	void start_worker();
+	void compile(Pipeline &r_pipeline);
+	static void compile_waiting(void *p_queue);
+
+	std::map<std::pair<const uint32_t *, int>, Pipeline> _pipelines; // by code and method
+	std::atomic<int> _compiling = 0;
+	// One task of the WorkerThreadPool compiles one after the other: several would hold up the engine's own tasks, and one that is
+	// still queued when the game ends is never run.
+	int64_t _task = -1; // -1: none
+	std::mutex _mutex;
+	std::condition_variable _has_compiled;
+	std::deque<Pipeline *> _waiting; // guarded by _mutex
+	bool _is_working = false; // the task; guarded by _mutex
+};
+
+} // namespace grass
