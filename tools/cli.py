@@ -14,6 +14,8 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass demo     runs the demo (or: meadow, lawn, reeds) and says where its pictures are
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
+  ./grass format   formats every source
+  ./grass debug    opens the tests in gdb, with a library that can be debugged
   ./grass editor   opens that project in the engine's editor
   ./grass bench    runs the benchmarks, of the core and in the engine
   ./grass docs     makes the site, out/site
@@ -54,6 +56,11 @@ def parser():
 	build = commands.add_parser("build", help="build the extension")
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
 
+	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
+	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")
+	debug.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
+	debug.add_argument("--trace", action="store_true", help="run at once, print a backtrace where it stops, and end")
+	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
 	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "pack"), help=BENCHMARKS)
@@ -106,6 +113,14 @@ def dispatch(options):
 		scenes.editor()
 	elif options.command == "build":
 		build.scons(*options.arguments)
+	elif options.command == "format":
+		from tools import formatting
+
+		formatting.format_all()
+	elif options.command == "debug":
+		from tools import debugging
+
+		return debugging.run(options.only, options.at, options.trace)
 	elif options.command == "docs":
 		from tools.site import build as site  # beside the rest it needs Python 3.11
 

@@ -160,6 +160,12 @@ def in_engine(
 	return reports.end(how)
 
 
+def formatted(only):
+	from tools import formatting  # pip and clang-format are looked for only where it runs
+
+	return formatting.layer(only, Tally())
+
+
 def binding(only):
 	passed, failed = binding_tests.run(only)
 	return Tally(len(passed), failed)
@@ -236,6 +242,7 @@ class Layer:
 
 # In the order in which they run.
 LAYERS = {
+	"format": Layer(lambda only, _: formatted(only), None),
 	"binding": Layer(lambda only, _: binding(only), None),
 	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
 	"stress": Layer(lambda only, _: core("stress", only), "stress"),

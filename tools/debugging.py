@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+"""`./grass debug`: the headless tests in gdb, with a library that has names, lines and assertions."""
+
+import os
+import subprocess
+
+from tools import build, engine, machine, settle
+from tools.places import PROJECT
+
+
+def gdb():
+	return machine.program("gdb")
+
+
+def run(only, at, trace):
+	"""Builds the library with `dev=yes` and starts gdb on the engine; with `trace` it prints a backtrace and ends. Returns gdb's exit code."""
+	build.scons("dev=yes")
+	machine.ensure((gdb, ("gdb", "patchelf")))
+	engine.import_project()
+	command, additions = engine.headless()
+	arguments = ["--path", str(PROJECT), "--fixed-fps", "60", "res://tests/runner.tscn", "--", "--layer=headless"]
+	if only:
+		arguments.append(f"--only={only}")
+	orders = ["set breakpoint pending on", "set print thread-events off", *([f"break {at}"] if at else [])]
+	orders += ["run", "backtrace", "kill", "quit"] if trace else []
+	given = [word for order in orders for word in ("-ex", order)]
+	environment = {**os.environ, **settle.environment(), **engine.private_home(), **additions}
+	return subprocess.run([gdb(), "--quiet", *(["--batch"] if trace else []), *given, "--args", *command, *arguments], env=environment).returncode
