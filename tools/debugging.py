@@ -5,7 +5,7 @@ import os
 import subprocess
 
 from tools import build, engine, machine, settle
-from tools.places import PROJECT
+from tools.places import PROJECT, UNPACKED
 
 
 def gdb():
@@ -22,7 +22,7 @@ def run(only, at, trace):
 	if only:
 		arguments.append(f"--only={only}")
 	orders = ["set breakpoint pending on", "set print thread-events off", *([f"break {at}"] if at else [])]
-	orders += ["run", "backtrace", "kill", "quit"] if trace else []
-	given = [word for order in orders for word in ("-ex", order)]
+	orders += ["run", "backtrace", "kill"] if trace else []
+	given = ["-iex", f"set auto-load safe-path {UNPACKED}:/usr", *(word for order in orders for word in ("-ex", order))]  # of libthread_db
 	environment = {**os.environ, **settle.environment(), **engine.private_home(), **additions}
 	return subprocess.run([gdb(), "--quiet", *(["--batch"] if trace else []), *given, "--args", *command, *arguments], env=environment).returncode
