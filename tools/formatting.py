@@ -19,7 +19,6 @@ from tools.say import Failure
 PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/format_requirements.txt"
 CLANG_FORMAT = "14"  # Debian 12's
-WIDTH = 140
 KINDS = {
 	"cpp": (".cpp", ".h", ".hpp"),
 	"python": (".py",),
@@ -76,7 +75,7 @@ def named(said, paths):
 def formatters():
 	"""For each kind: the command that formats and the one that names what is not formatted."""
 	clang, ruff = clang_format(), [str(PACKAGES / "bin/ruff"), "format"]
-	gdformat = [sys.executable, "-m", "gdtoolkit.formatter", f"--line-length={WIDTH}"]
+	gdformat = [sys.executable, "-m", "gdtoolkit.formatter", f"--line-length={prose.SOURCE_WIDTH}"]
 	return {
 		"cpp": ([clang, "-i"], [clang, "--dry-run", "-Werror"]),
 		"python": (ruff, [*ruff, "--check"]),
@@ -89,7 +88,7 @@ def plain_wrong(path):
 	lines = path.read_text().split("\n")
 	wrong = [f"{number}: ends with a space" for number, line in enumerate(lines, 1) if line != line.rstrip()]
 	wrong += [f"{number}: indented with spaces" for number, line in enumerate(lines, 1) if re.match(r" +[^ *]", line)]
-	wrong += [f"{number}: wider than {WIDTH}" for number, line in enumerate(lines, 1) if len(line.expandtabs(prose.TAB)) > WIDTH]
+	wrong += [f"{number}: wider than {prose.SOURCE_WIDTH}" for number, line in enumerate(lines, 1) if len(line.expandtabs(prose.TAB)) > prose.SOURCE_WIDTH]
 	return wrong if lines[-1] == "" else [*wrong, f"{len(lines)}: no newline at the end"]
 
 
@@ -100,7 +99,7 @@ def check(kind):
 		return [f"{path.relative_to(ROOT)}:{text}" for path in paths for text in plain_wrong(path)]
 	said, good = run(formatters()[kind][1], [path.relative_to(ROOT) for path in paths])
 	wrong = [f"{path} is not formatted" for path in named(said, paths)]
-	wide = [f"{path.relative_to(ROOT)}:{line}: wider than {prose.COMMENT_WIDTH}" for path in paths for line in prose.too_wide(path)]
+	wide = [f"{path.relative_to(ROOT)}:{line}: wider than {prose.SOURCE_WIDTH}" for path in paths for line in prose.too_wide(path)]
 	if not good and not wrong:
 		wrong = [f"the formatter failed: {said[-500:]}"]
 	return wrong + wide

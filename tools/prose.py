@@ -7,14 +7,14 @@ Tables, code, headings, equations, links and code spans stay whole; a line that 
 import re
 
 PAGE_WIDTH = 100
-COMMENT_WIDTH = 140
+SOURCE_WIDTH = 140
 TAB = 4
 # What may not be broken: code spans, links and pictures, formulas, each with what hangs on it.
 WHOLE = re.compile(r"(?:`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
 ITEM = re.compile(r"(\s*)([-*+]|\d+\.)(\s+)")
 STARTS_SOMETHING = re.compile(r"(?:[-*+]|\d+\.|#+|>|\||===+|---+)$|[|>]")  # a word that may not begin a line
 APART = re.compile(r"\s*(?:#|\||<|\$\$|>|!\[[^\]]*\]\([^)]*\)\s*$|\[[^\]]+\]:|-{3,}\s*$|\*{3,}\s*$)")
-BRACES = {".py": "#", ".gd": "#"}  # what begins a comment; elsewhere //
+MARKS = {".py": "#", ".gd": "#"}  # what begins a comment; elsewhere //
 COMMENT = {"#": re.compile(r"(\s*)(##?)( )(\S.*)$"), "//": re.compile(r"(\s*)(///?)( )(\S.*)$")}
 
 
@@ -68,14 +68,14 @@ def page(text, always=False):
 
 def comments(text, suffix):
 	"""A source with the comments that stand by themselves wrapped where one of their lines is too wide."""
-	pattern, made, block = COMMENT[BRACES.get(suffix, "//")], [], []
+	pattern, made, block = COMMENT[MARKS.get(suffix, "//")], [], []
 
 	def end():
-		wide = [match for match in block if len(match[0].expandtabs(TAB)) > COMMENT_WIDTH]
+		wide = [match for match in block if len(match[0].expandtabs(TAB)) > SOURCE_WIDTH]
 		if wide:
 			start = "".join(block[0].group(1, 2, 3))
 			words = [word for match in block for word in match[4].split()]
-			made.extend(filled(words, start, start, COMMENT_WIDTH))
+			made.extend(filled(words, start, start, SOURCE_WIDTH))
 		else:
 			made.extend(match[0] for match in block)
 		block.clear()
@@ -93,11 +93,9 @@ def comments(text, suffix):
 
 
 def too_wide(path):
-	"""What is wider than its width and could be narrower, by line: prose of a page, or a line of a source with a comment."""
+	"""What is wider than its width and could be narrower, by line: prose of a page, or any line of a source."""
 	text = path.read_text()
 	if path.suffix == ".md":
 		before, after = text.split("\n"), set(page(text).split("\n"))
 		return [number for number, line in enumerate(before, 1) if len(line) > PAGE_WIDTH and line not in after]
-	mark = BRACES.get(path.suffix, "//")
-	lines = enumerate(text.split("\n"), 1)
-	return [number for number, line in lines if mark in line and len(line.expandtabs(TAB)) > COMMENT_WIDTH]
+	return [number for number, line in enumerate(text.split("\n"), 1) if len(line.expandtabs(TAB)) > SOURCE_WIDTH]

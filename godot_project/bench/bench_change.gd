@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## What a change of a standing field costs its frames: how many pass until it is there, the most that the field had to do in one of them
-## (`build_ms`), and how long the longest took, beside the longest in which nothing changed. Nothing is drawn, so the renderer's pipelines are not in
-## it, but making shaders is.
+## (`build_ms`), and how long the longest took, beside the longest in which nothing changed. Nothing is drawn, so the renderer's pipelines
+## are not in it, but making shaders is.
 extends Node3D
 
 const FILE := "change.csv"

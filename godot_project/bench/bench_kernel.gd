@@ -48,7 +48,8 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 			var start := Time.get_ticks_msec()
 			_pipeline = SimulatePass.make_pipeline(_device, _shader, method)
 			print("simulate%s, %s: %d ms to compile, unless the driver has kept it" % [variant, NAMES[method], Time.get_ticks_msec() - start])
-			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
+			# The largest first, so that the clock has risen before the short ones.
+			for tiles: int in [64] if p_software else [16384, 4096, 1024]:
 				for scene in SCENES if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue

@@ -192,7 +192,8 @@ def write_utility_functions(output, api):
 		body = function.body(lambda arguments, count, result: "function.call(%s, %s, %d);" % (arguments, result, count))
 		declarations.append("static %s%s(%s);" % (function.result_text(), plain, function.parameters(True)))
 		source.append(definition("%sUtilityFunctions::%s(%s)" % (function.result_text(), plain, function.parameters(False)), [lookup] + body))
-	header = "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n"
+	header = "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\n"
+	header += "class UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n"
 	output.write("include/godot_cpp/variant/utility_functions.hpp", HEADER + header % "\n\t".join(declarations))
 	includes = "#include <godot_cpp/core/object.hpp>\n#include <godot_cpp/variant/utility_functions.hpp>\n"
 	text = "%s%s\nnamespace godot {\n\n%s\n} // namespace godot\n" % (HEADER, includes, "\n".join(source))

@@ -27,7 +27,8 @@ def write_global_constants(output, api):
 	text = HEADER + "#pragma once\n\n#include <cstdint>\n\nnamespace godot {\n\n" + "\n".join(enum_text(enum, "") for enum in enums)
 	output.write("include/godot_cpp/classes/global_constants.hpp", text + "\n} // namespace godot\n")
 	casts = ["%s(%s)" % ("VARIANT_BITFIELD_CAST" if enum["is_bitfield"] else "VARIANT_ENUM_CAST", enum["name"]) for enum in enums]
-	output.write("include/godot_cpp/classes/global_constants_binds.hpp", HEADER + "#pragma once\n\n#include <godot_cpp/core/binder_common.hpp>\n\n" + "\n".join(casts) + "\n")
+	head = HEADER + "#pragma once\n\n#include <godot_cpp/core/binder_common.hpp>\n\n"
+	output.write("include/godot_cpp/classes/global_constants_binds.hpp", head + "\n".join(casts) + "\n")
 
 
 class EngineClass:
@@ -197,7 +198,8 @@ def write_classes(output, api):
 		smallest.append(engine_class.source())
 	includes = "\n".join("#include <%s>" % header_of(api, name) for name in api.chosen)
 	for index, parts in enumerate(texts):
-		text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot {\n\n" + "\n".join(parts) + "\n} // namespace godot\n"
+		text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot {\n\n"
+		text += "\n".join(parts) + "\n} // namespace godot\n"
 		output.write("src/classes_%d.cpp" % index, text)
 	known = "\n".join("\tregister_engine_class<%s>();" % api.class_name(name) for name in api.chosen)
 	text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot::internal {\n\n"

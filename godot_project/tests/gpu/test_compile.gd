@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges is there
-## the first one takes all tiles. A field that is given another method keeps to its own until the other one's pass is there.
+## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges
+## is there the first one takes all tiles. A field that is given another method keeps to its own until the other one's pass is there.
 extends "res://tests/parity_case.gd"
 
 

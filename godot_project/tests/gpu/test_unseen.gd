@@ -83,7 +83,8 @@ func test_a_hidden_field_does_nothing() -> void:
 
 
 func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> void:
-	var field := add_seen_field({size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER}) # by energy still tiles are left alone in view, too
+	# By the timer: by energy still tiles are not simulated in view, either.
+	var field := add_seen_field({size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER})
 	var bodies: Array[AnimatableBody3D] = [add_seen_body(AHEAD), add_seen_body(BEHIND)]
 	look_back()
 	await ticks(150)
