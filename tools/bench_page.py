@@ -29,7 +29,13 @@ LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\d{4
 # An H100: instructions and operations a second (a fused product and sum are one instruction and two operations), bytes a second.
 INSTRUCTIONS, OPERATIONS, BYTES = 33.45e12, 66.9e12, 3.0e12
 SCENES = {"0": "free", "4": "balls"}
-TITLES = {"free": "nothing near", "balls": "4 balls in each tile", "lid": "below a lid", "bodies": "bodies at rest", "rolling": "bodies that turn"}
+TITLES = {
+	"free": "nothing near",
+	"balls": "4 balls in each tile",
+	"lid": "below a lid",
+	"bodies": "bodies at rest",
+	"rolling": "bodies that turn",
+}
 
 
 def read(name):
@@ -74,7 +80,16 @@ def simulation():
 	for row in counted:
 		for blades in (65536, 1048576):
 			time, (least, bound) = measured(rows, row["method"], row["scene"], blades), floor(row, blades)
-			body.append([f"METHOD_{row['method']}", TITLES[row["scene"]], number(blades), f"{time:.3f}", f"{least:.3f} ({bound})", f"{time / least:.1f}"])
+			body.append(
+				[
+					f"METHOD_{row['method']}",
+					TITLES[row["scene"]],
+					number(blades),
+					f"{time:.3f}",
+					f"{least:.3f} ({bound})",
+					f"{time / least:.1f}",
+				]
+			)
 	lines += grid(["method", "scene", "blades", "ms", "floor, ms", "times the floor"], body)
 	lines += source("kernel", "flops")
 	body = []
@@ -98,7 +113,9 @@ def drawing():
 	for blades in (262144, 1048576, 4194304, 16777216):
 		cells = []
 		for rows in (forward, mobile):
-			cells += [f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")]
+			cells += [
+				f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")
+			]
 		row = pick(forward, blades=blades, view="eye", shadows="off", msaa=0)[0]
 		triangles = f"{int(row['drawn_triangles']) / 1e6:.2g} M"
 		body.append([number(blades), number(float(row["drawn_blades"])), triangles, *cells, f"{float(row['cull_ms']):.2f}"])
@@ -119,7 +136,9 @@ def processor():
 	for row in rows:
 		if row["tiles"] in ("19881", "16000000") and row["bodies"] in ("0", "128", "1024"):
 			parts = [float(row[name]) for name in ("gather_ms", "tiles_ms", "upload_ms")]
-			body.append([number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"])
+			body.append(
+				[number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"]
+			)
 	lines += grid(["tiles", "bodies", "reading bodies, ms", "choosing tiles, ms", "handing over, ms", "in all, ms"], body)
 	return lines + source("cpu")
 

@@ -41,15 +41,25 @@ def parser():
 	demo = commands.add_parser("demo", help="run the demo")
 	demo.add_argument("place", nargs="?", default="demo", choices=DEMOS, help="demo: 128 bodies thrown into a field (default); or a place")
 	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/PLACE)")
-	demo.add_argument("--size", choices=("small", "large"), help="of pictures, and of the field that bodies are thrown into; "
-			"default: large on a GPU, small on software Vulkan")
+	demo.add_argument(
+		"--size",
+		choices=("small", "large"),
+		help="of pictures, and of the field that bodies are thrown into; default: large on a GPU, small on software Vulkan",
+	)
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
-	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU")
+	demo.add_argument(
+		"--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU"
+	)
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)")
+	test.add_argument(
+		"layers",
+		nargs="*",
+		metavar="LAYER",
+		help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)",
+	)
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
@@ -67,7 +77,9 @@ def parser():
 	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
 	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument("--only", metavar="PART", help="only this one of those in the engine: draw, simulate, sleep, cpu, change, kernel; of paper: a table")
+	bench.add_argument(
+		"--only", metavar="PART", help="only this one of those in the engine: draw, simulate, sleep, cpu, change, kernel; of paper: a table"
+	)
 
 	commands.add_parser("docs", help="make the site, out/site")
 
@@ -77,7 +89,9 @@ def parser():
 	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
 
 	release = commands.add_parser("release", help="make the zips of a release, out/release")
-	release.add_argument("--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows")
+	release.add_argument(
+		"--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows"
+	)
 	release.add_argument("--out", default=None, metavar="DIR", help="folder for the zips (default: out/release)")
 	release.add_argument("--fixtures", action="store_true", help="instead, write files of this version for the tests of later ones")
 

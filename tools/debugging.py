@@ -13,7 +13,7 @@ def gdb():
 
 
 def run(only, at, trace):
-	"""Builds the library with `dev=yes` and starts gdb on the engine; with `trace` it prints a backtrace and ends. Returns gdb's exit code."""
+	"""Builds the library with `dev=yes` and starts gdb on the engine; with `trace` it prints a backtrace and ends. Returns gdb's code."""
 	build.scons("dev=yes")
 	machine.ensure((gdb, ("gdb", "patchelf")))
 	engine.import_project()
@@ -25,4 +25,6 @@ def run(only, at, trace):
 	orders += ["run", "backtrace", "kill"] if trace else []
 	given = ["-iex", f"set auto-load safe-path {UNPACKED}:/usr", *(word for order in orders for word in ("-ex", order))]  # of libthread_db
 	environment = {**os.environ, **settle.environment(), **engine.private_home(), **additions}
-	return subprocess.run([gdb(), "--quiet", *(["--batch"] if trace else []), *given, "--args", *command, *arguments], env=environment).returncode
+	return subprocess.run(
+		[gdb(), "--quiet", *(["--batch"] if trace else []), *given, "--args", *command, *arguments], env=environment
+	).returncode

@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, engine, links, machine, prose, settle, snippets
+from tools import bench_page, engine, links, machine, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.testing import Tally, in_engine
 
@@ -129,8 +129,10 @@ def wrong_decisions():
 
 
 def wrong_benchmarks():
-	"""A page of figures that is not what the newest tables make."""
+	"""Pages of figures that are not what the newest tables make."""
 	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench_page`"]
+	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
+	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
 	return "; ".join([*stale, *bench_page.newer()])
 
 

@@ -43,7 +43,9 @@ def sources(kind):
 def clang_format():
 	"""Path of the clang-format of the right version, the machine's or the fetched one. None if there is neither."""
 	fetched = CROSS.place / f"usr/bin/clang-format-{CLANG_FORMAT}"
-	for found in filter(None, (shutil.which(f"clang-format-{CLANG_FORMAT}"), shutil.which("clang-format"), fetched.exists() and str(fetched))):
+	for found in filter(
+		None, (shutil.which(f"clang-format-{CLANG_FORMAT}"), shutil.which("clang-format"), fetched.exists() and str(fetched))
+	):
 		said = subprocess.run([found, "--version"], capture_output=True, text=True).stdout
 		if f"version {CLANG_FORMAT}." in said:
 			return found
@@ -60,7 +62,9 @@ def run(command, paths):
 	environment = {**os.environ, "PYTHONPATH": str(PACKAGES), "PYTHONDONTWRITEBYTECODE": "1"}
 	parts = [part for part in (paths[start :: os.cpu_count()] for start in range(os.cpu_count() or 1)) if part]
 	started = [
-		subprocess.Popen([*command, *map(str, part)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment, cwd=ROOT)
+		subprocess.Popen(
+			[*command, *map(str, part)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment, cwd=ROOT
+		)
 		for part in parts
 	]
 	said = [process.communicate()[0] for process in started]
@@ -88,7 +92,11 @@ def plain_wrong(path):
 	lines = path.read_text().split("\n")
 	wrong = [f"{number}: ends with a space" for number, line in enumerate(lines, 1) if line != line.rstrip()]
 	wrong += [f"{number}: indented with spaces" for number, line in enumerate(lines, 1) if re.match(r" +[^ *]", line)]
-	wrong += [f"{number}: wider than {prose.SOURCE_WIDTH}" for number, line in enumerate(lines, 1) if len(line.expandtabs(prose.TAB)) > prose.SOURCE_WIDTH]
+	wrong += [
+		f"{number}: wider than {prose.SOURCE_WIDTH}"
+		for number, line in enumerate(lines, 1)
+		if len(line.expandtabs(prose.TAB)) > prose.SOURCE_WIDTH
+	]
 	return wrong if lines[-1] == "" else [*wrong, f"{len(lines)}: no newline at the end"]
 
 
@@ -107,7 +115,9 @@ def check(kind):
 
 def lint():
 	"""What ruff says of the Python sources."""
-	said, good = run([str(PACKAGES / "bin/ruff"), "check", "--output-format=concise"], [path.relative_to(ROOT) for path in sources("python")])
+	said, good = run(
+		[str(PACKAGES / "bin/ruff"), "check", "--output-format=concise"], [path.relative_to(ROOT) for path in sources("python")]
+	)
 	return [] if good else [line for line in said.splitlines() if re.match(r"\S+:\d+", line)] or [said]
 
 

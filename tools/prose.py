@@ -12,6 +12,7 @@ TAB = 4
 # What may not be broken: code spans, links and pictures, formulas, each with what hangs on it.
 WHOLE = re.compile(r"(?:`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
 ITEM = re.compile(r"(\s*)([-*+]|\d+\.)(\s+)")
+TEXT = re.compile(r'''(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])''')
 STARTS_SOMETHING = re.compile(r"(?:[-*+]|\d+\.|#+|>|\||===+|---+)$|[|>]")  # a word that may not begin a line
 APART = re.compile(r"\s*(?:#|\||<|\$\$|>|!\[[^\]]*\]\([^)]*\)\s*$|\[[^\]]+\]:|-{3,}\s*$|\*{3,}\s*$)")
 MARKS = {".py": "#", ".gd": "#"}  # what begins a comment; elsewhere //
@@ -92,10 +93,16 @@ def comments(text, suffix):
 	return "\n".join(made)
 
 
+def width(line):
+	"""Columns of a line of a source. Texts do not count: a message is easier to find in one piece."""
+	is_docstring = line.lstrip().startswith('"""')
+	return len((line if is_docstring else TEXT.sub('""', line)).expandtabs(TAB))
+
+
 def too_wide(path):
 	"""What is wider than its width and could be narrower, by line: prose of a page, or any line of a source."""
 	text = path.read_text()
 	if path.suffix == ".md":
 		before, after = text.split("\n"), set(page(text).split("\n"))
 		return [number for number, line in enumerate(before, 1) if len(line) > PAGE_WIDTH and line not in after]
-	return [number for number, line in enumerate(text.split("\n"), 1) if len(line.expandtabs(TAB)) > SOURCE_WIDTH]
+	return [number for number, line in enumerate(text.split("\n"), 1) if width(line) > SOURCE_WIDTH]
