@@ -8,7 +8,7 @@
 @tool
 extends Node3D
 
-const PATIENCE := 300.0 # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
+const PATIENCE := 300.0  # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
 
 var failures: Array[String] = []
 var skipped := ""

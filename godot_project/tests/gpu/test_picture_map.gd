@@ -3,7 +3,7 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(480, 270)
-const PICTURES := "user://pictures/" # looked at by people
+const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:
@@ -65,7 +65,7 @@ func test_only_painted_tiles_are_drawn() -> void:
 	var left := painted.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
 	assert_greater(share_of(right, is_green), 0.05)
 	assert_eq(share_of(left, is_green), 0.0)
-	if field.get_statistics().backend == "GPU": # the CPU chooses anew in every frame
+	if field.get_statistics().backend == "GPU":  # the CPU chooses anew in every frame
 		var culls: int = field.get_statistics().culls
 		await drawn()
 		assert_eq(field.get_statistics().culls, culls, "nothing changed, nothing culled")
@@ -108,7 +108,7 @@ func test_an_awake_tile_with_a_map_is_drawn_as_it_was_asleep() -> void:
 	add_shape(body, ball(0.05))
 	body.position = Vector3(0, 0.6, 0.5)
 	viewport.add_child(body)
-	for i in 30: # down to the tips, then away
+	for i in 30:  # down to the tips, then away
 		body.position.y -= 0.01
 		await ticks(1)
 		if field.get_awake_tile_count() > 0:

@@ -2,9 +2,9 @@
 ## Species on the GPU: the picture shows each blade as what the simulation takes it for, and both backends agree.
 extends "res://tests/view_case.gd"
 
-const SIDE := 512 # pixels
-const SKY := Color(0.3, 0.4, 0.9) # of view_case.gd
-const PICTURES := "user://pictures/" # looked at by people
+const SIDE := 512  # pixels
+const SKY := Color(0.3, 0.4, 0.9)  # of view_case.gd
+const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:
@@ -30,11 +30,26 @@ func make(share: float, color: Color, properties := {}) -> GrassSpecies:
 
 ## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
 func add_markers(properties := {}) -> GrassField:
-	var shape := {length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0}
-	var field := add_seen_field({
-		size = Vector2(16, 16), density = 1.0, species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
-		clump_tint = 0.0, clump_height = 0.0, clump_lean = 0.0, ground = false, root_shade = 0.0, pixels_min = 4.0, lod_far = 1000.0,
-	}.merged(properties, true))
+	var shape := {
+		length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0
+	}
+	var field := add_seen_field(
+		(
+			{
+				size = Vector2(16, 16),
+				density = 1.0,
+				species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
+				clump_tint = 0.0,
+				clump_height = 0.0,
+				clump_lean = 0.0,
+				ground = false,
+				root_shade = 0.0,
+				pixels_min = 4.0,
+				lod_far = 1000.0,
+			}
+			. merged(properties, true)
+		)
+	)
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = 16.0
 	look(Vector3(0, 5, 0), Vector3.ZERO)
@@ -71,7 +86,7 @@ func check_markers(field: GrassField) -> void:
 		if is_alone:
 			var color := image.get_pixelv(Vector2i(at))
 			if Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() < 0.1:
-				continue # seen edge on, beside its middle
+				continue  # seen edge on, beside its middle
 			if channel_of(color) == species[i]:
 				seen[species[i]] += 1
 			else:
@@ -96,7 +111,9 @@ func test_painted_blades_are_drawn_as_what_they_are_simulated_as() -> void:
 
 func test_both_backends_simulate_species_alike() -> void:
 	var species: Array[GrassSpecies] = [
-		make(0.5, Color.RED, {length_max = 0.4, natural_frequency = 0.8}), make(0.5, Color.GREEN, {length_max = 0.8, natural_frequency = 3.0, damping_ratio = 0.2})]
+		make(0.5, Color.RED, {length_max = 0.4, natural_frequency = 0.8}),
+		make(0.5, Color.GREEN, {length_max = 0.8, natural_frequency = 3.0, damping_ratio = 0.2})
+	]
 	for method: GrassField.SolverMethod in [GrassField.METHOD_DIRECT, GrassField.METHOD_PBD]:
 		var gpu := add_field({species = species, method = method})
 		var cpu := add_field({species = species, method = method, backend = GrassField.BACKEND_CPU})
@@ -125,8 +142,13 @@ func test_both_backends_simulate_species_alike() -> void:
 
 
 func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
-	var field := add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 5.0,
-			species = [make(0.6, Color(0.3, 0.6, 0.2)), make(0.4, Color(0.7, 0.2, 0.2), {length_min = 0.7, length_max = 0.9})]})
+	var field := add_seen_field(
+		{
+			sleep_mode = GrassField.SLEEP_TIMER,
+			sleep_delay = 5.0,
+			species = [make(0.6, Color(0.3, 0.6, 0.2)), make(0.4, Color(0.7, 0.2, 0.2), {length_min = 0.7, length_max = 0.9})]
+		}
+	)
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
 	await drawn()
 	var asleep := await picture()
@@ -135,7 +157,7 @@ func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
 	add_shape(body, ball(0.05))
 	body.position = Vector3(0, 1.2, 0.5)
 	viewport.add_child(body)
-	for i in 60: # down to the tips, then away
+	for i in 60:  # down to the tips, then away
 		body.position.y -= 0.01
 		await ticks(1)
 		if field.get_awake_tile_count() > 0:
@@ -233,7 +255,7 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
 		var field := add_seen_field({species = [violet], size = Vector2(30, 30), ground = false})
 		look(Vector3(0, setting.x, 40), Vector3.ZERO)
-		var gain := {0.25: 0.0, 8.0: 0.0} # by lod_error
+		var gain := {0.25: 0.0, 8.0: 0.0}  # by lod_error
 		for card: Texture2D in [null, flower(Color(0.7, 0.1, 0.7))]:
 			violet.card = card
 			for error: float in gain:
@@ -249,8 +271,17 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 func test_flowers_bend_with_their_blades() -> void:
 	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.12, card_height = 0.12, length_min = 0.6, length_max = 0.8})
 	violet.card = flower(Color(0.7, 0.1, 0.7))
-	var field := add_seen_field({
-		species = [violet], density = 16.0, ground = false, lod_far = 1000.0, pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0})
+	var field := add_seen_field(
+		{
+			species = [violet],
+			density = 16.0,
+			ground = false,
+			lod_far = 1000.0,
+			pixels_min = 0.0,
+			sleep_mode = GrassField.SLEEP_TIMER,
+			sleep_delay = 30.0
+		}
+	)
 	var calls := await draw_calls()
 	look(Vector3(0, 5, 3), Vector3.ZERO)
 	await drawn()
@@ -258,7 +289,7 @@ func test_flowers_bend_with_their_blades() -> void:
 	var image := await picture()
 	assert_greater(_share_of_flowers(image, rest), 0.97)
 	var body := add_held_body(ball(0.5), Vector3(0.2, 0.2, 0.2))
-	body.reparent(viewport) # into its world
+	body.reparent(viewport)  # into its world
 	await ticks(30)
 	await drawn()
 	var bent := _tips(field)
@@ -291,7 +322,10 @@ func test_flowers_bend_with_their_blades() -> void:
 func draw_calls() -> int:
 	await drawn()
 	return RenderingServer.viewport_get_render_info(
-		viewport.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+		viewport.get_viewport_rid(),
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME
+	)
 
 
 func _tips(field: GrassField) -> PackedVector3Array:
@@ -308,7 +342,7 @@ func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
 	var flowers := 0
 	for tip in tips:
 		var at := Vector2i(camera.unproject_position(tip))
-		var is_seen := false # a blade may cross it
+		var is_seen := false  # a blade may cross it
 		for off: Vector2i in [Vector2i.ZERO, Vector2i(2, 0), Vector2i(-2, 0), Vector2i(0, 2), Vector2i(0, -2)]:
 			is_seen = is_seen or is_violet(image.get_pixelv(at + off))
 		flowers += int(is_seen)
@@ -319,18 +353,56 @@ func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
 func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	viewport.size = Vector2i(960, 540)
 	var fescue := make(0.75, Color.WHITE, {root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.48, 0.6, 0.22), dry = 0.25})
-	var sorrel := make(0.15, Color.WHITE, {
-		length_min = 0.7, length_max = 0.95, width_min = 0.006, width_max = 0.01, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 2.5,
-		stand_strength = 0.8, natural_frequency = 2.0})
+	var sorrel := make(
+		0.15,
+		Color.WHITE,
+		{
+			length_min = 0.7,
+			length_max = 0.95,
+			width_min = 0.006,
+			width_max = 0.01,
+			weight_drooping = 0.0,
+			weight_wavy = 0.0,
+			stand_size = 2.5,
+			stand_strength = 0.8,
+			natural_frequency = 2.0
+		}
+	)
 	sorrel.gradient = Gradient.new()
 	sorrel.gradient.offsets = PackedFloat32Array([0.0, 0.6, 0.75, 1.0])
 	sorrel.gradient.colors = PackedColorArray([Color(0.2, 0.3, 0.1), Color(0.4, 0.45, 0.2), Color(0.55, 0.2, 0.12), Color(0.6, 0.25, 0.2)])
-	var sedge := make(0.1, Color.WHITE, {
-		root_color = Color(0.08, 0.2, 0.14), tip_color = Color(0.3, 0.5, 0.42), length_min = 0.35, length_max = 0.55, width_min = 0.015,
-		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
-	var daisy := make(0.06, Color.WHITE, {
-		root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.4, 0.5, 0.2), length_min = 0.5, length_max = 0.65, width_max = 0.006,
-		width_min = 0.004, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 1.5, stand_strength = 0.5, card_width = 0.045, card_height = 0.045})
+	var sedge := make(
+		0.1,
+		Color.WHITE,
+		{
+			root_color = Color(0.08, 0.2, 0.14),
+			tip_color = Color(0.3, 0.5, 0.42),
+			length_min = 0.35,
+			length_max = 0.55,
+			width_min = 0.015,
+			width_max = 0.03,
+			stand_size = 4.0,
+			stand_strength = 0.9
+		}
+	)
+	var daisy := make(
+		0.06,
+		Color.WHITE,
+		{
+			root_color = Color(0.15, 0.25, 0.08),
+			tip_color = Color(0.4, 0.5, 0.2),
+			length_min = 0.5,
+			length_max = 0.65,
+			width_max = 0.006,
+			width_min = 0.004,
+			weight_drooping = 0.0,
+			weight_wavy = 0.0,
+			stand_size = 1.5,
+			stand_strength = 0.5,
+			card_width = 0.045,
+			card_height = 0.045
+		}
+	)
 	daisy.card = daisy_card()
 	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge, daisy]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))

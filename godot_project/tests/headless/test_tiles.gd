@@ -3,8 +3,8 @@
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(4, 4)
-const PLACE := Vector3(0.25, 0.25, 0.25) # above its middle
-const SAME := 1e-3 # metres that nobody sees
+const PLACE := Vector3(0.25, 0.25, 0.25)  # above its middle
+const SAME := 1e-3  # metres that nobody sees
 
 
 ## Ticks until no tile is awake, at most `limit`.
@@ -43,7 +43,7 @@ func test_sleep_delay_and_settle_time_are_kept_to() -> void:
 	assert_near(await ticks_to_sleep(field), 60 * 0.75, 5)
 	body = add_held_body(ball(0.2), PLACE)
 	await seen()
-	field.sleep_delay = 1.0 # while it is awake
+	field.sleep_delay = 1.0  # while it is awake
 	field.settle_time = 0.0
 	body.free()
 	assert_near(await ticks_to_sleep(field), 60, 5)
@@ -181,7 +181,7 @@ func test_settled_blades_are_at_rest_before_they_are_let_go() -> void:
 	assert_greater(farthest(tile_knots(field, TILE), rest), 0.05)
 	body.free()
 	var last := rest
-	var step := 0.0 # metres in the last tick
+	var step := 0.0  # metres in the last tick
 	while field.is_tile_awake(TILE):
 		var now := tile_knots(field, TILE)
 		step = farthest(now, last)
