@@ -2,8 +2,8 @@
 // Templates, each made for one type, and the macros, each used once.
 #include "surface.h"
 
-#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
+#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/core/class_db.hpp>

@@ -33,8 +33,8 @@ void initialize_binding_tests(ModuleInitializationLevel p_level) {
 	}
 }
 
-extern "C" GDExtensionBool GDE_EXPORT binding_tests_init(
-		GDExtensionInterfaceGetProcAddress p_get_proc_address, GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
+extern "C" GDExtensionBool GDE_EXPORT binding_tests_init(GDExtensionInterfaceGetProcAddress p_get_proc_address,
+		GDExtensionClassLibraryPtr p_library, GDExtensionInitialization *r_initialization) {
 	GDExtensionBinding::InitObject init(p_get_proc_address, p_library, r_initialization);
 	init.register_initializer(initialize_binding_tests);
 	init.set_minimum_library_initialization_level(MODULE_INITIALIZATION_LEVEL_SCENE);
