@@ -166,7 +166,9 @@ def plot(title, rows):
 		picture.mark(ms, error, COLORS[row["method"]], radius, row["precision"] != "CPU double", row["precision"] == "GPU")
 	for front in fronts:
 		label(picture, front)
-	rest = "circle: CPU float, 8 lanes · hollow: CPU double · square: GPU · size: knots · dashed: Pareto fronts (steps a frame × iterations)"
+	rest = (
+		"circle: CPU float, 8 lanes · hollow: CPU double · square: GPU · size: knots · dashed: Pareto fronts (steps a frame × iterations)"
+	)
 	picture.legend(COLORS.items(), rest)
 	return picture.svg()
 
@@ -176,5 +178,5 @@ def label(picture, front):
 	for x, y, row in front:
 		lowest = max(lowest + 15, y - 8)
 		anchor = "end" if x > WIDTH * 0.72 else "start"
-		text = f'{row["method"]} {row["knots"]} knots, {row["substeps"]} × {row["iterations"]}'
+		text = f"{row['method']} {row['knots']} knots, {row['substeps']} × {row['iterations']}"
 		picture.text(x + (-9 if anchor == "end" else 9), lowest, text, anchor, 11)

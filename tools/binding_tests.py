@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""The layer `binding`: our binding offers what godot-cpp offers and nothing else. Each group of its surface counts one."""
+"""The layer `binding`: our binding offers what godot-cpp offers and nothing else, and works in the engine. Each group of its surface
+counts one, and each test case that runs."""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 
-from tools import machine
+from tools import engine, machine
 from tools.places import BUILD, ROOT
+from tools.say import Failure
 
 HERE = ROOT / "tests/binding"
 GENERATED = BUILD / "binding_surface/surface_generated.cpp"
 BINDING = ROOT / "extension/binding/include"
+RUN = BUILD / "binding_tests"  # the project of the tests that run, and their library
+RUN_LIMIT = 300  # seconds
 
 
 def run(only):
 	"""(names of what passed, names and reasons of what failed)."""
-	results = {name: reason for name, reason in (*compiled(), *complete()) if only in name}
+	results = {name: reason for name, reason in (*compiled(), *complete(), *working()) if only in name}
 	for name, reason in results.items():
 		print(f"{'fail' if reason else 'pass':>6} {name}{': ' + reason if reason else ''}", flush=True)
 	return [name for name, reason in results.items() if not reason], [f"{name}: {reason}" for name, reason in results.items() if reason]
@@ -45,3 +50,33 @@ def complete():
 		lacks = re.findall(rf"^{kind}: (.*)$", result.stdout, re.M)
 		broken = result.returncode not in (0, 1) or (result.returncode and not result.stdout)
 		yield f"binding/{kind}_headers_are_stated", "; ".join(lacks) or ("the check itself failed" if broken else "")
+
+
+def working():
+	"""The test cases of tests/binding/runtime, in the engine."""
+	cases = [name for path in sorted(HERE.glob("runtime/*.cpp")) for name in re.findall(r'^TEST_CASE\("(.+)"\)', path.read_text(), re.M)]
+	command, additions = machine.scons()
+	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
+	if subprocess.run([*command, "-Q", "binding_tests"], cwd=ROOT, env=environment).returncode:
+		yield "binding/runtime", "it does not build; the lines above say where"
+		return
+	for path in (HERE / "project").iterdir():
+		shutil.copy(path, RUN)
+	(RUN / ".godot").mkdir(exist_ok=True)
+	(RUN / ".godot/extension_list.cfg").write_text("res://binding_tests.gdextension\n")
+	program, additions = engine.headless()
+	said = []
+	try:
+		code = engine.run([*program, "--path", str(RUN), "--script", "res://main.gd"], additions, said.append, RUN_LIMIT)
+	except Failure as failure:
+		code = str(failure)
+	text = "\n".join(said)
+	ran = re.search(r"test cases:\s*(\d+)\s*\|", text)
+	complete = ran and int(ran[1]) == len(cases)
+	blocks = [block for block in re.split(r"^=+$", text, flags=re.M) if "ERROR" in block]
+	for name in cases:
+		reports = [" ".join(block.split()) for block in blocks if f"TEST CASE:  {name}" in block]
+		yield f"binding/runtime {name}", reports[0] if reports else "" if complete else f"the engine ended with {code}: {text[-500:]}"
+	leaks = [line for line in said if re.search(r"leaked at exit|still in use at exit|were leaked", line)]
+	failed = any(f"TEST CASE:  {name}" in block for name in cases for block in blocks)
+	yield "binding/runtime ends cleanly", "; ".join(leaks) or ("" if code == (1 if failed else 0) else f"the engine ended with {code}")

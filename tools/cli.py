@@ -14,6 +14,8 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass demo     runs the demo (or: meadow, lawn, reeds) and says where its pictures are
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
+  ./grass format   formats every source
+  ./grass debug    opens the tests in gdb, with a library that can be debugged
   ./grass editor   opens that project in the engine's editor
   ./grass bench    runs the benchmarks, of the core and in the engine
   ./grass docs     makes the site, out/site
@@ -39,21 +41,36 @@ def parser():
 	demo = commands.add_parser("demo", help="run the demo")
 	demo.add_argument("place", nargs="?", default="demo", choices=DEMOS, help="demo: 128 bodies thrown into a field (default); or a place")
 	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/PLACE)")
-	demo.add_argument("--size", choices=("small", "large"), help="of pictures, and of the field that bodies are thrown into; "
-			"default: large on a GPU, small on software Vulkan")
+	demo.add_argument(
+		"--size",
+		choices=("small", "large"),
+		help="of pictures, and of the field that bodies are thrown into; default: large on a GPU, small on software Vulkan",
+	)
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
-	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU")
+	demo.add_argument(
+		"--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU"
+	)
 
 	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument("layers", nargs="*", metavar="LAYER", help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)")
+	test.add_argument(
+		"layers",
+		nargs="*",
+		metavar="LAYER",
+		help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)",
+	)
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
 
 	build = commands.add_parser("build", help="build the extension")
 	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
 
+	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
+	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")
+	debug.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
+	debug.add_argument("--trace", action="store_true", help="run at once, print a backtrace where it stops, and end")
+	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
 	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "pack"), help=BENCHMARKS)
@@ -70,7 +87,9 @@ def parser():
 	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
 
 	release = commands.add_parser("release", help="make the zips of a release, out/release")
-	release.add_argument("--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows")
+	release.add_argument(
+		"--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows"
+	)
 	release.add_argument("--out", default=None, metavar="DIR", help="folder for the zips (default: out/release)")
 	release.add_argument("--fixtures", action="store_true", help="instead, write files of this version for the tests of later ones")
 
@@ -106,6 +125,14 @@ def dispatch(options):
 		scenes.editor()
 	elif options.command == "build":
 		build.scons(*options.arguments)
+	elif options.command == "format":
+		from tools import formatting
+
+		formatting.format_all()
+	elif options.command == "debug":
+		from tools import debugging
+
+		return debugging.run(options.only, options.at, options.trace)
 	elif options.command == "docs":
 		from tools.site import build as site  # beside the rest it needs Python 3.11
 

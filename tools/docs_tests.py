@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import engine, links, machine, settle, snippets
+from tools import bench_page, engine, links, machine, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.testing import Tally, in_engine
 
@@ -17,6 +17,7 @@ PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
 COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re.MULTILINE)
 EMPTY = BUILD / "snippets_project"  # an empty project that has the add-on, where shell blocks run
 SHELL_LIMIT = 300  # seconds
+DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of docs/decisions, after its status
 
 
 def noted(tally, name, wrong):
@@ -106,13 +107,48 @@ def wrong_checks(blocks):
 	return ", ".join(f"{key} is no block" for key in (*checks, *headers, *snippets.SKIPPED) if key not in known)
 
 
+def wrong_decisions():
+	"""Decisions that lack a part, or that the index does not list with their title and status."""
+	folder, wrong = ROOT / "docs/decisions", []
+	index = (folder / "README.md").read_text()
+	for path in sorted(folder.glob("[0-9]*.md")):
+		text = path.read_text()
+		number, title = re.match(r"# (\d+)\. (.+)", text).groups()
+		headings = re.findall(r"^## (.+)", text, re.MULTILINE)
+		if headings not in (DECISION, [*DECISION, "Alternatives"]):
+			wrong.append(f"{path.name}: its parts are {', '.join(headings)}")
+		status = re.search(r"^\*\*Status\.\*\* (Accepted|Superseded by)\b(.*?)\n\n", text, re.MULTILINE | re.DOTALL)
+		row = re.search(rf"^\| {number} \| \[{re.escape(title)}\]\({path.name}\) \| (.+) \|$", index, re.MULTILINE)
+		if not status or not row:
+			wrong.append(f"{path.name}: {'it has no status' if not status else 'it is not in the index by this title'}")
+			continue
+		named = [str(int(other)) for other in re.findall(r"\((\d{4})-[\w-]+\.md\)", status[2])]
+		if not row[1].lower().startswith(status[1].lower()) or re.findall(r"\d+", row[1]) != named:
+			wrong.append(f"{path.name}: the index says {row[1]}, the page {status[1]} {', '.join(named)}")
+	return "; ".join(wrong)
+
+
+def wrong_benchmarks():
+	"""Pages of figures that are not what the newest tables make."""
+	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench_page`"]
+	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
+	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
+	return "; ".join([*stale, *bench_page.newer()])
+
+
 def run(only):
 	"""The whole layer."""
 	tally, in_godot = Tally(), []
+	for name, wrong in {"docs/decisions": wrong_decisions, "docs/benchmarks": wrong_benchmarks}.items():
+		if only in name:
+			noted(tally, name, wrong())
 	for path in snippets.pages():
 		page = path.relative_to(ROOT)
 		if only in (name := f"docs/{page} links"):
 			noted(tally, name, "; ".join(links.wrong_in_page(path)))
+		if only in (name := f"docs/{page} width"):
+			wide = ", ".join(map(str, prose.too_wide(path)))
+			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)

@@ -32,9 +32,7 @@ def software_vulkan():
 		return [], {"VK_DRIVER_FILES": str(driver)}
 	# An engine of the machine's runs on the fetched driver only with the fetched C library.
 	fetched_engine = str(UNPACKED) in machine.godot()
-	return ([] if fetched_engine else settle.through_loader(UNPACKED, "")[:-1]), {
-		"VK_DRIVER_FILES": str(UNPACKED / settle.SOFTWARE_VULKAN)
-	}
+	return ([] if fetched_engine else settle.through_loader(UNPACKED, "")[:-1]), {"VK_DRIVER_FILES": str(UNPACKED / settle.SOFTWARE_VULKAN)}
 
 
 def window_arguments(method, size):

@@ -50,15 +50,49 @@ def encode(folder, said):
 		raise Failure("The scene did not say where its film begins.")
 	first, frames, fade = (int(number) for number in found.groups())
 	mp4, webp = folder / "film.mp4", folder / "film.webp"
-	ffmpeg(folder, first, frames, fade, "", mp4, "-c:v", "libx264", "-crf", "20", "-preset", "slow", "-pix_fmt", "yuv420p", "-movflags", "+faststart")
+	ffmpeg(
+		folder,
+		first,
+		frames,
+		fade,
+		"",
+		mp4,
+		"-c:v",
+		"libx264",
+		"-crf",
+		"20",
+		"-preset",
+		"slow",
+		"-pix_fmt",
+		"yuv420p",
+		"-movflags",
+		"+faststart",
+	)
 	for quality in LOOP["qualities"]:
 		scale = f",scale={LOOP['width']}:-2:flags=lanczos"
-		ffmpeg(folder, first, frames, fade, scale, webp, "-c:v", "libwebp_anim", "-quality", str(quality), "-compression_level", "5", "-loop", "0")
+		ffmpeg(
+			folder,
+			first,
+			frames,
+			fade,
+			scale,
+			webp,
+			"-c:v",
+			"libwebp_anim",
+			"-quality",
+			str(quality),
+			"-compression_level",
+			"5",
+			"-loop",
+			"0",
+		)
 		if webp.stat().st_size <= MOST_BYTES:
 			break
 	else:
 		raise Failure(f"The loop has {webp.stat().st_size} bytes, more than {MOST_BYTES}.")
-	say(f"The film is in {folder}: film.mp4, {mp4.stat().st_size / 1e6:.1f} MB, and film.webp, {webp.stat().st_size / 1e6:.1f} MB (quality {quality})")
+	say(
+		f"The film is in {folder}: film.mp4, {mp4.stat().st_size / 1e6:.1f} MB, and film.webp, {webp.stat().st_size / 1e6:.1f} MB (quality {quality})"
+	)
 
 
 def ffmpeg(folder, first, frames, fade, filters, target, *codec):

@@ -62,12 +62,41 @@ STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in wh
 # Not unpacked: documentation, what the machine's own Python replaces, drivers of GPUs (cards use the system's), what compilers of
 # other languages bring.
 LEFT_OUT = (
-	"./usr/share/doc/*", "./usr/share/man/*", "./usr/share/locale/*", "./usr/share/info/*", "./usr/share/lintian/*",
-	"./usr/share/zoneinfo/*", "./usr/share/perl5/*", "./usr/bin/*python*", "./usr/bin/py*3*", "./usr/bin/spirv-*",
-	"./usr/lib/python3.*", "./usr/lib/*/gconv/*", "./usr/share/vulkan/icd.d/*", "./usr/share/vulkan/implicit_layer.d/*",
-	"./usr/bin/*lto-dump*", "./usr/bin/qemu-[!a]*", "./usr/lib/gcc*/*lto1", "./usr/lib/gcc*/adalib/*", "./usr/lib/gcc*/libgfortran*",
-	*(f"./usr/lib/*/libvulkan_{name}.so" for name in
-	("asahi", "freedreno", "gfxstream", "intel", "intel_hasvk", "nouveau", "panfrost", "broadcom", "powervr_mesa", "radeon", "virtio")),
+	"./usr/share/doc/*",
+	"./usr/share/man/*",
+	"./usr/share/locale/*",
+	"./usr/share/info/*",
+	"./usr/share/lintian/*",
+	"./usr/share/zoneinfo/*",
+	"./usr/share/perl5/*",
+	"./usr/bin/*python*",
+	"./usr/bin/py*3*",
+	"./usr/bin/spirv-*",
+	"./usr/lib/python3.*",
+	"./usr/lib/*/gconv/*",
+	"./usr/share/vulkan/icd.d/*",
+	"./usr/share/vulkan/implicit_layer.d/*",
+	"./usr/bin/*lto-dump*",
+	"./usr/bin/qemu-[!a]*",
+	"./usr/lib/gcc*/*lto1",
+	"./usr/lib/gcc*/adalib/*",
+	"./usr/lib/gcc*/libgfortran*",
+	*(
+		f"./usr/lib/*/libvulkan_{name}.so"
+		for name in (
+			"asahi",
+			"freedreno",
+			"gfxstream",
+			"intel",
+			"intel_hasvk",
+			"nouveau",
+			"panfrost",
+			"broadcom",
+			"powervr_mesa",
+			"radeon",
+			"virtio",
+		)
+	),
 )
 
 BY_HAND = (

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The page of `./grass bench paper`: what was measured beside the paper's numbers, a section for each part."""
 
+from tools import prose
 from tools.paper_rows import KINDS, NAMES, ms, pick, xy
 
 # Fan et al. 2015, section 6, on a Radeon HD 7970. Of table 1 our copy of the text holds four numbers a row; by their ratios and
@@ -31,8 +32,8 @@ def page(tables):
 	"""The page: a section for each part that was measured."""
 	lines = ["# Beside the paper", ""]
 	lines += [
-		"Fan, Li, Hillesland, Sheng: \"Simulation and Rendering for Millions of Grass Blades\" (I3D 2015), section 6, measured a Radeon HD 7970. "
-		"`./grass bench paper` measures the same things here, and GrassField against what one would do otherwise in Godot. It also writes this page.",
+		'Fan, Li, Hillesland, Sheng: "Simulation and Rendering for Millions of Grass Blades" (I3D 2015), section 6, measured a Radeon HD 7970. '
+		"`./grass bench paper` measures the same things here, and GrassField against the alternatives in Godot. It also writes this page.",
 		"",
 	]
 	if any(head and "software" in head for head, _, _ in tables.values()):
@@ -45,7 +46,7 @@ def page(tables):
 		lines += section(rows) if rows else []
 		lines += [f"Failed: {'; '.join(', '.join(filter(None, row.values())) for row in failed)}.", ""] if failed else []
 		lines += [f"[paper_{part}.csv](paper/paper_{part}.csv): {head}.", ""]
-	return "\n".join(lines)
+	return prose.page("\n".join(lines))
 
 
 def table1(rows):
@@ -53,7 +54,7 @@ def table1(rows):
 		"## Table 1: frames a second, by tiles and blades a tile", "",
 		"A tile of ours always has 64 blades (decided with the workgroup's size). A tile of 128, 256 or 512 becomes 2, 4 or 8 tiles of ours on the same "
 		"0.5 m square of ground: the same number of blades on the same area, in smaller tiles. LOD: blades only as in the paper, and blades and segments, "
-		"our default. From above all tiles are in view; the paper does not tell its view. 4x MSAA, no shadows. GPU time of the frame, culling included.",
+		"our default. From above all tiles are in view; the paper does not state its view. 4x MSAA, no shadows. GPU time of the frame, culling included.",
 	]  # fmt: skip
 	for view in ("above", "eye"):
 		found = pick(rows, view=view)
@@ -65,20 +66,26 @@ def table1(rows):
 			cells = []
 			for count in counts:
 				by_lod = {row["lod"]: row for row in pick(found, blades_a_tile=blades, tiles=count)}
-				cells.append(" / ".join(f"{1000.0 / ms(by_lod[lod]):.0f}" if lod in by_lod and ms(by_lod[lod]) else "–" for lod in ("none", "blades", "all")))
+				cells.append(
+					" / ".join(
+						f"{1000.0 / ms(by_lod[lod]):.0f}" if lod in by_lod and ms(by_lod[lod]) else "–" for lod in ("none", "blades", "all")
+					)
+				)
 			paper = PAPER_TABLE1[int(blades)]
 			body.append([blades, *cells, f"{paper[0]} / {paper[1]}", f"{paper[2]} / {paper[3]}"])
 		where = "From above" if view == "above" else "From eye level"
 		lines += ["", f"{where}: no LOD / LOD of blades / LOD of blades and segments; the paper: no LOD / LOD."]
 		lines += grid(["blades a tile", *(f"{count} tiles" for count in counts), "paper, 2K", "paper, 4K"], body)
-	return [*lines, "The text of the paper that we have holds four numbers a row; that they belong to 2K and 4K tiles is read from their ratios.", "",
+	return [*lines, "Our copy of the paper has four numbers a row; their ratios say that they belong to 2K and 4K tiles.", "",
 		"![Frame time against blades](paper/table1.svg)", ""]  # fmt: skip
 
 
 def passes(rows):
 	theirs = {"simulate": "5.6", "draw grass": "5.4", "all else drawn": "0.6 (sky 0.3, terrain 0.3)"}
 	text = f"{number(float(rows[0]['blades']))} blades, 128 bodies thrown 5 to 8 s ago, {number(float(rows[0]['awake_blades']))} blades awake (paper: 4 M, 128, 23 K). 4x MSAA, from eye level."
-	body = [[row["pass"], number(float(row["gpu_ms"])), theirs.get(row["pass"], "on the CPU" if row["pass"] == "cull" else "")] for row in rows]
+	body = [
+		[row["pass"], number(float(row["gpu_ms"])), theirs.get(row["pass"], "on the CPU" if row["pass"] == "cull" else "")] for row in rows
+	]
 	return ["## Table 2: GPU time of a frame by pass", "", text, *grid(["pass", "ms", "paper, ms"], body)]
 
 
@@ -87,7 +94,10 @@ def awake(rows):
 	points = xy(pick(rows, series="awake"), "awake_blades", "simulate_ms")
 	if len(points) > 2:
 		slope, constant, r2 = fit(points)
-		lines += [f"Against awake blades: {constant * 1e3:.0f} us + {slope * 1e6:.3g} ns a blade, R² = {r2:.3f}. The paper's is a straight line, too.", ""]
+		lines += [
+			f"Against awake blades: {constant * 1e3:.0f} us + {slope * 1e6:.3g} ns a blade, R² = {r2:.3f}. The paper's is a straight line, too.",
+			"",
+		]
 		lines += grid(["awake blades", "ms a step"], [[number(x), f"{y:.3f}"] for x, y in points])
 	points = xy(pick(rows, series="total"), "blades", "simulate_ms")
 	if len(points) > 1:
@@ -95,7 +105,10 @@ def awake(rows):
 		middle = sum(times) / len(times)
 		apart = max(abs(y - middle) for y in times) / middle
 		held = "so it holds" if apart <= 0.05 else "so it does not hold"
-		lines += [f"Against all blades, {number(float(pick(rows, series='total')[0]['awake_blades']))} awake: within {apart:.1%} of {middle:.3f} ms (asked for: 5 %, {held}).", ""]
+		lines += [
+			f"Against all blades, {number(float(pick(rows, series='total')[0]['awake_blades']))} awake: within {apart:.1%} of {middle:.3f} ms (aim: 5 %, {held}).",
+			"",
+		]
 		lines += grid(["blades", "ms a step"], [[number(x), f"{y:.3f}"] for x, y in points])
 	return [*lines, "![Simulation time](paper/figure7.svg)", ""]
 
@@ -116,7 +129,10 @@ def tiles(rows):
 	]  # fmt: skip
 	if len(means) == 2:
 		ratio = [large / small for small, large in zip(means["64"], means["256"])]
-		lines += [f"Tiles of 256 keep {ratio[0]:.2f} times as many blades awake and take {ratio[1]:.2f} times as long (paper: 1.91 times).", ""]
+		lines += [
+			f"Tiles of 256 keep {ratio[0]:.2f} times as many blades awake and need {ratio[1]:.2f} times as long (paper: 1.91 times).",
+			"",
+		]
 	return lines
 
 
@@ -129,7 +145,17 @@ def lists(rows):
 				(without,), (with_list,) = both
 				times = float(without["simulate_ms"]), float(with_list["simulate_ms"])
 				entries = f"{float(with_list['entries_a_tile']):.2f}"
-				body.append([f"METHOD_{method}", objects, number(float(with_list["awake_tiles"])), entries, f"{times[0]:.3f}", f"{times[1]:.3f}", f"{1 - times[1] / times[0]:.0%}"])
+				body.append(
+					[
+						f"METHOD_{method}",
+						objects,
+						number(float(with_list["awake_tiles"])),
+						entries,
+						f"{times[0]:.3f}",
+						f"{times[1]:.3f}",
+						f"{1 - times[1] / times[0]:.0%}",
+					]
+				)
 	head = ["method", "objects", "awake tiles", "objects a tile", "ms without", "ms with", "saved"]
 	text = (
 		"The simulation pass alone: balls of 0.3 m at random in a field of 80 m; the tiles that they touch are awake and have the list of the objects that touch "
@@ -162,7 +188,9 @@ def rivals(rows):
 		body = []
 		for blades in sorted({int(row["blades"]) for row in found}):
 			times = {row["kind"]: ms(row) for row in pick(found, blades=blades)}
-			share = f"1 / {times['multimesh 7'] / times['field']:.1f}" if {"field", "multimesh 7"} <= times.keys() and times["field"] else "–"
+			share = (
+				f"1 / {times['multimesh 7'] / times['field']:.1f}" if {"field", "multimesh 7"} <= times.keys() and times["field"] else "–"
+			)
 			body.append([number(blades), *(number(times[kind]) if kind in times else "–" for kind in KINDS), share])
 		where = f"{'From eye level' if view == 'eye' else 'From above'}, shadows {shadows}:"
 		lines += ["", where, *grid(["blades", *NAMES.values(), "GrassField over MultiMesh 7"], body)]
@@ -171,14 +199,16 @@ def rivals(rows):
 
 
 def verdicts(rows):
-	"""What was asked for at eye level, and whether it holds."""
+	"""The aims at eye level, and whether they are met."""
 	lines = []
 	for shadows in ("on", "off"):
 		times = {(row["kind"], round(int(row["blades"]) / 2**20)): ms(row) for row in pick(rows, view="eye", shadows=shadows)}
 		for millions, share in ((1, 5), (4, 10)):
 			ours, plain = times.get(("field", millions)), times.get(("multimesh 7", millions))
 			if ours and plain:
-				lines.append(f"- {millions} M blades, eye level, shadows {shadows}: 1 / {plain / ours:.1f} of the plain MultiMesh's time (asked for: at most 1 / {share}).")
+				lines.append(
+					f"- {millions} M blades, eye level, shadows {shadows}: 1 / {plain / ours:.1f} of the plain MultiMesh's time (aim: at most 1 / {share})."
+				)
 		if ours := times.get(("field", 16)):
-			lines.append(f"- 16 M blades, eye level, shadows {shadows}: {ours:.1f} ms (asked for: below 16 ms).")
+			lines.append(f"- 16 M blades, eye level, shadows {shadows}: {ours:.1f} ms (aim: below 16 ms).")
 	return [*lines, ""] if lines else []

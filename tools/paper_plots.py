@@ -35,7 +35,9 @@ def plot_awake(rows):
 
 def plot_lists(rows):
 	series = {
-		(method, kind): xy(pick(rows, method=method, list=kind), "objects", "simulate_ms") for method in ("DIRECT", "PBD") for kind in ("tile", "scene")
+		(method, kind): xy(pick(rows, method=method, list=kind), "objects", "simulate_ms")
+		for method in ("DIRECT", "PBD")
+		for kind in ("tile", "scene")
 	}
 	every = [point for points in series.values() for point in points]
 	title = "Simulation step with a list of objects for each tile, and without"

@@ -3,7 +3,12 @@
 
 GREEN, ORANGE, BLUE, GREY = "#1b7f4b", "#c2571a", "#2a5f9e", "#777777"
 KINDS = {"field": GREEN, "tiles": BLUE, "multimesh 7": ORANGE, "multimesh 15": GREY}
-NAMES = {"field": "GrassField", "tiles": "MultiMesh a tile, by distance", "multimesh 7": "MultiMesh, 7 segments", "multimesh 15": "MultiMesh, 15 segments"}
+NAMES = {
+	"field": "GrassField",
+	"tiles": "MultiMesh a tile, by distance",
+	"multimesh 7": "MultiMesh, 7 segments",
+	"multimesh 15": "MultiMesh, 15 segments",
+}
 
 
 def pick(rows, **wanted):

@@ -46,7 +46,7 @@ class Block:
 
 def pages():
 	"""Every Markdown page that a user reads."""
-	return [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+	return [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").rglob("*.md"))]
 
 
 def identifier(text):

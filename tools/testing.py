@@ -17,10 +17,10 @@ PICTURES = "test_picture"
 # Seconds; ten times what the longest layer takes on two cores, for machines that are slow or busy. What hangs is found long before.
 PROGRAM_LIMIT = 3600
 ENGINE_LIMIT = 14400
-EDITED = BUILD / "editor/project" # the copy of the project that the editor may change; its pictures lie beside it
+EDITED = BUILD / "editor/project"  # the copy of the project that the editor may change; its pictures lie beside it
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
-UNSUPPORTED = re.compile(r"is not supported yet") # the engine about a shader of ours
+UNSUPPORTED = re.compile(r"is not supported yet")  # the engine about a shader of ours
 SOFTWARE = re.compile(r"Vulkan .* Using Device #\d+: .*(llvmpipe|lavapipe|SwiftShader)")
 
 
@@ -101,7 +101,7 @@ class Reports:
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running = [], None
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
-		self.heard = {} # lines, by what they are
+		self.heard = {}  # lines, by what they are
 		self.said = [] if said is None else said
 
 	def line(self, text):
@@ -158,6 +158,12 @@ def in_engine(
 	except Failure as failure:
 		how = f"the engine died: {failure}"
 	return reports.end(how)
+
+
+def formatted(only):
+	from tools import formatting  # pip and clang-format are looked for only where it runs
+
+	return formatting.layer(only, Tally())
 
 
 def binding(only):
@@ -236,6 +242,7 @@ class Layer:
 
 # In the order in which they run.
 LAYERS = {
+	"format": Layer(lambda only, _: formatted(only), None),
 	"binding": Layer(lambda only, _: binding(only), None),
 	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
 	"stress": Layer(lambda only, _: core("stress", only), "stress"),
@@ -256,7 +263,7 @@ ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 
 
 def run(layers=ALL, only="", hardware=False):
-	"""Builds, runs `layers`, the gpu layer on the machine's GPU if it is to be `hardware`; prints the sum. Returns whether all went well."""
+	"""Builds, runs `layers` (the gpu layer on the machine's GPU if `hardware`), prints the sum. Returns whether all went well."""
 	if hardware and not machine.gpu():
 		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
 	machine.ensure(*machine.BUILDING, *on_screen(layers, hardware))

@@ -75,7 +75,9 @@ def only_the_addon(sources):
 	check(not strangers, f"{strangers} are no part of the add-on")
 	for name in ("LICENSE", "README.md", "grass_field.gdextension", "grass_field.gdextension.uid"):
 		check(f"{PLACE}/{name}" in files, f"{name} is missing")
-	check(path.stat().st_size <= PER_LIBRARY * len(sources), f"{path.stat().st_size} bytes for {len(sources)} libraries, {PER_LIBRARY} each")
+	check(
+		path.stat().st_size <= PER_LIBRARY * len(sources), f"{path.stat().st_size} bytes for {len(sources)} libraries, {PER_LIBRARY} each"
+	)
 
 
 def extension_names_what_is_there(sources):
@@ -106,7 +108,9 @@ def symbols_find_their_library(sources):
 	check(set(files) == {f"{target.library}.debug" for target in sources}, f"there are {sorted(files)}")
 	_, libraries = names_in("")
 	for target in sources:
-		check(f"{target.library}.debug".encode() in libraries[f"{PLACE}/bin/{target.library}"], f"{target.library} names no file of symbols")
+		check(
+			f"{target.library}.debug".encode() in libraries[f"{PLACE}/bin/{target.library}"], f"{target.library} names no file of symbols"
+		)
 
 
 def demo_is_whole(_sources):

@@ -55,7 +55,7 @@ func _ready() -> void:
 
 ## These write their rows as they come: what fails later takes nothing away.
 func _run_paper(p_only: String, p_folder: String, p_spirv: String) -> void:
-	var wants := { PaperLists: [p_spirv], PaperRivals: [_argument("--pictures", "")] }
+	var wants := {PaperLists: [p_spirv], PaperRivals: [_argument("--pictures", "")]}
 	for script in PAPER:
 		var part: Node = script.new()
 		if part.FILE.begins_with(p_only):
@@ -79,8 +79,17 @@ func _write(p_path: String, p_rows: Array[PackedStringArray]) -> void:
 	if file == null:
 		push_error("Bench: cannot write %s (%s)." % [p_path, error_string(FileAccess.get_open_error())])
 		return
-	file.store_line("# %s, %s, Godot %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(),
-			Engine.get_version_info().string, OS.get_processor_name()])
+	file.store_line(
+		(
+			"# %s, %s, Godot %s, %s"
+			% [
+				RenderingServer.get_video_adapter_name(),
+				RenderingServer.get_current_rendering_method(),
+				Engine.get_version_info().string,
+				OS.get_processor_name()
+			]
+		)
+	)
 	for row in p_rows:
 		file.store_csv_line(row)
 		print(", ".join(row))

@@ -11,20 +11,20 @@ const FILE := "accuracy_gpu.csv"
 const PACK := 0x4b434150
 const RESULT := 0x544c5352
 const STEP_BYTES := 112
-const STEPS_IN_FLIGHT := 400 # then the device is waited for
-const TIMED_TILES := 1024 # 65,536 blades
-const WARM_UP := 0.2 # seconds: an idle card takes its first steps at a low clock
-const BATCH := 20 # frames
+const STEPS_IN_FLIGHT := 400  # then the device is waited for
+const TIMED_TILES := 1024  # 65,536 blades
+const WARM_UP := 0.2  # seconds: an idle card takes its first steps at a low clock
+const BATCH := 20  # frames
 const BATCHES := 5
 enum Keep { TIP, KNOTS, TIME }
 
 var _device: RenderingDevice
-var _passes: Array[SimulatePass] = [] # the one of tiles without colliders, and the one that meets colliders with edges too
-var _pass: SimulatePass # that of the take
+var _passes: Array[SimulatePass] = []  # the one of tiles without colliders, and the one that meets colliders with edges too
+var _pass: SimulatePass  # that of the take
 var _software := false
-var _knots := 0 # of a blade
+var _knots := 0  # of a blade
 var _patch := PackedByteArray()
-var _states: Array[PackedByteArray] = [] # knots and knots before of each
+var _states: Array[PackedByteArray] = []  # knots and knots before of each
 
 
 func run(p_packs: String, p_spirv: String, p_out: String, p_software: bool) -> Array[PackedStringArray]:
@@ -39,7 +39,9 @@ func run(p_packs: String, p_spirv: String, p_out: String, p_software: bool) -> A
 			print(", ".join(rows[-1]))
 			await get_tree().process_frame
 	if rows.size() == 1:
-		push_error("Bench: there are no packs in '%s'. accuracy_16 --record DIR makes them; `./grass bench accuracy` does it all." % p_packs)
+		push_error(
+			"Bench: there are no packs in '%s'. accuracy_16 --record DIR makes them; `./grass bench accuracy` does it all." % p_packs
+		)
 	if _device != null:
 		_device.free()
 	return rows
@@ -113,20 +115,31 @@ func _play_take(p_pack: StreamPeerBuffer, r_result: StreamPeerBuffer) -> int:
 func _set_up(p_tiles: int, p_state: int, p_colliders: int) -> bool:
 	var words := PackedInt32Array()
 	var state := PackedByteArray()
-	for tile in p_tiles: # all at one place: each has a slot of its own
+	for tile in p_tiles:  # all at one place: each has a slot of its own
 		words.append_array(SimulatePass.slot_words(0, 0, tile, 0, 0, p_colliders, 0))
 		state.append_array(_states[2 * p_state])
 		state.append_array(_states[2 * p_state + 1])
-	return _pass.set_up(p_tiles, _knots, _patch, RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT, SimulatePass.BLADES * _knots,
-			words.to_byte_array(), PackedByteArray(), [0], state)
+	return _pass.set_up(
+		p_tiles,
+		_knots,
+		_patch,
+		RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT,
+		SimulatePass.BLADES * _knots,
+		words.to_byte_array(),
+		PackedByteArray(),
+		[0],
+		state
+	)
 
 
 ## What is to be kept of a take, as floats.
-func _track(p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[PackedByteArray], p_keep: int, p_stride: int) -> PackedByteArray:
+func _track(
+	p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[PackedByteArray], p_keep: int, p_stride: int
+) -> PackedByteArray:
 	if not _set_up(1, p_state, 0 if p_colliders.is_empty() else 1):
 		return []
 	var size := 4 if p_keep == Keep.TIP else _states[0].size()
-	var from := ((_knots - 2) - 1) * SimulatePass.BLADES * 4 if p_keep == Keep.TIP else 0 # x of the last knot of the first blade
+	var from := ((_knots - 2) - 1) * SimulatePass.BLADES * 4 if p_keep == Keep.TIP else 0  # x of the last knot of the first blade
 	var kept := 0
 	var track := _pass.make_buffer(p_pushes.size() / p_stride * size)
 	for i in p_pushes.size():
@@ -152,8 +165,8 @@ func _time(p_state: int, p_pushes: Array[PackedByteArray]) -> float:
 	var start := Time.get_ticks_msec()
 	while Time.get_ticks_msec() - start < WARM_UP * 1e3 and not _software:
 		_pass.time(p_pushes[0], tiles, BATCH * p_pushes.size())
-	for part in 2: # now, before
-		for tile in tiles: # back to the start: blades that swing, as on the CPU
+	for part in 2:  # now, before
+		for tile in tiles:  # back to the start: blades that swing, as on the CPU
 			var bytes := _states[2 * p_state + part]
 			var half := part if _pass.half_now() == 0 else 1 - part
 			_device.buffer_update(_pass.knots, (2 * tile + half) * bytes.size(), bytes.size(), bytes)

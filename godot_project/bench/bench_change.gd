@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
 ## What a change of a standing field costs its frames: how many pass until it is there, the most that the field had to do in one of them
-## (`build_ms`), and how long the longest took, beside the longest in which nothing changed. Nothing is drawn, so the renderer's pipelines are not in
-## it, but making shaders is.
+## (`build_ms`), and how long the longest took, beside the longest in which nothing changed. Nothing is drawn, so the renderer's pipelines
+## are not in it, but making shaders is.
 extends Node3D
 
 const FILE := "change.csv"
-const SIDE := 500.0 # metres: 64 million blades
-const PAINTED: Array[float] = [-192.0, -64.0, 64.0, 192.0] # metres: middles of strokes along each side, which cover it all
-const STILL := 20 # frames in which nothing changes, before each change
+const SIDE := 500.0  # metres: 64 million blades
+const PAINTED: Array[float] = [-192.0, -64.0, 64.0, 192.0]  # metres: middles of strokes along each side, which cover it all
+const STILL := 20  # frames in which nothing changes, before each change
 
 var _field: GrassField
 var _painted: GrassMap
-var _last := 0 # microseconds
+var _last := 0  # microseconds
 
 
 func run(_p_software: bool) -> Array[PackedStringArray]:
@@ -60,7 +60,7 @@ func _measure(p_name: String, p_change: Callable) -> PackedStringArray:
 	while frames == 0 or _field.get_statistics().waiting or _field.get_statistics().map_waiting > 0:
 		longest = maxf(longest, await _frame())
 		frames += 1
-	for i in 2: # what the renderer does with it
+	for i in 2:  # what the renderer does with it
 		longest = maxf(longest, await _frame())
 	var now := _field.get_statistics()
 	return [p_name, str(frames), str(now.makings - before), "%.2f" % now.build_ms, "%.1f" % longest, "%.1f" % still]

@@ -6,14 +6,14 @@ extends Node3D
 const Scenery := preload("res://bench/scenery.gd")
 
 const FILE := "cpu.csv"
-const CROWD := 70.0 # metres: the bodies stay together on any field
-const SIZES: Array[float] = [70.5, 500.0, 2000.0] # metres: 20 thousand, 1 million, 16 million tiles
+const CROWD := 70.0  # metres: the bodies stay together on any field
+const SIZES: Array[float] = [70.5, 500.0, 2000.0]  # metres: 20 thousand, 1 million, 16 million tiles
 const BODIES: Array[int] = [0, 128, 1024]
-const WARM_UP := 120 # ticks, so that tiles fall asleep as others wake
+const WARM_UP := 120  # ticks, so that tiles fall asleep as others wake
 const TICKS := 240
-const SOFTWARE := 0.2 # share of these ticks where blades are solved in software: seconds a tick; they are not drawn there
+const SOFTWARE := 0.2  # share of these ticks where blades are solved in software: seconds a tick; they are not drawn there
 const STAGES: Array[String] = ["gather_ms", "tiles_ms", "upload_ms", "frame_ms"]
-const COUNTS: Array[String] = ["body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "uploaded_bytes", "steps", "culls"] # a tick
+const COUNTS: Array[String] = ["body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "uploaded_bytes", "steps", "culls"]  # a tick
 
 
 func run(p_software: bool) -> Array[PackedStringArray]:
@@ -37,7 +37,7 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 	field.size = Vector2(p_size, p_size)
 	add_child(field)
 	var camera := Camera3D.new()
-	camera.position = Vector3(0.0, CROWD, 0.0) # sees all of the crowd: nothing of it is left out
+	camera.position = Vector3(0.0, CROWD, 0.0)  # sees all of the crowd: nothing of it is left out
 	camera.rotation_degrees.x = -90.0
 	add_child(camera)
 	await Scenery.compiled(field)

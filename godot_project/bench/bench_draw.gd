@@ -4,7 +4,7 @@ extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const FILE := "draw.csv"
-const FRAMES := 24 # measured, after as many to warm up
+const FRAMES := 24  # measured, after as many to warm up
 
 var _field: GrassField
 var _camera: Camera3D
@@ -42,11 +42,19 @@ func _measure(p_view: String, p_side: float, p_shadows: bool, p_msaa: int, p_fra
 	FrameTimer.look(_camera, p_view, p_side)
 	var times: Array[float] = []
 	for frame in 2 * p_frames + 4:
-		_camera.position.y += 1e-4 # a still picture would not be culled again
+		_camera.position.y += 1e-4  # a still picture would not be culled again
 		await RenderingServer.frame_post_draw
 		if frame >= p_frames + 4:
 			times.append(RenderingServer.viewport_get_measured_render_time_gpu(get_viewport().get_viewport_rid()))
 	var statistics := _field.get_statistics()
 	var blades: int = statistics.blades if _field.visible else 0
-	return [str(blades), p_view, "on" if p_shadows else "off", str(p_msaa), str(statistics.drawn_blades if blades else 0),
-			str(statistics.drawn_triangles if blades else 0), "%.3f" % preload("res://bench/measure.gd").median(times), "%.4f" % statistics.cull_ms]
+	return [
+		str(blades),
+		p_view,
+		"on" if p_shadows else "off",
+		str(p_msaa),
+		str(statistics.drawn_blades if blades else 0),
+		str(statistics.drawn_triangles if blades else 0),
+		"%.3f" % preload("res://bench/measure.gd").median(times),
+		"%.4f" % statistics.cull_ms
+	]

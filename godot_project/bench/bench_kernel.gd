@@ -9,27 +9,27 @@ extends Node
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 
 const FILE := "kernel.csv"
-const TILE_SIZE := 0.5 # metres
-const BLADES := 64 # a tile
+const TILE_SIZE := 0.5  # metres
+const BLADES := 64  # a tile
 const KNOTS := 16
 const FREE_KNOTS := 14
 const PATCH_BLADES := 16384
-const LENGTH := 0.5 # of a blade, metres
-const FREQUENCY := 1.2 # Hz
-const RATE := 60.0 # steps a second
+const LENGTH := 0.5  # of a blade, metres
+const FREQUENCY := 1.2  # Hz
+const RATE := 60.0  # steps a second
 const STEPS := 200
 const WARM_UP := 20
-const WAKING := 400 # milliseconds: a card that idled while its driver compiled, or this made buffers, begins at a low clock
-const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8 # a blade and step: places now and before read, new ones written; texture
-const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4 # METHOD_DIRECT: twists read and written; length
+const WAKING := 400  # milliseconds: a card that idled while its driver compiled, or this made buffers, begins at a low clock
+const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8  # a blade and step: places now and before read, new ones written; texture
+const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4  # METHOD_DIRECT: twists read and written; length
 enum { DIRECT, PBD }
 const NAMES: Array[String] = ["DIRECT", "PBD"]
 enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
 const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
-const MOST_TILES := 4096 # with a lid or bodies
+const MOST_TILES := 4096  # with a lid or bodies
 const HULL_PLANES := 22
-const BODY := 0.42 # metres
-const GROUP := 5 # tiles along the square of a body
+const BODY := 0.42  # metres
+const GROUP := 5  # tiles along the square of a body
 
 var _device: RenderingDevice
 var _made: Array[RID] = []
@@ -38,21 +38,28 @@ var _shader: RID
 
 
 func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
-	var rows: Array[PackedStringArray] = [["method", "iterations", "awake_blades", "colliders_a_tile", "pass", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]]
+	var rows: Array[PackedStringArray] = [
+		["method", "iterations", "awake_blades", "colliders_a_tile", "pass", "wall_ms", "gpu_ms", "floor_bytes_a_blade"]
+	]
 	_device = RenderingServer.create_local_rendering_device()
-	for variant: String in ["", "_edges", "_free"]: # of tiles near nothing sharp; near something sharp; without colliders
+	for variant: String in ["", "_edges", "_free"]:  # of tiles near nothing sharp; near something sharp; without colliders
 		var code := RDShaderSPIRV.new()
-		code.set_stage_bytecode(RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, variant])))
+		code.set_stage_bytecode(
+			RenderingDevice.SHADER_STAGE_COMPUTE, FileAccess.get_file_as_bytes(p_spirv.path_join("simulate_%d%s.spv" % [KNOTS, variant]))
+		)
 		_shader = _device.shader_create_from_spirv(code)
 		for method: int in [DIRECT, PBD]:
 			var start := Time.get_ticks_msec()
 			_pipeline = SimulatePass.make_pipeline(_device, _shader, method)
-			print("simulate%s, %s: %d ms to compile, unless the driver has kept it" % [variant, NAMES[method], Time.get_ticks_msec() - start])
-			for tiles: int in [64] if p_software else [16384, 4096, 1024]: # the largest first, so that the clock has risen before the short ones
+			print(
+				"simulate%s, %s: %d ms to compile, unless the driver has kept it" % [variant, NAMES[method], Time.get_ticks_msec() - start]
+			)
+			# The largest first, so that the clock has risen before the short ones.
+			for tiles: int in [64] if p_software else [16384, 4096, 1024]:
 				for scene in SCENES if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
-					for iterations: int in [2, 4] if method == DIRECT and scene == "0" else [2]: # free blades: one solve, two stages
+					for iterations: int in [2, 4] if method == DIRECT and scene == "0" else [2]:  # free blades: one solve, two stages
 						var row := _measure(method, iterations, tiles, scene, 4 if p_software else STEPS)
 						row.insert(4, "simulate" + variant)
 						rows.append(row)
@@ -66,13 +73,13 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	var sets: Array[RID] = []
 	var shared := _shared_resources(p_tiles)
 	var colliders := int(p_scene) if p_scene.is_valid_int() else 1
-	for phase in 8: # the colliders go to and fro
+	for phase in 8:  # the colliders go to and fro
 		sets.append(_uniform_set(shared, p_tiles, p_scene, colliders, phase))
 	var bend := _push(p_method, p_iterations, Vector3(25.0, 0.0, 10.0))
 	var free := _push(p_method, p_iterations, Vector3.ZERO)
 	if colliders == 1:
-		bend = free # what no body touches stands at rest
-	_run(sets, bend, p_tiles, WARM_UP) # a strong wind bends all blades
+		bend = free  # what no body touches stands at rest
+	_run(sets, bend, p_tiles, WARM_UP)  # a strong wind bends all blades
 	_device.buffer_update(shared[0], 0, p_tiles * 48, _slots(p_tiles, colliders, 0))
 	var awake := Time.get_ticks_msec() + (0 if p_steps < STEPS else WAKING)
 	_run(sets, bend, p_tiles, WARM_UP)
@@ -90,7 +97,15 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	for rid in _made:
 		_device.free_rid(rid)
 	_made.clear()
-	return [NAMES[p_method], str(p_iterations), str(p_tiles * BLADES), p_scene, "%.4f" % wall, "%.4f" % (gpu / p_steps), str(FLOOR_BYTES + (TWIST_BYTES if p_method == DIRECT else 0))]
+	return [
+		NAMES[p_method],
+		str(p_iterations),
+		str(p_tiles * BLADES),
+		p_scene,
+		"%.4f" % wall,
+		"%.4f" % (gpu / p_steps),
+		str(FLOOR_BYTES + (TWIST_BYTES if p_method == DIRECT else 0))
+	]
 
 
 func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: int) -> void:
@@ -116,14 +131,40 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	var motion: Array[float] = [0.9, pull, pull, 0.5]
 	if p_method == DIRECT:
 		motion = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
-	return PackedFloat32Array(motion + [
-		p_load.x * (1.0 if p_method == DIRECT else h * h), p_load.y, p_load.z * (1.0 if p_method == DIRECT else h * h), 20.0 * h,
-		p_iterations, 1.0, 0.02, p_method, # contact
-		h, 1.0, bending, 0.2 * w, # chain
-		RATE * RATE, w * w, w * w, 0.0, # energy
-		TILE_SIZE, 128.0, 128.0, KNOTS, # field
-		1.6, 0.0, 0.0, 0.0, # clump
-	]).to_byte_array()
+	return (
+		PackedFloat32Array(
+			(
+				motion
+				+ [
+					p_load.x * (1.0 if p_method == DIRECT else h * h),
+					p_load.y,
+					p_load.z * (1.0 if p_method == DIRECT else h * h),
+					20.0 * h,
+					p_iterations,
+					1.0,
+					0.02,
+					p_method,  # contact
+					h,
+					1.0,
+					bending,
+					0.2 * w,  # chain
+					RATE * RATE,
+					w * w,
+					w * w,
+					0.0,  # energy
+					TILE_SIZE,
+					128.0,
+					128.0,
+					KNOTS,  # field
+					1.6,
+					0.0,
+					0.0,
+					0.0,  # clump
+				]
+			)
+		)
+		. to_byte_array()
+	)
 
 
 ## Slots (all fresh), knots now and before, which half is which, patch, its sampler, pool texture, energy and bend, tile table, growth (no
@@ -140,18 +181,20 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	pool_texture.width = KNOTS * BLADES
 	pool_texture.height = p_tiles
 	pool_texture.usage_bits = RenderingDevice.TEXTURE_USAGE_STORAGE_BIT
-	return _keep([
-		_device.storage_buffer_create(p_tiles * 48, _slots(p_tiles, 0, 1)),
-		_device.storage_buffer_create(pool),
-		_device.storage_buffer_create(p_tiles * 4),
-		_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
-		_device.sampler_create(RDSamplerState.new()),
-		_device.texture_create(pool_texture, RDTextureView.new()),
-		_device.storage_buffer_create(p_tiles * 16),
-		_device.storage_buffer_create(p_tiles * 4),
-		_device.storage_buffer_create(16),
-		_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
-	])
+	return _keep(
+		[
+			_device.storage_buffer_create(p_tiles * 48, _slots(p_tiles, 0, 1)),
+			_device.storage_buffer_create(pool),
+			_device.storage_buffer_create(p_tiles * 4),
+			_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
+			_device.sampler_create(RDSamplerState.new()),
+			_device.texture_create(pool_texture, RDTextureView.new()),
+			_device.storage_buffer_create(p_tiles * 16),
+			_device.storage_buffer_create(p_tiles * 4),
+			_device.storage_buffer_create(16),
+			_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
+		]
+	)
 
 
 ## Tiles along a side of the square that p_tiles lie in.
@@ -163,7 +206,22 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 	var words := PackedInt32Array()
 	var across := _across(p_tiles)
 	for tile in p_tiles:
-		words.append_array([tile % across, tile / across, tile, tile, (tile * 8) % (PATCH_BLADES - BLADES), tile * p_colliders, p_colliders, p_bits, 0, 0, 0, 0])
+		words.append_array(
+			[
+				tile % across,
+				tile / across,
+				tile,
+				tile,
+				(tile * 8) % (PATCH_BLADES - BLADES),
+				tile * p_colliders,
+				p_colliders,
+				p_bits,
+				0,
+				0,
+				0,
+				0
+			]
+		)
 	return words.to_byte_array()
 
 
@@ -173,7 +231,7 @@ func _patch_texels() -> PackedByteArray:
 		var at := Vector2i(blade % BLADES, blade / BLADES)
 		image.set_pixelv(at, Color(fmod(blade * 0.618034, 1.0), fmod(blade * 0.7548777, 1.0), 0.0))
 		var place := Vector3.ZERO
-		for knot in range(1, KNOTS): # of equal segments, as any patch's: bent by half a radian
+		for knot in range(1, KNOTS):  # of equal segments, as any patch's: bent by half a radian
 			place += Vector3.UP.rotated(Vector3(sin(blade), 0.0, -cos(blade)), 0.5 * (knot - 0.5) / 15.0) * (LENGTH / 15.0)
 			image.set_pixelv(at + Vector2i(knot * BLADES, 0), Color(place.x, place.y, place.z))
 	return image.get_data()
@@ -195,11 +253,13 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 			all.append_array(record)
 	if all.is_empty():
 		all.resize(96)
-	var own := _keep([
-		_device.storage_buffer_create(all.size(), all),
-		_device.storage_buffer_create(lists.size() * 4, lists.to_byte_array()),
-		_device.storage_buffer_create(16 * HULL_PLANES, _stone()),
-	])
+	var own := _keep(
+		[
+			_device.storage_buffer_create(all.size(), all),
+			_device.storage_buffer_create(lists.size() * 4, lists.to_byte_array()),
+			_device.storage_buffer_create(16 * HULL_PLANES, _stone()),
+		]
+	)
 	var uniforms: Array[RDUniform] = []
 	var buffers: Array[RID] = [p_shared[0], own[0], own[1], own[2], p_shared[1], p_shared[2]]
 	for binding in buffers.size():
@@ -211,10 +271,40 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 
-func _record(p_shape: int, p_size: Vector3, p_now: Vector3, p_before: Vector3, p_turn := Quaternion.IDENTITY, p_turn_before := Quaternion.IDENTITY) -> PackedByteArray:
-	var record := PackedFloat32Array([0, 0, 0, 0, p_now.x, p_now.y, p_now.z, 0.5, p_turn.x, p_turn.y, p_turn.z, p_turn.w,
-		p_before.x, p_before.y, p_before.z, HULL_PLANES if p_shape == HULL else 0, p_turn_before.x, p_turn_before.y, p_turn_before.z, p_turn_before.w,
-		p_size.x, p_size.y, p_size.z, 0]).to_byte_array()
+func _record(
+	p_shape: int, p_size: Vector3, p_now: Vector3, p_before: Vector3, p_turn := Quaternion.IDENTITY, p_turn_before := Quaternion.IDENTITY
+) -> PackedByteArray:
+	var record := (
+		PackedFloat32Array(
+			[
+				0,
+				0,
+				0,
+				0,
+				p_now.x,
+				p_now.y,
+				p_now.z,
+				0.5,
+				p_turn.x,
+				p_turn.y,
+				p_turn.z,
+				p_turn.w,
+				p_before.x,
+				p_before.y,
+				p_before.z,
+				HULL_PLANES if p_shape == HULL else 0,
+				p_turn_before.x,
+				p_turn_before.y,
+				p_turn_before.z,
+				p_turn_before.w,
+				p_size.x,
+				p_size.y,
+				p_size.z,
+				0
+			]
+		)
+		. to_byte_array()
+	)
 	record.encode_s32(8, p_shape)
 	return record
 
@@ -222,12 +312,22 @@ func _record(p_shape: int, p_size: Vector3, p_now: Vector3, p_before: Vector3, p
 ## Balls of 8 cm, one in each quarter of the tile, that go to and fro by 1 cm a step.
 func _ball(p_entry: int, p_phase: int) -> PackedByteArray:
 	var place := Vector3(0.125 if p_entry & 1 else -0.125, 0.2, 0.125 if p_entry & 2 else -0.125)
-	return _record(SPHERE, Vector3(0.08, 0, 0), place + Vector3(0.01 * absi(p_phase - 4), 0, 0), place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0, 0))
+	return _record(
+		SPHERE,
+		Vector3(0.08, 0, 0),
+		place + Vector3(0.01 * absi(p_phase - 4), 0, 0),
+		place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0, 0)
+	)
 
 
 ## 32 metres wide, by 0.4 mm a step.
 func _lid(p_phase: int) -> PackedByteArray:
-	return _record(BOX, Vector3(16, 0.1, 16), Vector3(0, 0.45 + 0.0004 * absi(p_phase - 4), 0), Vector3(0, 0.45 + 0.0004 * absi((p_phase + 7) % 8 - 4), 0))
+	return _record(
+		BOX,
+		Vector3(16, 0.1, 16),
+		Vector3(0, 0.45 + 0.0004 * absi(p_phase - 4), 0),
+		Vector3(0, 0.45 + 0.0004 * absi((p_phase + 7) % 8 - 4), 0)
+	)
 
 
 ## On the ground; rolling by 1 cm a step, a stone at 25 mrad.

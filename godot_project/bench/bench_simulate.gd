@@ -43,4 +43,10 @@ func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 	body.queue_free()
 	field.queue_free()
 	await get_tree().process_frame
-	return [str(blades), "%.4f" % ms, "%.4f" % median.call(management), str((statistics.uploaded_bytes - uploaded) / p_ticks), "%.3f" % (ms * 1e6 / maxi(1, blades * 16))]
+	return [
+		str(blades),
+		"%.4f" % ms,
+		"%.4f" % median.call(management),
+		str((statistics.uploaded_bytes - uploaded) / p_ticks),
+		"%.3f" % (ms * 1e6 / maxi(1, blades * 16))
+	]

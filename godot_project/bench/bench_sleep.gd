@@ -7,13 +7,13 @@ const Bodies := preload("res://demo/bodies.gd")
 const Scenery := preload("res://bench/scenery.gd")
 
 const FILE := "sleep.csv"
-const SECONDS := 10.0 # as long as the demo waits before it throws again
-const SIDE := 20.0 # metres
+const SECONDS := 10.0  # as long as the demo waits before it throws again
+const SIDE := 20.0  # metres
 const BODIES := 128
 const MODES: Dictionary[String, Dictionary] = {
-	"while touched": { sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.0, settle_time = 0.0 }, # the least that must be simulated
-	"by timer": { sleep_mode = GrassField.SLEEP_TIMER },
-	"by energy": { sleep_mode = GrassField.SLEEP_ENERGY },
+	"while touched": {sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.0, settle_time = 0.0},  # the least that must be simulated
+	"by timer": {sleep_mode = GrassField.SLEEP_TIMER},
+	"by energy": {sleep_mode = GrassField.SLEEP_ENERGY},
 }
 
 

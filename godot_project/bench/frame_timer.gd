@@ -3,11 +3,11 @@
 ## outside of it, such as simulation and culling.
 extends RefCounted
 
-const WARM_UP := 4 # frames, at least: times arrive two frames late, shaders are compiled in the first
-const LEAST := 3 # frames
+const WARM_UP := 4  # frames, at least: times arrive two frames late, shaders are compiled in the first
+const LEAST := 3  # frames
 
-var frames := 24 ## measured, at most
-var seconds := 1.5 ## after so long no more, and half as long to warm up, at most
+var frames := 24  ## measured, at most
+var seconds := 1.5  ## after so long no more, and half as long to warm up, at most
 
 var _viewport: Viewport
 
@@ -22,7 +22,7 @@ func measure(p_camera: Camera3D) -> Dictionary:
 	await _draw(p_camera, frames / 2, 0.5 * seconds, WARM_UP)
 	var times := await _draw(p_camera, frames, seconds, LEAST)
 	var median := preload("res://bench/measure.gd").median
-	return { gpu_ms = median.call(times[0]), wall_ms = median.call(times[1]) }
+	return {gpu_ms = median.call(times[0]), wall_ms = median.call(times[1])}
 
 
 func _draw(p_camera: Camera3D, p_frames: int, p_seconds: float, p_least: int) -> Array:

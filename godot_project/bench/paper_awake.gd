@@ -8,13 +8,13 @@ const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_awake.csv"
-const TICK_RATE := 600 # Hz
+const TICK_RATE := 600  # Hz
 const TICKS_A_FRAME := 8
-const SECONDS := 0.5 # measured, after as many to warm up
-const SIDE := 70.5 # metres: 1.27 million blades
-const AWAKE: Array[int] = [4096, 3136, 2304, 1600, 1024, 576, 256, 64] # tiles; the most first, so that the clock has risen
-const TOTAL: Array[float] = [256.0, 128.0, 64.0, 32.0, 16.0] # metres: 16 million to 64 K blades
-const HALF := 1024 # tiles: 64 K blades
+const SECONDS := 0.5  # measured, after as many to warm up
+const SIDE := 70.5  # metres: 1.27 million blades
+const AWAKE: Array[int] = [4096, 3136, 2304, 1600, 1024, 576, 256, 64]  # tiles; the most first, so that the clock has risen
+const TOTAL: Array[float] = [256.0, 128.0, 64.0, 32.0, 16.0]  # metres: 16 million to 64 K blades
+const HALF := 1024  # tiles: 64 K blades
 
 var _software := false
 
@@ -40,21 +40,26 @@ func run(r_table: Table, p_software: bool) -> void:
 func _measure(p_series: String, p_side: float, p_tiles: int) -> Dictionary:
 	var field := GrassField.new()
 	field.size = Vector2(p_side, p_side)
-	field.pool_tiles = p_tiles # so no more than these are awake
+	field.pool_tiles = p_tiles  # so no more than these are awake
 	field.measure_time = true
 	add_child(field)
 	await Scenery.compiled(field)
 	var lid := Scenery.add_lid(self, 0.1)
 	await _frames(3)
 	var box: BoxShape3D = lid.get_child(0).shape
-	while box.size.x < p_side + 1.0 and field.get_awake_tile_count() < p_tiles: # grows until it has woken so many
+	while box.size.x < p_side + 1.0 and field.get_awake_tile_count() < p_tiles:  # grows until it has woken so many
 		box.size = Vector3(box.size.x + 0.4, 0.2, box.size.z + 0.4)
 		await _frames(2)
 	await _shake(field, lid)
 	var times := await _shake(field, lid)
 	var awake := field.get_awake_tile_count()
-	var row := { series = p_series, blades = field.get_blade_count(), awake_blades = awake * 64,
-		simulate_ms = preload("res://bench/measure.gd").median(times[0]), management_ms = preload("res://bench/measure.gd").median(times[1]) }
+	var row := {
+		series = p_series,
+		blades = field.get_blade_count(),
+		awake_blades = awake * 64,
+		simulate_ms = preload("res://bench/measure.gd").median(times[0]),
+		management_ms = preload("res://bench/measure.gd").median(times[1])
+	}
 	if awake < p_tiles:
 		row.outcome = "%d of %d tiles awake" % [awake, p_tiles]
 	elif row.simulate_ms <= 0.0:

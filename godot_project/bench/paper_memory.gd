@@ -6,22 +6,22 @@ extends Node3D
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_memory.csv"
-const POOL := 4096 # tiles, as in the paper
+const POOL := 4096  # tiles, as in the paper
 
-var _textures := 0 # bytes that the engine counts while the last field stood
+var _textures := 0  # bytes that the engine counts while the last field stood
 
 
 func run(r_table: Table, _p_software: bool) -> void:
 	r_table.columns(["what", "bytes", "outcome"])
-	for i in 4: # the viewport's own textures come with its first frames
+	for i in 4:  # the viewport's own textures come with its first frames
 		await RenderingServer.frame_post_draw
 	var before := RenderingServer.get_rendering_info(RenderingServer.RENDERING_INFO_TEXTURE_MEM_USED)
 	_textures = 0
 	var least := await _memory(0.5, 0)
-	r_table.add({ what = "patch", bytes = _textures - before, outcome = "ok" if _textures > before else "the engine counts no textures" })
-	r_table.add({ what = "pool", bytes = await _memory(0.5, POOL) - least })
+	r_table.add({what = "patch", bytes = _textures - before, outcome = "ok" if _textures > before else "the engine counts no textures"})
+	r_table.add({what = "pool", bytes = await _memory(0.5, POOL) - least})
 	for side: float in [64.0, 256.0]:
-		r_table.add({ what = "all of a field of %d blades" % (side * side * 256.0), bytes = await _memory(side, POOL) })
+		r_table.add({what = "all of a field of %d blades" % (side * side * 256.0), bytes = await _memory(side, POOL)})
 
 
 func _memory(p_side: float, p_pool: int) -> int:

@@ -8,9 +8,9 @@ const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_passes.csv"
-const SIDE := 128.0 # metres: 4,194,304 blades
+const SIDE := 128.0  # metres: 4,194,304 blades
 const BODIES := 128
-const FROM := 5.0 # seconds after the throw
+const FROM := 5.0  # seconds after the throw
 const TO := 8.0
 
 
@@ -33,13 +33,13 @@ func run(r_table: Table, p_software: bool) -> void:
 	var field := GrassField.new()
 	field.size = Vector2(side, side)
 	field.measure_time = true
-	field.sleep_mode = GrassField.SLEEP_TIMER # as in the paper
+	field.sleep_mode = GrassField.SLEEP_TIMER  # as in the paper
 	add_child(field)
 	await Scenery.compiled(field)
 	get_tree().call_group("thrown", "queue_free")
 	Scenery.throw(self, 8 if p_software else BODIES, side, 7)
 	var tick := 0
-	var values := { simulate = [] as Array[float], cull = [] as Array[float], frame = [] as Array[float], awake = [] as Array[float] }
+	var values := {simulate = [] as Array[float], cull = [] as Array[float], frame = [] as Array[float], awake = [] as Array[float]}
 	var most := 20 if p_software else roundi(TO * Engine.physics_ticks_per_second)
 	while tick < most:
 		await get_tree().physics_frame
@@ -54,7 +54,20 @@ func run(r_table: Table, p_software: bool) -> void:
 	var blades := field.get_blade_count()
 	var awake := int(median.call(values.awake))
 	var frame: float = median.call(values.frame)
-	var passes := { "simulate": median.call(values.simulate), "cull": median.call(values.cull), "draw grass": frame - empty.gpu_ms, "all else drawn": empty.gpu_ms }
+	var passes := {
+		"simulate": median.call(values.simulate),
+		"cull": median.call(values.cull),
+		"draw grass": frame - empty.gpu_ms,
+		"all else drawn": empty.gpu_ms
+	}
 	for name: String in passes:
-		r_table.add({ "pass": name, "gpu_ms": passes[name], "blades": blades, "awake_blades": awake, "outcome": "ok" if awake > 0 else "no blade was awake" })
+		r_table.add(
+			{
+				"pass": name,
+				"gpu_ms": passes[name],
+				"blades": blades,
+				"awake_blades": awake,
+				"outcome": "ok" if awake > 0 else "no blade was awake"
+			}
+		)
 	get_viewport().msaa_3d = Viewport.MSAA_DISABLED

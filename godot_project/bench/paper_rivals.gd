@@ -9,7 +9,7 @@ const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_rivals.csv"
-const SIDES: Array[float] = [32.0, 64.0, 128.0, 256.0] # metres: 0.25 to 16 million blades
+const SIDES: Array[float] = [32.0, 64.0, 128.0, 256.0]  # metres: 0.25 to 16 million blades
 const KINDS: Array[String] = ["field", "tiles", "multimesh 7", "multimesh 15"]
 
 
@@ -23,7 +23,7 @@ func run(p_pictures: String, r_table: Table, p_software: bool) -> void:
 	add_child(camera)
 	camera.current = true
 	var sun := Scenery.add_sun(self, false)
-	var ground := MeshInstance3D.new() # the field draws its own
+	var ground := MeshInstance3D.new()  # the field draws its own
 	ground.mesh = PlaneMesh.new()
 	ground.material_override = StandardMaterial3D.new()
 	ground.material_override.albedo_color = Color(0.22, 0.2, 0.12)
@@ -40,7 +40,9 @@ func run(p_pictures: String, r_table: Table, p_software: bool) -> void:
 					var times := await timer.measure(camera)
 					r_table.add(_row(grass, kind, view, shadows, times))
 					if p_pictures and shadows and side < 100.0:
-						get_viewport().get_texture().get_image().save_png(p_pictures.path_join("rival_%s_%s_%d.png" % [kind.replace(" ", "_"), view, side]))
+						get_viewport().get_texture().get_image().save_png(
+							p_pictures.path_join("rival_%s_%s_%d.png" % [kind.replace(" ", "_"), view, side])
+						)
 			grass.queue_free()
 			await get_tree().process_frame
 
@@ -63,7 +65,14 @@ func _make(p_kind: String, p_side: float) -> Node3D:
 
 
 func _row(p_grass: Node3D, p_kind: String, p_view: String, p_shadows: bool, p_times: Dictionary) -> Dictionary:
-	var row := { kind = p_kind, view = p_view, shadows = "on" if p_shadows else "off", gpu_ms = p_times.gpu_ms, wall_ms = p_times.wall_ms, cull_ms = 0.0 }
+	var row := {
+		kind = p_kind,
+		view = p_view,
+		shadows = "on" if p_shadows else "off",
+		gpu_ms = p_times.gpu_ms,
+		wall_ms = p_times.wall_ms,
+		cull_ms = 0.0
+	}
 	if p_kind == "field":
 		var statistics: Dictionary = p_grass.get_statistics()
 		row.blades = statistics.blades

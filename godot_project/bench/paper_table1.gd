@@ -7,14 +7,16 @@ const FrameTimer := preload("res://bench/frame_timer.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_table1.csv"
-const TILES: Dictionary[String, Vector2i] = { "2K": Vector2i(64, 32), "4K": Vector2i(64, 64), "8K": Vector2i(128, 64), "16K": Vector2i(128, 128) }
-const TILE := 0.5 # metres
-const BLADES: Array[int] = [64, 128, 256, 512] # a tile
+const TILES: Dictionary[String, Vector2i] = {
+	"2K": Vector2i(64, 32), "4K": Vector2i(64, 64), "8K": Vector2i(128, 64), "16K": Vector2i(128, 128)
+}
+const TILE := 0.5  # metres
+const BLADES: Array[int] = [64, 128, 256, 512]  # a tile
 ## none: every blade with 15 segments. blades: fewer far away, as in the paper. all: fewer where they
 ## are thin, and fewer segments, too; the default.
 const LODS: Dictionary[String, Dictionary] = {
-	"none": { lod_far = 10000.0, lod_error = 0.0, pixels_min = 0.0 },
-	"blades": { lod_error = 0.0, pixels_min = 0.0 },
+	"none": {lod_far = 10000.0, lod_error = 0.0, pixels_min = 0.0},
+	"blades": {lod_error = 0.0, pixels_min = 0.0},
 	"all": {},
 }
 
@@ -29,7 +31,9 @@ func run(r_table: Table, p_software: bool) -> void:
 	add_child(sun)
 	camera.current = true
 	get_viewport().msaa_3d = Viewport.MSAA_4X
-	r_table.columns(["tiles", "blades_a_tile", "blades", "view", "lod", "gpu_ms", "wall_ms", "cull_ms", "drawn_blades", "drawn_triangles", "outcome"])
+	r_table.columns(
+		["tiles", "blades_a_tile", "blades", "view", "lod", "gpu_ms", "wall_ms", "cull_ms", "drawn_blades", "drawn_triangles", "outcome"]
+	)
 	if p_software:
 		timer.frames = 1
 	for tiles: String in ["2K"] if p_software else TILES.keys():
@@ -41,7 +45,9 @@ func run(r_table: Table, p_software: bool) -> void:
 
 
 ## p_divisor: of the field's sides, for software.
-func _measure(p_timer: FrameTimer, p_camera: Camera3D, p_tiles: String, p_blades: int, p_view: String, p_lod: String, p_divisor: int) -> Dictionary:
+func _measure(
+	p_timer: FrameTimer, p_camera: Camera3D, p_tiles: String, p_blades: int, p_view: String, p_lod: String, p_divisor: int
+) -> Dictionary:
 	var field := GrassField.new()
 	field.simulated = false
 	field.measure_time = true
@@ -55,8 +61,18 @@ func _measure(p_timer: FrameTimer, p_camera: Camera3D, p_tiles: String, p_blades
 	var statistics := field.get_statistics()
 	field.queue_free()
 	await get_tree().process_frame
-	var row := { tiles = p_tiles, blades_a_tile = p_blades, blades = statistics.blades, view = p_view, lod = p_lod, gpu_ms = times.gpu_ms,
-		wall_ms = times.wall_ms, cull_ms = statistics.cull_ms, drawn_blades = statistics.drawn_blades, drawn_triangles = statistics.drawn_triangles }
+	var row := {
+		tiles = p_tiles,
+		blades_a_tile = p_blades,
+		blades = statistics.blades,
+		view = p_view,
+		lod = p_lod,
+		gpu_ms = times.gpu_ms,
+		wall_ms = times.wall_ms,
+		cull_ms = statistics.cull_ms,
+		drawn_blades = statistics.drawn_blades,
+		drawn_triangles = statistics.drawn_triangles
+	}
 	if statistics.drawn_blades == 0:
 		row.outcome = "nothing was drawn"
 	return row

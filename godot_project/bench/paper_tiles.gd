@@ -8,12 +8,12 @@ const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_tiles.csv"
-const SIDE := 71.0 # metres: 20,164 tiles of 64 blades or 5,041 of 256
-const DENSITY := 256.0 # blades a square metre
+const SIDE := 71.0  # metres: 20,164 tiles of 64 blades or 5,041 of 256
+const DENSITY := 256.0  # blades a square metre
 const BODIES := 128
 const THROWS := 5
-const SECONDS := 5.0 # after the throw
-const TICK_RATE := 600 # Hz: a card that idles between steps takes them at a low clock
+const SECONDS := 5.0  # after the throw
+const TICK_RATE := 600  # Hz: a card that idles between steps takes them at a low clock
 
 
 func run(r_table: Table, p_software: bool) -> void:
@@ -25,7 +25,9 @@ func run(r_table: Table, p_software: bool) -> void:
 	r_table.columns(["blades_a_tile", "throw", "blades", "awake_tiles", "awake_blades", "simulate_ms", "outcome"])
 	for throw in 1 if p_software else THROWS:
 		for fields: int in [1, 4]:
-			r_table.add(await _measure(fields, throw, 8.0 if p_software else SIDE, 8 if p_software else BODIES, 0.7 if p_software else SECONDS))
+			r_table.add(
+				await _measure(fields, throw, 8.0 if p_software else SIDE, 8 if p_software else BODIES, 0.7 if p_software else SECONDS)
+			)
 	get_viewport().disable_3d = false
 	Engine.physics_ticks_per_second = rate
 
@@ -37,8 +39,8 @@ func _measure(p_fields: int, p_throw: int, p_side: float, p_bodies: int, p_secon
 		field.size = Vector2(p_side, p_side)
 		field.density = DENSITY / p_fields
 		field.seed = i
-		field.sleep_mode = GrassField.SLEEP_TIMER # as in the paper
-		field.measure_time = true # a field's time is the mean of all that are measured in a frame
+		field.sleep_mode = GrassField.SLEEP_TIMER  # as in the paper
+		field.measure_time = true  # a field's time is the mean of all that are measured in a frame
 		add_child(field)
 		fields.append(field)
 	await Scenery.compiled(fields[0])
@@ -47,15 +49,21 @@ func _measure(p_fields: int, p_throw: int, p_side: float, p_bodies: int, p_secon
 	var ticks := roundi(p_seconds * Engine.physics_ticks_per_second)
 	for tick in ticks:
 		await get_tree().physics_frame
-		if tick > 0.8 * ticks: # before the end: a single step is noisy
+		if tick > 0.8 * ticks:  # before the end: a single step is noisy
 			simulate.append(fields[0].get_statistics().simulate_ms * p_fields)
 	var awake := 0
 	var blades := 0
 	for field in fields:
 		awake += field.get_awake_tile_count()
 		blades += field.get_blade_count()
-	var row := { blades_a_tile = 64 * p_fields, throw = p_throw, blades = blades, awake_tiles = awake / p_fields, awake_blades = awake * 64,
-		simulate_ms = preload("res://bench/measure.gd").median(simulate) }
+	var row := {
+		blades_a_tile = 64 * p_fields,
+		throw = p_throw,
+		blades = blades,
+		awake_tiles = awake / p_fields,
+		awake_blades = awake * 64,
+		simulate_ms = preload("res://bench/measure.gd").median(simulate)
+	}
 	if awake == 0:
 		row.outcome = "nothing was awake"
 	elif row.simulate_ms <= 0.0:

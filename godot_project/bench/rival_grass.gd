@@ -3,15 +3,15 @@
 ## compute shader, since 16 million of them take a script minutes.
 extends Node3D
 
-const DENSITY := 256.0 # blades a square metre
-const TILE := 8.0 # metres, where there are tiles
+const DENSITY := 256.0  # blades a square metre
+const TILE := 8.0  # metres, where there are tiles
 ## Of each distance (metres): up to where, segments of a blade, share of the blades, whether they throw shadows. About what
 ## GrassField does with its numbers as they are.
 const LEVELS: Array[Dictionary] = [
-	{ to = 18.0, segments = 7, share = 1.0, shadow = true },
-	{ to = 50.0, segments = 3, share = 0.7, shadow = true },
-	{ to = 80.0, segments = 3, share = 0.4, shadow = false },
-	{ to = 0.0, segments = 3, share = 0.2, shadow = false },
+	{to = 18.0, segments = 7, share = 1.0, shadow = true},
+	{to = 50.0, segments = 3, share = 0.7, shadow = true},
+	{to = 80.0, segments = 3, share = 0.4, shadow = false},
+	{to = 0.0, segments = 3, share = 0.2, shadow = false},
 ]
 const FILL := """#version 450
 layout(local_size_x = 64) in;
@@ -26,7 +26,9 @@ float random(uint i, uint channel) { return float(hash(i + hash(channel + block.
 void main() {
 	uint i = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * block.row;
 	if (i >= block.count) { return; }
-	vec2 place = (fract(vec2(0.7548776662, 0.5698402910) * float(i % 65536u) + vec2(random(i / 65536u, 9u), random(i / 65536u, 10u))) + 0.002 * vec2(random(i, 1u), random(i, 2u)) - 0.5) * block.side;
+	vec2 start = vec2(random(i / 65536u, 9u), random(i / 65536u, 10u));
+	vec2 even = fract(vec2(0.7548776662, 0.5698402910) * float(i % 65536u) + start);
+	vec2 place = (even + 0.002 * vec2(random(i, 1u), random(i, 2u)) - 0.5) * block.side;
 	float turn = 6.2831853 * random(i, 3u), tall = 0.6 + 0.8 * random(i, 4u), wide = 0.7 + 0.6 * random(i, 5u), lean = 0.3 * random(i, 6u);
 	float c = cos(turn), s = sin(turn);
 	rows[3u * i] = vec4(c * wide, -s * lean * tall, s, place.x);
@@ -35,10 +37,10 @@ void main() {
 }
 """
 
-var error := "" ## why there is no grass; empty if there is
+var error := ""  ## why there is no grass; empty if there is
 var blades := 0
 
-var _made: Array[RID] = [] # RenderingServer's, in the order in which they may be freed
+var _made: Array[RID] = []  # RenderingServer's, in the order in which they may be freed
 var _meshes: Array[ArrayMesh] = []
 var _material := ShaderMaterial.new()
 
@@ -67,7 +69,7 @@ func make_tiled(p_side: float) -> void:
 		for x in int(p_side / TILE):
 			for z in int(p_side / TILE):
 				var place := Vector3((x + 0.5) * TILE - 0.5 * p_side, 0.0, (z + 0.5) * TILE - 0.5 * p_side)
-				_add_instance(multimesh, place, { from = from, to = level.to, shadow = level.shadow })
+				_add_instance(multimesh, place, {from = from, to = level.to, shadow = level.shadow})
 		from = level.to
 
 
@@ -81,7 +83,9 @@ func _add_instance(p_multimesh: RID, p_place: Vector3, p_range: Dictionary) -> v
 	var instance := RenderingServer.instance_create2(p_multimesh, get_world_3d().scenario)
 	RenderingServer.instance_set_transform(instance, Transform3D(Basis(), p_place))
 	if p_range:
-		RenderingServer.instance_geometry_set_visibility_range(instance, p_range.from, p_range.to, 0.0, 0.0, RenderingServer.VISIBILITY_RANGE_FADE_DISABLED)
+		RenderingServer.instance_geometry_set_visibility_range(
+			instance, p_range.from, p_range.to, 0.0, 0.0, RenderingServer.VISIBILITY_RANGE_FADE_DISABLED
+		)
 		if not p_range.shadow:
 			RenderingServer.instance_geometry_set_cast_shadows_setting(instance, RenderingServer.SHADOW_CASTING_SETTING_OFF)
 	_made.push_front(instance)

@@ -21,7 +21,8 @@ static func add_sun(p_to: Node3D, p_shadows: bool) -> DirectionalLight3D:
 	return sun
 
 
-## Waits until the driver has compiled the passes of the simulation; until then grass stands, and those for tiles near something sharp take no part.
+## Waits until the driver has compiled the passes of the simulation; until then grass stands, and those for tiles near something sharp take
+## no part.
 static func compiled(p_field: GrassField) -> void:
 	var start := Time.get_ticks_msec()
 	for i in 3:

@@ -3,25 +3,25 @@
 ## number of tiles with their state; the bindings are those of shaders/base/constants.inc.
 extends RefCounted
 
-const BLADES := 64 # a tile
-const FRESH := 1 # bit of a slot
-const FREQUENCY := 1.2 # Hz
+const BLADES := 64  # a tile
+const FRESH := 1  # bit of a slot
+const FREQUENCY := 1.2  # Hz
 const METHODS := 2
-const METHOD_BYTE := 44 # of the push constant: GrassStep.contact.w
+const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w
 const SLOT_BYTES := 48
 const COLLIDER_BYTES := 96
 
 var device: RenderingDevice
-var knots: RID ## places of the free knots, now and a step before, [slot][half][component][knot][blade], metres
+var knots: RID  ## places of the free knots, now and a step before, [slot][half][component][knot][blade], metres
 var slots: RID
 var colliders: RID
 
-var _pipelines: Array[RID] = [] # by method
+var _pipelines: Array[RID] = []  # by method
 var _shader: RID
-var _made: Array[RID] = [] # in the order in which they may be freed
+var _made: Array[RID] = []  # in the order in which they may be freed
 var _set: RID
-var _list := -1 # the open compute list
-var _steps := 0 # since set_up()
+var _list := -1  # the open compute list
+var _steps := 0  # since set_up()
 var _pushed := PackedByteArray()
 
 
@@ -56,8 +56,17 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 
 ## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
 ## is made of zeros. p_state: of each tile the places now, then those before. False if the device has no room.
-func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: RenderingDevice.DataFormat, p_patch_width: int,
-		p_slots: PackedByteArray, p_colliders := PackedByteArray(), p_list := PackedInt32Array(), p_state := PackedByteArray()) -> bool:
+func set_up(
+	p_tiles: int,
+	p_knots: int,
+	p_patch: PackedByteArray,
+	p_format: RenderingDevice.DataFormat,
+	p_patch_width: int,
+	p_slots: PackedByteArray,
+	p_colliders := PackedByteArray(),
+	p_list := PackedInt32Array(),
+	p_state := PackedByteArray()
+) -> bool:
 	clear()
 	_steps = 0
 	var pool := p_tiles * 2 * 3 * (p_knots - 2) * BLADES * 4
@@ -69,22 +78,41 @@ func set_up(p_tiles: int, p_knots: int, p_patch: PackedByteArray, p_format: Rend
 	knots = _buffer(pool, p_state)
 	var halves := _zeros(p_tiles * 4)
 	var twists := _zeros(p_tiles * (p_knots - 1) * BLADES * 4)
-	var patch := _texture(p_format, p_patch_width, p_patch.size() / (texel * p_patch_width), RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT, [p_patch])
+	var patch := _texture(
+		p_format, p_patch_width, p_patch.size() / (texel * p_patch_width), RenderingDevice.TEXTURE_USAGE_SAMPLING_BIT, [p_patch]
+	)
 	var offsets := PackedByteArray()
 	offsets.resize(p_tiles * p_knots * BLADES * 8)
-	var pool_texture := _texture(RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT, p_knots * BLADES, p_tiles, RenderingDevice.TEXTURE_USAGE_STORAGE_BIT, [offsets])
+	var pool_texture := _texture(
+		RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT, p_knots * BLADES, p_tiles, RenderingDevice.TEXTURE_USAGE_STORAGE_BIT, [offsets]
+	)
 	var sampler := device.sampler_create(RDSamplerState.new())
 	_made.append(sampler)
-	var energy := _buffer(p_tiles * 16) # and bends
+	var energy := _buffer(p_tiles * 16)  # and bends
 	var table := _buffer(p_tiles * 4)
-	var growth := _buffer(16) # no tile has a map
+	var growth := _buffer(16)  # no tile has a map
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
-	var bound: Array[Array] = [[slots], [colliders], [list], [planes], [knots], [halves], [sampler, patch], [pool_texture], [energy], [table], [growth], [], [], [twists]]
+	var bound: Array[Array] = [
+		[slots],
+		[colliders],
+		[list],
+		[planes],
+		[knots],
+		[halves],
+		[sampler, patch],
+		[pool_texture],
+		[energy],
+		[table],
+		[growth],
+		[],
+		[],
+		[twists]
+	]
 	for binding in bound.size():
 		if bound[binding].is_empty():
-			continue # of fields with species
+			continue  # of fields with species
 		var type := RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER
 		if bound[binding].has(patch):
 			type = RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE
@@ -169,7 +197,7 @@ func _zeros(p_bytes: int) -> RID:
 
 func _buffer(p_bytes: int, p_data := PackedByteArray()) -> RID:
 	var data := p_data
-	if data.is_empty() and p_bytes <= 1 << 20: # zeros; a large one is written before it is read
+	if data.is_empty() and p_bytes <= 1 << 20:  # zeros; a large one is written before it is read
 		data = PackedByteArray()
 		data.resize(maxi(p_bytes, COLLIDER_BYTES))
 	var rid := device.storage_buffer_create(maxi(p_bytes, data.size()), data)
@@ -209,17 +237,43 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
-	var motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0] # DIRECT: one quick solve where nothing is near
+	var motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0]  # DIRECT: one quick solve where nothing is near
 	if p_method != 0:
 		motion = [0.9, pull, pull, 0.5]
-	return PackedFloat32Array(motion + [
-		load.x, load.y, load.z, 20.0 * h,
-		2.0, 1.0, 0.02, p_method, # contact
-		h, 1.0, bending, 0.2 * w, # chain
-		1.0 / (h * h), w * w, w * w, 0.0, # energy
-		p_tile_size, p_tiles, p_tiles, p_knots, # field
-		1.6, 0.0, 0.0, 0.0, # clump
-	]).to_byte_array()
+	return (
+		PackedFloat32Array(
+			(
+				motion
+				+ [
+					load.x,
+					load.y,
+					load.z,
+					20.0 * h,
+					2.0,
+					1.0,
+					0.02,
+					p_method,  # contact
+					h,
+					1.0,
+					bending,
+					0.2 * w,  # chain
+					1.0 / (h * h),
+					w * w,
+					w * w,
+					0.0,  # energy
+					p_tile_size,
+					p_tiles,
+					p_tiles,
+					p_knots,  # field
+					1.6,
+					0.0,
+					0.0,
+					0.0,  # clump
+				]
+			)
+		)
+		. to_byte_array()
+	)
 
 
 ## A patch of leaning blades, p_length metres long, as texels of 16-bit floats.

@@ -15,8 +15,19 @@ func _init(p_path: String) -> void:
 		return
 	var software := ", software" if Measure.is_software() else ""
 	var size: Vector2i = DisplayServer.window_get_size()
-	_file.store_line("# %s, %s, Godot %s, %d x %d%s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method(),
-			Engine.get_version_info().string, size.x, size.y, software])
+	_file.store_line(
+		(
+			"# %s, %s, Godot %s, %d x %d%s"
+			% [
+				RenderingServer.get_video_adapter_name(),
+				RenderingServer.get_current_rendering_method(),
+				Engine.get_version_info().string,
+				size.x,
+				size.y,
+				software
+			]
+		)
+	)
 
 
 func columns(p_columns: PackedStringArray) -> void:

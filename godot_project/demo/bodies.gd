@@ -2,7 +2,9 @@
 ## Rigid bodies of mixed shapes, thrown into a field: balls, boxes, capsules, cylinders and odd convex stones.
 extends RefCounted
 
-const COLORS: Array[Color] = [Color(0.75, 0.22, 0.15), Color(0.85, 0.6, 0.2), Color(0.2, 0.4, 0.65), Color(0.8, 0.78, 0.72), Color(0.35, 0.3, 0.5)]
+const COLORS: Array[Color] = [
+	Color(0.75, 0.22, 0.15), Color(0.85, 0.6, 0.2), Color(0.2, 0.4, 0.65), Color(0.8, 0.78, 0.72), Color(0.35, 0.3, 0.5)
+]
 
 var _random := RandomNumberGenerator.new()
 

@@ -13,16 +13,16 @@ const Bodies := preload("res://demo/bodies.gd")
 const Report := preload("res://demo/report.gd")
 const Shots := preload("res://demo/shots.gd")
 
-const SHOT_TIMES: Array[float] = [0.4, 0.8, 1.2, 1.8, 2.6, 4.0] # seconds after the throw
-const THROW_AGAIN := 10.0 # seconds
-const SIZES := { "large": 64.0, "small": 20.0 } # metres
+const SHOT_TIMES: Array[float] = [0.4, 0.8, 1.2, 1.8, 2.6, 4.0]  # seconds after the throw
+const THROW_AGAIN := 10.0  # seconds
+const SIZES := {"large": 64.0, "small": 20.0}  # metres
 
 @onready var field: GrassField = $Field
 @onready var camera: Camera3D = $Camera
 
-var _options := { "out": "", "size": "", "bodies": 128, "place": "demo" }
+var _options := {"out": "", "size": "", "bodies": 128, "place": "demo"}
 var _bodies: Array[RigidBody3D] = []
-var _time := 0.0 # seconds since the throw, in physics ticks
+var _time := 0.0  # seconds since the throw, in physics ticks
 
 
 func _ready() -> void:
@@ -30,12 +30,15 @@ func _ready() -> void:
 	if _options.place != "demo":
 		get_tree().change_scene_to_file.call_deferred("res://demo/%s.tscn" % _options.place)
 		return
-	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU or RenderingServer.get_current_rendering_method() == "gl_compatibility"
+	var software: bool = (
+		RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+		or RenderingServer.get_current_rendering_method() == "gl_compatibility"
+	)
 	var size: String = _options.size if _options.size else ("small" if software else "large")
 	var side: float = SIZES.get(size, size.to_float())
 	field.size = Vector2(side, side)
 	field.measure_time = true
-	if software: # one cascade instead of four: a frame takes seconds
+	if software:  # one cascade instead of four: a frame takes seconds
 		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
 		$Sun.directional_shadow_max_distance = side
 	_look_along(0.0)

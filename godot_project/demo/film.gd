@@ -3,10 +3,10 @@
 ## the engine's movie writer record it. Says on the console which frames are the film: those before them wait for the driver.
 extends Node3D
 
-const LENGTH := 5.0 # seconds
-const FADE := 0.5 # seconds at the end that the encoder fades into the beginning
-const COMPILING := 150_000 # milliseconds
-const LOG := 1.7 # metres long; the rest are balls
+const LENGTH := 5.0  # seconds
+const FADE := 0.5  # seconds at the end that the encoder fades into the beginning
+const COMPILING := 150_000  # milliseconds
+const LOG := 1.7  # metres long; the rest are balls
 ## Radius, place, velocity, colour. Metres and seconds.
 const BODIES: Array[Array] = [
 	[0.36, Vector3(-4.4, 0.36, 0.5), Vector3(4.2, 0, -0.1), Color(0.75, 0.22, 0.15)],
@@ -14,7 +14,7 @@ const BODIES: Array[Array] = [
 	[0.5, Vector3(6.6, 0.5, -2.7), Vector3(-4.0, 0, 0), Color(0.2, 0.4, 0.65)],
 ]
 
-var _frame := 0 # of the movie
+var _frame := 0  # of the movie
 
 @onready var _field: GrassField = $Field
 
@@ -66,5 +66,5 @@ func _body(radius: float, place: Vector3, velocity: Vector3, color: Color, is_lo
 	body.add_child(look)
 	body.position = place
 	body.linear_velocity = velocity
-	body.angular_velocity = Vector3(velocity.z, 0.0, -velocity.x) / radius # it rolls
+	body.angular_velocity = Vector3(velocity.z, 0.0, -velocity.x) / radius  # it rolls
 	return body

@@ -3,16 +3,16 @@
 extends "res://demo/place.gd"
 
 const LANES := 7
-const LANE := 2.0 # metres, width of the deck; the map keeps what is combed every metre
-const HALF := 10.0 # metres, half of a lane's length
-const MOWN := 3 # lanes, before the scene begins
-const SPEED := 2.5 # m/s
-const COMB := 0.25 # metres from one touch of the roller to the next
+const LANE := 2.0  # metres, width of the deck; the map keeps what is combed every metre
+const HALF := 10.0  # metres, half of a lane's length
+const MOWN := 3  # lanes, before the scene begins
+const SPEED := 2.5  # m/s
+const COMB := 0.25  # metres from one touch of the roller to the next
 
 var _lane := MOWN
-var _along := 0.0 # metres mown of the lane
-var _rolled := 0.0 # metres of the lane behind the roller
-var _hay := 0.0 # m³
+var _along := 0.0  # metres mown of the lane
+var _rolled := 0.0  # metres of the lane behind the roller
+var _hay := 0.0  # m³
 var _roller := GrassBrush.new()
 
 @onready var _mower: AnimatableBody3D = $Mower
@@ -20,7 +20,7 @@ var _roller := GrassBrush.new()
 
 
 func _ready() -> void:
-	field.map = field.map.duplicate() # the scene's own map stays as it was painted
+	field.map = field.map.duplicate()  # the scene's own map stays as it was painted
 	_roller.tool = GrassBrush.TOOL_COMB
 	_roller.radius = 0.5 * LANE
 	_roller.hardness = 0.8

@@ -3,14 +3,14 @@
 extends "res://demo/place.gd"
 
 const Bodies := preload("res://demo/bodies.gd")
-const ROLL_AGAIN := 10.0 # seconds
-const PACE := 1.4 # m/s
-const STEP := 0.7 # metres from one footprint to the next
+const ROLL_AGAIN := 10.0  # seconds
+const PACE := 1.4  # m/s
+const STEP := 0.7  # metres from one footprint to the next
 
 var _bodies: Array[RigidBody3D] = []
-var _rolled := -ROLL_AGAIN # seconds: when bodies were let go last
-var _walked := 0.0 # metres
-var _trodden := 0.0 # metres, those with footprints
+var _rolled := -ROLL_AGAIN  # seconds: when bodies were let go last
+var _walked := 0.0  # metres
+var _trodden := 0.0  # metres, those with footprints
 
 @onready var _terrain: StaticBody3D = $Terrain
 @onready var _walker: AnimatableBody3D = $Walker

@@ -6,7 +6,7 @@ extends Node3D
 
 const Shots := preload("res://demo/shots.gd")
 
-var time := 0.0 # seconds, in physics ticks
+var time := 0.0  # seconds, in physics ticks
 
 @onready var field: GrassField = $Field
 @onready var cameras: Array[Node] = $Cameras.get_children()
@@ -38,7 +38,7 @@ func tell() -> String:
 
 func record(folder: String) -> void:
 	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
-	if software: # one cascade instead of four: a frame takes seconds
+	if software:  # one cascade instead of four: a frame takes seconds
 		$Sun.directional_shadow_mode = DirectionalLight3D.SHADOW_ORTHOGONAL
 	var shots := Shots.new(get_viewport(), folder)
 	await shots.warm_up()
@@ -47,8 +47,12 @@ func record(folder: String) -> void:
 			await get_tree().physics_frame
 		camera.make_current()
 		await shots.take(camera.name.to_snake_case())
-		print("%s: %d blades, %d tiles simulated, %d triangles drawn. %s" % [camera.name, field.get_blade_count(),
-				field.get_awake_tile_count(), field.get_statistics().drawn_triangles, tell()])
+		print(
+			(
+				"%s: %d blades, %d tiles simulated, %d triangles drawn. %s"
+				% [camera.name, field.get_blade_count(), field.get_awake_tile_count(), field.get_statistics().drawn_triangles, tell()]
+			)
+		)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:

@@ -3,9 +3,9 @@
 extends "res://demo/place.gd"
 
 const Bodies := preload("res://demo/bodies.gd")
-const SPEED := 1.6 # m/s
+const SPEED := 1.6  # m/s
 
-var _sailed := 13.0 # metres
+var _sailed := 13.0  # metres
 
 @onready var _boat: AnimatableBody3D = $Boat
 @onready var _course: Curve3D = ($Course as Path3D).curve

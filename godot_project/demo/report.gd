@@ -3,10 +3,10 @@
 extends RefCounted
 
 var _field: GrassField
-var _awake: Array[String] = [] # one entry every half second
-var _management: Array[float] = [] # ms, each tick
-var _simulate: Array[float] = [] # ms, each tick
-var _draw: Array[float] = [] # ms, each picture
+var _awake: Array[String] = []  # one entry every half second
+var _management: Array[float] = []  # ms, each tick
+var _simulate: Array[float] = []  # ms, each tick
+var _draw: Array[float] = []  # ms, each picture
 var _most_awake := 0
 
 
@@ -44,7 +44,10 @@ func table(p_bodies: int, p_software: bool) -> String:
 		["pool", "%d tiles gave way, %d wishes refused" % [statistics.evicted, statistics.refused]],
 		["tile steps", _with_commas(statistics.tile_steps)],
 		["blade steps", _with_commas(statistics.simulated_blades)],
-		["drawn (last view)", "%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]],
+		[
+			"drawn (last view)",
+			"%s blades, %s triangles" % [_with_commas(statistics.drawn_blades), _with_commas(statistics.drawn_triangles)]
+		],
 		["draw", _range(_draw, "ms GPU a frame")],
 		["simulate", _range(_simulate, "ms a tick")],
 		["tile management", _range(_management, "ms CPU a tick")],

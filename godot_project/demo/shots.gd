@@ -3,9 +3,9 @@
 ## seconds for a frame, does not hold up the physics.
 extends RefCounted
 
-const COMPILING := 120_000 # milliseconds
+const COMPILING := 120_000  # milliseconds
 
-var draw_ms := 0.0 ## GPU time of the last picture's frame, as the engine measures it (0: unknown)
+var draw_ms := 0.0  ## GPU time of the last picture's frame, as the engine measures it (0: unknown)
 
 var _viewport: Viewport
 var _folder: String
@@ -38,8 +38,8 @@ func take(p_name: String) -> void:
 
 func _draw(p_frames: int) -> void:
 	_viewport.disable_3d = false
-	_viewport.get_tree().paused = true # the moment of the picture stands still
-	for i in p_frames: # measured times arrive two frames late
+	_viewport.get_tree().paused = true  # the moment of the picture stands still
+	for i in p_frames:  # measured times arrive two frames late
 		await RenderingServer.frame_post_draw
 	_viewport.get_tree().paused = false
 	_viewport.disable_3d = true

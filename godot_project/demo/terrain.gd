@@ -12,11 +12,11 @@ extends StaticBody3D
 	set(value):
 		noise = value
 		_make()
-@export_range(0.0, 20.0, 0.1, "suffix:m") var relief := 3.0: ## from the middle of the noise to its top
+@export_range(0.0, 20.0, 0.1, "suffix:m") var relief := 3.0:  ## from the middle of the noise to its top
 	set(value):
 		relief = value
 		_make()
-@export var profile: Curve: ## metres added, by how far the place lies along z: 0 the far side (-z), 1 the near one
+@export var profile: Curve:  ## metres added, by how far the place lies along z: 0 the far side (-z), 1 the near one
 	set(value):
 		profile = value
 		_make()

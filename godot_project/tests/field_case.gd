@@ -2,9 +2,9 @@
 ## A test with a field: makes fields and bodies, waits, and compares blades.
 extends "res://tests/case.gd"
 
-const BLADES := 64 # of a tile
-const KNOTS := 16 # of a blade
-const CLAMPED := 2 # knots at the root that never move
+const BLADES := 64  # of a tile
+const KNOTS := 16  # of a blade
+const CLAMPED := 2  # knots at the root that never move
 
 
 ## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide and without wind unless told.
@@ -40,8 +40,10 @@ static func warm_up(to: Node) -> Dictionary:
 		await to.get_tree().physics_frame
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
-		if field.get_statistics().compiling > 2: # besides the passes of tiles without colliders and of those with edges, which come last
-			first_field = { ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size() }
+		if field.get_statistics().compiling > 2:  # besides the passes of tiles without colliders and of those with edges, which come last
+			first_field = {
+				ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size()
+			}
 	first_field.steps_after = field.get_statistics().steps
 	field.species = [GrassSpecies.new()]
 	deadline = Time.get_ticks_msec() + PATIENCE * 1000
@@ -65,7 +67,9 @@ func made(field: GrassField, makings: int) -> void:
 ## Frames until the field is what its properties and its map say.
 func grown(field: GrassField) -> void:
 	await frames(1)
-	await wait_until(func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0, "the field is grown")
+	await wait_until(
+		func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0, "the field is grown"
+	)
 
 
 ## `body` in the tree at `place` with `shape`, or with nothing where that is null.

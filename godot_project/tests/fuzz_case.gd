@@ -3,14 +3,30 @@
 ## What the changes wait for must not be read by what runs: `./grass test sanitize` runs this under the address sanitizer.
 extends "res://tests/field_case.gd"
 
-const SIDE := 16.0 # metres
+const SIDE := 16.0  # metres
 const BALLS := 20
-const EXTREMES := 0.3 # share of the numbers that are the least or the greatest allowed
+const EXTREMES := 0.3  # share of the numbers that are the least or the greatest allowed
 ## Larger values are allowed, but only cost time and memory here.
 const CAPS := {"density": 900.0, "drawn_tiles_max": 4096.0, "size": 24.0}
-const LEFT_ALONE := ["name", "script", "owner", "process_mode", "process_priority", "process_physics_priority", "unique_name_in_owner",
-		"scene_file_path", "editor_description", "process_thread_group", "process_thread_group_order", "process_thread_messages",
-		"physics_interpolation_mode", "auto_translate_mode", "material_override", "material_overlay", "visibility_parent"]
+const LEFT_ALONE := [
+	"name",
+	"script",
+	"owner",
+	"process_mode",
+	"process_priority",
+	"process_physics_priority",
+	"unique_name_in_owner",
+	"scene_file_path",
+	"editor_description",
+	"process_thread_group",
+	"process_thread_group_order",
+	"process_thread_messages",
+	"physics_interpolation_mode",
+	"auto_translate_mode",
+	"material_override",
+	"material_overlay",
+	"visibility_parent"
+]
 
 var rng := RandomNumberGenerator.new()
 
@@ -81,7 +97,9 @@ func resource_for(type: String) -> Resource:
 
 
 func stored(object: Object) -> Array[Dictionary]:
-	return object.get_property_list().filter(func(p: Dictionary) -> bool: return p.usage & PROPERTY_USAGE_STORAGE and p.name not in LEFT_ALONE)
+	return object.get_property_list().filter(
+		func(p: Dictionary) -> bool: return p.usage & PROPERTY_USAGE_STORAGE and p.name not in LEFT_ALONE
+	)
 
 
 ## All that may change, as [object, property].
@@ -97,7 +115,7 @@ func changes_of(field: GrassField) -> Array:
 	return changes
 
 
-func shuffle(list: Array) -> void: # by rng, so that a seed names a run
+func shuffle(list: Array) -> void:  # by rng, so that a seed names a run
 	for i in range(list.size() - 1, 0, -1):
 		var other := rng.randi_range(0, i)
 		var held: Variant = list[i]

@@ -2,7 +2,7 @@
 ## A test on a hillside: ground of a HeightMapShape3D, and what is let go on it.
 extends "res://tests/field_case.gd"
 
-const HILL := 33 # heights along a side, a metre apart
+const HILL := 33  # heights along a side, a metre apart
 
 
 static func hill_height(x: float, z: float) -> float:
@@ -39,7 +39,7 @@ func let_go() -> Array[RigidBody3D]:
 	for shape: Shape3D in [ball(0.3), box, capsule]:
 		var z := 3.0 * bodies.size() - 3.0
 		var body := add_body(RigidBody3D.new(), shape, Vector3(5, hill_height(5, z) + 0.5, z)) as RigidBody3D
-		body.rotation.x = PI / 2 # the capsule lies across the slope
-		body.physics_material_override = smooth # the box slides
+		body.rotation.x = PI / 2  # the capsule lies across the slope
+		body.physics_material_override = smooth  # the box slides
 		bodies.append(body)
 	return bodies

@@ -9,22 +9,24 @@
 @tool
 extends Node
 
-const TIME_LIMIT := 900.0 # seconds; a test that takes longer is taken for hung, unless --limit=SECONDS says otherwise. A few wait for what
+const TIME_LIMIT := 900.0  # seconds; a test that takes longer is taken for hung, unless --limit=SECONDS says otherwise. A few wait for what
 # may take Case.PATIENCE.
 const Case := preload("res://tests/case.gd")
 const FieldCase := preload("res://tests/field_case.gd")
 
 
 ## Collects what the engine and scripts report as errors, from whatever thread.
-class Listener extends Logger:
+class Listener:
+	extends Logger
 	var _errors: Array = []
 	var _mutex := Mutex.new()
 
-	func _log_error(function: String, file: String, line: int, code: String, rationale: String, _notify: bool, type: int,
-			traces: Array[ScriptBacktrace]) -> void:
+	func _log_error(
+		function: String, file: String, line: int, code: String, rationale: String, _notify: bool, type: int, traces: Array[ScriptBacktrace]
+	) -> void:
 		var where := "%s:%d in %s" % [file, line, function]
 		for trace in traces:
-			if trace.get_frame_count() > 0 and not file.ends_with(".gd"): # an error in a script says where itself
+			if trace.get_frame_count() > 0 and not file.ends_with(".gd"):  # an error in a script says where itself
 				where = "%s:%d" % [trace.get_frame_file(0), trace.get_frame_line(0)]
 				break
 		_mutex.lock()
@@ -48,7 +50,7 @@ var _done := false
 
 func _ready() -> void:
 	if Engine.is_editor_hint() and _argument("layer", "") != "editor":
-		return # somebody looks at the scene
+		return  # somebody looks at the scene
 	if OS.has_feature("template") and not await _are_frames_fixed():
 		printerr("The tests want frames of 1/60 s: add `--fixed-fps 60` before `--`.")
 		get_tree().quit(2)
@@ -59,13 +61,13 @@ func _ready() -> void:
 		_report("plan", test.name)
 	await get_tree().process_frame
 	if RenderingServer.get_rendering_device() and not Engine.is_editor_hint():
-		get_tree().set_meta("first_field", await FieldCase.warm_up(self)) # no static variable: it would keep scripts alive for ever
+		get_tree().set_meta("first_field", await FieldCase.warm_up(self))  # no static variable: it would keep scripts alive for ever
 	for test: Dictionary in plan:
 		await _run(test)
 	OS.remove_logger(_listener)
-	if OS.has_feature("template"): # elsewhere tools/testing.py adds up
+	if OS.has_feature("template"):  # elsewhere tools/testing.py adds up
 		print("%d passed, %d failed%s" % [_passed, _failed, ", %d skipped" % _skipped if _skipped else ""])
-		_failed += 0 if plan else 1 # nothing was tested
+		_failed += 0 if plan else 1  # nothing was tested
 	get_tree().quit(1 if _failed else 0)
 
 
@@ -88,7 +90,7 @@ func _argument(key: String, fallback: String) -> String:
 ## Every test of `layer` whose name contains one of `only`'s parts: {name, path, function}. A script that does not load is one too.
 func _plan(layer: String, only: String) -> Array:
 	var plan := []
-	for file in ResourceLoader.list_directory("res://tests/" + layer): # in an export, too, where they have other names on disk
+	for file in ResourceLoader.list_directory("res://tests/" + layer):  # in an export, too, where they have other names on disk
 		if not (file.begins_with("test_") and file.ends_with(".gd")):
 			continue
 		var path := "res://tests/%s/%s" % [layer, file]
@@ -130,7 +132,7 @@ func _run(test: Dictionary) -> void:
 	remove_child(case)
 	for child in case.get_children():
 		child.free()
-	await get_tree().process_frame # what was put off until now may report errors too
+	await get_tree().process_frame  # what was put off until now may report errors too
 	case.judge(_listener.take())
 	_finish(test.name, case.summary(), case.skipped)
 	case.free()

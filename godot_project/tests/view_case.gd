@@ -4,7 +4,7 @@ extends "res://tests/field_case.gd"
 
 var viewport: SubViewport
 var camera: Camera3D
-var picture_size: Vector2i # of the pictures that are compared
+var picture_size: Vector2i  # of the pictures that are compared
 
 
 func before() -> void:

@@ -22,8 +22,9 @@ struct Crush {
 	bool falls; // by 1 cm a step, or stands there from the first step on
 	int steps;
 };
-constexpr Crush CRUSHES[] = { { "a ball appears, 8 steps", GRASS_SPHERE, false, 8 }, { "a ball appears, 30 steps", GRASS_SPHERE, false, 30 },
-	{ "a ball falls", GRASS_SPHERE, true, 60 }, { "a crate falls", GRASS_BOX, true, 60 } };
+constexpr Crush CRUSHES[] = { { "a ball appears, 8 steps", GRASS_SPHERE, false, 8 },
+	{ "a ball appears, 30 steps", GRASS_SPHERE, false, 30 }, { "a ball falls", GRASS_SPHERE, true, 60 },
+	{ "a crate falls", GRASS_BOX, true, 60 } };
 
 void crush(BladeScene &r_scene, const Crush &p_crush, const Eigen::Vector3f &p_place, float p_size) {
 	r_scene.add(p_crush.shape, p_place, { p_size, p_size, p_size });
@@ -53,13 +54,17 @@ void measure(const BladeScene &p_scene, double &r_sharp, double &r_squares) {
 } // namespace
 
 int main() {
-	std::printf("By `iterations`, for a blade: the squares of the angles between its segments (sum, rad^2) and how many of them are sharp (over\n"
-				"%.1f rad), crushed; and how many in a hundred part by more than %.0e L in float and double within %d steps of being let go\n",
+	std::printf(
+			"By `iterations`, for a blade: the squares of the angles between its segments (sum, rad^2) and how many of them are sharp "
+			"(over\n"
+			"%.1f rad), crushed; and how many in a hundred part by more than %.0e L in float and double within %d steps of being let go\n",
 			double(SHARP), APART, RISE);
 	for (const int iterations : { 2, 3, 4, 10 }) {
 		for (const Crush &kind : CRUSHES) {
 			std::mt19937 random(5);
-			const auto between = [&](float p_least, float p_most) { return std::uniform_real_distribution<float>(p_least, p_most)(random); };
+			const auto between = [&](float p_least, float p_most) {
+				return std::uniform_real_distribution<float>(p_least, p_most)(random);
+			};
 			double sharp = 0.0, squares = 0.0, apart = 0.0;
 			for (int i = 0; i < PLACES; i++) {
 				const float size = between(0.1f, 0.2f), x = between(-0.25f, 0.25f), z = between(-0.05f, 0.05f);
@@ -86,7 +91,8 @@ int main() {
 				apart += double(std::count(parts, parts + GRASS_BLADES_PER_TILE, true));
 			}
 			const double blades = double(PLACES * GRASS_BLADES_PER_TILE);
-			std::printf("  %2d, %-24s: %.3f, %.3f sharp, %.1f part\n", iterations, kind.name, squares / blades, sharp / blades, 100.0 * apart / blades);
+			std::printf("  %2d, %-24s: %.3f, %.3f sharp, %.1f part\n", iterations, kind.name, squares / blades, sharp / blades,
+					100.0 * apart / blades);
 		}
 	}
 }

@@ -170,7 +170,8 @@ void print_contact_speed() {
 			BladeScene::place(r_scene.colliders[0], { 0.1f, height(p_step), 0.02f }, { 0.1f, height(p_step + 1), 0.02f });
 		};
 	};
-	print("swinging", 120, [](BladeScene &r_scene) { r_scene.bend(1.0f); }, stay);
+	print(
+			"swinging", 120, [](BladeScene &r_scene) { r_scene.bend(1.0f); }, stay);
 	print(
 			"swinging, 4 colliders", 120,
 			[](BladeScene &r_scene) {

@@ -19,6 +19,7 @@ PLAIN = ("bool", "int", "float")
 BY_HAND = {*PLAIN, "Nil", "RID", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3", "Vector3i", "Transform2D",
 	"Vector4", "Vector4i", "Plane",
 	"Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color"}  # fmt: skip
+UNUSED = {"Vector3i", "Transform2D", "Vector4i", "Projection"}  # by the extension; what has them is left out
 RENAMED = {("Node", "get_node"): "get_node_internal", ("", "typeof"): "type_of"}
 OPERATORS = {"==", "!=", "<", "<=", ">", ">=", "+"}  # of two values of a type
 LEFT_OUT = {"is_instance_valid"}
@@ -49,12 +50,17 @@ class Rules:
 		types.append(entry.get("return_value", {}).get("type", ""))
 		for kind in types:
 			element = kind.split("::")[-1].split(":")[-1].split(".")[0]
-			if "*" in kind or kind.startswith("typeddictionary") or (element in self.classes and element not in self.chosen):
+			if (
+				"*" in kind
+				or element in UNUSED
+				or kind.startswith("typeddictionary")
+				or (element in self.classes and element not in self.chosen)
+			):
 				return False
 		return True
 
 	def result(self, kind, meta=None):
-		if meta and kind in ("int", "float"): # others say that an object is required
+		if meta and kind in ("int", "float"):  # others say that an object is required
 			return meta if meta in ("float", "double") else meta + "_t"
 		if kind in NUMBERS:
 			return NUMBERS[kind]
@@ -109,7 +115,9 @@ class Rules:
 		if name != "StringName":
 			for operator in entry["operators"]:
 				if operator["name"] in OPERATORS and operator.get("right_type") == name:
-					lines.append(f"METHOD({name}, operator{operator['name']}, {self.result(operator['return_type'])}(const {name} &) const)")
+					lines.append(
+						f"METHOD({name}, operator{operator['name']}, {self.result(operator['return_type'])}(const {name} &) const)"
+					)
 		return lines + packed(name)
 
 	def of_utilities(self):

@@ -103,17 +103,6 @@ METHOD(Vector3, operator String, String() const)
 FUNCTION(operator*, Vector3(float, const Vector3 &))
 FUNCTION(operator*, Vector3(double, const Vector3 &))
 
-// variant/vector3i.hpp
-FIELD(Vector3i, x, int)
-FIELD(Vector3i, y, int)
-FIELD(Vector3i, z, int)
-FIELD(Vector3i, coord, int[3])
-CONSTRUCTOR(Vector3i)
-CONSTRUCTOR(Vector3i, int, int, int)
-METHOD(Vector3i, operator==, bool(const Vector3i &) const)
-METHOD(Vector3i, operator!=, bool(const Vector3i &) const)
-METHOD(Vector3i, operator String, String() const)
-
 // variant/vector4.hpp
 FIELD(Vector4, x, float)
 FIELD(Vector4, y, float)
@@ -125,18 +114,6 @@ CONSTRUCTOR(Vector4, float, float, float, float)
 METHOD(Vector4, operator==, bool(const Vector4 &) const)
 METHOD(Vector4, operator!=, bool(const Vector4 &) const)
 METHOD(Vector4, operator String, String() const)
-
-// variant/vector4i.hpp
-FIELD(Vector4i, x, int)
-FIELD(Vector4i, y, int)
-FIELD(Vector4i, z, int)
-FIELD(Vector4i, w, int)
-FIELD(Vector4i, coord, int[4])
-CONSTRUCTOR(Vector4i)
-CONSTRUCTOR(Vector4i, int, int, int, int)
-METHOD(Vector4i, operator==, bool(const Vector4i &) const)
-METHOD(Vector4i, operator!=, bool(const Vector4i &) const)
-METHOD(Vector4i, operator String, String() const)
 
 // variant/rect2.hpp
 FIELD(Rect2, position, Vector2)
@@ -217,15 +194,6 @@ METHOD(Basis, operator String, String() const)
 METHOD(Basis, inverse, Basis() const)
 METHOD(Basis, orthonormalized, Basis() const)
 
-// variant/transform2d.hpp
-FIELD(Transform2D, columns, Vector2[3])
-CONSTRUCTOR(Transform2D)
-CONSTRUCTOR(Transform2D, float, float, float, float, float, float)
-CONSTRUCTOR(Transform2D, const Vector2 &, const Vector2 &, const Vector2 &)
-METHOD(Transform2D, operator==, bool(const Transform2D &) const)
-METHOD(Transform2D, operator!=, bool(const Transform2D &) const)
-METHOD(Transform2D, operator String, String() const)
-
 // variant/transform3d.hpp
 FIELD(Transform3D, basis, Basis)
 FIELD(Transform3D, origin, Vector3)
@@ -242,14 +210,6 @@ METHOD(Transform3D, orthonormalized, Transform3D() const)
 METHOD(Transform3D, translated_local, Transform3D(const Vector3 &) const)
 METHOD(Transform3D, is_finite, bool() const)
 METHOD(Transform3D, operator String, String() const)
-
-// variant/projection.hpp
-FIELD(Projection, columns, Vector4[4])
-CONSTRUCTOR(Projection)
-CONSTRUCTOR(Projection, const Vector4 &, const Vector4 &, const Vector4 &, const Vector4 &)
-METHOD(Projection, operator==, bool(const Projection &) const)
-METHOD(Projection, operator!=, bool(const Projection &) const)
-METHOD(Projection, operator String, String() const)
 
 // variant/color.hpp
 FIELD(Color, r, float)

@@ -2,8 +2,8 @@
 // Templates, each made for one type, and the macros, each used once.
 #include "surface.h"
 
-#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
+#include <godot_cpp/classes/editor_plugin_registration.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -105,9 +105,7 @@ METHOD(Flags, operator Variant, Variant() const)
 // Function templates.
 CALL(EditorPlugins, add_by_type, void, EditorPlugins::add_by_type<EditorPlugin>())
 CALL(ClassDB, register_class, void, ClassDB::register_class<SurfaceNode>())
-CALL(ClassDB, register_abstract_class, void, ClassDB::register_abstract_class<SurfaceNode>())
 CALL(ClassDB, register_internal_class, void, ClassDB::register_internal_class<SurfaceNode>())
-CALL(ClassDB, register_runtime_class, void, ClassDB::register_runtime_class<SurfaceNode>())
 CALL(, MIN, float, MIN(1.0f, 2.0f))
 CALL(, MAX, float, MAX(1.0f, 2.0f))
 CALL(, CLAMP, float, CLAMP(1.0f, 2.0f, 3.0f))
@@ -200,8 +198,6 @@ _NO_INLINE_ void register_all() {
 	GDREGISTER_CLASS(SurfaceNode);
 	GDREGISTER_INTERNAL_CLASS(SurfaceNode);
 	ClassDB::register_class<SurfaceNode>();
-	ClassDB::register_abstract_class<SurfaceNode>();
 	ClassDB::register_internal_class<SurfaceNode>();
-	ClassDB::register_runtime_class<SurfaceNode>();
 	make(nullptr);
 }

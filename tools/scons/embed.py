@@ -47,7 +47,15 @@ def flatten(path, folders, seen=None):
 
 def compile_shader(source, folders, command, spirv, *defines):
 	"""Compute pass -> list of SPIR-V words. Raises RuntimeError with the compiler's own words."""
-	arguments = ["-V", "--target-env", "vulkan1.1", "-S", "comp", *(f"-I{folder}" for folder in folders), *(f"-D{name}" for name in defines)]
+	arguments = [
+		"-V",
+		"--target-env",
+		"vulkan1.1",
+		"-S",
+		"comp",
+		*(f"-I{folder}" for folder in folders),
+		*(f"-D{name}" for name in defines),
+	]
 	spirv.parent.mkdir(parents=True, exist_ok=True)
 	result = subprocess.run([command, *arguments, "-o", str(spirv), str(source)], capture_output=True, text=True)
 	if result.returncode:

@@ -30,9 +30,13 @@ PLATFORMS = {
 
 def add_options(options):
 	system, arch = toolchains.HERE
-	options.Add(EnumVariable("platform", "what is built for; other than linux and windows: with a toolchain of yours", system, tuple(PLATFORMS)))
+	options.Add(
+		EnumVariable("platform", "what is built for; other than linux and windows: with a toolchain of yours", system, tuple(PLATFORMS))
+	)
 	options.Add(EnumVariable("arch", "processor that is built for", arch, ARCHITECTURES))
-	options.Add("cxx", "C++ compiler to take instead of the one that is found (so does CXX in the environment, where nothing is fetched)", "")
+	options.Add(
+		"cxx", "C++ compiler to take instead of the one that is found (so does CXX in the environment, where nothing is fetched)", ""
+	)
 
 
 def is_here(env):

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Makes the site, out/site: the pages of docs/ and the class reference, by MkDocs with Material. It works without a network."""
 
-import importlib.util
 import os
 import re
 import shutil
 import subprocess
 import sys
 
-from tools import links, machine
+from tools import links, pip_packages
 from tools.places import BUILD, OUT, PROJECT, ROOT, TOOLS
 from tools.say import Failure, progress, say
 from tools.site import classes, mentions
@@ -20,32 +19,11 @@ PACKAGES = TOOLS / "site"  # what requirements.txt names
 PYTHON_MINIMUM = (3, 11)  # Material's
 
 
-def pip():
-	"""(command, environment additions) that runs pip."""
-	if importlib.util.find_spec("pip"):
-		return [sys.executable, "-m", "pip"], {}
-	packages = machine.unpacked("usr/lib/python3/dist-packages")
-	return ([sys.executable, "-m", "pip"], {"PYTHONPATH": str(packages)}) if packages and (packages / "pip").is_dir() else None
-
-
 def ensure_packages():
-	"""Installs what the site is built with into .tools/site, from the index that the machine's pip knows."""
-	wanted = HERE / "requirements.txt"
-	state = f"{sys.version}\n{wanted.read_text()}"
-	stamp = PACKAGES / "stamp"
-	if stamp.exists() and stamp.read_text() == state:
-		return
+	"""Installs what the site is built with into .tools/site."""
 	if sys.version_info < PYTHON_MINIMUM:
 		raise Failure(f"The site needs Python {'.'.join(map(str, PYTHON_MINIMUM))} or newer; this is {sys.version.split()[0]}.")
-	machine.ensure((pip, ("python3-pip",)))
-	shutil.rmtree(PACKAGES, ignore_errors=True)
-	command, additions = pip()
-	command += ["install", "--quiet", "--disable-pip-version-check", "--no-deps", "--target", str(PACKAGES), "-r", str(wanted)]
-	with progress("Fetching what the site is built with"):
-		result = subprocess.run(command, env={**os.environ, **additions}, capture_output=True, text=True)
-	if result.returncode:
-		raise Failure(f"pip could not fetch what the site is built with:\n{result.stderr[-2000:]}")
-	stamp.write_text(state)
+	pip_packages.ensure(HERE / "requirements.txt", PACKAGES, "what the site is built with")
 
 
 def as_python_markdown(text):

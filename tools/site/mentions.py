@@ -64,6 +64,8 @@ class Mentions:
 				inside = MADE_HERE in line
 			else:
 				# Not inside of a link's own text.
-				line = "".join(part if index % 2 else CODE.sub(link, part) for index, part in enumerate(re.split(r"(!?\[[^\]]*\]\([^)]*\))", line)))
+				line = "".join(
+					part if index % 2 else CODE.sub(link, part) for index, part in enumerate(re.split(r"(!?\[[^\]]*\]\([^)]*\))", line))
+				)
 			lines.append(line)
 		return "\n".join(lines)

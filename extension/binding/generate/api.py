@@ -5,18 +5,65 @@ import re
 
 # Builtin types with a storage of their own, copied and destroyed by the engine.
 OPAQUE = [
-	"String", "StringName", "NodePath", "RID", "Callable", "Signal", "Dictionary", "Array",
-	"PackedByteArray", "PackedInt32Array", "PackedInt64Array", "PackedFloat32Array", "PackedFloat64Array",
-	"PackedStringArray", "PackedVector2Array", "PackedVector3Array", "PackedColorArray", "PackedVector4Array",
+	"String",
+	"StringName",
+	"NodePath",
+	"RID",
+	"Callable",
+	"Signal",
+	"Dictionary",
+	"Array",
+	"PackedByteArray",
+	"PackedInt32Array",
+	"PackedInt64Array",
+	"PackedFloat32Array",
+	"PackedFloat64Array",
+	"PackedStringArray",
+	"PackedVector2Array",
+	"PackedVector3Array",
+	"PackedColorArray",
+	"PackedVector4Array",
 ]
 # Builtin types that are plain numbers.
 PLAIN = [
-	"Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3", "Vector3i", "Transform2D", "Vector4", "Vector4i",
-	"Plane", "Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color",
+	"Vector2",
+	"Vector2i",
+	"Rect2",
+	"Rect2i",
+	"Vector3",
+	"Vector4",
+	"Plane",
+	"Quaternion",
+	"AABB",
+	"Basis",
+	"Transform3D",
+	"Color",
 ]
+# Builtin types that the extension has no use for; methods with them are left out.
+UNUSED = {"Vector3i", "Transform2D", "Vector4i", "Projection"}
 KEYWORDS = {
-	"class", "default", "operator", "template", "private", "public", "new", "delete", "enum", "char", "bool",
-	"int", "float", "double", "switch", "case", "continue", "export", "inline", "const", "namespace", "typename",
+	"class",
+	"default",
+	"operator",
+	"template",
+	"private",
+	"public",
+	"new",
+	"delete",
+	"enum",
+	"char",
+	"bool",
+	"int",
+	"float",
+	"double",
+	"switch",
+	"case",
+	"continue",
+	"export",
+	"inline",
+	"const",
+	"namespace",
+	"typename",
 }
 
 
@@ -88,7 +135,7 @@ class Api:
 
 	def type(self, text, meta=None):
 		"""The Type of a type in the dump, or None where the binding has no use for it."""
-		if "*" in text:
+		if "*" in text or text.split("::")[-1] in UNUSED:
 			return None
 		if text == "bool":
 			return Type("bool", "bool")
@@ -105,7 +152,7 @@ class Api:
 		if text.startswith(("enum::", "bitfield::")):
 			return self.enum(text)
 		if text.startswith("typedarray::"):
-			return self.typed_array(text[len("typedarray::"):])
+			return self.typed_array(text[len("typedarray::") :])
 		return self.object(text)
 
 	def enum(self, text):

@@ -14,12 +14,24 @@ from generate.calls import Function, definition
 from generate.interface import HEADER
 
 OPERATORS = {
-	"==": "EQUAL", "!=": "NOT_EQUAL", "<": "LESS", "<=": "LESS_EQUAL", ">": "GREATER", ">=": "GREATER_EQUAL", "+": "ADD",
+	"==": "EQUAL",
+	"!=": "NOT_EQUAL",
+	"<": "LESS",
+	"<=": "LESS_EQUAL",
+	">": "GREATER",
+	">=": "GREATER_EQUAL",
+	"+": "ADD",
 }
 ELEMENTS = {
-	"PackedByteArray": "uint8_t", "PackedInt32Array": "int32_t", "PackedInt64Array": "int64_t",
-	"PackedFloat32Array": "float", "PackedFloat64Array": "double", "PackedStringArray": "String",
-	"PackedVector2Array": "Vector2", "PackedVector3Array": "Vector3", "PackedColorArray": "Color",
+	"PackedByteArray": "uint8_t",
+	"PackedInt32Array": "int32_t",
+	"PackedInt64Array": "int64_t",
+	"PackedFloat32Array": "float",
+	"PackedFloat64Array": "double",
+	"PackedStringArray": "String",
+	"PackedVector2Array": "Vector2",
+	"PackedVector3Array": "Vector3",
+	"PackedColorArray": "Color",
 	"PackedVector4Array": "Vector4",
 }
 
@@ -57,7 +69,7 @@ def method(api, name, entry):
 	tail = " const" if function.const and not function.static else ""
 	if function.vararg:
 		return vararg_method(function, name, place, tail)
-	lookup = "static constinit internal::BuiltinMethod method{ %s, \"%s\", %d };" % (type_code(name), function.name, function.hash)
+	lookup = 'static constinit internal::BuiltinMethod method{ %s, "%s", %d };' % (type_code(name), function.name, function.hash)
 	body = function.body(lambda arguments, count, result: "method.call(%s, %s, %s, %d);" % (place, arguments, result, count))
 	declaration = "%s%s%s(%s)%s;" % ("static " if function.static else "", function.result_text(), plain, function.parameters(True), tail)
 	head = "%s%s::%s(%s)%s" % (function.result_text(), name, plain, function.parameters(False), tail)
@@ -79,11 +91,15 @@ def vararg_method(function, name, place, tail):
 	given = "".join("Variant(%s), " % argument for _, argument, _ in function.arguments)
 	head = "%s%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), function.name, tail)
 	# For the same reason what the template says of Variant must depend on its arguments.
-	declaration = PRIVATE % head + "template <typename... Arguments>\n\tauto %s(%sconst Arguments &...p_arguments)%s {\n" % (function.name, first, tail)
+	declaration = PRIVATE % head + "template <typename... Arguments>\n\tauto %s(%sconst Arguments &...p_arguments)%s {\n" % (
+		function.name,
+		first,
+		tail,
+	)
 	declaration += "\t\tusing Value = typename internal::Later<Variant, Arguments...>::Type;\n"
 	declaration += "\t\tconst Value values[] = { %sValue(p_arguments)..., Value() };\n" % given.replace("Variant(", "Value(")
 	declaration += pass_on(function.name, len(function.arguments))
-	lookup = "static constinit internal::BuiltinMethod method{ %s, \"%s\", %d };" % (type_code(name), function.name, function.hash)
+	lookup = 'static constinit internal::BuiltinMethod method{ %s, "%s", %d };' % (type_code(name), function.name, function.hash)
 	call = "method.call(%s, reinterpret_cast<const GDExtensionConstTypePtr *>(p_arguments), %s, p_count);"
 	body = [lookup]
 	if function.result:
@@ -103,7 +119,8 @@ def operators(name, entry):
 			continue
 		head = "operator%s(const %s &p_other) const" % (symbol, name)
 		body = [
-			"static constinit internal::BuiltinOperator evaluator{ GDEXTENSION_VARIANT_OP_%s, %s, %s };" % (OPERATORS[symbol], type_code(name), type_code(name)),
+			"static constinit internal::BuiltinOperator evaluator{ GDEXTENSION_VARIANT_OP_%s, %s, %s };"
+			% (OPERATORS[symbol], type_code(name), type_code(name)),
 			"%s result%s;" % (result, " = false" if result == "bool" else ""),
 			"evaluator.call(this, &p_other, &result);",
 			"return result;",
@@ -174,13 +191,18 @@ def write_utility_functions(output, api):
 		function = Function(api, entry)
 		if not function.known() or function.name in NOT_UPSTREAM:
 			continue
-		lookup = "static constinit internal::UtilityFunction function{ \"%s\", %d };" % (function.name, function.hash)
+		lookup = 'static constinit internal::UtilityFunction function{ "%s", %d };' % (function.name, function.hash)
 		plain = guard(RENAMED.get(function.name, function.name))
 		if function.vararg:
 			head = "%s%s_variants(const Variant *const *p_arguments, int p_count)" % (function.result_text(), plain)
 			first = "".join(kind.declare(argument) + ", " for kind, argument, _ in function.arguments)
-			declaration = PRIVATE % ("static " + head) + "template <typename... Arguments>\n\tstatic %s%s(%sconst Arguments &...p_arguments) {\n" % (
-				function.result_text(), plain, first)
+			declaration = PRIVATE % (
+				"static " + head
+			) + "template <typename... Arguments>\n\tstatic %s%s(%sconst Arguments &...p_arguments) {\n" % (
+				function.result_text(),
+				plain,
+				first,
+			)
 			given = "".join(argument + ", " for _, argument, _ in function.arguments)
 			declaration += "\t\tconst Variant values[] = { %sVariant(p_arguments)..., Variant() };\n" % given
 			declarations.append(declaration + pass_on(plain, len(function.arguments)))
@@ -191,8 +213,11 @@ def write_utility_functions(output, api):
 			continue
 		body = function.body(lambda arguments, count, result: "function.call(%s, %s, %d);" % (arguments, result, count))
 		declarations.append("static %s%s(%s);" % (function.result_text(), plain, function.parameters(True)))
-		source.append(definition("%sUtilityFunctions::%s(%s)" % (function.result_text(), plain, function.parameters(False)), [lookup] + body))
-	header = "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n"
+		source.append(
+			definition("%sUtilityFunctions::%s(%s)" % (function.result_text(), plain, function.parameters(False)), [lookup] + body)
+		)
+	header = "#pragma once\n\n#include <godot_cpp/variant/variant.hpp>\n\nnamespace godot {\n\n"
+	header += "class UtilityFunctions {\npublic:\n\t%s\n};\n\n} // namespace godot\n"
 	output.write("include/godot_cpp/variant/utility_functions.hpp", HEADER + header % "\n\t".join(declarations))
 	includes = "#include <godot_cpp/core/object.hpp>\n#include <godot_cpp/variant/utility_functions.hpp>\n"
 	text = "%s%s\nnamespace godot {\n\n%s\n} // namespace godot\n" % (HEADER, includes, "\n".join(source))

@@ -84,7 +84,10 @@ class Function:
 		if kind == "object":
 			return "GodotObject *result = nullptr;", "return static_cast<%s>(internal::get_object_instance_binding(result));" % name
 		if kind == "ref":
-			return "GodotObject *result = nullptr;", "return %s::_gde_internal_constructor(internal::get_object_instance_binding(result));" % name
+			return (
+				"GodotObject *result = nullptr;",
+				"return %s::_gde_internal_constructor(internal::get_object_instance_binding(result));" % name,
+			)
 		return name + " result;", "return result;"
 
 

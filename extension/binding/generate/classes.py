@@ -27,7 +27,8 @@ def write_global_constants(output, api):
 	text = HEADER + "#pragma once\n\n#include <cstdint>\n\nnamespace godot {\n\n" + "\n".join(enum_text(enum, "") for enum in enums)
 	output.write("include/godot_cpp/classes/global_constants.hpp", text + "\n} // namespace godot\n")
 	casts = ["%s(%s)" % ("VARIANT_BITFIELD_CAST" if enum["is_bitfield"] else "VARIANT_ENUM_CAST", enum["name"]) for enum in enums]
-	output.write("include/godot_cpp/classes/global_constants_binds.hpp", HEADER + "#pragma once\n\n#include <godot_cpp/core/binder_common.hpp>\n\n" + "\n".join(casts) + "\n")
+	head = HEADER + "#pragma once\n\n#include <godot_cpp/core/binder_common.hpp>\n\n"
+	output.write("include/godot_cpp/classes/global_constants_binds.hpp", head + "\n".join(casts) + "\n")
 
 
 class EngineClass:
@@ -54,7 +55,9 @@ class EngineClass:
 		lines.append("\nnamespace godot {\n")
 		lines += ["class %s;" % name for name in forward]
 		lines.append("\nclass %s : public %s {" % (self.name, self.api.class_name(self.parent) if self.parent else "Wrapped"))
-		lines.append("\tENGINE_CLASS(%s, %s, %s)\n" % (self.name, self.dump_name, self.api.class_name(self.parent) if self.parent else "Wrapped"))
+		lines.append(
+			"\tENGINE_CLASS(%s, %s, %s)\n" % (self.name, self.dump_name, self.api.class_name(self.parent) if self.parent else "Wrapped")
+		)
 		lines.append("public:")
 		for enum in self.entry.get("enums", []):
 			lines.append(enum_text(enum, "\t"))
@@ -65,7 +68,9 @@ class EngineClass:
 		if self.dump_name in self.api.singletons:
 			lines.append("\tstatic constexpr bool _is_singleton = true;\n\tstatic %s *get_singleton();\n" % self.name)
 		lines += ["\t" + self.declaration(function) for function in self.methods]
-		lines += ["\tvirtual %s%s(%s)%s;" % (f.result_text(), f.name, f.parameters(True), " const" if f.const else "") for f in self.virtuals]
+		lines += [
+			"\tvirtual %s%s(%s)%s;" % (f.result_text(), f.name, f.parameters(True), " const" if f.const else "") for f in self.virtuals
+		]
 		if self.dump_name in EXTRA:
 			lines.append("\n\t" + "\n\t".join(EXTRA[self.dump_name]))
 		lines += self.register_virtuals()
@@ -82,7 +87,10 @@ class EngineClass:
 		if self.parent:
 			lines.append("\t\t%s::register_virtuals<T, Base>();" % self.api.class_name(self.parent))
 		for function in self.virtuals:
-			lines.append('\t\tinternal::bind_virtual<T, &T::%s, &Base::%s>("%s", %dU);' % (function.name, function.name, function.name, function.hash))
+			lines.append(
+				'\t\tinternal::bind_virtual<T, &T::%s, &Base::%s>("%s", %dU);'
+				% (function.name, function.name, function.name, function.hash)
+			)
 		return lines + ["\t}"]
 
 	def dependencies(self):
@@ -116,7 +124,12 @@ class EngineClass:
 		given = "".join("Variant(%s), " % name for _, name, _ in function.arguments)
 		count = len(function.arguments)
 		text = PRIVATE % ("%s%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), function.name, tail))
-		text += "template <typename... Arguments>\n\t%s%s(%sconst Arguments &...p_arguments)%s {\n" % (function.result_text(), function.name, first, tail)
+		text += "template <typename... Arguments>\n\t%s%s(%sconst Arguments &...p_arguments)%s {\n" % (
+			function.result_text(),
+			function.name,
+			first,
+			tail,
+		)
 		text += "\t\tconst Variant values[] = { %sVariant(p_arguments)..., Variant() };\n" % given
 		return text + pass_on(function.name, count)
 
@@ -124,14 +137,25 @@ class EngineClass:
 		"""The definitions of all methods."""
 		parts = ["ENGINE_CLASS_DEFINE(%s)\n" % self.name]
 		if self.dump_name in self.api.singletons:
-			parts.append(definition("%s *%s::get_singleton()" % (self.name, self.name), [
-				"static constinit internal::Singleton singleton{ \"%s\" };" % self.dump_name,
-				"return static_cast<%s *>(singleton.get());" % self.name]))
+			parts.append(
+				definition(
+					"%s *%s::get_singleton()" % (self.name, self.name),
+					[
+						'static constinit internal::Singleton singleton{ "%s" };' % self.dump_name,
+						"return static_cast<%s *>(singleton.get());" % self.name,
+					],
+				)
+			)
 		for function in self.methods:
 			tail = " const" if function.const and not function.static else ""
-			lookup = "static constinit internal::EngineMethod method{ \"%s\", \"%s\", %d };" % (self.dump_name, function.name, function.hash)
+			lookup = 'static constinit internal::EngineMethod method{ "%s", "%s", %d };' % (self.dump_name, function.name, function.hash)
 			if function.vararg:
-				head = "%s%s::%s_variants(const Variant *const *p_arguments, int p_count)%s" % (function.result_text(), self.name, function.name, tail)
+				head = "%s%s::%s_variants(const Variant *const *p_arguments, int p_count)%s" % (
+					function.result_text(),
+					self.name,
+					function.name,
+					tail,
+				)
 				call = "method.call_variants(_owner, p_arguments, p_count)"
 				give = {None: call + ";", "Variant": "return " + call + ";"}.get(function.result and function.result.name)
 				parts.append(definition(head, [lookup, give or "return static_cast<%s>(int64_t(%s));" % (function.result.name, call)]))
@@ -197,7 +221,8 @@ def write_classes(output, api):
 		smallest.append(engine_class.source())
 	includes = "\n".join("#include <%s>" % header_of(api, name) for name in api.chosen)
 	for index, parts in enumerate(texts):
-		text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot {\n\n" + "\n".join(parts) + "\n} // namespace godot\n"
+		text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot {\n\n"
+		text += "\n".join(parts) + "\n} // namespace godot\n"
 		output.write("src/classes_%d.cpp" % index, text)
 	known = "\n".join("\tregister_engine_class<%s>();" % api.class_name(name) for name in api.chosen)
 	text = HEADER + includes + "\n#include <godot_cpp/core/engine_class.hpp>\n\nnamespace godot::internal {\n\n"

@@ -38,7 +38,7 @@ def write_interface(output, text):
 	lines.append("\tconst Entry entries[] = {")
 	for name, _, deprecated in functions:
 		place = "reinterpret_cast<GDExtensionInterfaceFunctionPtr *>(&gdextension_interface::%s)" % name
-		lines.append("\t\t{ \"%s\", %s, %s }," % (name, place, "false" if deprecated else "true"))
+		lines.append('\t\t{ "%s", %s, %s },' % (name, place, "false" if deprecated else "true"))
 	lines.append("\t};")
 	lines.append("\tfor (const Entry &entry : entries) {")
 	lines.append("\t\t*entry.function = p_get_proc_address(entry.name);")

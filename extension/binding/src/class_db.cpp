@@ -147,11 +147,6 @@ void ClassDB::add_property_group(const StringName &p_class, const String &p_name
 			engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
 }
 
-void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix) {
-	engine::classdb_register_extension_class_property_subgroup(
-			engine::library, p_class._native_ptr(), p_name._native_ptr(), p_prefix._native_ptr());
-}
-
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
 	std::vector<GDExtensionPropertyInfo> arguments;
 	for (const PropertyInfo &info : p_signal.arguments) {

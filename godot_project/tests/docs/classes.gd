@@ -51,7 +51,7 @@ func grass_map_set_ground() -> void:
 
 func grass_species() -> void:
 	var stage := await ran()
-	stage.remove_child(stage.field) # a field that enters the tree has all its grass at once
+	stage.remove_child(stage.field)  # a field that enters the tree has all its grass at once
 	stage.add_child(stage.field)
 	await seen()
 	var kinds := {}
@@ -142,16 +142,17 @@ func grass_field_paint() -> void:
 
 func grass_field_register_collider() -> void:
 	var entered := []
-	var stage := await ran(func(made: Stage) -> void:
-		made.get_node("GrassField").body_entered_grass.connect(entered.append)
-		made.player.position.y = 50.0)
+	var stage := await ran(
+		func(made: Stage) -> void:
+			made.get_node("GrassField").body_entered_grass.connect(entered.append)
+			made.player.position.y = 50.0
+	)
 	await seen()
 	assert_eq(entered, [stage.get_node("Skeleton3D/LeftFoot")])
 
 
 func grass_field_regrow() -> void:
-	var stage := await staged(func(made: Stage) -> void:
-		made.get_node("GrassField").map.stroke(full_cut(), Vector2.ZERO, Vector2.ZERO))
+	var stage := await staged(func(made: Stage) -> void: made.get_node("GrassField").map.stroke(full_cut(), Vector2.ZERO, Vector2.ZERO))
 	var before := stage.field.height_at(HERE)
 	stage.call("run")
 	assert_near(stage.field.height_at(HERE) - before, 0.05, 0.011, "metres")

@@ -50,10 +50,12 @@ func game_footsteps_paths_and_hiding() -> void:
 func game_saving() -> void:
 	var cut_at := Vector3(0, 0, 0)
 	var before: Array[GrassMap] = []
-	var stage := await ran(func(made: Stage) -> void:
-		var field: GrassField = made.get_node("GrassField")
-		field.map.stroke(brush(GrassBrush.TOOL_ERASE, 2.0), Vector2(-1, 0), Vector2(1, 0))
-		before.append(field.map))
+	var stage := await ran(
+		func(made: Stage) -> void:
+			var field: GrassField = made.get_node("GrassField")
+			field.map.stroke(brush(GrassBrush.TOOL_ERASE, 2.0), Vector2(-1, 0), Vector2(1, 0))
+			before.append(field.map)
+	)
 	assert_ne(stage.field.map, before[0], "it is the map that was read")
 	assert_eq(stage.field.density_at(cut_at), 0.0, "what was erased is saved")
 	assert_eq(stage.field.map.data, before[0].data)

@@ -6,7 +6,7 @@ extends "res://tests/runner.gd"
 
 const CHECKS: Array[String] = ["res://tests/docs/guides.gd", "res://tests/docs/classes.gd"]
 
-var _blocks := {} # by key
+var _blocks := {}  # by key
 
 
 func _plan(layer: String, only: String) -> Array:
@@ -42,5 +42,5 @@ func _call(case: Node, function: String) -> void:
 	if script and script.can_instantiate():
 		super(case, function)
 		return
-	case.fail("the block does not parse") # where, the engine said
+	case.fail("the block does not parse")  # where, the engine said
 	_done = true

@@ -4,7 +4,7 @@ extends "res://tests/field_case.gd"
 
 const Stage := preload("res://tests/docs/stage.gd")
 
-var block := {} # {name, key, path}; the runner sets it
+var block := {}  # {name, key, path}; the runner sets it
 
 
 func block_script() -> GDScript:

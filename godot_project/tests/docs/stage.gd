@@ -4,11 +4,12 @@
 extends Node3D
 
 
-class Player extends CharacterBody3D:
+class Player:
+	extends CharacterBody3D
 	var is_crouching := true
 
 
-var locals := {} # what the statements of a block declared
+var locals := {}  # what the statements of a block declared
 var player := Player.new()
 var enemy := Node3D.new()
 var foot := Node3D.new()
@@ -16,7 +17,7 @@ var explosion := Node3D.new()
 var from := Vector3(-3, 0, 0)
 var to := Vector3(3, 0, 0)
 var is_crouching := true
-var hay := 0.0 # m³
+var hay := 0.0  # m³
 var looked_along := Vector3.ZERO
 var field: GrassField
 var map: GrassMap

@@ -3,7 +3,7 @@
 @tool
 extends EditorPlugin
 
-const FRAMES := 10 # until the editor's first layout is done
+const FRAMES := 10  # until the editor's first layout is done
 
 
 func _enter_tree() -> void:

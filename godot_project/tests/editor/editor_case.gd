@@ -4,7 +4,7 @@
 extends "res://tests/case.gd"
 
 const SCENE := "res://tests/editor/hills.tscn"
-const SAVED := "res://tests/editor/painted.tscn" # the copy that tests paint on
+const SAVED := "res://tests/editor/painted.tscn"  # the copy that tests paint on
 
 var field: GrassField
 var toolbar: Control
@@ -28,8 +28,8 @@ func reset_brush() -> void:
 
 
 func after() -> void:
-	EditorInterface.save_scene() # nothing must ask whether to save when the next test opens its scene
-	await select(null) # what is selected when the editor closes, it looks for once more where there is no tree any longer
+	EditorInterface.save_scene()  # nothing must ask whether to save when the next test opens its scene
+	await select(null)  # what is selected when the editor closes, it looks for once more where there is no tree any longer
 
 
 ## Opens a scene in the 3D view and selects its field.

@@ -102,10 +102,14 @@ func test_keys_and_wheel_change_the_brush() -> void:
 	var middle := at(Vector3.ZERO)
 	await move(middle)
 	var cases := [
-		["Radius", KEY_BRACKETRIGHT, 0, 1], ["Radius", KEY_BRACKETLEFT, 0, -1],
-		["Hardness", KEY_BRACKETRIGHT, KEY_MASK_SHIFT, 1], ["Hardness", KEY_BRACKETLEFT, KEY_MASK_SHIFT, -1],
-		["Strength", KEY_BRACKETRIGHT, KEY_MASK_CTRL, 1], ["Strength", KEY_BRACKETLEFT, KEY_MASK_CTRL, -1],
-		["Target", KEY_BRACKETLEFT, KEY_MASK_CTRL | KEY_MASK_SHIFT, -1], ["Target", KEY_BRACKETRIGHT, KEY_MASK_CTRL | KEY_MASK_SHIFT, 1],
+		["Radius", KEY_BRACKETRIGHT, 0, 1],
+		["Radius", KEY_BRACKETLEFT, 0, -1],
+		["Hardness", KEY_BRACKETRIGHT, KEY_MASK_SHIFT, 1],
+		["Hardness", KEY_BRACKETLEFT, KEY_MASK_SHIFT, -1],
+		["Strength", KEY_BRACKETRIGHT, KEY_MASK_CTRL, 1],
+		["Strength", KEY_BRACKETLEFT, KEY_MASK_CTRL, -1],
+		["Target", KEY_BRACKETLEFT, KEY_MASK_CTRL | KEY_MASK_SHIFT, -1],
+		["Target", KEY_BRACKETRIGHT, KEY_MASK_CTRL | KEY_MASK_SHIFT, 1],
 	]
 	for case: Array in cases:
 		var before := number(case[0])
@@ -137,8 +141,13 @@ func test_held_keys_change_the_tool() -> void:
 
 func test_every_tool_changes_its_channel() -> void:
 	var channels := {
-		"Density": GrassMap.CHANNEL_DENSITY, "Height": GrassMap.CHANNEL_HEIGHT, "Species": GrassMap.CHANNEL_SPECIES,
-		"Tint": GrassMap.CHANNEL_TINT, "Comb": GrassMap.CHANNEL_LEAN, "Cut": GrassMap.CHANNEL_CUT, "Flatten": GrassMap.CHANNEL_WEAR,
+		"Density": GrassMap.CHANNEL_DENSITY,
+		"Height": GrassMap.CHANNEL_HEIGHT,
+		"Species": GrassMap.CHANNEL_SPECIES,
+		"Tint": GrassMap.CHANNEL_TINT,
+		"Comb": GrassMap.CHANNEL_LEAN,
+		"Cut": GrassMap.CHANNEL_CUT,
+		"Flatten": GrassMap.CHANNEL_WEAR,
 	}
 	field.species = [GrassSpecies.new(), GrassSpecies.new()]
 	await frames(3)
@@ -154,7 +163,7 @@ func test_every_tool_changes_its_channel() -> void:
 		await undo()
 		assert_eq(channel(channels[tool_name]), before, tool_name + " undone")
 		if tool_name == "Density":
-			await redo() # the map stays
+			await redo()  # the map stays
 
 
 func test_escape_takes_the_stroke_back_then_puts_the_brush_down() -> void:
@@ -177,7 +186,7 @@ func test_escape_takes_the_stroke_back_then_puts_the_brush_down() -> void:
 func test_a_lost_release_and_a_lost_focus_end_the_stroke() -> void:
 	await take("Erase")
 	await press_and_move()
-	await move(at(Vector3(1, 0, -2))) # no button is held any more
+	await move(at(Vector3(1, 0, -2)))  # no button is held any more
 	assert_false(plugin.get_statistics().active)
 	assert_near(density(1, -2), 1.0, 0.01, "not painted on the way")
 	await undo()

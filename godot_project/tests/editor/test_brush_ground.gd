@@ -20,14 +20,14 @@ func test_strokes_land_on_the_ground_under_the_cursor() -> void:
 			continue
 		assert_less(density(point.x, point.z), 0.9, ground)
 		if point.y > 0.0:
-			var behind := eye + (point - eye) * eye.y / (eye.y - point.y) # on the plane
+			var behind := eye + (point - eye) * eye.y / (eye.y - point.y)  # on the plane
 			assert_greater(Vector2(behind.x - point.x, behind.z - point.z).length(), 2.0)
 			assert_near(density(behind.x, behind.z), 1.0, 0.0, "not on the plane behind the " + ground)
 
 
 func test_painting_bakes_the_ground_under_the_brush() -> void:
-	var place := Vector3(-5.05, 1.287, -1) # on the tilted floor
-	field.size = Vector2(300, 300) # too large to be baked at once
+	var place := Vector3(-5.05, 1.287, -1)  # on the tilted floor
+	field.size = Vector2(300, 300)  # too large to be baked at once
 	await frames(2)
 	await take("Erase")
 	await stroke([place, place])
@@ -62,7 +62,7 @@ func test_the_button_bakes_the_whole_field() -> void:
 	assert_near(ground(-4, -7), 1.2, 0.15)
 	for child: String in ["Hill", "TiltedFloor", "Csg"]:
 		field.get_node("../" + child).free()
-	await frames(50) # grass that stood on them comes down
+	await frames(50)  # grass that stood on them comes down
 	var before := field.map.data
 	await click(toolbar.get_node("Bake"))
 	assert_eq(field.map.data, before, "no ground: nothing changes")
@@ -74,7 +74,7 @@ func test_a_stroke_that_only_bakes_is_a_step_of_the_history() -> void:
 	assert_near(ground(place.x, place.z), 1.287, 0.08)
 	(field.get_node("../TiltedFloor") as Node3D).position.y += 0.5
 	await frames(3)
-	await take("Paint") # where all is painted already
+	await take("Paint")  # where all is painted already
 	await stroke([place + Vector3(0, 0.5, 0), place + Vector3(0, 0.5, 0)])
 	assert_near(ground(place.x, place.z), 1.787, 0.08)
 	await undo()

@@ -26,7 +26,7 @@ func test_a_fill_goes_over_the_last_one_and_under_what_is_painted() -> void:
 	await take("Erase")
 	set_number("Strength", 1.0)
 	await stroke([Vector3(0, 0, 0), Vector3(0, 0, 0)])
-	await take("Erase") # put down: clicks go to the inspector
+	await take("Erase")  # put down: clicks go to the inspector
 	var painted: PackedByteArray = field.map.data
 	assert_near(density(0, 0), 0.0, 0.02)
 	var fill_now := await find_button("Fill Now")
@@ -97,7 +97,7 @@ func cover() -> float:
 
 ## The inspector's button of this name, scrolled into view; null if there is none.
 func find_button(text: String) -> Button:
-	await frames(20) # the inspector follows a while after a change
+	await frames(20)  # the inspector follows a while after a change
 	var inspector := EditorInterface.get_inspector()
 	for found: Button in inspector.find_children("*", "Button", true, false):
 		if found.text == text:

@@ -109,7 +109,7 @@ func test_species_are_chosen_by_name() -> void:
 	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
 	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 1.0, "something useful at once")
 
-	await click(choice) # its popup opens
+	await click(choice)  # its popup opens
 	await frames(3)
 	assert_true(choice.get_popup().visible)
 	await shoot("species_choice")

@@ -3,7 +3,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
-const FLOOR := Vector2(-5, -1) # the tilted floor's middle
+const FLOOR := Vector2(-5, -1)  # the tilted floor's middle
 const FLOOR_HEIGHT := 1.316
 
 
@@ -50,7 +50,7 @@ func test_a_stroke_right_after_a_motion_keeps_undo_right() -> void:
 	var body: Node3D = field.get_node("../TiltedFloor")
 	await take("Erase")
 	await move_by_history(body, body.position + Vector3(0, 0.5, 8))
-	await stroke([Vector3(1, 0, -1), Vector3(1, 0, -1)]) # the ground has not been looked at since
+	await stroke([Vector3(1, 0, -1), Vector3(1, 0, -1)])  # the ground has not been looked at since
 	assert_near(ground(FLOOR), 0.0, 0.0)
 	await undo()
 	await undo()
@@ -87,7 +87,7 @@ func test_ground_follows_a_shape_that_is_edited_where_it_stands() -> void:
 	var side_before := ground(side)
 	var heights := hill.map_data
 	var turned := heights.duplicate()
-	turned[12] = heights[6] # the top goes to the side; the hill is as high and wide as it was
+	turned[12] = heights[6]  # the top goes to the side; the hill is as high and wide as it was
 	turned[6] = heights[12]
 	hill.map_data = turned
 	await settled()
@@ -101,7 +101,7 @@ func test_ground_follows_a_shape_that_is_edited_where_it_stands() -> void:
 func test_a_look_at_a_large_shape() -> void:
 	await bake()
 	var land := StaticBody3D.new()
-	land.position = Vector3(2000, 0, 0) # nothing to bake
+	land.position = Vector3(2000, 0, 0)  # nothing to bake
 	var shape := CollisionShape3D.new()
 	shape.shape = HeightMapShape3D.new()
 	shape.shape.map_width = 1025

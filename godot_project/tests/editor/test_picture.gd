@@ -4,7 +4,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
-const SIDE := 24 # metres
+const SIDE := 24  # metres
 
 
 func before() -> void:
@@ -43,7 +43,7 @@ func meadow() -> PackedScene:
 	root.add_child(terrain)
 	var body := StaticBody3D.new()
 	body.name = "Ground"
-	body.visible = false # its lines would cross the picture
+	body.visible = false  # its lines would cross the picture
 	root.add_child(body)
 	var shape := HeightMapShape3D.new()
 	shape.map_width = SIDE + 1
@@ -55,7 +55,7 @@ func meadow() -> PackedScene:
 	var field := GrassField.new()
 	field.name = "Field"
 	field.size = Vector2(16, 16)
-	field.density = 16.0 # while it is painted
+	field.density = 16.0  # while it is painted
 	field.position = Vector3(0, 0, -4)
 	root.add_child(field)
 	for child: Node in [terrain, body, node, field]:
@@ -73,7 +73,7 @@ func on(x: float, z: float) -> Vector3:
 func test_toolbar_ring_and_strokes() -> void:
 	await click(toolbar.get_node("Bake"))
 	await move(at(on(0, 0)))
-	await key(KEY_V) # the mode without arrows at the node
+	await key(KEY_V)  # the mode without arrows at the node
 	await take("Erase")
 	for number: Array in [["Radius", 0.5], ["Strength", 0.6], ["Hardness", 0.6]]:
 		(toolbar.get_node(number[0]) as Range).value = number[1]

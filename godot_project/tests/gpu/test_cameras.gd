@@ -34,7 +34,7 @@ func picture_of(view: SubViewport) -> Image:
 func test_a_split_screen_shows_grass_on_both_sides() -> void:
 	open_other_view()
 	var field := add_seen_field({size = Vector2(12, 12)})
-	look(Vector3(0, 1.2, -1), Vector3(0, 0.2, -8)) # no tile is in both views, where the other camera might ask for more
+	look(Vector3(0, 1.2, -1), Vector3(0, 0.2, -8))  # no tile is in both views, where the other camera might ask for more
 	other_camera.look_at_from_position(Vector3(0, 1.2, 1), Vector3(0, 0.2, 8))
 	var one := await picture_of(viewport)
 	var tiles_one: int = field.get_statistics().drawn_tiles
@@ -48,7 +48,12 @@ func test_a_split_screen_shows_grass_on_both_sides() -> void:
 	var tiles_both: int = field.get_statistics().drawn_tiles
 	var green := [share_of(one, is_green), share_of(two, is_green)]
 	var off := [difference(one, one_of_both).y, difference(two, two_of_both).y]
-	print("    tiles %d and %d alone, %d together; green %.2f, %.2f; mean difference %.5f, %.5f" % [tiles_one, tiles_two, tiles_both, green[0], green[1], off[0], off[1]])
+	print(
+		(
+			"    tiles %d and %d alone, %d together; green %.2f, %.2f; mean difference %.5f, %.5f"
+			% [tiles_one, tiles_two, tiles_both, green[0], green[1], off[0], off[1]]
+		)
+	)
 	for i in 2:
 		assert_greater(green[i], 0.3, "grass in view %d" % i)
 		assert_less(off[i], 0.002, "view %d, alone and beside the other" % i)
@@ -127,7 +132,12 @@ func test_tiles_behind_the_camera_cast_their_shadows() -> void:
 	field.shadow_margin = 50.0
 	var all := await picture_of(viewport)
 	var many: int = field.get_statistics().shadow_tiles
-	print("    shadows darken by %.4f; %d tiles cast them, %d more change %.5f" % [difference(lit, shaded).y, few, many - few, difference(shaded, all).y])
+	print(
+		(
+			"    shadows darken by %.4f; %d tiles cast them, %d more change %.5f"
+			% [difference(lit, shaded).y, few, many - few, difference(shaded, all).y]
+		)
+	)
 	assert_greater(difference(lit, shaded).y, 0.01, "shadows are seen")
 	assert_less(difference(shaded, all).y, 1e-4, "none is missing")
 	assert_less(few, many, "tiles whose shadow cannot be seen cast none")

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges is there
-## the first one takes all tiles. A field that is given another method keeps to its own until the other one's pass is there.
+## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges
+## is there the first one takes all tiles. A field that is given another method keeps to its own until the other one's pass is there.
 extends "res://tests/parity_case.gd"
 
 
 func test_the_first_field_stands_until_its_pass_is_there() -> void:
 	var first_field: Dictionary = get_tree().get_meta("first_field")
 	print("    %s" % first_field)
-	if first_field.has("ticks"): # else the driver was faster than the first tick
+	if first_field.has("ticks"):  # else the driver was faster than the first tick
 		assert_eq(first_field.steps, 0, "nothing is simulated")
 		assert_eq(first_field.awake, 0, "nor awake, though a body moves in the grass")
-		if first_field.ticks > 5: # the server tells of the body a tick late
+		if first_field.ticks > 5:  # the server tells of the body a tick late
 			assert_eq(first_field.entered, 1, "but who listens hears of it")
 	assert_greater(first_field.steps_after, 0)
 
@@ -65,7 +65,7 @@ func test_another_method_is_asked_for_at_rest() -> void:
 	await compiled(gpu)
 	gpu.method = GrassField.METHOD_PBD
 	assert_greater(gpu.get_statistics().compiling, 0)
-	gpu.drawn_tiles_max = 64 # another backend, in the middle of it
+	gpu.drawn_tiles_max = 64  # another backend, in the middle of it
 	await ticks(2)
 	add_held_body(ball(0.2), PLACE)
 	await ticks(3)

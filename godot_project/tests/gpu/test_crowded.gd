@@ -3,8 +3,8 @@
 extends "res://tests/view_case.gd"
 
 const ROOM := 256
-const MANY := {size = Vector2(32, 32), density = 64.0, drawn_tiles_max = ROOM} # 1,024 tiles of 1 m
-const FAR := Vector3(0, 120, 160) # from there all tiles are of one segment
+const MANY := {size = Vector2(32, 32), density = 64.0, drawn_tiles_max = ROOM}  # 1,024 tiles of 1 m
+const FAR := Vector3(0, 120, 160)  # from there all tiles are of one segment
 
 
 func before() -> void:
@@ -66,7 +66,7 @@ func test_what_is_left_covers_as_much_everywhere() -> void:
 	var whole := await picture()
 	assert_eq(field.get_statistics().left_out_tiles, 0)
 	for part in 3:
-		var stretch := Rect2i(52 + 19 * part, 30, 19, 32) # left, middle, right of the field
+		var stretch := Rect2i(52 + 19 * part, 30, 19, 32)  # left, middle, right of the field
 		var all := share_of(whole.get_region(stretch), is_green)
 		assert_greater(all, 0.15)
 		assert_near(share_of(crowded.get_region(stretch), is_green) / all, 1.0, 0.35, "stretch %d" % part)
@@ -83,13 +83,13 @@ func test_near_tiles_never_lose_their_place() -> void:
 	field.drawn_tiles_max = 40000
 	var whole := await picture()
 	assert_eq(field.get_statistics().left_out_tiles, 0)
-	var below := Rect2i(0, 45, 160, 45) # the lower half of the picture: some metres away
+	var below := Rect2i(0, 45, 160, 45)  # the lower half of the picture: some metres away
 	assert_eq(difference(crowded.get_region(below), whole.get_region(below)), Vector2.ZERO)
 	assert_greater(share_of(crowded.get_region(below), is_green), 0.1)
 
 
 func test_fields_with_room_are_drawn_as_ever() -> void:
-	var field := add_seen_field(MANY.merged({drawn_tiles_max = 4096}, true)) # also for all shadows
+	var field := add_seen_field(MANY.merged({drawn_tiles_max = 4096}, true))  # also for all shadows
 	await drawn()
 	assert_eq(field.get_statistics().drawn_tiles, 1024)
 	assert_eq(field.get_statistics().left_out_tiles, 0)

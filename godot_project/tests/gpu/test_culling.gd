@@ -4,8 +4,11 @@ extends "res://tests/view_case.gd"
 
 # From, at: within, above, along an edge, from afar.
 const VIEWS: Array[Array] = [
-	[Vector3(0, 1, 3), Vector3(0, 0, 0)], [Vector3(0, 3, 0), Vector3(0, 0, 0)], [Vector3(1.5, 0.4, 1.5), Vector3(-2, 0.2, 1.9)],
-	[Vector3(20, 8, 20), Vector3(0, 0, 0)], [Vector3(0.2, 0.5, -0.1), Vector3(4, 0.3, -3)],
+	[Vector3(0, 1, 3), Vector3(0, 0, 0)],
+	[Vector3(0, 3, 0), Vector3(0, 0, 0)],
+	[Vector3(1.5, 0.4, 1.5), Vector3(-2, 0.2, 1.9)],
+	[Vector3(20, 8, 20), Vector3(0, 0, 0)],
+	[Vector3(0.2, 0.5, -0.1), Vector3(4, 0.3, -3)],
 ]
 
 
@@ -39,8 +42,12 @@ func test_draws_the_tiles_in_view() -> void:
 			counts[count] = true
 			var where := "from %s, turned %s" % [view[0], turn]
 			assert_eq(count, cpu.get_statistics().drawn_tiles, "GPU and CPU " + where)
-			assert_true(count >= count_in_view(gpu, 0.0, 0.1), "%d drawn, at least %d in view %s" % [count, count_in_view(gpu, 0.0, 0.1), where])
-			assert_true(count <= count_in_view(gpu, 1.0, 1.0), "%d drawn, at most %d in view %s" % [count, count_in_view(gpu, 1.0, 1.0), where])
+			assert_true(
+				count >= count_in_view(gpu, 0.0, 0.1), "%d drawn, at least %d in view %s" % [count, count_in_view(gpu, 0.0, 0.1), where]
+			)
+			assert_true(
+				count <= count_in_view(gpu, 1.0, 1.0), "%d drawn, at most %d in view %s" % [count, count_in_view(gpu, 1.0, 1.0), where]
+			)
 			assert_eq(gpu.get_statistics().drawn_blades, cpu.get_statistics().drawn_blades, "blades " + where)
 			assert_eq(gpu.get_statistics().drawn_triangles, cpu.get_statistics().drawn_triangles, "triangles " + where)
 	assert_greater(counts.size(), 3, "the views differ")
@@ -128,7 +135,7 @@ func test_less_is_drawn_far_away() -> void:
 
 
 func test_a_huge_field_is_drawn() -> void:
-	var field := add_seen_field({size = Vector2(1200, 1200), lod_far = 20.0}) # 5.8 million tiles
+	var field := add_seen_field({size = Vector2(1200, 1200), lod_far = 20.0})  # 5.8 million tiles
 	look(Vector3(0, 2, 0), Vector3(0, 0, -3))
 	await drawn()
 	assert_eq(field.get_blade_count(), 2400 * 2400 * 64)

@@ -3,15 +3,15 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
-const BLOCK := 12 # pixels a side: a jump of one tile is lost in the mean of a whole picture, not in that of a block
+const BLOCK := 12  # pixels a side: a jump of one tile is lost in the mean of a whole picture, not in that of a block
 const STEPS := 24
-const STEP := 0.002 # metres a frame
+const STEP := 0.002  # metres a frame
 const FULL := {pixels_min = 0.0, lod_error = 0.0, lod_far = 10000.0}
-const LIMIT := 1.5 # of the difference at full detail
+const LIMIT := 1.5  # of the difference at full detail
 
 
 func before() -> void:
-	open_view(SIZE, 4) # single pixels of thin blades flicker, which would hide a jump
+	open_view(SIZE, 4)  # single pixels of thin blades flicker, which would hide a jump
 	add_light()
 
 
@@ -27,7 +27,9 @@ func change(a: Image, b: Image) -> Vector2:
 	for y in SIZE.y:
 		for x in SIZE.x:
 			var at := 3 * (x + SIZE.x * y)
-			sums[x / BLOCK + blocks.x * (y / BLOCK)] += absf(one[at] - other[at]) + absf(one[at + 1] - other[at + 1]) + absf(one[at + 2] - other[at + 2])
+			sums[x / BLOCK + blocks.x * (y / BLOCK)] += (
+				absf(one[at] - other[at]) + absf(one[at + 1] - other[at + 1]) + absf(one[at + 2] - other[at + 2])
+			)
 	var sum := 0.0
 	var most := 0.0
 	for block in sums:
@@ -70,8 +72,21 @@ func test_a_slow_flight_shows_no_jump() -> void:
 	var full := await fly()
 	await drawn()
 	var most := greatest(full)
-	print("    greatest change: full detail %.4f (block %.4f), with level of detail %.4f (%.4f), %d of %d triangles; with a jump %.4f (%.4f)" % [
-			most.x, most.y, greatest(coarse).x, greatest(coarse).y, drawn_coarse, field.get_statistics().drawn_triangles, greatest(jumping).x, greatest(jumping).y])
+	print(
+		(
+			"    greatest change: full detail %.4f (block %.4f), with level of detail %.4f (%.4f), %d of %d triangles; with a jump %.4f (%.4f)"
+			% [
+				most.x,
+				most.y,
+				greatest(coarse).x,
+				greatest(coarse).y,
+				drawn_coarse,
+				field.get_statistics().drawn_triangles,
+				greatest(jumping).x,
+				greatest(jumping).y
+			]
+		)
+	)
 	assert_less(drawn_coarse, field.get_statistics().drawn_triangles / 4.0, "there is a level of detail to be seen")
 	for i in full.size():
 		assert_less(coarse[i].x, LIMIT * full[i].x, "frame %d" % i)
@@ -92,25 +107,30 @@ func test_thinned_grass_covers_as_much() -> void:
 			field.set(property, ClassDB.class_get_property_default_value("GrassField", property))
 		await drawn()
 		var thinned := share_of(await picture(), is_green)
-		print("    from %s: %.3f green at full detail, %.3f with %d of %d blades" % [view[0], full, thinned, field.get_statistics().drawn_blades, field.get_blade_count()])
+		print(
+			(
+				"    from %s: %.3f green at full detail, %.3f with %d of %d blades"
+				% [view[0], full, thinned, field.get_statistics().drawn_blades, field.get_blade_count()]
+			)
+		)
 		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])
 
 
 ## One tile from the side, ever fewer of its blades: each shrinks before it is gone.
 func test_blades_fade_by_shrinking() -> void:
 	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
-	camera.fov = 15.2 # 0.8 m at a distance of 3 m
+	camera.fov = 15.2  # 0.8 m at a distance of 3 m
 	look(Vector3(0, 0.35, 3), Vector3(0, 0.35, 0))
 	field.hide()
 	var empty := await picture()
 	field.show()
-	var covered := PackedFloat32Array() # in units of a blade's contrast to the sky
+	var covered := PackedFloat32Array()  # in units of a blade's contrast to the sky
 	for i in 25:
 		var share := (14.0 - 0.25 * i) / 64.0
-		field.lod_far = 7.0 * (3.0 - camera.near) / (8.0 * (1.0 - share)) # [Eq L1]
+		field.lod_far = 7.0 * (3.0 - camera.near) / (8.0 * (1.0 - share))  # [Eq L1]
 		covered.append(difference(await picture(), empty).y)
-	var blade := 0.0 # the most that a whole blade covers
-	var step := 0.0 # the most that a quarter of one does
+	var blade := 0.0  # the most that a whole blade covers
+	var step := 0.0  # the most that a quarter of one does
 	for i in range(4, covered.size()):
 		blade = maxf(blade, covered[i - 4] - covered[i])
 		step = maxf(step, covered[i - 1] - covered[i])

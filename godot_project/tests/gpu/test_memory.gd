@@ -2,7 +2,9 @@
 ## The renderer's memory: what a field takes, and that all of it comes back.
 extends "res://tests/view_case.gd"
 
-const MEMORY: Array[Performance.Monitor] = [Performance.RENDER_VIDEO_MEM_USED, Performance.RENDER_TEXTURE_MEM_USED, Performance.RENDER_BUFFER_MEM_USED]
+const MEMORY: Array[Performance.Monitor] = [
+	Performance.RENDER_VIDEO_MEM_USED, Performance.RENDER_TEXTURE_MEM_USED, Performance.RENDER_BUFFER_MEM_USED
+]
 
 
 func used() -> Array[float]:
@@ -45,7 +47,12 @@ func test_a_field_takes_what_it_says_and_gives_it_back() -> void:
 	await frames(5)
 	var taken := used()[0] - without[0]
 	var told := field.get_memory_usage()
-	print("    a field of %d blades: %.1f MiB by itself, %.1f MiB by the renderer" % [field.get_blade_count(), told / 1048576.0, taken / 1048576.0])
+	print(
+		(
+			"    a field of %d blades: %.1f MiB by itself, %.1f MiB by the renderer"
+			% [field.get_blade_count(), told / 1048576.0, taken / 1048576.0]
+		)
+	)
 	assert_near(told, taken, 0.25 * taken)
 	field.free()
 	await frames(8)
@@ -70,22 +77,24 @@ func test_rebuilds_leave_nothing() -> void:
 		await grown(field)
 		await frames(8)
 		if round == 0:
-			at_first = used()[0] # what the renderer keeps for its own uploads has grown by now
+			at_first = used()[0]  # what the renderer keeps for its own uploads has grown by now
 	assert_less(used()[0] - at_first, 1e5, "bytes")
 
 
 ## A texture that goes leaves its place to the next one that anybody makes: whoever still asks for the old one then gets an error.
 func test_a_field_asks_for_no_texture_that_is_gone() -> void:
 	var done := [false]
-	var thread := Thread.new() # as the editor's previews do
-	thread.start(func() -> void:
-		var image := Image.create_empty(64, 64, false, Image.FORMAT_RGBA8)
-		var kept: Array[Texture2D] = []
-		while not done[0]:
-			kept.append(ImageTexture.create_from_image(image))
-			OS.delay_usec(200)
-			if kept.size() > 500:
-				kept.clear())
+	var thread := Thread.new()  # as the editor's previews do
+	thread.start(
+		func() -> void:
+			var image := Image.create_empty(64, 64, false, Image.FORMAT_RGBA8)
+			var kept: Array[Texture2D] = []
+			while not done[0]:
+				kept.append(ImageTexture.create_from_image(image))
+				OS.delay_usec(200)
+				if kept.size() > 500:
+					kept.clear()
+	)
 	for mapped: bool in [false, true]:
 		for i in 20:
 			var field := add_seen_field({size = Vector2(2, 2), pool_tiles = 64, wind_speed = 3.0, map = GrassMap.new() if mapped else null})

@@ -2,8 +2,8 @@
 ## The GPU's simulation against the CPU's, at rest, over many steps and until tiles sleep.
 extends "res://tests/parity_case.gd"
 
-const FEW := 0.01 # share of the blades, see share_apart()
-const MANY_STEPS := 1e-3 # of a blade's length, after 600 steps without
+const FEW := 0.01  # share of the blades, see share_apart()
+const MANY_STEPS := 1e-3  # of a blade's length, after 600 steps without
 
 
 func test_rest_is_the_same() -> void:
@@ -22,14 +22,14 @@ func test_knots_of_a_tile_are_those_of_its_blades() -> void:
 	var knots := tile_knots(gpu, tile)
 	assert_eq(knots.size(), BLADES * KNOTS)
 	assert_greater(farthest(knots, tile_knots(gpu, Vector2i.ZERO)), 1.0, "metres from the first tile")
-	for blade: int in [0, 1, 17, 38, 62, 63]: # a wait for the device each
+	for blade: int in [0, 1, 17, 38, 62, 63]:  # a wait for the device each
 		assert_eq(gpu.get_knots(tile, blade), blade_of(knots, blade))
 
 
 func test_six_hundred_steps_without_contact() -> void:
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
-	var body := add_held_body(ball(0.3), PLACE + Vector3(0.35, 0.15, 0.0)) # blades lean at it
+	var body := add_held_body(ball(0.3), PLACE + Vector3(0.35, 0.15, 0.0))  # blades lean at it
 	await seen()
 	body.free()
 	var tiles: Array[Vector2i] = [gpu.get_tile_at(PLACE)]
@@ -42,7 +42,7 @@ func test_six_hundred_steps_without_contact() -> void:
 	print("    parity over 600 steps without contact: %s of a blade's length" % String.num_scientific(most))
 	assert_less(most, MANY_STEPS)
 	var risen := tile_knots(cpu, tiles[0])
-	var leaning := 0 # by more than 5 cm
+	var leaning := 0  # by more than 5 cm
 	for blade in BLADES:
 		leaning += 1 if farthest(blade_of(bent, blade), blade_of(risen, blade)) > 0.05 else 0
 	assert_greater(leaning, 6)
@@ -69,7 +69,7 @@ func test_the_method_changes_while_blades_swing() -> void:
 		assert_less(off, MANY_STEPS)
 
 
-func test_squashed_blades_rise_to_the_same_place() -> void: # which way one unfolds may hang on its last bits: on the way they part
+func test_squashed_blades_rise_to_the_same_place() -> void:  # which way one unfolds may hang on its last bits: on the way they part
 	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
 	var body := add_held_body(ball(0.2), PLACE)
@@ -81,7 +81,9 @@ func test_squashed_blades_rise_to_the_same_place() -> void: # which way one unfo
 		await ticks(10)
 		most = maxf(most, difference(tiles))
 	var off := difference(tiles)
-	print("    parity after squashing: %s of a blade's length on the way, then %s" % [String.num_scientific(most), String.num_scientific(off)])
+	print(
+		"    parity after squashing: %s of a blade's length on the way, then %s" % [String.num_scientific(most), String.num_scientific(off)]
+	)
 	assert_less(off, MANY_STEPS)
 
 
@@ -94,7 +96,9 @@ func test_fields_that_changed_while_they_stood() -> void:
 	reed.natural_frequency = 1.0
 	var map := full_map()
 	map.stroke(brush(GrassBrush.TOOL_CUT, 0.6, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
-	for change: Dictionary in [{pool_tiles = 64}, {map = map}, {species = [GrassSpecies.new(), reed]}, {pool_tiles = 900}, {map = null}, {species = []}]:
+	for change: Dictionary in [
+		{pool_tiles = 64}, {map = map}, {species = [GrassSpecies.new(), reed]}, {pool_tiles = 900}, {map = null}, {species = []}
+	]:
 		var property: String = change.keys()[0]
 		for field: GrassField in [gpu, cpu]:
 			field.set(property, change[property])
@@ -189,7 +193,7 @@ func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:
 	if not assert_false(gpu.is_tile_awake(tile), "asleep"):
 		return
 	var step := 0.0
-	for i in 10: # settling is shorter
+	for i in 10:  # settling is shorter
 		step = maxf(step, farthest(poses[-1 - i], poses[-2 - i]))
 	var way := farthest(poses[-11], rest)
 	print("    the last 10 of %d ticks moved blades by %.3f mm, one by %.3f mm" % [poses.size(), 1e3 * way, 1e3 * step])
@@ -225,7 +229,7 @@ func test_a_map_is_simulated_alike() -> void:
 	assert_greater(bends[0].length(), 0.05)
 	assert_near(bends[1], bends[0], 0.05)
 	body.free()
-	map.stroke(brush(GrassBrush.TOOL_CUT, 2.0, { cut_height = 0.1 }), Vector2(0, 0), Vector2(0, 0))
+	map.stroke(brush(GrassBrush.TOOL_CUT, 2.0, {cut_height = 0.1}), Vector2(0, 0), Vector2(0, 0))
 	await ticks(200)
 	var cut := difference([tile])
 	print("    parity after a cut under an awake tile: %s of a blade's length" % String.num_scientific(cut))

@@ -2,15 +2,15 @@
 ## The GPU's contacts against the CPU's.
 extends "res://tests/parity_case.gd"
 
-const ONE_STEP := 1e-5 # of a blade's length, after one step with contact
-const SINKING := 0.02 # metres a tick
-const BENT := 1e-4 # metres, and more: not by rounding
-const OVER_THE_GRASS := 0.75 # metres
-const CREEPING := 0.002 # metres a tick
-const THIN := 0.005 # metres, half of what is thinner than a segment
-const HALF_STICK := 0.6 # metres
-const UNDER_A_BALL := 1e-3 # of a blade's length, after ten steps
-const SKIN := 0.005 # metres, more than knots feel a surface from
+const ONE_STEP := 1e-5  # of a blade's length, after one step with contact
+const SINKING := 0.02  # metres a tick
+const BENT := 1e-4  # metres, and more: not by rounding
+const OVER_THE_GRASS := 0.75  # metres
+const CREEPING := 0.002  # metres a tick
+const THIN := 0.005  # metres, half of what is thinner than a segment
+const HALF_STICK := 0.6  # metres
+const UNDER_A_BALL := 1e-3  # of a blade's length, after ten steps
+const SKIN := 0.005  # metres, more than knots feel a surface from
 
 
 func every_tile(field: GrassField) -> Array[Vector2i]:
@@ -31,7 +31,9 @@ func bodies_of_all_shapes() -> Array[AnimatableBody3D]:
 	cylinder.radius = 0.15
 	cylinder.height = 0.3
 	var hull := ConvexPolygonShape3D.new()
-	hull.points = PackedVector3Array([Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)])
+	hull.points = PackedVector3Array(
+		[Vector3(0.2, 0, 0), Vector3(-0.2, 0, 0), Vector3(0, 0.2, 0.1), Vector3(0, -0.2, 0), Vector3(0, 0, 0.2), Vector3(0, 0, -0.2)]
+	)
 	var bodies: Array[AnimatableBody3D] = []
 	for shape: Shape3D in [ball(0.2), capsule, box, cylinder, hull]:
 		var body := add_held_body(shape, Vector3(-1.5 + 0.75 * bodies.size(), OVER_THE_GRASS, 0.3))
@@ -115,7 +117,7 @@ func test_the_first_contact_of_edges() -> void:
 		await ticks(1)
 		for tile in awake_tiles(cpu):
 			var now := tile_knots(cpu, tile)
-			var fresh: Array[int] = [] # blades that edges alone bend from this tick on
+			var fresh: Array[int] = []  # blades that edges alone bend from this tick on
 			for blade in BLADES:
 				var at_rest := blade_of(rest[tile], blade)
 				if not bent.has([tile, blade]) and farthest(blade_of(now, blade), at_rest) > 1e-5:
@@ -128,7 +130,9 @@ func test_the_first_contact_of_edges() -> void:
 				most = maxf(most, off[blade])
 		if by_edges >= 5:
 			break
-	print("    parity when edges alone first bend a blade, %d of %d: %s of its length" % [by_edges, bent.size(), String.num_scientific(most)])
+	print(
+		"    parity when edges alone first bend a blade, %d of %d: %s of its length" % [by_edges, bent.size(), String.num_scientific(most)]
+	)
 	assert_greater(by_edges, 4, "blades that no knot's contact bent first")
 	assert_less(most, ONE_STEP)
 
@@ -137,7 +141,7 @@ func test_the_first_contact_of_edges() -> void:
 func test_held_blades_stand_still_on_both() -> void:
 	if not await add_pair():
 		return
-	cpu.sleep_mode = GrassField.SLEEP_TIMER # which leaves no tile as it is
+	cpu.sleep_mode = GrassField.SLEEP_TIMER  # which leaves no tile as it is
 	gpu.sleep_mode = GrassField.SLEEP_TIMER
 	var slab := BoxShape3D.new()
 	slab.size = Vector3(0.8, 0.1, 0.8)
@@ -161,7 +165,12 @@ func test_held_blades_stand_still_on_both() -> void:
 			sum += now[k].y
 		still_now.append(still)
 		bends.append(1e3 * sum / now.size())
-	print("    under a slab stand still: CPU %d, GPU %d of %d blades; knots %.3f and %.3f mm high" % [still_now[0], still_now[1], BLADES, bends[0], bends[1]])
+	print(
+		(
+			"    under a slab stand still: CPU %d, GPU %d of %d blades; knots %.3f and %.3f mm high"
+			% [still_now[0], still_now[1], BLADES, bends[0], bends[1]]
+		)
+	)
 	assert_greater(still_now[0], BLADES / 2)
 	assert_near(still_now[1], still_now[0], 3)
 	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")

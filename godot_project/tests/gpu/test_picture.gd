@@ -4,7 +4,7 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)
-const UNSEEN := 5e-5 # mean difference of two pictures; blades moved by 4 mm give 8e-4
+const UNSEEN := 5e-5  # mean difference of two pictures; blades moved by 4 mm give 8e-4
 
 
 func before() -> void:
@@ -50,7 +50,9 @@ func test_a_field_that_changed_looks_as_if_it_had_been_made_so() -> void:
 	await drawn()
 	var builds: int = changed.get_statistics().builds
 	var before: Image = null
-	for change: Dictionary in [{pool_tiles = 200}, {map = map}, {species = [GrassSpecies.new(), short]}, {map = null, pool_tiles = 900}, {species = []}]:
+	for change: Dictionary in [
+		{pool_tiles = 200}, {map = map}, {species = [GrassSpecies.new(), short]}, {map = null, pool_tiles = 900}, {species = []}
+	]:
 		for property: String in change:
 			changed.set(property, change[property])
 		await grown(changed)
@@ -210,7 +212,7 @@ func test_grass_casts_shadows() -> void:
 	viewport.add_child(floor_)
 	var sun: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
 	sun.shadow_enabled = true
-	sun.look_at_from_position(Vector3.ZERO, Vector3(1, -0.5, 0)) # low, so that shadows fall beside the field
+	sun.look_at_from_position(Vector3.ZERO, Vector3(1, -0.5, 0))  # low, so that shadows fall beside the field
 	look(Vector3(3.2, 2, 0), Vector3(2.9, 0, 0))
 	var field := add_seen_field()
 	await drawn()

@@ -3,7 +3,7 @@
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(480, 270)
-const PICTURES := "user://pictures/" # looked at by people
+const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:

@@ -5,11 +5,26 @@ extends "res://tests/species_case.gd"
 
 ## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
 func add_markers(properties := {}) -> GrassField:
-	var shape := {length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0}
-	var field := add_seen_field({
-		size = Vector2(16, 16), density = 1.0, species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
-		clump_tint = 0.0, clump_height = 0.0, clump_lean = 0.0, ground = false, root_shade = 0.0, pixels_min = 4.0, lod_far = 1000.0,
-	}.merged(properties, true))
+	var shape := {
+		length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0
+	}
+	var field := add_seen_field(
+		(
+			{
+				size = Vector2(16, 16),
+				density = 1.0,
+				species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
+				clump_tint = 0.0,
+				clump_height = 0.0,
+				clump_lean = 0.0,
+				ground = false,
+				root_shade = 0.0,
+				pixels_min = 4.0,
+				lod_far = 1000.0,
+			}
+			. merged(properties, true)
+		)
+	)
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = 16.0
 	look(Vector3(0, 5, 0), Vector3.ZERO)
@@ -46,7 +61,7 @@ func check_markers(field: GrassField) -> void:
 		if is_alone:
 			var color := image.get_pixelv(Vector2i(at))
 			if Vector3(color.r - SKY.r, color.g - SKY.g, color.b - SKY.b).length() < 0.1:
-				continue # seen edge on, beside its middle
+				continue  # seen edge on, beside its middle
 			if channel_of(color) == species[i]:
 				seen[species[i]] += 1
 			else:
@@ -79,18 +94,56 @@ func test_an_awake_tile_of_species_is_drawn_as_it_was_asleep() -> void:
 func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	viewport.size = Vector2i(960, 540)
 	var fescue := make(0.75, Color.WHITE, {root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.48, 0.6, 0.22), dry = 0.25})
-	var sorrel := make(0.15, Color.WHITE, {
-		length_min = 0.7, length_max = 0.95, width_min = 0.006, width_max = 0.01, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 2.5,
-		stand_strength = 0.8, natural_frequency = 2.0})
+	var sorrel := make(
+		0.15,
+		Color.WHITE,
+		{
+			length_min = 0.7,
+			length_max = 0.95,
+			width_min = 0.006,
+			width_max = 0.01,
+			weight_drooping = 0.0,
+			weight_wavy = 0.0,
+			stand_size = 2.5,
+			stand_strength = 0.8,
+			natural_frequency = 2.0
+		}
+	)
 	sorrel.gradient = Gradient.new()
 	sorrel.gradient.offsets = PackedFloat32Array([0.0, 0.6, 0.75, 1.0])
 	sorrel.gradient.colors = PackedColorArray([Color(0.2, 0.3, 0.1), Color(0.4, 0.45, 0.2), Color(0.55, 0.2, 0.12), Color(0.6, 0.25, 0.2)])
-	var sedge := make(0.1, Color.WHITE, {
-		root_color = Color(0.08, 0.2, 0.14), tip_color = Color(0.3, 0.5, 0.42), length_min = 0.35, length_max = 0.55, width_min = 0.015,
-		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
-	var daisy := make(0.06, Color.WHITE, {
-		root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.4, 0.5, 0.2), length_min = 0.5, length_max = 0.65, width_max = 0.006,
-		width_min = 0.004, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 1.5, stand_strength = 0.5, card_width = 0.045, card_height = 0.045})
+	var sedge := make(
+		0.1,
+		Color.WHITE,
+		{
+			root_color = Color(0.08, 0.2, 0.14),
+			tip_color = Color(0.3, 0.5, 0.42),
+			length_min = 0.35,
+			length_max = 0.55,
+			width_min = 0.015,
+			width_max = 0.03,
+			stand_size = 4.0,
+			stand_strength = 0.9
+		}
+	)
+	var daisy := make(
+		0.06,
+		Color.WHITE,
+		{
+			root_color = Color(0.15, 0.25, 0.08),
+			tip_color = Color(0.4, 0.5, 0.2),
+			length_min = 0.5,
+			length_max = 0.65,
+			width_max = 0.006,
+			width_min = 0.004,
+			weight_drooping = 0.0,
+			weight_wavy = 0.0,
+			stand_size = 1.5,
+			stand_strength = 0.5,
+			card_width = 0.045,
+			card_height = 0.045
+		}
+	)
 	daisy.card = daisy_card()
 	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge, daisy]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))

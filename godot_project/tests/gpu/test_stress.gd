@@ -2,8 +2,8 @@
 ## Both methods on the GPU under random parameters, thrown bodies and odd ticks: what tests/stress asks of the core.
 extends "res://tests/field_case.gd"
 
-const STRETCH := 0.01 # of a segment
-const AT_REST := 0.01 # of a blade's length
+const STRETCH := 0.01  # of a segment
+const AT_REST := 0.01  # of a blade's length
 const TILES: Array[Vector2i] = [Vector2i(3, 3), Vector2i(4, 4), Vector2i(5, 4)]
 
 var rng := RandomNumberGenerator.new()

@@ -36,8 +36,19 @@ func test_a_field_out_of_view_does_nothing() -> void:
 		camera.position.z += 0.1
 		await ticks(1)
 	var after := field.get_statistics()
-	for key: String in ["steps", "simulated_blades", "uploaded_bytes", "culls", "body_reads", "shape_reads", "tiles_looked_at", "woken",
-			"wind_updates", "tile_steps", "unseen_tile_steps"]:
+	for key: String in [
+		"steps",
+		"simulated_blades",
+		"uploaded_bytes",
+		"culls",
+		"body_reads",
+		"shape_reads",
+		"tiles_looked_at",
+		"woken",
+		"wind_updates",
+		"tile_steps",
+		"unseen_tile_steps"
+	]:
 		assert_eq(after[key], before[key], key)
 	assert_greater(after.unseen_ticks, before.unseen_ticks + 15)
 
@@ -83,11 +94,12 @@ func test_a_hidden_field_does_nothing() -> void:
 
 
 func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> void:
-	var field := add_seen_field({size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER}) # by energy still tiles are left alone in view, too
+	# By the timer: by energy still tiles are not simulated in view, either.
+	var field := add_seen_field({size = Vector2(20, 80), sleep_mode = GrassField.SLEEP_TIMER})
 	var bodies: Array[AnimatableBody3D] = [add_seen_body(AHEAD), add_seen_body(BEHIND)]
 	look_back()
 	await ticks(150)
-	var usual := 0.0 # what blades under a body that lies still do while they are seen, metres in ten ticks
+	var usual := 0.0  # what blades under a body that lies still do while they are seen, metres in ten ticks
 	for i in 5:
 		var pressed := knots_of(field, [field.get_tile_at(BEHIND)])
 		await ticks(10)
@@ -102,7 +114,7 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	var knots := knots_of(field, [behind])
 	await ticks(40)
 	var after := field.get_statistics()
-	var passed: int = after.steps - before.steps # the one ahead is simulated in every tick
+	var passed: int = after.steps - before.steps  # the one ahead is simulated in every tick
 	assert_greater(passed, 20)
 	assert_eq(after.unseen_tile_steps - before.unseen_tile_steps, passed * unseen.size())
 	assert_eq(farthest_of(field, knots), 0.0, "m: stands still")
@@ -165,17 +177,27 @@ func test_the_renderer_is_told_of_changes_only() -> void:
 	await frames(5)
 	var at_first: int = field.get_statistics().instance_updates
 	assert_greater(at_first, 0)
-	for i in 20: # frames are drawn, wind blows, the camera moves: the node stands
+	for i in 20:  # frames are drawn, wind blows, the camera moves: the node stands
 		camera.position.x += 0.05
 		await frames(1)
 	assert_eq(field.get_statistics().instance_updates, at_first)
 	# Picture, shadows, ground; here nothing casts shadows, so those are hidden all the time.
 	var changes: Array[Callable] = [
-		func() -> int: field.position.x += 0.5; return 3,
-		func() -> int: field.layers = 3; return 3,
-		func() -> int: field.visible = false; return 2,
-		func() -> int: field.visible = true; return 2,
-		func() -> int: field.transparency = 0.5; return 3,
+		func() -> int:
+			field.position.x += 0.5
+			return 3,
+		func() -> int:
+			field.layers = 3
+			return 3,
+		func() -> int:
+			field.visible = false
+			return 2,
+		func() -> int:
+			field.visible = true
+			return 2,
+		func() -> int:
+			field.transparency = 0.5
+			return 3,
 	]
 	var expected := at_first
 	for i in changes.size():

@@ -2,8 +2,8 @@
 ## Which bodies bend grass: every kind that moves, whatever becomes of it while it stands in the field.
 extends "res://tests/field_case.gd"
 
-const CENTER := Vector2i(4, 4) # a tile at the middle of the field
-const MIDDLE := Vector3(0.25, 0.25, 0.25) # above it
+const CENTER := Vector2i(4, 4)  # a tile at the middle of the field
+const MIDDLE := Vector3(0.25, 0.25, 0.25)  # above it
 
 
 ## A floor under the whole field, which is seen by its area but is no object.
@@ -147,7 +147,7 @@ func test_switched_off_by_its_mode() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), MIDDLE)
 	assert_true(await felt(field))
-	body.process_mode = PROCESS_MODE_DISABLED # CollisionObject3D.DISABLE_MODE_REMOVE
+	body.process_mode = PROCESS_MODE_DISABLED  # CollisionObject3D.DISABLE_MODE_REMOVE
 	assert_false(await felt(field))
 	body.process_mode = PROCESS_MODE_INHERIT
 	assert_true(await felt(field))
@@ -176,7 +176,7 @@ func test_a_teleport_hits_nothing_on_the_way() -> void:
 		var field := add_field({size = Vector2(16, 2)})
 		add_body(body, ball(0.2), Vector3(-6.9, 0.25, 0))
 		await seen()
-		body.position.x += 0.01 # a StaticBody3D counts once it has moved
+		body.position.x += 0.01  # a StaticBody3D counts once it has moved
 		await seen()
 		assert_true(field.is_tile_awake(field.get_tile_at(body.position)), body.get_class())
 		body.position = Vector3(6.1, 0.25, 0)

@@ -35,7 +35,7 @@ func test_meadow() -> void:
 	assert_greater(trodden, 0.02, "footprints")
 	assert_near(field.density_at(Vector3(-16, 0, 14)), 0.0, 0.2, "the path")
 	assert_greater(field.density_at(Vector3(-16, 0, 20)), 0.9)
-	for x in range(-40, 41, 10): # roots stand on the terrain
+	for x in range(-40, 41, 10):  # roots stand on the terrain
 		for z in range(-40, 41, 10):
 			var ground: float = place.get_node("Terrain").height_at(x, z)
 			assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)), ground, 0.1)

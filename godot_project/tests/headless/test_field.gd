@@ -110,7 +110,7 @@ func test_patch_is_shared_and_told_apart() -> void:
 	await ticks(2)
 	assert_eq(tile_knots(with_patch, Vector2i.ZERO), tile_knots(without, Vector2i.ZERO), "an untouched patch is the default one")
 	with_patch.free()
-	patch.seed = 5 # no field listens any more
+	patch.seed = 5  # no field listens any more
 	await ticks(2)
 	assert_greater(without.get_blade_count(), 0)
 

@@ -24,7 +24,7 @@ func test_a_map_is_filled_and_a_snapshot_undoes_it() -> void:
 
 func test_slope_and_height_are_those_of_the_ground() -> void:
 	var heights := Image.create_empty(64, 1, false, Image.FORMAT_RF)
-	for i in 64: # level up to x = 0, then a slope of 45 degrees
+	for i in 64:  # level up to x = 0, then a slope of 45 degrees
 		heights.set_pixel(i, 0, Color(maxf(0.0, i - 31.5), 0, 0))
 	var map := GrassMap.new()
 	assert_true(map.set_ground(heights, Rect2(-32, -32, 64, 64)))

@@ -66,7 +66,7 @@ func test_bend_tells_how_far_and_which_way() -> void:
 	roller.radius = 0.5
 	roller.height = 3.0
 	var body := add_held_body(roller, Vector3(3 - 2.0, 0.52, 0))
-	body.rotation.x = PI / 2 # lies along z
+	body.rotation.x = PI / 2  # lies along z
 	for i in 80:
 		body.position.x += 0.025
 		await ticks(1)
@@ -162,7 +162,7 @@ func test_cut_grass_grows_again() -> void:
 
 
 func test_time_heals_at_its_rates() -> void:
-	var field := add_field({map = full_map(), regrowth = 3000.0, wear_recovery = 6.0}) # 50 mm/s and 0.1/s
+	var field := add_field({map = full_map(), regrowth = 3000.0, wear_recovery = 6.0})  # 50 mm/s and 0.1/s
 	field.cut(box(Vector3(4, 0.2, 4)), at(Vector3(0, 0.15, 0)))
 	field.trample(Vector3.ZERO, 1.0, 1.0)
 	await ticks(60)

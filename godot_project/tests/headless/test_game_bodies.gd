@@ -44,7 +44,7 @@ func listen(field: GrassField) -> void:
 
 func test_bodies_enter_and_leave_grass() -> void:
 	var field := add_field({map = full_map(), size = Vector2(8, 8)})
-	field.paint(brush(GrassBrush.TOOL_ERASE, 3.0), Vector3(4, 0, -4), Vector3(4, 0, 4)) # bare from x = 1 on
+	field.paint(brush(GrassBrush.TOOL_ERASE, 3.0), Vector3(4, 0, -4), Vector3(4, 0, 4))  # bare from x = 1 on
 	listen(field)
 	var body := add_held_body(ball(0.2), Vector3(3, 0.2, 0))
 	var hand := Node3D.new()
@@ -67,7 +67,7 @@ func test_bodies_enter_and_leave_grass() -> void:
 	body.position.y = 0.2
 	await ticks(3)
 	assert_eq(entered, [body, hand, body] as Array[Node], "a footstep")
-	field.cut(ball(1), Transform3D(Basis(), Vector3(0, -3, 0))) # nothing
+	field.cut(ball(1), Transform3D(Basis(), Vector3(0, -3, 0)))  # nothing
 	body.free()
 	hand.free()
 	await ticks(5)

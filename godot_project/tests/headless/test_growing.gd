@@ -16,7 +16,7 @@ func test_other_blades_come_when_they_are_there() -> void:
 	await ticks(2)
 	var before := field.get_statistics()
 	var old := tile_knots(field, TILE)
-	for i in 5: # the last one counts
+	for i in 5:  # the last one counts
 		field.patch = long_blades(0.5 + 0.1 * i)
 		field.patch.length_min = 0.4
 	assert_eq(tile_knots(field, TILE), old, "the old grass stands")
@@ -51,8 +51,20 @@ func test_what_keeps_the_buffers() -> void:
 	var builds: int = field.get_statistics().builds
 	var flower := GrassSpecies.new()
 	flower.patch = long_blades(0.7)
-	for change: Dictionary in [{seed = 7}, {clump_lean = 0.4}, {clump_size = 2.0}, {density = 300.0}, {size = Vector2(9, 9)}, {pool_tiles = 64},
-			{pool_tiles = 5000}, {map = full_map()}, {species = [GrassSpecies.new(), flower]}, {species = [flower]}, {map = null}, {species = []}]:
+	for change: Dictionary in [
+		{seed = 7},
+		{clump_lean = 0.4},
+		{clump_size = 2.0},
+		{density = 300.0},
+		{size = Vector2(9, 9)},
+		{pool_tiles = 64},
+		{pool_tiles = 5000},
+		{map = full_map()},
+		{species = [GrassSpecies.new(), flower]},
+		{species = [flower]},
+		{map = null},
+		{species = []}
+	]:
 		var property: String = change.keys()[0]
 		field.set(property, change[property])
 		await grown(field)
@@ -70,7 +82,7 @@ func same_as_fresh(field: GrassField, tile := Vector2i(0, 0)) -> void:
 	for property: String in ["seed", "clump_lean", "clump_size", "density", "size", "patch", "species", "map"]:
 		properties[property] = field.get(property)
 	var fresh := add_field(properties)
-	fresh.density_at(Vector3.ZERO) # at once
+	fresh.density_at(Vector3.ZERO)  # at once
 	assert_eq(tile_knots(field, tile), tile_knots(fresh, tile))
 	fresh.free()
 
@@ -100,7 +112,7 @@ func test_another_map_comes_when_it_is_laid_out() -> void:
 		assert_true(field.get_statistics().waiting, "it takes longer than that")
 		assert_eq(tile_knots(field, tile), old, "the old map shows")
 		assert_eq(field.density_at(Vector3(-100, 0, 100)), 1.0)
-	next.stroke(brush(GrassBrush.TOOL_ERASE, 8.0), Vector2(-100, 100), Vector2(-100, 100)) # while it is being laid out
+	next.stroke(brush(GrassBrush.TOOL_ERASE, 8.0), Vector2(-100, 100), Vector2(-100, 100))  # while it is being laid out
 	next.stroke(brush(GrassBrush.TOOL_ERASE, 8.0), Vector2(100, 100), Vector2(100, 100))
 	assert_eq(field.density_at(Vector3(-100, 0, 100)), 0.0, "what is asked of the map holds at once")
 	assert_eq(field.density_at(Vector3(100, 0, 100)), 0.0)
@@ -179,7 +191,7 @@ func test_freed_and_taken_out_meanwhile() -> void:
 				await ticks(2)
 				assert_greater(field.get_blade_count(), 0)
 			3:
-				patch.length_max = 0.9 # again
+				patch.length_max = 0.9  # again
 				field.queue_free()
 		if i % 3 == 0:
 			await frames(3)

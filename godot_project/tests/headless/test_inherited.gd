@@ -3,14 +3,28 @@
 extends "res://tests/field_case.gd"
 
 const HIDDEN: Array[String] = [
-	"material_override", "material_overlay", "extra_cull_margin", "custom_aabb", "lod_bias", "ignore_occlusion_culling", "gi_mode",
-	"gi_lightmap_texel_scale", "gi_lightmap_scale", "visibility_range_begin", "visibility_range_begin_margin", "visibility_range_end",
-	"visibility_range_end_margin", "visibility_range_fade_mode", "sorting_offset", "sorting_use_aabb_center",
+	"material_override",
+	"material_overlay",
+	"extra_cull_margin",
+	"custom_aabb",
+	"lod_bias",
+	"ignore_occlusion_culling",
+	"gi_mode",
+	"gi_lightmap_texel_scale",
+	"gi_lightmap_scale",
+	"visibility_range_begin",
+	"visibility_range_begin_margin",
+	"visibility_range_end",
+	"visibility_range_end_margin",
+	"visibility_range_fade_mode",
+	"sorting_offset",
+	"sorting_use_aabb_center",
 ]
 const WITH_EFFECT: Array[String] = ["transparency", "cast_shadow", "layers"]
 
 
-class Meadow extends Node3D:
+class Meadow:
+	extends Node3D
 	var blades := -1
 	var tiles := Vector2i(-1, -1)
 
@@ -48,9 +62,15 @@ func test_hidden_properties_are_kept() -> void:
 	var field := add_field()
 	var usages := usages_of(field)
 	var values := {
-		material_override = StandardMaterial3D.new(), material_overlay = StandardMaterial3D.new(), extra_cull_margin = 3.0,
-		custom_aabb = AABB(Vector3.ONE, Vector3.ONE), lod_bias = 2.0, ignore_occlusion_culling = true,
-		gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC, visibility_range_end = 3.0, sorting_offset = 1.0,
+		material_override = StandardMaterial3D.new(),
+		material_overlay = StandardMaterial3D.new(),
+		extra_cull_margin = 3.0,
+		custom_aabb = AABB(Vector3.ONE, Vector3.ONE),
+		lod_bias = 2.0,
+		ignore_occlusion_culling = true,
+		gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC,
+		visibility_range_end = 3.0,
+		sorting_offset = 1.0,
 	}
 	for property: String in values:
 		assert_true(bool(usages[property] & PROPERTY_USAGE_STORAGE), property + " is saved")
@@ -63,8 +83,10 @@ func test_hidden_properties_are_kept() -> void:
 func test_the_class_reference_names_what_has_no_effect() -> void:
 	var text := FileAccess.get_file_as_string("res://../extension/doc_classes/GrassField.xml")
 	for property in HIDDEN:
-		assert_true(text.contains("[member %s.%s]" % ["VisualInstance3D" if property.begins_with("sorting") else "GeometryInstance3D", property]),
-				property)
+		assert_true(
+			text.contains("[member %s.%s]" % ["VisualInstance3D" if property.begins_with("sorting") else "GeometryInstance3D", property]),
+			property
+		)
 
 
 func test_a_parent_knows_its_field_in_ready() -> void:

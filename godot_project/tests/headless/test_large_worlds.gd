@@ -3,10 +3,10 @@
 ## stays the same.
 extends "res://tests/field_case.gd"
 
-const SAME := 1e-5 # of a blade's length
-const FAR := Vector3(100_000, 0, -100_000) # places here are multiples of 1/128 m in single precision
+const SAME := 1e-5  # of a blade's length
+const FAR := Vector3(100_000, 0, -100_000)  # places here are multiples of 1/128 m in single precision
 const START := Vector3(-1.25, 0.25, 0.25)
-const STEP := 1.0 / 32.0 # metres a tick: exact everywhere
+const STEP := 1.0 / 32.0  # metres a tick: exact everywhere
 
 
 ## The farthest that a knot of one field lies from the same knot of the other, beside their fields, as a share of its
@@ -20,7 +20,7 @@ func difference(a: GrassField, b: GrassField) -> float:
 			var one := a.get_knots(tile, blade)
 			var other := b.get_knots(tile, blade)
 			var length := 15 * one[0].distance_to(one[1])
-			for k in KNOTS: # from the root, for the places themselves are coarse far away
+			for k in KNOTS:  # from the root, for the places themselves are coarse far away
 				most = maxf(most, ((one[k] - one[0]) - (other[k] - other[0])).length() / length)
 	return most
 
@@ -51,7 +51,7 @@ func test_a_field_at_a_hundred_kilometres() -> void:
 		assert_eq(b[key], a[key], key)
 	for body in bodies:
 		body.free()
-	far.position = Vector3(0, 0, 8) # brought back, all blades with it
+	far.position = Vector3(0, 0, 8)  # brought back, all blades with it
 	assert_less(difference(near, far), SAME)
 
 

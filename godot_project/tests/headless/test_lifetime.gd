@@ -6,7 +6,7 @@ extends "res://tests/field_case.gd"
 func test_out_and_in_a_thousand_times() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0, 0.2, 0))
-	for i in 20: # what the engine keeps for good is there after that
+	for i in 20:  # what the engine keeps for good is there after that
 		remove_child(field)
 		add_child(field)
 		await ticks(1)
@@ -17,7 +17,7 @@ func test_out_and_in_a_thousand_times() -> void:
 		remove_child(field)
 		assert_eq(field.get_body_count() + field.get_awake_tile_count() + field.get_blade_count(), 0, "out of the tree there is nothing")
 		add_child(field)
-		if i % 10 == 0: # now and then it also comes to life in between
+		if i % 10 == 0:  # now and then it also comes to life in between
 			await seen()
 	assert_less(Performance.get_monitor(Performance.OBJECT_COUNT) - objects, 4.0, "objects")
 	assert_less(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT) - resources, 4.0, "resources")
@@ -41,7 +41,7 @@ func test_made_and_freed_a_hundred_times() -> void:
 			await seen()
 			assert_greater(field.get_awake_tile_count(), 0)
 		if i % 2 == 0:
-			field.free() # while it is awake
+			field.free()  # while it is awake
 		else:
 			field.queue_free()
 			await ticks(1)
@@ -93,18 +93,22 @@ func test_a_turned_field_bends_where_the_body_is() -> void:
 
 
 func test_scale_and_bad_transforms() -> void:
-	expect_error("is_finite()") # the engine's own word on such a node
+	expect_error("is_finite()")  # the engine's own word on such a node
 	var field := add_field()
 	await ticks(2)
 	var rest := tile_knots(field, Vector2i.ZERO)
 	add_held_body(ball(0.2), Vector3(0, 0.2, 0))
-	for axes: Vector3 in [Vector3(3, 3, 3), Vector3(1, 5, 0.1), Vector3(-1, 1, 1), Vector3(0, 0, 0), Vector3(1e20, 1e20, 1e20), Vector3(1e-20, 1, 1)]:
+	for axes: Vector3 in [
+		Vector3(3, 3, 3), Vector3(1, 5, 0.1), Vector3(-1, 1, 1), Vector3(0, 0, 0), Vector3(1e20, 1e20, 1e20), Vector3(1e-20, 1, 1)
+	]:
 		field.transform = Transform3D(Basis.from_scale(axes), Vector3.ZERO)
 		await seen()
 		assert_greater(field.get_awake_tile_count(), 0, "scale %s" % axes)
 		assert_true(all_finite(field, awake_tiles(field)), "scale %s" % axes)
 	for bad: float in [NAN, INF, -INF, 1e30]:
-		for transform_: Transform3D in [Transform3D(Basis(), Vector3(bad, 0, 0)), Transform3D(Basis.from_scale(Vector3(bad, 1, 1)), Vector3.ZERO)]:
+		for transform_: Transform3D in [
+			Transform3D(Basis(), Vector3(bad, 0, 0)), Transform3D(Basis.from_scale(Vector3(bad, 1, 1)), Vector3.ZERO)
+		]:
 			field.transform = transform_
 			await seen()
 			assert_true(all_finite(field, [Vector2i(4, 4)]), "transform %s" % transform_)
@@ -134,7 +138,14 @@ func test_two_fields_share_a_body() -> void:
 func test_rebuilt_while_awake() -> void:
 	var field := add_field()
 	add_held_body(ball(0.2), Vector3(0, 0.2, 0))
-	for change: Array in [["density", 1000.0], ["size", Vector2(2, 6)], ["pool_tiles", 3], ["clump_lean", 0.0], ["seed", 4], ["backend", GrassField.BACKEND_CPU]]:
+	for change: Array in [
+		["density", 1000.0],
+		["size", Vector2(2, 6)],
+		["pool_tiles", 3],
+		["clump_lean", 0.0],
+		["seed", 4],
+		["backend", GrassField.BACKEND_CPU]
+	]:
 		await seen()
 		assert_greater(field.get_awake_tile_count(), 0, "before %s" % [change])
 		field.set(change[0], change[1])

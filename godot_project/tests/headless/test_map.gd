@@ -104,12 +104,13 @@ func test_a_square_kilometre_of_painted_meadow_takes_at_most_4_megabytes() -> vo
 	var place := func() -> Vector2: return Vector2(random.randf_range(-500, 500), random.randf_range(-500, 500))
 	for z in range(-490, 500, 40):
 		map.stroke(_brush(GrassBrush.TOOL_PAINT, 30.0, {target = 0.7}), Vector2(-480, z), Vector2(480, z))
-	for n in 300: # patches and paths of everything
+	for n in 300:  # patches and paths of everything
 		var from: Vector2 = place.call()
 		var to := from + Vector2.from_angle(random.randf() * TAU) * random.randf_range(5, 60)
 		var radius := random.randf_range(2, 25)
-		for tool: GrassBrush.Tool in [GrassBrush.TOOL_DENSITY, GrassBrush.TOOL_HEIGHT, GrassBrush.TOOL_TINT, GrassBrush.TOOL_SPECIES,
-				GrassBrush.TOOL_COMB]:
+		for tool: GrassBrush.Tool in [
+			GrassBrush.TOOL_DENSITY, GrassBrush.TOOL_HEIGHT, GrassBrush.TOOL_TINT, GrassBrush.TOOL_SPECIES, GrassBrush.TOOL_COMB
+		]:
 			var brush := _brush(tool, radius, {target = random.randf(), hardness = random.randf(), strength = random.randf_range(0.2, 1)})
 			brush.color = Color(random.randf(), random.randf(), random.randf())
 			brush.species = random.randi() % 4

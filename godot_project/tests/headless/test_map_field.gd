@@ -2,7 +2,7 @@
 ## A map on a field: grass stands, is short, is cut and stands on hills as the map says; only what changed travels.
 extends "res://tests/field_case.gd"
 
-const SLOPE := 0.5 # metres up for each metre along x
+const SLOPE := 0.5  # metres up for each metre along x
 
 
 func hill() -> GrassMap:
@@ -140,7 +140,7 @@ func test_two_fields_share_a_map_and_it_can_be_changed_for_another() -> void:
 	assert_greater(one.get_statistics().bare_tiles, bare)
 	assert_eq(two.get_statistics().bare_tiles, 0, "no longer its map")
 	one.free()
-	map.clear() # nobody listens
+	map.clear()  # nobody listens
 	two.map = full_map()
 	two.map.base_density = 0.0
 	await seen()

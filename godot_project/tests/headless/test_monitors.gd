@@ -2,14 +2,71 @@
 ## What the debugger shows of all fields together, and that get_statistics() tells all it promises.
 extends "res://tests/field_case.gd"
 
-const MONITORS: Array[String] = ["awake_tiles", "simulated_blades", "drawn_blades", "drawn_triangles", "management", "simulate", "cull", "memory"]
+const MONITORS: Array[String] = [
+	"awake_tiles", "simulated_blades", "drawn_blades", "drawn_triangles", "management", "simulate", "cull", "memory"
+]
 const STATISTICS: Array[String] = [
-	"backend", "tiles", "bare_tiles", "blades", "map_bytes", "awake_tiles", "settling_tiles", "still_tiles", "still_tile_steps", "tile_steps", "woken", "slept", "evicted", "refused", "capped", "bodies",
-	"body_reads", "shape_reads", "engine_calls", "tiles_looked_at", "colliders", "list_entries", "bad_colliders", "steps", "simulated_blades", "uploaded_bytes",
-	"culls", "instance_updates", "drawn_tiles", "drawn_blades", "drawn_triangles", "left_out_tiles",
-	"shadow_tiles", "shadow_blades", "shadow_triangles", "left_out_shadow_tiles",
-	"gather_ms", "tiles_ms", "management_ms", "upload_ms", "frame_ms", "build_ms", "builds", "makings", "simulate_ms", "cull_ms", "memory",
-	"version", "device", "driver", "pool_tiles", "unseen_tile_steps", "unseen_ticks", "wind_updates", "edge_tile_steps", "free_tile_steps", "compiling", "fill_cells", "fill_waiting", "waiting", "map_waiting",
+	"backend",
+	"tiles",
+	"bare_tiles",
+	"blades",
+	"map_bytes",
+	"awake_tiles",
+	"settling_tiles",
+	"still_tiles",
+	"still_tile_steps",
+	"tile_steps",
+	"woken",
+	"slept",
+	"evicted",
+	"refused",
+	"capped",
+	"bodies",
+	"body_reads",
+	"shape_reads",
+	"engine_calls",
+	"tiles_looked_at",
+	"colliders",
+	"list_entries",
+	"bad_colliders",
+	"steps",
+	"simulated_blades",
+	"uploaded_bytes",
+	"culls",
+	"instance_updates",
+	"drawn_tiles",
+	"drawn_blades",
+	"drawn_triangles",
+	"left_out_tiles",
+	"shadow_tiles",
+	"shadow_blades",
+	"shadow_triangles",
+	"left_out_shadow_tiles",
+	"gather_ms",
+	"tiles_ms",
+	"management_ms",
+	"upload_ms",
+	"frame_ms",
+	"build_ms",
+	"builds",
+	"makings",
+	"simulate_ms",
+	"cull_ms",
+	"memory",
+	"version",
+	"device",
+	"driver",
+	"pool_tiles",
+	"unseen_tile_steps",
+	"unseen_ticks",
+	"wind_updates",
+	"edge_tile_steps",
+	"free_tile_steps",
+	"compiling",
+	"fill_cells",
+	"fill_waiting",
+	"waiting",
+	"map_waiting",
 ]
 
 
@@ -79,6 +136,6 @@ func test_memory_counts_what_grows() -> void:
 	assert_greater(at_rest, 16384 * 16 * 8, "at least the patch")
 	var body := add_held_body(ball(0.5), Vector3(0, 0.25, 0))
 	await ticks(5)
-	var a_tile := 4 * 64 * (3 * 16 + 2 * 3 * 14 + 14 + 3) # bytes of a tile's state on the CPU
+	var a_tile := 4 * 64 * (3 * 16 + 2 * 3 * 14 + 14 + 3)  # bytes of a tile's state on the CPU
 	assert_true(field.get_memory_usage() - at_rest >= field.get_awake_tile_count() * a_tile, "the awake tiles' state")
 	body.free()

@@ -3,12 +3,12 @@
 ## stands.
 extends "res://tests/field_case.gd"
 
-const PLACES := 48 # along the way, 1 m apart
+const PLACES := 48  # along the way, 1 m apart
 const HEIGHT := Vector3(0, 0.25, 0.25)
 const MOVERS: Array[String] = ["rigid", "frozen", "slide", "character", "synced", "animatable", "static", "node"]
 ## Tick rate, speed in m/s.
 const PACES: Array[Vector2] = [Vector2(10, 30), Vector2(10, 600), Vector2(60, 30), Vector2(60, 200), Vector2(60, 600), Vector2(240, 600)]
-const JOLT_LIMIT := 500.0 # m/s: rigid bodies are no faster
+const JOLT_LIMIT := 500.0  # m/s: rigid bodies are no faster
 
 
 func after() -> void:
@@ -137,7 +137,7 @@ func test_teleports_leave_the_grass_between_alone() -> void:
 		var mover := add_mover(kind, HEIGHT + Vector3(-20, 0, 0), field)
 		await ticks(3)
 		var landings: Array[float] = []
-		for jump: float in [0.0, 5.0, 20.0, -8.0, 13.0]: # at 8 m/s, the last three in successive ticks
+		for jump: float in [0.0, 5.0, 20.0, -8.0, 13.0]:  # at 8 m/s, the last three in successive ticks
 			await push(mover, kind, Vector3(8, 0, 0), Vector3(jump, 0, 0))
 			landings.append(mover.position.x)
 			for i in 5 if jump < 20.0 and jump >= 0.0 else 0:
@@ -147,7 +147,9 @@ func test_teleports_leave_the_grass_between_alone() -> void:
 		for x in landings:
 			assert_true(field.is_tile_awake(field.get_tile_at(Vector3(x, 0, HEIGHT.z))), "%s at %s" % [kind, x])
 		for x: float in [-17, -10, -9, -7, -5, 2, 3, 9]:
-			assert_false(field.is_tile_awake(field.get_tile_at(Vector3(x, 0, HEIGHT.z))), "%s woke %s on its way to %s" % [kind, x, landings])
+			assert_false(
+				field.is_tile_awake(field.get_tile_at(Vector3(x, 0, HEIGHT.z))), "%s woke %s on its way to %s" % [kind, x, landings]
+			)
 		mover.free()
 		field.free()
 

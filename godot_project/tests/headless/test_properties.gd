@@ -3,8 +3,20 @@
 extends "res://tests/field_case.gd"
 
 const UNITS: Dictionary[String, String] = {
-	size = "m", density = "blades/m²", clump_size = "m", natural_frequency = "Hz", sleep_motion = "mm", sleep_delay = "s", settle_time = "s",
-	wind_speed = "m/s", wind_direction = "°", pool_tiles = "tiles", lod_far = "m", lod_error = "px", shadow_distance = "m", shadow_margin = "m",
+	size = "m",
+	density = "blades/m²",
+	clump_size = "m",
+	natural_frequency = "Hz",
+	sleep_motion = "mm",
+	sleep_delay = "s",
+	settle_time = "s",
+	wind_speed = "m/s",
+	wind_direction = "°",
+	pool_tiles = "tiles",
+	lod_far = "m",
+	lod_error = "px",
+	shadow_distance = "m",
+	shadow_margin = "m",
 }
 const BAD: Array[float] = [NAN, INF, -INF, 0.0, -1.0, 1e30]
 const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "Look", "Level of Detail", "Debug"]
@@ -13,7 +25,8 @@ const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "
 ## The properties of the class itself that are stored in a scene.
 func properties_of(type: StringName) -> Array[Dictionary]:
 	return ClassDB.class_get_property_list(type, true).filter(
-			func(property: Dictionary) -> bool: return property.usage & PROPERTY_USAGE_STORAGE)
+		func(property: Dictionary) -> bool: return property.usage & PROPERTY_USAGE_STORAGE
+	)
 
 
 ## The numbers with a range: name -> [least, greatest].
@@ -33,14 +46,19 @@ func test_properties_have_hints_units_and_groups() -> void:
 			assert_eq(property.hint, PROPERTY_HINT_RANGE, property.name)
 	for property in UNITS:
 		if assert_true(found.has(property), "no property " + property):
-			assert_true(found[property].hint_string.ends_with("suffix:" + UNITS[property]), "%s: %s" % [property, found[property].hint_string])
+			assert_true(
+				found[property].hint_string.ends_with("suffix:" + UNITS[property]), "%s: %s" % [property, found[property].hint_string]
+			)
 	for property: String in ["patch", "seed", "simulated", "collision_mask", "backend", "debug_view", "measure_time", "root_color"]:
 		assert_true(found.has(property), "no property " + property)
 	assert_eq(found.collision_mask.hint, PROPERTY_HINT_LAYERS_3D_PHYSICS)
 	assert_eq(found.patch.hint_string, "GrassPatch")
-	var groups := ClassDB.class_get_property_list("GrassField", true).filter(
-			func(property: Dictionary) -> bool: return property.usage & PROPERTY_USAGE_GROUP).map(
-			func(property: Dictionary) -> String: return property.name)
+	var groups := (
+		ClassDB
+		. class_get_property_list("GrassField", true)
+		. filter(func(property: Dictionary) -> bool: return property.usage & PROPERTY_USAGE_GROUP)
+		. map(func(property: Dictionary) -> String: return property.name)
+	)
 	assert_eq(groups, GROUPS)
 
 
@@ -55,15 +73,23 @@ func test_every_number_is_kept() -> void:
 			var value: Variant = type_convert(lerpf(limits[0], limits[1], share), typeof(field.get(property)))
 			field.set(property, value)
 			assert_near(field.get(property), value, 1e-6 * absf(value), property)
-	field.free() # at the end of every range it would be the largest field there can be
+	field.free()  # at the end of every range it would be the largest field there can be
 
 
 func test_the_rest_is_kept() -> void:
 	var field := add_field()
 	var patch := GrassPatch.new()
 	var values := {
-		size = Vector2(3, 5.5), patch = patch, simulated = false, collision_mask = 0x80000001, backend = GrassField.BACKEND_CPU,
-		debug_view = GrassField.DEBUG_VIEW_LOD, measure_time = true, root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE,
+		size = Vector2(3, 5.5),
+		patch = patch,
+		simulated = false,
+		collision_mask = 0x80000001,
+		backend = GrassField.BACKEND_CPU,
+		debug_view = GrassField.DEBUG_VIEW_LOD,
+		measure_time = true,
+		root_color = Color.RED,
+		tip_color = Color.GREEN,
+		dry_color = Color.BLUE,
 	}
 	for property: String in values:
 		field.set(property, values[property])
@@ -84,7 +110,7 @@ func test_bad_numbers_are_brought_within_limits_and_named() -> void:
 			field.set(property, bad)
 			var kept: float = field.get(property)
 			assert_true(kept >= ranges[property][0] and kept <= ranges[property][1], "%s = %s became %s" % [property, bad, kept])
-			if property != "density": # its extremes are tried below: that many blades take their time
+			if property != "density":  # its extremes are tried below: that many blades take their time
 				await ticks(1)
 		field.set(property, good)
 		await ticks(2)
@@ -138,8 +164,20 @@ func test_enums_refuse_what_they_do_not_have() -> void:
 func test_copies_keep_the_properties() -> void:
 	var patch := GrassPatch.new()
 	patch.length_max = 0.4
-	var field := add_field({size = Vector2(2, 3), density = 400.0, seed = 5, patch = patch, natural_frequency = 2.0, tip_color = Color.CORAL,
-			collision_mask = 6, simulated = false, wind_speed = 1.5, backend = GrassField.BACKEND_CPU})
+	var field := add_field(
+		{
+			size = Vector2(2, 3),
+			density = 400.0,
+			seed = 5,
+			patch = patch,
+			natural_frequency = 2.0,
+			tip_color = Color.CORAL,
+			collision_mask = 6,
+			simulated = false,
+			wind_speed = 1.5,
+			backend = GrassField.BACKEND_CPU
+		}
+	)
 	var scene := PackedScene.new()
 	assert_eq(scene.pack(field), OK)
 	var copies: Array[GrassField] = [field.duplicate(), scene.instantiate()]

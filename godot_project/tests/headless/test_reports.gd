@@ -3,11 +3,20 @@
 extends "res://tests/field_case.gd"
 
 
-class Errors extends Logger:
+class Errors:
+	extends Logger
 	var texts: Array[String] = []
 
-	func _log_error(_function: String, _file: String, _line: int, code: String, rationale: String, _notify: bool, _type: int,
-			_traces: Array[ScriptBacktrace]) -> void:
+	func _log_error(
+		_function: String,
+		_file: String,
+		_line: int,
+		code: String,
+		rationale: String,
+		_notify: bool,
+		_type: int,
+		_traces: Array[ScriptBacktrace]
+	) -> void:
 		texts.append(rationale if rationale else code)
 
 

@@ -2,8 +2,8 @@
 ## Shapes of bodies: each kind holds blades out of itself, and every change of them at run time is followed.
 extends "res://tests/field_case.gd"
 
-const TOLERANCE := 1e-3 # metres that a knot may lie inside of a shape
-const ABOVE := Vector3(0, 0.34, 0) # of a shape about 0.3 m thick, so that most roots are outside of it
+const TOLERANCE := 1e-3  # metres that a knot may lie inside of a shape
+const ABOVE := Vector3(0, 0.34, 0)  # of a shape about 0.3 m thick, so that most roots are outside of it
 const REST := Vector2i(4, 4)
 
 
@@ -141,7 +141,7 @@ func test_shapes_are_added_and_removed() -> void:
 	assert_true(field.is_tile_awake(field.get_tile_at(Vector3(1, 0, 0))))
 	var third := add_shape(body, capsule(0.1, 0.4), Transform3D(Basis(), Vector3(1, 0, 1)))
 	assert_eq(await collider_count(field), 3)
-	second.free() # the third shape's index changes
+	second.free()  # the third shape's index changes
 	assert_eq(await collider_count(field), 2)
 	body.get_child(0).free()
 	assert_eq(await collider_count(field), 1)
@@ -221,7 +221,7 @@ func test_a_height_map_that_moves_is_told_of() -> void:
 	add_body(ground, HeightMapShape3D.new(), Vector3.ZERO)
 	var body := add_held_body(HeightMapShape3D.new(), Vector3(0, 0.3, 0))
 	body.name = "Barge"
-	await ticks(10) # while it stands nobody complains
+	await ticks(10)  # while it stands nobody complains
 	expect_error("'Barge' moves and has a HeightMapShape3D")
 	for i in 10:
 		body.position.x += 0.05
@@ -233,7 +233,15 @@ func test_odd_sizes_do_no_harm() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0, 0.25, 0))
 	var shape: CollisionShape3D = body.get_child(0)
-	for odd: Shape3D in [ball(1e-6), ball(1000.0), capsule(0.2, 0.4), cylinder(0.001, 5.0), box(Vector3(1e-5, 1, 1)), box(Vector3(500, 500, 500)), octahedron(0.01)]:
+	for odd: Shape3D in [
+		ball(1e-6),
+		ball(1000.0),
+		capsule(0.2, 0.4),
+		cylinder(0.001, 5.0),
+		box(Vector3(1e-5, 1, 1)),
+		box(Vector3(500, 500, 500)),
+		octahedron(0.01)
+	]:
 		shape.shape = odd
 		await seen()
 		assert_true(all_finite(field, awake_tiles(field)), "%s" % odd)

@@ -31,9 +31,23 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 	var patch := GrassPatch.new()
 	var gradient := Gradient.new()
 	var values := {
-		patch = patch, gradient = gradient, share = 0.3, stand_size = 2.5, stand_strength = 0.1, natural_frequency = 2.0, damping_ratio = 0.2,
-		wear_recovery = 0.4, dry = 0.5, card = GradientTexture2D.new(), card_share = 0.2, card_width = 0.1, card_height = 0.2,
-		root_color = Color.RED, tip_color = Color.GREEN, dry_color = Color.BLUE, card_color = Color.YELLOW,
+		patch = patch,
+		gradient = gradient,
+		share = 0.3,
+		stand_size = 2.5,
+		stand_strength = 0.1,
+		natural_frequency = 2.0,
+		damping_ratio = 0.2,
+		wear_recovery = 0.4,
+		dry = 0.5,
+		card = GradientTexture2D.new(),
+		card_share = 0.2,
+		card_width = 0.1,
+		card_height = 0.2,
+		root_color = Color.RED,
+		tip_color = Color.GREEN,
+		dry_color = Color.BLUE,
+		card_color = Color.YELLOW,
 	}
 	var changes: Array[int] = [0]
 	species.changed.connect(func() -> void: changes[0] += 1)
@@ -66,7 +80,7 @@ func test_a_field_keeps_its_species_and_says_what_is_wrong_with_them() -> void:
 	assert_eq(field.species.size(), 3, "a copy")
 	expect_error("'Meadow': `species` has an empty entry 1")
 	await ticks(2)
-	one.share = 0.25 # it is there twice
+	one.share = 0.25  # it is there twice
 	field.patch = GrassPatch.new()
 	var many: Array[GrassSpecies] = []
 	for i in 10:
@@ -84,8 +98,13 @@ func test_a_field_keeps_its_species_and_says_what_is_wrong_with_them() -> void:
 
 
 func test_each_species_has_its_share_and_its_blades() -> void:
-	var field := add_field({size = Vector2(16, 16), clump_height = 0.0, species = [
-			make(0.7, 0.3, {stand_size = 1.0}), make(0.2, 0.6, {stand_size = 1.0}), make(0.1, 0.9, {stand_size = 0.5})]})
+	var field := add_field(
+		{
+			size = Vector2(16, 16),
+			clump_height = 0.0,
+			species = [make(0.7, 0.3, {stand_size = 1.0}), make(0.2, 0.6, {stand_size = 1.0}), make(0.1, 0.9, {stand_size = 0.5})]
+		}
+	)
 	await ticks(2)
 	var found := count(field)
 	for s in 3:
@@ -118,9 +137,17 @@ func test_what_is_painted_grows_alone() -> void:
 
 ## Two species of the same blades, of which one is four times as fast: after the same push it is back far earlier.
 func test_species_swing_by_their_own_numbers() -> void:
-	var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 20.0, species = [
-			make(0.5, 0.5, {stand_strength = 0.0, natural_frequency = 0.5, damping_ratio = 1.0}),
-			make(0.5, 0.5, {stand_strength = 0.0, natural_frequency = 2.0, damping_ratio = 1.0})]})
+	var field := add_field(
+		{
+			sleep_mode = GrassField.SLEEP_TIMER,
+			sleep_delay = 20.0,
+			species =
+			[
+				make(0.5, 0.5, {stand_strength = 0.0, natural_frequency = 0.5, damping_ratio = 1.0}),
+				make(0.5, 0.5, {stand_strength = 0.0, natural_frequency = 2.0, damping_ratio = 1.0})
+			]
+		}
+	)
 	await ticks(2)
 	var tile := field.get_tile_at(Vector3(0.2, 0, 0.2))
 	var rest := tile_knots(field, tile)
@@ -161,10 +188,10 @@ func test_grass_of_species_sleeps_again() -> void:
 
 
 func test_wear_goes_at_the_rate_of_the_species_that_grows_there() -> void:
-	var moss := make(1.0, 0.2, {wear_recovery = 12.0}) # 0.2/s
+	var moss := make(1.0, 0.2, {wear_recovery = 12.0})  # 0.2/s
 	var reed := make(0.0, 0.9)
 	var map := full_map()
-	var field := add_field({map = map, wear_recovery = 60.0, species = [moss, reed]}) # the field's own does not count
+	var field := add_field({map = map, wear_recovery = 60.0, species = [moss, reed]})  # the field's own does not count
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 2.0, {species = 2}), Vector3(2, 0, 0), Vector3(2, 0, 0))
 	for x: float in [-1.25, 1.25]:
 		field.trample(Vector3(x, 0, 0), 0.5, 1.0)

@@ -20,11 +20,13 @@ func test_calls_from_another_thread_are_refused() -> void:
 	var field := add_field({map = full_map()})
 	var map := field.map
 	await ticks(2)
-	await on_a_thread(func() -> void:
-		field.cut(ball(0.5), Transform3D())
-		field.map = null
-		field.natural_frequency = 7.0
-		field.get_statistics())
+	await on_a_thread(
+		func() -> void:
+			field.cut(ball(0.5), Transform3D())
+			field.map = null
+			field.natural_frequency = 7.0
+			field.get_statistics()
+	)
 	assert_eq(field.map, map)
 	assert_near(field.natural_frequency, 1.2, 1e-6)
 	assert_eq(field.density_at(Vector3.ZERO), 1.0)
@@ -32,33 +34,39 @@ func test_calls_from_another_thread_are_refused() -> void:
 
 
 func test_resources_that_a_field_uses_are_refused_too() -> void:
-	for text: String in ["GrassMap: a change", "GrassMap: clear()", "GrassPatch: set_seed()", "GrassSpecies: set_param()", "GrassFillRule: set_seed()"]:
+	for text: String in [
+		"GrassMap: a change", "GrassMap: clear()", "GrassPatch: set_seed()", "GrassSpecies: set_param()", "GrassFillRule: set_seed()"
+	]:
 		expect_error(text + " belongs to the main thread")
 	var species := GrassSpecies.new()
 	species.patch = GrassPatch.new()
 	var used: Array[GrassSpecies] = [species]
 	var field := add_field({map = full_map(), species = used, fill_rule = GrassFillRule.new()})
 	await ticks(2)
-	await on_a_thread(func() -> void:
-		field.map.stroke(brush(GrassBrush.TOOL_ERASE, 1.0), Vector2.ZERO, Vector2.ZERO)
-		field.map.clear()
-		species.patch.seed = 3
-		species.natural_frequency = 3.0
-		field.fill_rule.seed = 4)
+	await on_a_thread(
+		func() -> void:
+			field.map.stroke(brush(GrassBrush.TOOL_ERASE, 1.0), Vector2.ZERO, Vector2.ZERO)
+			field.map.clear()
+			species.patch.seed = 3
+			species.natural_frequency = 3.0
+			field.fill_rule.seed = 4
+	)
 	assert_eq(field.density_at(Vector3.ZERO), 1.0)
 	assert_eq([species.patch.seed, field.fill_rule.seed], [GrassPatch.new().seed, GrassFillRule.new().seed])
 
 
 func test_a_field_is_prepared_on_a_thread() -> void:
-	var field: GrassField = await on_a_thread(func() -> GrassField:
-		var made := GrassField.new()
-		made.size = Vector2(4, 4)
-		made.wind_speed = 0.0
-		made.patch = GrassPatch.new()
-		made.patch.length_max = 0.6
-		made.map = full_map()
-		made.map.stroke(brush(GrassBrush.TOOL_ERASE, 0.5), Vector2.ONE, Vector2.ONE)
-		return made)
+	var field: GrassField = await on_a_thread(
+		func() -> GrassField:
+			var made := GrassField.new()
+			made.size = Vector2(4, 4)
+			made.wind_speed = 0.0
+			made.patch = GrassPatch.new()
+			made.patch.length_max = 0.6
+			made.map = full_map()
+			made.map.stroke(brush(GrassBrush.TOOL_ERASE, 0.5), Vector2.ONE, Vector2.ONE)
+			return made
+	)
 	add_child(field)
 	await seen()
 	assert_eq(field.density_at(Vector3(1, 0, 1)), 0.0)
@@ -70,14 +78,16 @@ func test_a_storm_of_calls_does_no_harm() -> void:
 	var field := add_field({map = full_map(), fill_rule = GrassFillRule.new()})
 	add_held_body(ball(0.3), Vector3(0, 0.2, 0))
 	await ticks(2)
-	await on_a_thread(func() -> void:
-		for i in 300:
-			field.cut(ball(0.5), Transform3D())
-			field.trample(Vector3.ZERO, 0.5, 0.5)
-			field.regrow(0.1)
-			field.map = null if i % 2 else GrassMap.new()
-			field.get_knots(Vector2i.ZERO, 0)
-			field.bend_at(Vector3.ZERO))
+	await on_a_thread(
+		func() -> void:
+			for i in 300:
+				field.cut(ball(0.5), Transform3D())
+				field.trample(Vector3.ZERO, 0.5, 0.5)
+				field.regrow(0.1)
+				field.map = null if i % 2 else GrassMap.new()
+				field.get_knots(Vector2i.ZERO, 0)
+				field.bend_at(Vector3.ZERO)
+	)
 	await seen()
 	assert_greater(field.get_awake_tile_count(), 0)
 	assert_true(all_finite(field, [field.get_tile_at(Vector3.ZERO)]))

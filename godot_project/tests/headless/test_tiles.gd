@@ -3,8 +3,8 @@
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(4, 4)
-const PLACE := Vector3(0.25, 0.25, 0.25) # above its middle
-const SAME := 1e-3 # metres that nobody sees
+const PLACE := Vector3(0.25, 0.25, 0.25)  # above its middle
+const SAME := 1e-3  # metres that nobody sees
 
 
 func test_sleeps_two_seconds_and_a_settling_after_the_last_touch() -> void:
@@ -34,7 +34,7 @@ func test_sleep_delay_and_settle_time_are_kept_to() -> void:
 	assert_near(await ticks_to_sleep(field), 60 * 0.75, 5)
 	body = add_held_body(ball(0.2), PLACE)
 	await seen()
-	field.sleep_delay = 1.0 # while it is awake
+	field.sleep_delay = 1.0  # while it is awake
 	field.settle_time = 0.0
 	body.free()
 	assert_near(await ticks_to_sleep(field), 60, 5)
@@ -158,7 +158,8 @@ func test_waking_without_contact_moves_nothing() -> void:
 
 
 func test_settled_blades_are_at_rest_before_they_are_let_go() -> void:
-	var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.1, settle_time = 0.5}) # so that there is a long way to settle
+	# Half a second, so that there is a long way to settle.
+	var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.1, settle_time = 0.5})
 	await ticks(2)
 	var rest := tile_knots(field, TILE)
 	var body := add_held_body(ball(0.2), PLACE)

@@ -2,7 +2,7 @@
 ## How much is done, by the counters: nothing where nothing changes, and no more on a large field than on a small one.
 extends "res://tests/field_case.gd"
 
-const SIZES: Array[float] = [70.5, 500.0] # metres: 20 thousand and 1 million tiles
+const SIZES: Array[float] = [70.5, 500.0]  # metres: 20 thousand and 1 million tiles
 
 
 func test_the_same_work_on_any_field() -> void:
@@ -23,7 +23,7 @@ func test_the_same_work_on_any_field() -> void:
 	assert_greater(large.tiles, 50 * small.tiles - 1)
 	for key: String in ["body_reads", "shape_reads"]:
 		assert_eq(large[key], small[key], key)
-	for key: String in ["tiles_looked_at", "tile_steps", "list_entries", "woken"]: # the grids lie a little differently under the bodies
+	for key: String in ["tiles_looked_at", "tile_steps", "list_entries", "woken"]:  # the grids lie a little differently under the bodies
 		assert_less(absf(large[key] - small[key]), 0.2 * small[key], key)
 	assert_less(absf(large.memory - small.memory), 1e6, "bytes")
 
@@ -154,7 +154,7 @@ func test_memory_of_a_crowd_comes_back() -> void:
 	var low := field.get_memory_usage()
 	await ticks(400)
 	assert_eq(field.get_memory_usage(), low, "no coming and going")
-	for i in 60: # the crowd again
+	for i in 60:  # the crowd again
 		bodies.append(add_held_body(ball(0.4), Vector3(2.6 * (i % 10) - 12.0, 0.2, 2.6 * floorf(i / 10.0) - 6.0)))
 	await ticks(10)
 	assert_greater(field.get_awake_tile_count(), 400)
@@ -197,7 +197,7 @@ func test_bodies_that_stand_still_cost_no_simulation() -> void:
 func test_a_scene_file_is_small() -> void:
 	var root := Node3D.new()
 	var field := GrassField.new()
-	field.size = Vector2(500, 500) # 64 million blades
+	field.size = Vector2(500, 500)  # 64 million blades
 	root.add_child(field)
 	field.owner = root
 	var scene := PackedScene.new()

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-## What tools/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and bodies that move; with `-- --field` fields
-## as well, of all that bodies, maps and species have passes for. Whatever the layer says of the scene without them is the engine's own.
+## What tools/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and bodies that move; with `-- --field`
+## fields as well, of all that bodies, maps and species have passes for. Whatever the layer says of the scene without them is the engine's
+## own.
 extends Node3D
 
 const TICKS := 40
-const COMPILING := 600.0 # seconds
+const COMPILING := 600.0  # seconds
 
 var _movers: Array[AnimatableBody3D] = []
 
@@ -25,7 +26,7 @@ func _ready() -> void:
 		for i in _movers.size():
 			_movers[i].position = Vector3(4.0 * sin(0.05 * tick + i), 0.25, 0.3 * i)
 		if fields and tick == TICKS / 2:
-			fields[0].pool_tiles = 64 # other buffers
+			fields[0].pool_tiles = 64  # other buffers
 			fields[1].paint(GrassBrush.new(), Vector3(2, 0, 0), Vector3(3, 0, 0))
 		await get_tree().physics_frame
 	await _compiled(fields)
@@ -33,8 +34,12 @@ func _ready() -> void:
 		await get_tree().physics_frame
 	for field in fields:
 		var now := field.get_statistics()
-		print("GRASS-VALIDATION %s: %d steps, %d tiles by the pass for edges, %d by the one without colliders, %d drawn tiles" % [
-				now.backend, now.steps, now.edge_tile_steps, now.free_tile_steps, now.drawn_tiles])
+		print(
+			(
+				"GRASS-VALIDATION %s: %d steps, %d tiles by the pass for edges, %d by the one without colliders, %d drawn tiles"
+				% [now.backend, now.steps, now.edge_tile_steps, now.free_tile_steps, now.drawn_tiles]
+			)
+		)
 		field.free()
 	await get_tree().process_frame
 	print("GRASS-VALIDATION done")

@@ -2,7 +2,7 @@
 ## Rolls a ball through the grass. Exit code 0 if blades bent; the last line says what was seen.
 extends Node3D
 
-const PATIENCE := 240 # seconds: software Vulkan compiles its passes meanwhile
+const PATIENCE := 240  # seconds: software Vulkan compiles its passes meanwhile
 
 @onready var _meadow: GrassField = $Meadow
 @onready var _ball: AnimatableBody3D = $Ball
@@ -22,7 +22,12 @@ func _ready() -> void:
 		_ball.position = Vector3(0.1 * sin(0.1 * tick), 0.2, 0)
 		bent = _farthest(rest, _meadow.get_tile_knots(tile))
 	var renderer := RenderingServer.get_current_rendering_method() if RenderingServer.get_rendering_device() else "no GPU"
-	print("GrassField %s, %s: %d blades, the ball bends them by %.3f m" % [GrassField.get_version(), renderer, _meadow.get_blade_count(), bent])
+	print(
+		(
+			"GrassField %s, %s: %d blades, the ball bends them by %.3f m"
+			% [GrassField.get_version(), renderer, _meadow.get_blade_count(), bent]
+		)
+	)
 	get_tree().quit(0 if bent >= 0.05 and _meadow.get_blade_count() > 0 else 1)
 
 

@@ -53,10 +53,7 @@ protected:
 	bool _set(const StringName &, const Variant &) { return false; }
 	bool _get(const StringName &, Variant &) const { return false; }
 	void _get_property_list(List<PropertyInfo> *) const {}
-	bool _property_can_revert(const StringName &) const { return false; }
-	bool _property_get_revert(const StringName &, Variant &) const { return false; }
 	void _validate_property(PropertyInfo &) const {}
-	String _to_string() const { return String(); }
 	template <typename T, typename Base> static void register_virtuals() {}
 
 public:

@@ -24,9 +24,7 @@ template <typename... Names> MethodDefinition D_METHOD(const StringName &p_name,
 class ClassDB {
 public:
 	template <typename T> static void register_class(bool p_virtual = false) { register_as<T>(Kind{ .is_virtual = p_virtual }); }
-	template <typename T> static void register_abstract_class() { register_as<T>(Kind{ .is_abstract = true }); }
 	template <typename T> static void register_internal_class() { register_as<T>(Kind{ .is_exposed = false }); }
-	template <typename T> static void register_runtime_class() { register_as<T>(Kind{ .is_runtime = true }); }
 
 	template <typename F, typename... Defaults>
 	static void bind_method(const MethodDefinition &p_definition, F p_function, const Defaults &...p_defaults) {
@@ -45,7 +43,6 @@ public:
 	static void add_property(const StringName &p_class, const PropertyInfo &p_info, const StringName &p_setter, const StringName &p_getter,
 			int p_index = -1);
 	static void add_property_group(const StringName &p_class, const String &p_name, const String &p_prefix);
-	static void add_property_subgroup(const StringName &p_class, const String &p_name, const String &p_prefix);
 	static void add_signal(const StringName &p_class, const MethodInfo &p_signal);
 	static void bind_integer_constant(
 			const StringName &p_class, const StringName &p_enum, const StringName &p_name, int64_t p_value, bool p_bitfield = false);
@@ -57,9 +54,7 @@ public:
 private:
 	struct Kind {
 		bool is_virtual = false; // scripts may inherit it but not make one
-		bool is_abstract = false;
 		bool is_exposed = true; // scripts see it
-		bool is_runtime = false; // a placeholder stands for it in the editor
 	};
 
 	template <typename T> static void register_as(Kind p_kind) {
@@ -67,18 +62,13 @@ private:
 		using Hooks = internal::ClassHooks<T>;
 		GDExtensionClassCreationInfo5 info = {};
 		info.is_virtual = p_kind.is_virtual;
-		info.is_abstract = p_kind.is_abstract;
 		info.is_exposed = p_kind.is_exposed;
-		info.is_runtime = p_kind.is_runtime;
 		info.set_func = &Hooks::set;
 		info.get_func = &Hooks::get;
 		info.get_property_list_func = Hooks::HAS_LIST ? &Hooks::get_property_list : nullptr;
 		info.free_property_list_func = &internal::free_property_list;
-		info.property_can_revert_func = &Hooks::property_can_revert;
-		info.property_get_revert_func = &Hooks::property_get_revert;
 		info.validate_property_func = &Hooks::validate_property;
 		info.notification_func = &Hooks::notification;
-		info.to_string_func = &Hooks::to_string;
 		info.create_instance_func = &Hooks::create;
 		info.free_instance_func = &Hooks::free;
 		info.recreate_instance_func = &Hooks::recreate;

@@ -21,10 +21,7 @@ template <typename T> struct ClassHooks {
 	static constexpr bool HAS_SET = std::is_same_v<decltype(&T::_set), bool (T::*)(const StringName &, const Variant &)>;
 	static constexpr bool HAS_GET = std::is_same_v<decltype(&T::_get), bool (T::*)(const StringName &, Variant &) const>;
 	static constexpr bool HAS_LIST = std::is_same_v<decltype(&T::_get_property_list), void (T::*)(List<PropertyInfo> *) const>;
-	static constexpr bool HAS_CAN_REVERT = std::is_same_v<decltype(&T::_property_can_revert), bool (T::*)(const StringName &) const>;
-	static constexpr bool HAS_REVERT = std::is_same_v<decltype(&T::_property_get_revert), bool (T::*)(const StringName &, Variant &) const>;
 	static constexpr bool HAS_VALIDATE = std::is_same_v<decltype(&T::_validate_property), void (T::*)(PropertyInfo &) const>;
-	static constexpr bool HAS_TO_STRING = std::is_same_v<decltype(&T::_to_string), String (T::*)() const>;
 
 	static void notification(GDExtensionClassInstancePtr p_instance, int32_t p_what, GDExtensionBool p_reversed) {
 		if constexpr (Parent::_is_extension) {
@@ -74,25 +71,6 @@ template <typename T> struct ClassHooks {
 		return make_property_list(list, r_count);
 	}
 
-	static GDExtensionBool property_can_revert(GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name) {
-		if constexpr (HAS_CAN_REVERT) {
-			return self(p_instance)->_property_can_revert(*static_cast<const StringName *>(p_name));
-		} else if constexpr (Parent::_is_extension) {
-			return ClassHooks<Parent>::property_can_revert(p_instance, p_name);
-		}
-		return false;
-	}
-
-	static GDExtensionBool property_get_revert(
-			GDExtensionClassInstancePtr p_instance, GDExtensionConstStringNamePtr p_name, GDExtensionVariantPtr r_value) {
-		if constexpr (HAS_REVERT) {
-			return self(p_instance)->_property_get_revert(*static_cast<const StringName *>(p_name), *static_cast<Variant *>(r_value));
-		} else if constexpr (Parent::_is_extension) {
-			return ClassHooks<Parent>::property_get_revert(p_instance, p_name, r_value);
-		}
-		return false;
-	}
-
 	static GDExtensionBool validate_property(GDExtensionClassInstancePtr p_instance, GDExtensionPropertyInfo *p_property) {
 		bool changed = false;
 		if constexpr (Parent::_is_extension) {
@@ -105,17 +83,6 @@ template <typename T> struct ClassHooks {
 			changed = true;
 		}
 		return changed;
-	}
-
-	static void to_string(GDExtensionClassInstancePtr p_instance, GDExtensionBool *r_valid, GDExtensionStringPtr r_text) {
-		if constexpr (HAS_TO_STRING) {
-			*static_cast<String *>(r_text) = self(p_instance)->_to_string();
-			*r_valid = true;
-		} else if constexpr (Parent::_is_extension) {
-			ClassHooks<Parent>::to_string(p_instance, r_valid, r_text);
-		} else {
-			*r_valid = false;
-		}
 	}
 
 	static GDExtensionObjectPtr create(void *, GDExtensionBool p_notify) {

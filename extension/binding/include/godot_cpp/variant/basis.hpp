@@ -34,7 +34,9 @@ struct Basis {
 		return Vector3(get_column(0).length(), get_column(1).length(), get_column(2).length()) * SIGN(determinant());
 	}
 	// The scale goes first in what the matrix does.
-	void scale_local(const Vector3 &p_scale) { *this = Basis(get_column(0) * p_scale.x, get_column(1) * p_scale.y, get_column(2) * p_scale.z); }
+	void scale_local(const Vector3 &p_scale) {
+		*this = Basis(get_column(0) * p_scale.x, get_column(1) * p_scale.y, get_column(2) * p_scale.z);
+	}
 	bool is_finite() const { return rows[0].is_finite() && rows[1].is_finite() && rows[2].is_finite(); }
 
 	operator String() const;

@@ -30,16 +30,12 @@ struct Vector2i;
 struct Rect2;
 struct Rect2i;
 struct Vector3;
-struct Vector3i;
-struct Transform2D;
 struct Vector4;
-struct Vector4i;
 struct Plane;
 struct Quaternion;
 struct AABB;
 struct Basis;
 struct Transform3D;
-struct Projection;
 struct Color;
 
 } // namespace godot

@@ -138,7 +138,9 @@ public:
 	static bool can_convert_strict(Type p_from, Type p_to);
 
 	bool operator==(const Variant &p_other) const;
-	bool operator!=(const Variant &p_other) const { return !(*this == p_other); }
+	bool operator!=(const Variant &p_other) const {
+		return !(*this == p_other);
+	}
 	bool operator<(const Variant &p_other) const;
 	static void evaluate(const Operator &p_operator, const Variant &p_a, const Variant &p_b, Variant &r_result, bool &r_valid);
 
@@ -167,7 +169,9 @@ public:
 	String stringify() const;
 	Variant duplicate(bool p_deep = false) const;
 	void clear();
-	void *_native_ptr() const { return const_cast<uint64_t *>(_storage); }
+	void *_native_ptr() const {
+		return const_cast<uint64_t *>(_storage);
+	}
 
 private:
 	uint64_t _storage[3]; // the single-precision engine's size

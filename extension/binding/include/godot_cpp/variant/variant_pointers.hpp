@@ -13,9 +13,7 @@ namespace internal {
 const Variant *variant_at(const Variant *p_values, size_t p_index);
 
 // T, but only known once the other types are.
-template <typename T, typename...> struct Later {
-	using Type = T;
-};
+template <typename T, typename...> struct Later { using Type = T; };
 
 template <size_t COUNT> struct VariantPointers {
 	const Variant *pointers[COUNT + 1] = {};

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: MIT
+"""docs/benchmarks/README.md: today's figures, made from the committed tables. `python3 -m tools.bench_page` writes it.
+
+The layer `docs` fails where the page is not what the tables make, and where a newer table of a benchmark is not used.
+"""
+
+import csv
+import re
+
+from tools import prose
+from tools.paper_page import grid, number
+from tools.paper_rows import pick
+from tools.places import ROOT
+
+FOLDER = ROOT / "docs/benchmarks"
+PAGE = FOLDER / "README.md"
+# The newest table of each benchmark.
+TABLES = {
+	"draw": "2026-11-21-h100/forward_draw_levels.csv",
+	"draw_mobile": "2026-11-21-h100/mobile_draw_levels.csv",
+	"kernel": "2026-11-22-h100/kernel_method.csv",
+	"flops": "2026-11-22-h100/flops.csv",
+	"sleep": "2026-11-21-h100/sleep.csv",
+	"cpu": "2026-11-21-epyc/cpu.csv",
+	"change": "2026-11-21-epyc/change.csv",
+}
+FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv"}  # by file name; else NAME*.csv
+LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
+# An H100: instructions and operations a second (a fused product and sum are one instruction and two operations), bytes a second.
+INSTRUCTIONS, OPERATIONS, BYTES = 33.45e12, 66.9e12, 3.0e12
+SCENES = {"0": "free", "4": "balls"}
+TITLES = {
+	"free": "nothing near",
+	"balls": "4 balls in each tile",
+	"lid": "below a lid",
+	"bodies": "bodies at rest",
+	"rolling": "bodies that turn",
+}
+
+
+def read(name):
+	"""(what the table says of its device, its rows)."""
+	lines = (FOLDER / TABLES[name]).read_text().splitlines()
+	notes = [line[2:] for line in lines if line.startswith("#")]
+	return "; ".join(notes), list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def source(*names):
+	"""The line below a table: its files, and what they say of their device."""
+	files = " and ".join(f"[{TABLES[name].split('/')[1]}]({TABLES[name]})" for name in names)
+	return [f"{files}: {re.sub(LEFT_OUT, '', read(names[0])[0])}.", ""]
+
+
+def floor(row, blades):
+	"""(ms, what bounds it) of a step of `blades` that does nothing but what it has to."""
+	bounds = {"instructions": float(row["instructions"]) / INSTRUCTIONS, "operations": float(row["operations"]) / OPERATIONS}
+	bounds["bytes"] = float(row["bytes"]) / BYTES
+	bound = max(bounds, key=bounds.get)
+	return bounds[bound] * blades * 1e3, bound
+
+
+def measured(rows, method, scene, blades):
+	"""GPU ms of a step, with the pass that a field would use."""
+	near = next((key for key, name in SCENES.items() if name == scene), scene)
+	which = "simulate_free" if scene == "free" else "simulate"
+	found = pick(rows, method=method, iterations=2, awake_blades=blades, colliders_a_tile=near, **{"pass": which})
+	return float(found[0]["gpu_ms"]) if found else None
+
+
+def simulation():
+	rows, counted = read("kernel")[1], read("flops")[1]
+	lines = [
+		"## Simulating: GPU time of a step",
+		"",
+		"A step of one tick for blades of 16 knots, the simulation pass alone. The floor is the time in which the card could issue the "
+		"instructions, do the operations or move the bytes of the step, whichever takes longest. The aims were 4 floors for 65,536 blades, "
+		"and less than 1 ms for a million free ones.",
+	]
+	body = []
+	for row in counted:
+		for blades in (65536, 1048576):
+			time, (least, bound) = measured(rows, row["method"], row["scene"], blades), floor(row, blades)
+			body.append(
+				[
+					f"METHOD_{row['method']}",
+					TITLES[row["scene"]],
+					number(blades),
+					f"{time:.3f}",
+					f"{least:.3f} ({bound})",
+					f"{time / least:.1f}",
+				]
+			)
+	lines += grid(["method", "scene", "blades", "ms", "floor, ms", "times the floor"], body)
+	lines += source("kernel", "flops")
+	body = []
+	for scene in ("lid", "bodies", "rolling"):
+		with_edges = pick(rows, method="DIRECT", awake_blades=262144, colliders_a_tile=scene, **{"pass": "simulate_edges"})
+		body.append([TITLES[scene], f"{measured(rows, 'DIRECT', scene, 262144):.2f}", f"{float(with_edges[0]['gpu_ms']):.2f}"])
+	lines += ["262,144 blades by METHOD_DIRECT, with the pass for round shapes and the one that also meets edges:"]
+	return lines + grid(["scene", "ms", "ms with edges"], body)
+
+
+def drawing():
+	forward, mobile = read("draw")[1], read("draw_mobile")[1]
+	empty = float(pick(mobile, view="nothing")[0]["gpu_ms"])
+	lines = [
+		"## Drawing: GPU time of a frame",
+		"",
+		"1920 x 1080, from eye level (1.7 m), wind on, no MSAA. A data-centre card computes fast and rasters slowly, so the ratios say more "
+		f"than the times. Each time includes an empty frame, {empty:.1f} ms in Mobile.",
+	]
+	body = []
+	for blades in (262144, 1048576, 4194304, 16777216):
+		cells = []
+		for rows in (forward, mobile):
+			cells += [
+				f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")
+			]
+		row = pick(forward, blades=blades, view="eye", shadows="off", msaa=0)[0]
+		triangles = f"{int(row['drawn_triangles']) / 1e6:.2g} M"
+		body.append([number(blades), number(float(row["drawn_blades"])), triangles, *cells, f"{float(row['cull_ms']):.2f}"])
+	head = ["blades", "drawn", "triangles", "Forward+", "with shadows", "Mobile", "with shadows", "culling"]
+	lines += grid(head, body) + source("draw", "draw_mobile")
+	return lines + ["The paper's own tables and a comparison with MultiMeshes: [paper.md](paper.md).", ""]
+
+
+def processor():
+	rows = read("cpu")[1]
+	lines = [
+		"## The CPU: a tick",
+		"",
+		"The most that a tick can have to do: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles gives tiles away "
+		"in every tick. Nothing depends on the size of the field. The aim was 0.2 ms for 128 bodies.",
+	]
+	body = []
+	for row in rows:
+		if row["tiles"] in ("19881", "16000000") and row["bodies"] in ("0", "128", "1024"):
+			parts = [float(row[name]) for name in ("gather_ms", "tiles_ms", "upload_ms")]
+			body.append(
+				[number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"]
+			)
+	lines += grid(["tiles", "bodies", "reading bodies, ms", "choosing tiles, ms", "handing over, ms", "in all, ms"], body)
+	return lines + source("cpu")
+
+
+def changes():
+	lines = [
+		"## Changing a standing field",
+		"",
+		"A field of 500 x 500 m (64 million blades) that changes while it is drawn: frames until the change shows, and the longest piece of "
+		"work in one of them. What takes more than 9 ms is the engine's compiling of a shader, once a process.",
+	]
+	body = [[row["change"], row["frames"], f"{float(row['build_ms']):.1f}"] for row in read("change")[1] if row["makings"] != "0"]
+	return lines + grid(["change", "frames", "longest piece, ms"], body) + source("change")
+
+
+def sleeping():
+	rows = read("sleep")[1]
+	most = max(float(row["tile_steps"]) for row in rows)
+	body = [[row["asleep"], number(float(row["tile_steps"])), f"{float(row['tile_steps']) / most:.0%}"] for row in rows]
+	lines = ["## Sleeping", "", "Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../solver.md#going-to-sleep))."]
+	return lines + grid(["asleep", "steps of tiles", "of the most"], body) + source("sleep")
+
+
+def page():
+	lines = [
+		"# Benchmarks",
+		"",
+		"Today's figures, generated from the newest committed tables (`python3 -m tools.bench_page`). "
+		"[How to run them](HOWTO.md); [how the figures came about](history.md); "
+		"[accuracy against run time](accuracy.md); [beside the paper, and against MultiMeshes](paper.md).",
+		"",
+		*simulation(),
+		*drawing(),
+		*processor(),
+		*changes(),
+		*sleeping(),
+	]
+	return prose.page("\n".join(lines).rstrip() + "\n")
+
+
+def newer():
+	"""Tables of a benchmark that are newer than the one that the page uses, as texts."""
+	wrong = []
+	for name, table in TABLES.items():
+		for other in FOLDER.glob(f"*/{FAMILIES.get(name, f'{name}*.csv')}"):
+			if re.match(r"\d{4}", other.parent.name) and other.parent.name[:10] > table[:10]:
+				wrong.append(f"{other.relative_to(FOLDER)} is newer than {table}")
+	return wrong
+
+
+if __name__ == "__main__":
+	PAGE.write_text(page())
