@@ -77,7 +77,11 @@ def parser():
 	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
 	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument("--only", metavar="PART", help="only this one of those in the engine: draw, simulate, sleep, cpu, change, species, kernel; of paper: a table")
+	bench.add_argument(
+		"--only",
+		metavar="PART",
+		help="only this one of those in the engine: draw, simulate, sleep, cpu, change, species, kernel; of paper: a table",
+	)
 
 	commands.add_parser("docs", help="make the site, out/site")
 

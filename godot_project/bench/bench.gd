@@ -37,7 +37,7 @@ func _ready() -> void:
 	print("device: %s, %s" % [RenderingServer.get_video_adapter_name(), RenderingServer.get_current_rendering_method()])
 	var only := _argument("--only", "")
 	var spirv := _argument("--spirv", "")
-	var wants := { Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder] } # what a part takes, in order
+	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
 	for script: GDScript in [Draw, Simulate, Sleep, Cpu, Change, Species, Kernel, Accuracy]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])

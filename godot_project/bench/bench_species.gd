@@ -7,15 +7,15 @@ const FrameTimer := preload("res://bench/frame_timer.gd")
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
 const FILE := "species.csv"
-const SIDE := 256.0 # metres: 16 million blades
-const LID := 31.0 # metres: a quarter of a million blades awake
+const SIDE := 256.0  # metres: 16 million blades
+const LID := 31.0  # metres: a quarter of a million blades awake
 const TICKS := 60
 const ROUNDS := 4
 const KINDS: Array[int] = [0, 1, 4]
 
 
 func run(p_software: bool) -> Array[PackedStringArray]:
-	var times := { }
+	var times := {}
 	for round in 1 if p_software else ROUNDS:
 		for count in KINDS:
 			for case: String in ["draw", "draw with shadows", "step under a lid", "step of free blades"]:
@@ -67,7 +67,7 @@ func _draw(p_species: int, p_shadows: bool, p_software: bool) -> float:
 
 func _step(p_species: int, p_lid: bool, p_software: bool) -> float:
 	get_viewport().disable_3d = true
-	Engine.max_fps = Engine.physics_ticks_per_second # where frames are quicker than ticks, most of them hold no step to time
+	Engine.max_fps = Engine.physics_ticks_per_second  # where frames are quicker than ticks, most of them hold no step to time
 	var side := 4.0 if p_software else LID
 	var field := _field(p_species, 2.0 * side)
 	field.wind_speed = 0.0
@@ -78,7 +78,7 @@ func _step(p_species: int, p_lid: bool, p_software: bool) -> float:
 	for tick in 6 if p_software else 2 * TICKS:
 		await get_tree().physics_frame
 		body.position.y = 0.45 + 0.02 * sin(0.2 * tick)
-		if not p_lid and tick >= 10: # the blades that it woke swing on
+		if not p_lid and tick >= 10:  # the blades that it woke swing on
 			body.position.y = 100.0
 		if tick >= (2 if p_software else TICKS):
 			await get_tree().process_frame

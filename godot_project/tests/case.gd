@@ -8,13 +8,13 @@
 @tool
 extends Node3D
 
-const MOST_TEXT := 200 # characters of a value in a failure
-const MOST_FAILURES := 5 # of a test that are printed
-const PATIENCE := 300.0 # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
+const MOST_TEXT := 200  # characters of a value in a failure
+const MOST_FAILURES := 5  # of a test that are printed
+const PATIENCE := 300.0  # seconds; on a busy machine a thread or a driver may take long for what else takes it a moment
 
 var failures: Array[String] = []
 var skipped := ""
-var checks := 0 # assertions so far, and errors that the test expects
+var checks := 0  # assertions so far, and errors that the test expects
 var _expected: Array[String] = []
 
 

@@ -162,7 +162,8 @@ func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i,
 	return knots
 
 
-## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not finite.
+## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not
+## finite.
 func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	if a.size() != b.size() or a.is_empty():
 		return INF

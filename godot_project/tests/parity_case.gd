@@ -3,7 +3,7 @@
 extends "res://tests/field_case.gd"
 
 const PLACE := Vector3(0.25, 0.25, 0.25)
-const AT_REST := 1e-5 # of a blade's length, in tiles that are awake and that nothing touches
+const AT_REST := 1e-5  # of a blade's length, in tiles that are awake and that nothing touches
 
 var cpu: GrassField
 var gpu: GrassField

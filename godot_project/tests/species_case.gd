@@ -2,9 +2,9 @@
 ## A test that draws species: makes them, and cards for their tips.
 extends "res://tests/view_case.gd"
 
-const SIDE := 512 # pixels
-const SKY := Color(0.3, 0.4, 0.9) # of view_case.gd
-const PICTURES := "user://pictures/" # looked at by people
+const SIDE := 512  # pixels
+const SKY := Color(0.3, 0.4, 0.9)  # of view_case.gd
+const PICTURES := "user://pictures/"  # looked at by people
 
 
 func before() -> void:

@@ -64,7 +64,7 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 		var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_share = setting.y, card_width = setting.z, card_height = setting.z})
 		var field := add_seen_field({species = [violet], size = Vector2(30, 30), ground = false})
 		look(Vector3(0, setting.x, 40), Vector3.ZERO)
-		var gain := {0.25: 0.0, 8.0: 0.0} # by lod_error
+		var gain := {0.25: 0.0, 8.0: 0.0}  # by lod_error
 		for card: Texture2D in [null, flower(Color(0.7, 0.1, 0.7))]:
 			violet.card = card
 			for error: float in gain:
@@ -80,8 +80,17 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 func test_flowers_bend_with_their_blades() -> void:
 	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.12, card_height = 0.12, length_min = 0.6, length_max = 0.8})
 	violet.card = flower(Color(0.7, 0.1, 0.7))
-	var field := add_seen_field({
-		species = [violet], density = 16.0, ground = false, lod_far = 1000.0, pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0})
+	var field := add_seen_field(
+		{
+			species = [violet],
+			density = 16.0,
+			ground = false,
+			lod_far = 1000.0,
+			pixels_min = 0.0,
+			sleep_mode = GrassField.SLEEP_TIMER,
+			sleep_delay = 30.0
+		}
+	)
 	var calls := await draw_calls()
 	look(Vector3(0, 5, 3), Vector3.ZERO)
 	await drawn()
@@ -89,7 +98,7 @@ func test_flowers_bend_with_their_blades() -> void:
 	var image := await picture()
 	assert_greater(_share_of_flowers(image, rest), 0.97)
 	var body := add_held_body(ball(0.5), Vector3(0.2, 0.2, 0.2))
-	body.reparent(viewport) # into its world
+	body.reparent(viewport)  # into its world
 	await ticks(30)
 	await drawn()
 	var bent := _tips(field)
@@ -122,7 +131,10 @@ func test_flowers_bend_with_their_blades() -> void:
 func draw_calls() -> int:
 	await drawn()
 	return RenderingServer.viewport_get_render_info(
-		viewport.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+		viewport.get_viewport_rid(),
+		RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME
+	)
 
 
 func _tips(field: GrassField) -> PackedVector3Array:
@@ -139,7 +151,7 @@ func _share_of_flowers(image: Image, tips: PackedVector3Array) -> float:
 	var flowers := 0
 	for tip in tips:
 		var at := Vector2i(camera.unproject_position(tip))
-		var is_seen := false # a blade may cross it
+		var is_seen := false  # a blade may cross it
 		for off: Vector2i in [Vector2i.ZERO, Vector2i(2, 0), Vector2i(-2, 0), Vector2i(0, 2), Vector2i(0, -2)]:
 			is_seen = is_seen or is_violet(image.get_pixelv(at + off))
 		flowers += int(is_seen)

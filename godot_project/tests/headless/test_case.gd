@@ -3,7 +3,7 @@
 extends "res://tests/case.gd"
 
 const Case := preload("res://tests/case.gd")
-const FEW_LINES := 800 # characters
+const FEW_LINES := 800  # characters
 
 var judged: Case
 

@@ -74,11 +74,16 @@ func test_numbers_by_index_refuse_what_is_no_index() -> void:
 ## The editor's help and completion name the enum, not an integer.
 func test_hints_name_the_enums() -> void:
 	for entry: Array in [
-			["GrassField", "set_method", &"GrassField.SolverMethod"], ["GrassField", "set_backend", &"GrassField.BackendMode"],
-			["GrassField", "set_sleep_mode", &"GrassField.SleepMode"], ["GrassField", "set_debug_view", &"GrassField.DebugView"],
-			["GrassBrush", "set_tool", &"GrassBrush.Tool"], ["GrassBrush", "set_falloff", &"GrassBrush.FalloffCurve"],
-			["GrassFillRule", "set_mask_channel", &"GrassFillRule.MaskChannel"], ["GrassPatch", "set_param", &"GrassPatch.Param"],
-			["GrassMap", "sample", &"GrassMap.Channel"]]:
+		["GrassField", "set_method", &"GrassField.SolverMethod"],
+		["GrassField", "set_backend", &"GrassField.BackendMode"],
+		["GrassField", "set_sleep_mode", &"GrassField.SleepMode"],
+		["GrassField", "set_debug_view", &"GrassField.DebugView"],
+		["GrassBrush", "set_tool", &"GrassBrush.Tool"],
+		["GrassBrush", "set_falloff", &"GrassBrush.FalloffCurve"],
+		["GrassFillRule", "set_mask_channel", &"GrassFillRule.MaskChannel"],
+		["GrassPatch", "set_param", &"GrassPatch.Param"],
+		["GrassMap", "sample", &"GrassMap.Channel"]
+	]:
 		var methods := ClassDB.class_get_method_list(entry[0], true).filter(func(found: Dictionary) -> bool: return found.name == entry[1])
 		if assert_eq(methods.size(), 1, entry[1]):
 			assert_eq(StringName(methods[0].args[0].class_name), entry[2], entry[1])

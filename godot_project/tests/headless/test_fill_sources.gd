@@ -16,10 +16,10 @@ func test_an_exclusion_node_that_moves_is_followed_where_it_was_and_is() -> void
 	assert_eq(_density(field, -40, 103), 0.0)
 	assert_eq(_density(field, -37, 100), 1.0)
 	assert_eq(field.get_statistics().fill_cells, cells + 2 * CELLS_A_CHUNK)
-	(exclusion.shape as BoxShape3D).size = Vector3(20, 2, 4) # the shape itself
+	(exclusion.shape as BoxShape3D).size = Vector3(20, 2, 4)  # the shape itself
 	await frames(2)
 	assert_eq(_density(field, -40, 108), 0.0)
-	exclusion.position.y = 4.0 # a bridge
+	exclusion.position.y = 4.0  # a bridge
 	await frames(2)
 	assert_eq(_density(field, -40, 100), 1.0)
 	exclusion.position.y = 0.0
@@ -47,7 +47,7 @@ func test_collision_shapes_of_a_group_exclude_with_all_their_kinds() -> void:
 	var floor_plan := ConcavePolygonShape3D.new()
 	floor_plan.set_faces(PackedVector3Array([Vector3(0, 0, 0), Vector3(8, 0, 0), Vector3(0, 0, 8)]))
 	add_shape(house, floor_plan, Transform3D(Basis(), Vector3(-50, -1.5, 0)))
-	add_shape(house, WorldBoundaryShape3D.new()) # ground: no obstacle
+	add_shape(house, WorldBoundaryShape3D.new())  # ground: no obstacle
 	house.add_to_group(&"grass_exclusion")
 	var field := await _add_filled(_rule({exclusion_fade = 0.0}))
 	assert_eq(_density(field, 30, 0), 0.0, "box")
@@ -121,14 +121,14 @@ func test_a_mask_is_read_from_its_texture() -> void:
 	assert_eq(_density(field, 5, 5), 1.0)
 	assert_eq(_density(field, 5, 35), 0.0)
 	var cells: int = field.get_statistics().fill_cells
-	mask.set_image(image) # headless, the engine keeps the old picture: only that it is read again shows
+	mask.set_image(image)  # headless, the engine keeps the old picture: only that it is read again shows
 	await _follow()
 	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
 	image.fill(Color(0, 0, 0, 0.5))
 	rule.mask = ImageTexture.create_from_image(image)
 	await _follow()
 	assert_near(_density(field, 20, 20), 0.5, 0.01)
-	var noise := NoiseTexture2D.new() # without a noise there never is a picture
+	var noise := NoiseTexture2D.new()  # without a noise there never is a picture
 	rule.mask = noise
 	await _follow()
 	assert_eq(_density(field, 20, 20), 0.0)
@@ -139,7 +139,8 @@ func _colored_quad(left: Color, right: Color, size: float) -> ArrayMesh:
 	arrays.resize(Mesh.ARRAY_MAX)
 	var half := size / 2
 	arrays[Mesh.ARRAY_VERTEX] = PackedVector3Array(
-			[Vector3(-half, 0, -half), Vector3(half, 0, -half), Vector3(half, 0, half), Vector3(-half, 0, half)])
+		[Vector3(-half, 0, -half), Vector3(half, 0, -half), Vector3(half, 0, half), Vector3(-half, 0, half)]
+	)
 	arrays[Mesh.ARRAY_COLOR] = PackedColorArray([left, right, right, left])
 	arrays[Mesh.ARRAY_INDEX] = PackedInt32Array([0, 1, 2, 0, 2, 3])
 	var mesh := ArrayMesh.new()
@@ -160,7 +161,7 @@ func test_the_red_of_a_mesh_says_where_grass_grows() -> void:
 	await _follow()
 	assert_eq(_density(field, 15, 0), 0.0)
 	assert_near(_density(field, 115, 0), 0.75, 0.01)
-	var plane := PlaneMesh.new() # without colours: all of it
+	var plane := PlaneMesh.new()  # without colours: all of it
 	plane.size = Vector2(20, 20)
 	ground.mesh = plane
 	await _follow()

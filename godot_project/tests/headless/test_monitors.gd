@@ -112,7 +112,7 @@ func test_monitors_add_up_the_fields() -> void:
 	for what in MONITORS:
 		assert_true(is_finite(monitor(what)), what)
 	assert_eq(monitor("awake_tiles"), 0.0)
-	monitor("simulate") # from now on it is measured
+	monitor("simulate")  # from now on it is measured
 	add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
 	add_held_body(ball(0.4), Vector3(100.25, 0.25, 0.25))
 	await ticks(5)

@@ -167,7 +167,7 @@ func test_settled_blades_are_at_rest_before_they_are_let_go() -> void:
 	assert_greater(farthest(tile_knots(field, TILE), rest), 0.05)
 	body.free()
 	var last := PackedVector3Array()
-	var step := INF # metres in the last tick
+	var step := INF  # metres in the last tick
 	while field.is_tile_awake(TILE):
 		var now := tile_knots(field, TILE)
 		step = farthest(now, last)
@@ -193,7 +193,7 @@ func test_rises_again_after_a_ball_rolled_through() -> void:
 			bent = maxf(bent, farthest_of(field, rest))
 	assert_greater(bent, 0.1)
 	body.free()
-	var way := INF # metres from rest, the last time that a tile was simulated
+	var way := INF  # metres from rest, the last time that a tile was simulated
 	for i in 1200:
 		if field.get_awake_tile_count() == 0:
 			break
