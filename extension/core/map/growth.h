@@ -13,7 +13,7 @@
 
 namespace grass {
 
-static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE);
+static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GRASS_UNCUT));
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
 
 // How far blades follow the ground's slope. 0: they stand upright, as grass does; 1: at a right angle to it, as hair.
