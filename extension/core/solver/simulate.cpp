@@ -101,7 +101,7 @@ void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const 
 		};
 		const Eigen::Vector2f place = texel(0).head<2>();
 		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
-		Clump clump;
+		Clump clump = NO_CLUMP;
 		if (p_growth) {
 			clump.height = growth.x;
 			clump.lean = { growth.y, growth.z };
