@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The layer `docs`: code blocks of the documentation run, commands in it parse, links lead somewhere. Nothing is fetched for it."""
+"""The layer `docs`: code blocks run, commands parse, links lead somewhere, numbers stand once. Nothing is fetched for it."""
 
 import contextlib
 import io
@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, engine, links, machine, paper, paper_page, prose, settle, snippets
+from tools import bench_page, engine, links, machine, one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.testing import Tally, in_engine
 
@@ -152,6 +152,8 @@ def run(only):
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)
+	if only in (name := "docs/numbers stand once"):  # as architecture.md says
+		noted(tally, name, one_text.stated_twice())
 	blocks = snippets.find()
 	if only in (name := "docs/checks"):
 		noted(tally, name, wrong_checks(blocks))

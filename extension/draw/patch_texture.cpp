@@ -35,9 +35,9 @@ Ref<ImageTexture> make_lattice_texture() {
 	texels.reserve(4 * GRASS_LATTICE_CELLS * GRASS_LATTICE_CELLS);
 	for (int y = 0; y < GRASS_LATTICE_CELLS; y++) {
 		for (int x = 0; x < GRASS_LATTICE_CELLS; x++) {
-			const Eigen::Array4f numbers = lattice(x, y);
-			for (int i = 0; i < 4; i++) {
-				texels.push_back(uint8_t(numbers[i] * 255.0f + 0.5f));
+			const glsl::vec4 numbers = glsl::grass_lattice(glsl::ivec2(x, y));
+			for (const float number : { numbers.x, numbers.y, numbers.z, numbers.w }) {
+				texels.push_back(uint8_t(number * 255.0f + 0.5f));
 			}
 		}
 	}

@@ -36,9 +36,7 @@ bool GrassField::find_place(const Vector3 &p_global, Eigen::Vector3d &r_place) {
 }
 
 Growth GrassField::growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
-	Growth here;
-	here.density = 1.0f;
-	return p_layers != nullptr ? p_layers->sample(p_place, _standing.setup.follow_slope) : here;
+	return p_layers != nullptr ? p_layers->sample(p_place, _standing.setup.follow_slope) : glsl::grass_unpainted(1.0f);
 }
 
 GrassKind GrassField::grass_kind() const {

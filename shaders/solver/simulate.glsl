@@ -134,7 +134,9 @@ vec3 rest_of(int p_knot) {
 }
 
 #include "base/vector.inc"
+#include "bodies/constants.inc"
 #include "bodies/collider.inc"
+#include "solver/constants.inc"
 #include "solver/edge.inc"
 
 #include "solver/share.inc"

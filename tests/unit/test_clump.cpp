@@ -14,13 +14,14 @@ using namespace grass;
 TEST_CASE("clump: stays within its range, fills it, and reaches both sides of every effect") {
 	Clump least = clump_at(Eigen::Vector2f(0.0f, 0.0f), {});
 	Clump most = least;
+	Eigen::Vector2f least_lean = from_glsl(least.lean), most_lean = least_lean;
 	for (float x = -60.0f; x < 60.0f; x += 0.37f) {
 		for (float z = -60.0f; z < 60.0f; z += 0.41f) {
 			const Clump here = clump_at(Eigen::Vector2f(x, z), {});
 			least.height = std::min(least.height, here.height);
 			most.height = std::max(most.height, here.height);
-			least.lean = least.lean.cwiseMin(here.lean);
-			most.lean = most.lean.cwiseMax(here.lean);
+			least_lean = least_lean.cwiseMin(from_glsl(here.lean));
+			most_lean = most_lean.cwiseMax(from_glsl(here.lean));
 			least.tint = std::min(least.tint, here.tint);
 			most.tint = std::max(most.tint, here.tint);
 		}
@@ -30,10 +31,10 @@ TEST_CASE("clump: stays within its range, fills it, and reaches both sides of ev
 	CHECK(least.height < 0.65f);
 	CHECK(most.height <= doctest::Approx(CLUMP_TALLEST));
 	CHECK(most.height > 1.25f);
-	CHECK(most.lean.maxCoeff() <= doctest::Approx(lean));
-	CHECK(most.lean.minCoeff() > 0.9f * lean);
-	CHECK(least.lean.minCoeff() >= doctest::Approx(-lean));
-	CHECK(least.lean.maxCoeff() < -0.9f * lean);
+	CHECK(most_lean.maxCoeff() <= doctest::Approx(lean));
+	CHECK(most_lean.minCoeff() > 0.9f * lean);
+	CHECK(least_lean.minCoeff() >= doctest::Approx(-lean));
+	CHECK(least_lean.maxCoeff() < -0.9f * lean);
 	CHECK(least.tint < -0.9f);
 	CHECK(most.tint > 0.9f);
 }
@@ -42,7 +43,7 @@ TEST_CASE("clump: a strength of zero is no effect, bit for bit") {
 	for (float x = -5.0f; x < 5.0f; x += 0.3f) {
 		const Clump here = clump_at(Eigen::Vector2f(x, 2.0f * x), ClumpParams{ 1.6f, 0.0f, 0.0f, 0.0f });
 		CHECK(here.height == 1.0f);
-		CHECK(here.lean.norm() == 0.0f);
+		CHECK(here.lean == glsl::vec2(0.0f));
 		CHECK(here.tint == 0.0f);
 		const Eigen::Vector3f texel(0.1f, 0.2f, x);
 		CHECK(rest_knot(texel, 3, here) == texel);
@@ -79,9 +80,9 @@ TEST_CASE("blade: a root's place counts from the field's centre") {
 }
 
 TEST_CASE("blade: a tilt turns the vertical by twice the angle whose tangent it is, and keeps lengths") {
-	const Eigen::Vector3f up = Eigen::Vector3f::UnitY();
+	const glsl::vec3 up(0.0f, 1.0f, 0.0f);
 	const Eigen::Vector2f lean(0.3f, -0.1f);
-	const Eigen::Vector3f turned = up + tilt_change(up, lean);
+	const Eigen::Vector3f turned = from_glsl(up + glsl::grass_tilt_change(up, to_glsl(lean)));
 	CHECK(turned.norm() == doctest::Approx(1.0).epsilon(1e-6));
 	CHECK(std::acos(turned.y()) == doctest::Approx(2.0 * std::atan(lean.norm())).epsilon(1e-5));
 	CHECK(turned.x() / turned.z() == doctest::Approx(-3.0).epsilon(1e-5));

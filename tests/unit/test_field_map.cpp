@@ -168,36 +168,36 @@ TEST_CASE("growth: the share of blades that stand is the density, and nothing st
 	for (const float density : { 0.0f, 0.25f, 0.5f, 1.0f }) {
 		double standing = 0.0;
 		for (int n = 0; n < 1000; n++) {
-			standing += presence(density, (float(n) + 0.5f) / 1000.0f) > 0.0f ? 1.0 : 0.0;
+			standing += glsl::grass_presence(density, (float(n) + 0.5f) / 1000.0f) > 0.0f ? 1.0 : 0.0;
 		}
 		CHECK(standing / 1000.0 == doctest::Approx(std::min(1.0, density / (1.0 - GRASS_SPROUT))).epsilon(0.01));
-		CHECK(presence(1.0f, 0.999f) == doctest::Approx(1.0f).epsilon(0.01));
+		CHECK(glsl::grass_presence(1.0f, 0.999f) == doctest::Approx(1.0f).epsilon(0.01));
 	}
 }
 
 TEST_CASE("growth: a cut leaves every blade as long as it says, and shorter ones alone [Eq M3]") {
-	Growth here;
+	Growth here = glsl::grass_unpainted(1.0f);
 	here.cut = 0.2f;
-	CHECK(grown(Clump(), here, 0.5f).height * 0.5f == doctest::Approx(0.2));
-	CHECK(grown(Clump(), here, 2.0f).height * 2.0f == doctest::Approx(0.2));
-	CHECK(grown(Clump(), here, 0.1f).height == 1.0f);
+	CHECK(glsl::grass_grown(NO_CLUMP, here, 0.5f).height * 0.5f == doctest::Approx(0.2));
+	CHECK(glsl::grass_grown(NO_CLUMP, here, 2.0f).height * 2.0f == doctest::Approx(0.2));
+	CHECK(glsl::grass_grown(NO_CLUMP, here, 0.1f).height == 1.0f);
 	here.height = 0.25f;
-	CHECK(grown(Clump(), here, 0.5f).height == 0.25f);
+	CHECK(glsl::grass_grown(NO_CLUMP, here, 0.5f).height == 0.25f);
 	here.cut = here.height = 0.0f;
-	CHECK(grown(Clump(), here, 0.5f).height == float(GRASS_STUBBLE)); // a blade of no length has no direction
+	CHECK(glsl::grass_grown(NO_CLUMP, here, 0.5f).height == float(GRASS_STUBBLE)); // a blade of no length has no direction
 }
 
 TEST_CASE("growth: blades follow their share of the slope, no farther than the bound that culling uses [Eq M4]") {
 	const double slope = 30.0 * std::numbers::pi / 180.0;
-	const Eigen::Vector2f normal(float(std::sin(slope)), 0.0f);
-	const auto angle = [&](float p_follow) { return 2.0 * std::atan(double(ground_tilt(normal, p_follow).x())); };
+	const glsl::vec2 normal(float(std::sin(slope)), 0.0f);
+	const auto angle = [&](float p_follow) { return 2.0 * std::atan(double(glsl::grass_ground_tilt(normal, p_follow).x)); };
 	CHECK(angle(0.0f) == 0.0);
 	CHECK(angle(1.0f) == doctest::Approx(slope));
 	CHECK(angle(0.5f) == doctest::Approx(0.5 * slope));
 	for (const float follow : { 0.0f, 0.25f, 1.0f }) {
-		Growth here;
-		here.tilt = ground_tilt({ 0.6f, -0.6f }, follow);
-		const Eigen::Vector3f up = rest_knot(Eigen::Vector3f::UnitY(), 1, grown(Clump(), here, 1.0f));
+		Growth here = glsl::grass_unpainted(1.0f);
+		here.tilt = glsl::grass_ground_tilt(glsl::vec2(0.6f, -0.6f), follow);
+		const Eigen::Vector3f up = rest_knot(Eigen::Vector3f::UnitY(), 1, glsl::grass_grown(NO_CLUMP, here, 1.0f));
 		CHECK((up - Eigen::Vector3f::UnitY()).norm() <= slope_lean(follow) + 1e-6f);
 	}
 }
@@ -326,7 +326,7 @@ TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so aga
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			const FieldBlades::Pose pose = blades.get_pose(50, 30, b);
 			const vec4 &packed = growth.blades[size_t(b)];
-			CHECK(packed == vec4{ pose.clump.height, pose.clump.lean.x(), pose.clump.lean.y(), pose.ground });
+			CHECK(packed == vec4{ pose.clump.height, pose.clump.lean.x, pose.clump.lean.y, pose.ground });
 		}
 		std::vector<uint16_t> row(size_t(GRASS_POOL_BLADES_PER_ROW) * GRASS_KNOTS * 4);
 		tile.pool.pack_row(0, row);

@@ -10,42 +10,6 @@
 #include <random>
 #include <utility>
 
-// shaders/detail/lod.inc and levels.inc as C++, so that the twins can be compared here: just the GLSL that it uses.
-namespace twin {
-
-struct vec3 {
-	float x, y, z;
-};
-struct vec4 {
-	vec3 xyz;
-	float w;
-};
-float dot(vec3 p_a, vec3 p_b) {
-	return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z;
-}
-vec3 abs(vec3 p_a) {
-	return { std::abs(p_a.x), std::abs(p_a.y), std::abs(p_a.z) };
-}
-float clamp(double p_value, double p_min, double p_max) {
-	return float(std::clamp(p_value, p_min, p_max));
-}
-float min(double p_a, double p_b) {
-	return float(std::min(p_a, p_b));
-}
-float max(double p_a, double p_b) {
-	return float(std::max(p_a, p_b));
-}
-float sqrt(double p_value) {
-	return float(std::sqrt(p_value));
-}
-
-using uint = unsigned;
-
-#include "detail/levels.inc"
-#include "detail/lod.inc"
-
-} // namespace twin
-
 using namespace grass;
 
 namespace {
@@ -249,51 +213,11 @@ TEST_CASE("lod: finely drawn tiles rank before all of one segment, whose blades 
 		for (const uint32_t turn : { 0u, 31u, 63u }) {
 			REQUIRE((grass_lod_rank(level, turn) < GRASS_TURNS) == is_fine);
 			REQUIRE(grass_lod_rank(level, turn) % GRASS_TURNS == turn);
-			REQUIRE(twin::grass_lod_rank(level, turn) == grass_lod_rank(level, turn));
 		}
 	}
 	CHECK(grass_lod_left_out(GRASS_RANKS) == 0.0f);
 	CHECK(grass_lod_left_out(GRASS_TURNS + 48) == 0.25f);
 	CHECK(grass_lod_left_out(GRASS_TURNS + 1) == 0.75f); // four times as wide at most
-	for (uint32_t ranks = 0; ranks <= GRASS_RANKS; ranks++) {
-		REQUIRE(twin::grass_lod_left_out(ranks) == grass_lod_left_out(ranks));
-	}
-}
-
-TEST_CASE("lod: the shaders' twin gives the same") {
-	std::mt19937 random(4);
-	std::uniform_real_distribution<float> place(-60.0f, 60.0f), distance_of(0.0f, 150.0f);
-	const Frustum frustum = make_frustum({ 3.0f, 1.7f, 4.0f }, 0.05f, 60.0f);
-	twin::vec4 planes[6];
-	for (size_t i = 0; i < 6; i++) {
-		planes[i] = { { frustum[i].x(), frustum[i].y(), frustum[i].z() }, frustum[i].w() };
-	}
-	int differing = 0, seen = 0, seen_by_shadow = 0;
-	for (int i = 0; i < 20000; i++) {
-		const Eigen::Vector3f centre(place(random), 0.5f, place(random)), fall(0.2f * place(random), -1.0f, 0.2f * place(random));
-		const float distance = distance_of(random), margin = distance * 0.02f, hash = distance / 150.0f;
-		const float blades = std::min(grass_lod_blades(distance, 0.05f, 100.0f), grass_lod_blades_of_width(0.015f, 0.002f * distance));
-		const float needed = grass_lod_needed(0.5f, 0.002f * distance), shown = grass_lod_shown(blades, hash);
-		const int segments = grass_lod_segments(needed);
-		const float differences[] = { grass_lod_blades(distance, 0.05f, 100.0f) - twin::grass_lod_blades(distance, 0.05f, 100.0f),
-			grass_lod_blades_of_width(0.015f, 0.002f * distance) - twin::grass_lod_blades_of_width(0.015f, 0.002f * distance),
-			needed - twin::grass_lod_needed(0.5f, 0.002f * distance), shown - twin::grass_lod_shown(blades, hash),
-			grass_lod_morph(needed, segments) - twin::grass_lod_morph(needed, segments) };
-		for (const float difference : differences) {
-			differing += std::abs(difference) < 1e-4f ? 0 : 1;
-		}
-		differing += segments == twin::grass_lod_segments(needed) ? 0 : 1;
-		const int level = grass_lod_level(shown, segments, 0, GRASS_LOD_LEVELS);
-		differing += level == twin::grass_lod_level(shown, segments, 0, GRASS_LOD_LEVELS) ? 0 : 1;
-		const twin::vec3 twin_centre = { centre.x(), centre.y(), centre.z() }, twin_half = { TILE.x(), TILE.y(), TILE.z() };
-		const twin::vec3 twin_fall = { fall.x(), fall.y(), fall.z() };
-		const bool visible = grass_tile_visible(frustum, centre, TILE, margin, fall);
-		differing += visible == twin::grass_tile_visible(planes, twin_centre, twin_half, margin, twin_fall) ? 0 : 1;
-		seen += grass_tile_visible(frustum, centre, TILE, margin, NO_FALL) ? 1 : 0;
-		seen_by_shadow += visible ? 1 : 0;
-	}
-	CHECK(differing == 0);
-	CHECK(seen_by_shadow > seen);
 }
 
 TEST_CASE("lod: no tile whose shadow falls into the view is left out") {

@@ -14,7 +14,14 @@ using namespace grass;
 
 namespace {
 
-const Eigen::Array4f MIDDLE = Eigen::Array4f::Constant(0.5f);
+const glsl::vec4 MIDDLE(0.5f);
+
+// A wind with the default gusts.
+struct WindParams {
+	Eigen::Vector2f velocity = Eigen::Vector2f::Zero(); // along x, z; m/s
+	float gust_size = float(GUST_SIZE.initial); // metres
+	float gust_strength = float(GUST_STRENGTH.initial);
+};
 
 WindParams blowing(float p_x, float p_z) {
 	WindParams wind;
@@ -26,6 +33,17 @@ WindClock clock_at(double p_time, const WindParams &p_wind) {
 	WindClock clock;
 	clock.advance(p_time, p_wind.velocity.norm(), p_wind.gust_size);
 	return clock;
+}
+
+glsl::vec2 wrapped(const WindClock &p_clock) {
+	return { float(p_clock.sway), float(p_clock.roll) };
+}
+float gust_at(const Eigen::Vector2f &p_place, const WindClock &p_clock, const WindParams &p_wind) {
+	return glsl::grass_gust_at(to_glsl(p_place), wrapped(p_clock), to_glsl(p_wind.velocity), p_wind.gust_size);
+}
+glsl::GrassWind wind_at(const Eigen::Vector2f &p_place, float p_along, const WindClock &p_clock, const WindParams &p_wind) {
+	return glsl::grass_wind_at(to_glsl(p_place), p_along, MIDDLE, wrapped(p_clock), to_glsl(p_wind.velocity),
+			glsl::vec2(p_wind.gust_size, p_wind.gust_strength));
 }
 
 std::vector<Eigen::Vector3f> blade_of(const Patch &p_patch, int p_blade) {
@@ -43,8 +61,9 @@ std::vector<Eigen::Vector3f> bend(const std::vector<Eigen::Vector3f> &p_knots, c
 	for (size_t k = 0; k < p_knots.size(); k++) {
 		const size_t below = std::min(k, p_knots.size() - 2);
 		const Eigen::Vector3f reach = (p_knots[below + 1] - p_knots[below]) * std::max(float(k), 0.01f);
-		const Wind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, MIDDLE, clock_at(p_time, p_wind), p_wind);
-		bent[k] = wind_point(p_knots[k], reach, here.tilt * wind_hold(p_knots[k], reach));
+		const glsl::GrassWind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, clock_at(p_time, p_wind), p_wind);
+		const glsl::vec3 knot = to_glsl(p_knots[k]), along = to_glsl(reach);
+		bent[k] = from_glsl(glsl::grass_wind_point(knot, along, here.tilt * glsl::grass_wind_hold(knot, along)));
 	}
 	return bent;
 }
@@ -65,7 +84,7 @@ TEST_CASE("wind: none leaves every knot where it is, bit for bit") {
 		const std::vector<Eigen::Vector3f> knots = blade_of(patch, blade);
 		CHECK(bend(knots, blowing(0.0f, 0.0f), 12.3f) == knots);
 	}
-	CHECK(wind_at({ 3.0f, 4.0f }, 1.0f, MIDDLE, clock_at(1.0, blowing(0.0f, 0.0f)), blowing(0.0f, 0.0f)).gust == 0.0f);
+	CHECK(wind_at({ 3.0f, 4.0f }, 1.0f, clock_at(1.0, blowing(0.0f, 0.0f)), blowing(0.0f, 0.0f)).gust == 0.0f);
 }
 
 TEST_CASE("wind: keeps the root still and the blade as long as it is") {
@@ -145,9 +164,9 @@ TEST_CASE("wind: is smooth in time") {
 	const WindParams wind = blowing(6.0f, 1.0f);
 	double fastest = 0.0;
 	for (float time = 0.0f; time < 30.0f; time += 1.0f / 60.0f) {
-		const Eigen::Vector2f before = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, clock_at(time, wind), wind).tilt;
-		const Eigen::Vector2f after = wind_at({ 5.0f, 5.0f }, 1.0f, MIDDLE, clock_at(time + 1.0f / 60.0f, wind), wind).tilt;
-		fastest = std::max(fastest, double((after - before).norm()));
+		const glsl::vec2 before = wind_at({ 5.0f, 5.0f }, 1.0f, clock_at(time, wind), wind).tilt;
+		const glsl::vec2 after = wind_at({ 5.0f, 5.0f }, 1.0f, clock_at(time + 1.0f / 60.0f, wind), wind).tilt;
+		fastest = std::max(fastest, double(glsl::length(after - before)));
 	}
 	CHECK(fastest < 0.08);
 	CHECK(fastest > 0.001);
@@ -160,8 +179,8 @@ TEST_CASE("wind: the clock turns over without a jerk, and stays small for days")
 		for (const double part : { 0.0, 0.3, 0.7 }) {
 			const WindClock here{ part, part };
 			const WindClock next{ part + GRASS_WIND_SWAY_PERIOD, part + GRASS_WIND_ROLL_PERIOD };
-			const Wind a = wind_at(place, 1.0f, MIDDLE, here, wind), b = wind_at(place, 1.0f, MIDDLE, next, wind);
-			CHECK((a.tilt - b.tilt).norm() < 2e-3f); // single precision of an argument of 5,888 cells
+			const glsl::GrassWind a = wind_at(place, 1.0f, here, wind), b = wind_at(place, 1.0f, next, wind);
+			CHECK(glsl::length(a.tilt - b.tilt) < 2e-3f); // single precision of an argument of 5,888 cells
 			CHECK(std::abs(a.gust - b.gust) < 5e-3f);
 		}
 	}

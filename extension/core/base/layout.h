@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C++ meaning of the shader records: what shaders/shared declares, in namespace grass, laid out as std430
+// The C++ meaning of the shader records: what shaders/base declares, in namespace grass, laid out as std430
 // lays it out. Knows neither Godot nor Eigen, so that anything may include it.
 #pragma once
 

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "core/base/lanes.h"
+#include "core/base/layout.h"
 
 namespace grass {
 
-// Below this a squared length (square metres) counts as none, and a fixed direction takes the place of a quotient.
-inline constexpr float TINY_SQUARED = 1e-24f;
+inline constexpr float TINY_SQUARED = float(GRASS_TINY_SQUARED);
 
 template <class T> struct Vec3 { T x{}, y{}, z{}; };
 

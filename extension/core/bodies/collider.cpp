@@ -18,14 +18,6 @@ float total(const vec4 &p_a) {
 	return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w);
 }
 
-// Of a radius: an edge this long with both knots on the surface cuts l^2 / 8r, within 2 %.
-constexpr float BLUNT = 0.5f;
-
-// How many times farther away than the nearest face a box can be: at its corners.
-constexpr float SHORTFALL = 1.7321f;
-// For rounding.
-constexpr float BOX_MARGIN = 1.0001f;
-
 // Radius of a sphere about the shape's centre, half extents of a box in its own axes, the least thickness, and the longest edge that
 // knots stand for.
 void measure(int p_shape, const Vec3<float> &p_size, float &r_bound, Vec3<float> &r_box, float &r_thin, float &r_blunt) {
@@ -70,7 +62,6 @@ float least_plane(const TileCollider &p_collider) {
 } // namespace
 
 bool is_sharp(const GrassCollider &p_collider, float p_segment) {
-	constexpr float STRETCH = 1.1f;
 	float bound = 0.0f, thin = 0.0f, blunt = 0.0f;
 	Vec3<float> box;
 	measure(p_collider.anchor.z, xyz(p_collider.size), bound, box, thin, blunt);

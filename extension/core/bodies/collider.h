@@ -12,13 +12,9 @@
 
 namespace grass {
 
-// How often a path is followed by the distance to the surface, and how near to it (share of the bounding radius) counts as met.
-inline constexpr int TRACE_STEPS = 8;
-inline constexpr float TRACE_NEAR = 1e-3f;
-// Nearer than this the search ends.
-inline constexpr float TRACE_END = 1e-5f;
-// Metres by which a face that leads into the ground counts as farther away.
-inline constexpr float BLOCKED = 1e6f;
+#define GRASS_CONSTANT inline constexpr
+#include "bodies/constants.inc"
+#undef GRASS_CONSTANT
 
 // A plane n.x = d that the shape lies behind, and how far in front of it a point is (metres, negative inside).
 template <class T> struct Face {

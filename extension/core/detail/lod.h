@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Level of detail and visibility of a tile (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/detail/lod.inc
-// and levels.inc.
+// Level of detail and visibility of a tile (Fan et al. 2015, sections 3.1 and 5.1): shaders/detail/lod.inc and levels.inc
+// as C++, and what a tile needs by them.
 #pragma once
 
-#include "core/base/layout.h"
+#include "core/base/glsl.h"
 #include "core/base/tunable.h"
-
-#include <Eigen/Core>
 
 #include <array>
 
 namespace grass {
+
+namespace glsl {
+#define GRASS_FUNCTION inline
+#define GRASS_CONSTANT inline constexpr
+#include "detail/levels.inc"
+#include "detail/lod.inc"
+#undef GRASS_CONSTANT
+#undef GRASS_FUNCTION
+} // namespace glsl
+using glsl::grass_lod_blades, glsl::grass_lod_blades_of_width, glsl::grass_lod_coarser, glsl::grass_lod_left_out, glsl::grass_lod_level,
+		glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_segments, glsl::grass_lod_shown;
 
 // From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
@@ -60,19 +69,7 @@ struct LodLevel {
 // Level i of GRASS_ALL_LEVELS.
 LodLevel get_lod_level(int p_level);
 
-// The twins; see lod.inc and levels.inc.
-float grass_lod_blades(float p_distance, float p_near, float p_far); // [Eq L1]
-float grass_lod_blades_of_width(float p_width, float p_least); // [Eq L2]
-float grass_lod_shown(float p_blades, float p_hash); // [Eq L3]
-float grass_lod_needed(float p_length, float p_error); // [Eq L4]
-int grass_lod_segments(float p_needed);
-int grass_lod_coarser(int p_segments);
-float grass_lod_morph(float p_needed, int p_segments); // [Eq L5]
-int grass_lod_level(float p_blades, int p_segments, int p_first, int p_end);
-uint32_t grass_lod_rank(int p_level, uint32_t p_turn);
-float grass_lod_left_out(uint32_t p_ranks); // [Eq L6]
-
-// How many ranks, from the first on, have room for all of their tiles. p_tiles: of each rank. Twin of fit() in cull.glsl.
+// How many ranks, from the first on, have room for all of their tiles, as fit() in room.inc counts them. p_tiles: of each rank.
 uint32_t grass_lod_ranks(const std::array<uint32_t, GRASS_RANKS> &p_tiles, uint32_t p_room);
 
 // Six planes: normal.xyz, d; inside: normal . x <= d. The normals look out of the view, as Godot's do.

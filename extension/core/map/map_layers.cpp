@@ -250,8 +250,7 @@ int MapLayers::get_species(int p_texel_x, int p_texel_z) const {
 }
 
 Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {
-	Growth here;
-	here.density = _base_density;
+	Growth here = glsl::grass_unpainted(_base_density);
 	const Eigen::Array2f chunk = (p_place.array() / float(MAP_CHUNK_SIZE)).floor();
 	if (!chunk.allFinite() || (chunk.abs() > float(PaintMap::REACH)).any()) {
 		return here;
@@ -270,7 +269,7 @@ Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {
 	here.wear = fine.blend(texels.growth, 4, 3) / 255.0f;
 	const auto form = [&](size_t p_component) { return (coarse.blend(texels.form, 4, p_component) - 128.0f) / 127.0f; };
 	here.lean = { form(0), form(1) };
-	here.tilt = ground_tilt({ form(2), form(3) }, p_follow);
+	here.tilt = glsl::grass_ground_tilt(glsl::vec2(form(2), form(3)), p_follow);
 	here.ground = coarse.blend(texels.ground, 1, 0);
 	return here;
 }

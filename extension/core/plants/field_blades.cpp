@@ -29,7 +29,7 @@ FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade)
 	if (_map) {
 		const Growth here = _map->get_layers().sample(place, _map->get_follow());
 		const float length = get_texel(pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
-		pose.clump = grown(pose.clump, here, length);
+		pose.clump = glsl::grass_grown(pose.clump, here, length);
 		pose.ground = here.ground;
 		pose.density = here.density;
 	}
@@ -45,7 +45,7 @@ SlotGrowth FieldBlades::grow(const GrassSlot &p_slot) const {
 	growth.slot = p_slot.tile.w;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 		const Pose pose = get_pose(p_slot.tile.x, p_slot.tile.y, b);
-		growth.blades[size_t(b)] = { pose.clump.height, pose.clump.lean.x(), pose.clump.lean.y(), pose.ground };
+		growth.blades[size_t(b)] = { pose.clump.height, pose.clump.lean.x, pose.clump.lean.y, pose.ground };
 		growth.species[size_t(b)] = uint8_t(pose.species);
 	}
 	return growth;

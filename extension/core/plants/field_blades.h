@@ -21,7 +21,7 @@ public:
 		int blade = 0; // in the patch, below the blades of the species before
 		int species = 0;
 		Eigen::Vector2f root = Eigen::Vector2f::Zero(); // place in the tile, 0..1
-		Clump clump;
+		Clump clump = NO_CLUMP;
 		float ground = 0.0f; // metres above the field
 		float density = 1.0f;
 	};

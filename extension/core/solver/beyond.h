@@ -8,19 +8,6 @@
 
 namespace grass {
 
-// Added to what a joint's spring and a knot's inertia resist with, to make contact stiffer than both.
-inline constexpr float CONTACT_OVER_INERTIA = 300.0f;
-inline constexpr float CONTACT_OVER_BENDING = 16.0f;
-// So many times harder at the first free segment: there a blade that is held down bends with all of its length on the shortest lever.
-inline constexpr float CONTACT_AT_ROOT = 8.0f;
-// How much more a knot that sticks is held along the surface than across it: what it gives is creep.
-inline constexpr float FRICTION_OVER_CONTACT = 300.0f;
-// Depth in skins from which on a touch is a hit, which bends the blade without caution.
-inline constexpr float HIT = 4.0f;
-// Depth of contact that a solve can take back, segment lengths: a linear model of more crumples the blade. What is deeper is
-// a blow, and what blows cannot take back is left to finish().
-inline constexpr float MOST_DEPTH = 0.5f;
-
 // What one solve found of the surfaces.
 template <class T> struct Contacts {
 	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched

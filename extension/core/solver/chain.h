@@ -7,9 +7,6 @@
 
 namespace grass {
 
-// Of one joint, radians. More, after a violent hit, would be a knot that does not untie.
-inline constexpr float MOST_TWIST = 1.0f;
-
 // p_bending: EI / (density area length^4), 1/s^2.
 template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
 	const T mean = p_blade.reach * T(1.0f / float(GRASS_SEGMENTS));

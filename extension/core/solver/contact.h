@@ -8,17 +8,6 @@
 
 namespace grass {
 
-// Contacts of knots below this one do not bend the whole blade: on so short a lever they would fling it. finish() turns
-// their own segments.
-inline constexpr int FIRST_BENDING_KNOT = 5;
-
-// What one surface turns may run into another: so often all of them are asked. In a wedge colliders have the last word, and
-// the ground a knot at most its gap deeper.
-inline constexpr int PUSH_ROUNDS = 8;
-
-// What of a segment must lie across a normal to tell a side, segment lengths.
-inline constexpr float LEAST_SIDE = 1e-6f;
-
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestContact {
 	Contact<T> contact{ {}, T(0.0f) };

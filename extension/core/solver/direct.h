@@ -9,29 +9,6 @@
 
 namespace grass {
 
-// [Eq 22] Both stages of the two-stage method take this share of the step: 1 - 1 / sqrt(2) is of second order and forgets
-// fast swings.
-inline constexpr float STAGE_SHARE = 0.29289322f;
-
-// Rounds of blows in one step, at most.
-inline constexpr int BLOWS = 3;
-// Resistance of the joints of a blade near something.
-inline constexpr float CAUTION = 4.0f;
-
-// [Eq 36] What touches something and is slower than this, blade lengths a second, loses its speed at this rate, 1/s,
-inline constexpr float RUB_BELOW = 0.6f;
-inline constexpr float RUB = 30.0f;
-// and sticks where a step would not move it farther than this, blade lengths, nor than this share of how far a step moves a blade from
-// lying flat.
-inline constexpr float STICK = 2e-4f;
-inline constexpr float STICK_FORCE = 0.02f;
-// Among colliders that stand still it is held where it is slower than this, blade lengths a second, and friction could take back what
-// forces do in the step, up to this share of how far a step moves a blade from lying flat. A point at the surface is one skin deep; this
-// deep, skins, it is inside and has to come out.
-inline constexpr float HOLD_BELOW = 0.3f;
-inline constexpr float HOLD_FORCE = 0.09f;
-inline constexpr float INSIDE = 1.01f;
-
 // A blade's places and speeds at the start of the step.
 template <class T> struct Start {
 	Vec3<T> place[GRASS_KNOTS]; // metres

@@ -4,15 +4,9 @@
 #pragma once
 
 #include "core/bodies/collider.h"
+#include "core/solver/constants.h"
 
 namespace grass {
-
-// Rounds in which the deepest point of an edge is closed in on.
-inline constexpr int EDGE_ROUNDS = 4;
-// Nearer to its ends than this, shares of the edge, the knots stand for it.
-inline constexpr float EDGE_END = 1e-3f;
-// Faces whose mixture is shorter than this face away from each other: what the edge pierces between them its knots stand for, too.
-inline constexpr float EDGE_FLAT = 1e-3f;
 
 // The deepest point of an edge, and the face there.
 template <class T> struct Edge {

@@ -7,15 +7,6 @@
 
 namespace grass {
 
-// Cosine of the angle between two segments of a blade that is bent no more than a quick solve can take: 37 degrees.
-inline constexpr float LEAST_COSINE = 0.8f;
-// How much longer or shorter than the mean a segment may be, shares of it.
-inline constexpr float MOST_UNEVEN = 0.01f;
-// [Eq 41] How much of the twist that is found a solve takes: bending follows from the same moments, and both together would go too far.
-inline constexpr float SPIN_SHARE = 0.6f;
-// [Eq 42] The most that a solve may go beyond what a straight blade would: from 4 / 3 on, fast modes would swing up.
-inline constexpr float MOST_STRIDE = 1.3f;
-
 // Whether a first guess is one that a quick solve can take: no knot near the ground, all segments alike, none bent sharply against the
 // next.
 template <class T> GRASS_INLINE auto is_simple(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain) {

@@ -4,18 +4,9 @@
 #pragma once
 
 #include "core/bodies/collider.h"
+#include "core/solver/constants.h"
 
 namespace grass {
-
-// How far, in blade lengths from the root, knots are looked after before their lengths are put right.
-inline constexpr float REACH_MARGIN = 1.5f;
-
-// A blade with a knot faster than a swing of its own from lying flat would be: METHOD_DIRECT takes it with more damping.
-// Frequency (radians per second) over the root of EI / (density area length^4), for a uniform cantilever.
-inline constexpr float WILD = 3.516f;
-
-// Sine of the angle between a face and an edge from which on the edge, if it leads inwards, counts and not the knot.
-inline constexpr float STEEP = 0.35f;
 
 // A blade in blade space (metres, origin at the root).
 template <class T> struct Blade {
@@ -114,11 +105,6 @@ template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 		r_blade.reach = r_blade.reach + r_blade.lengths[k];
 	}
 }
-
-// From here on, 1 + the cosine of the angle between them, two directions count as opposite (2.6 degrees); the way from there,
-// shares of the lever, is what it would be at this angle.
-inline constexpr float OPPOSITE = 1e-3f;
-inline constexpr float WAY_ASIDE = 0.045f;
 
 // [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
 // about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.

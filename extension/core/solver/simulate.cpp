@@ -3,6 +3,7 @@
 
 #include "core/base/half.h"
 #include "core/blades/blade.h"
+#include "core/solver/constants.h"
 #include "core/solver/tile_state.h"
 
 #include <algorithm>
@@ -25,9 +26,6 @@ float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p
 			return step_lanes(r_state, p_steps, p_blend, p_colliders);
 	}
 }
-
-// [Eq M6] What a blade's length changes by less, as a share, finish() brings into line.
-constexpr float LEAST_GROWTH = 1e-4f;
 
 Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	Eigen::Vector3f knot;
@@ -103,7 +101,7 @@ void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const 
 		};
 		const Eigen::Vector2f place = texel(0).head<2>();
 		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
-		Clump clump;
+		Clump clump = NO_CLUMP;
 		if (p_growth) {
 			clump.height = growth.x;
 			clump.lean = { growth.y, growth.z };

@@ -19,10 +19,6 @@ template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T
 	}
 }
 
-// Farthest that the knots of a blade may be from the root, all together, blade lengths: the fastest blade under the greatest load,
-// before its lengths are put right. Rounding of anything farther would spoil the lengths.
-inline constexpr float MOST_AWAY = 1000.0f;
-
 // Puts a blade with a number that is not finite, or that is absurdly large, to rest. Such a number survives every stage.
 template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/solver/solver_params.h"
 
+#include "core/solver/constants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,6 +33,7 @@ struct Oscillator {
 constexpr double MOST_TURN = 2.5;
 // Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
 constexpr double FIRST_MODE = 3.5160152685;
+static_assert(WILD > FIRST_MODE - 1e-3 && WILD < FIRST_MODE + 1e-3);
 // Of the first mode in a step, radians: below it one solve is enough.
 constexpr double ONE_SOLVE_TURN = 0.2;
 // And from this on a quick one is, too: what it leaves is less than what so long a step errs by.

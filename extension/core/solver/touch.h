@@ -7,12 +7,6 @@
 
 namespace grass {
 
-// Knots nearer than this to a surface feel it, segment lengths: so a blade that is held stands in its surface's skin,
-// with a force, and not to and fro across the surface.
-inline constexpr float SKIN = 0.12f;
-// Of the ground: without, a blade that a body holds down creeps aside below it.
-inline constexpr float GROUND_FRICTION = 1.0f;
-
 // A knot at a surface.
 template <class T> struct Touch {
 	Vec3<T> normal{}; // of the surface, blade space
