@@ -2,7 +2,6 @@
 #include "backend/cpu_backend.h"
 
 #include "convert.h"
-#include "core/base/hash.h"
 #include "draw/blade_mesh.h"
 
 #include <godot_cpp/classes/image.hpp>
@@ -11,8 +10,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <numeric>
 
 using namespace godot;
 
@@ -25,7 +22,6 @@ constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
 // room for twice what is awake is kept. Less: memory comes and goes with every body that passes.
 constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
-constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH = 15; // among an instance's floats
 
 int rows_for(int p_highest_slot) {
 	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
@@ -132,130 +128,25 @@ void CpuBackend::draw(const FieldView &p_view) {
 }
 
 void CpuBackend::choose_tiles(const FieldView &p_view) {
-	for (std::vector<float> &instances : _instances) {
-		instances.clear();
-	}
-	for (int z = 0; z < _setup.grid.get_tiles_z(); z++) {
-		for (int x = 0; x < _setup.grid.get_tiles_x(); x++) {
-			choose_tile(p_view, x, z);
-		}
-	}
-	_statistics.left_out_tiles = { leave_out(0, GRASS_LOD_LEVELS, uint32_t(_setup.instance_capacity())),
-		leave_out(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, uint32_t(_setup.shadow_capacity())) };
-	_statistics.drawn_blades = _statistics.shadow_blades = 0;
-	for (size_t level = 0; level < GRASS_ALL_LEVELS; level++) {
-		int64_t &blades = level < GRASS_LOD_LEVELS ? _statistics.drawn_blades : _statistics.shadow_blades;
-		for (size_t at = 0; at < _instances[level].size(); at += GRASS_INSTANCE_FLOATS) {
-			blades += int64_t(std::ceil(_instances[level][at + INSTANCE_BLADES]));
-		}
-		FieldInstance &instance = _levels[level];
-		const int count = int(_instances[level].size()) / GRASS_INSTANCE_FLOATS;
+	_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) {
+		const auto found = _slot_of_tile.find(p_tile);
+		return found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
+	});
+	_statistics.left_out_tiles = _cull.get_left_out();
+	_statistics.drawn_blades = _cull.get_blades()[0];
+	_statistics.shadow_blades = _cull.get_blades()[1];
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		FieldInstance &instance = _levels[size_t(level)];
+		const int count = _cull.get_count(level);
 		if (count > instance.capacity()) {
 			instance.reserve(int(std::bit_ceil(unsigned(count))));
 		}
 		PackedFloat32Array buffer;
 		buffer.resize(int64_t(instance.capacity()) * GRASS_INSTANCE_FLOATS);
-		std::copy_n(_instances[level].begin(), size_t(count) * GRASS_INSTANCE_FLOATS, buffer.ptrw());
+		std::ranges::copy(_cull.get_instances(level), buffer.ptrw());
 		instance.set_instances(buffer, count);
-		_statistics.drawn_tiles[level] = count;
+		_statistics.drawn_tiles[size_t(level)] = count;
 	}
-}
-
-namespace {
-
-// The CPU's twins of casts_into() and choose() in shaders/detail/cull.glsl.
-bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
-	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
-	return grass_tile_visible(p_camera.planes, p_middle, p_half, p_view.shadow_margin, none) ||
-			std::any_of(p_view.falls.begin(), p_view.falls.end(),
-					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
-}
-
-} // namespace
-
-void CpuBackend::choose_tile(const FieldView &p_view, int p_x, int p_z) {
-	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::Tile{ 0.0f, 0.0f };
-	if (ground.is_bare()) {
-		return;
-	}
-	const float side = 0.5f * float(_setup.grid.get_tile_size()) + _setup.blade_reach();
-	const float half_height = 0.5f * (_setup.blade_height() + ground.high - ground.low);
-	const Eigen::Vector3f half(side, half_height, side);
-	const Eigen::Vector3f middle = _setup.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f);
-	const BladeSize size = _setup.blade_size();
-	LodNeed seen, casting;
-	for (const ViewCamera &camera : p_view.cameras) {
-		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
-		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all alike
-		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
-			seen.add(p_view.lod, size, lod_distance, camera.near, pixel);
-		}
-		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
-			casting.add(p_view.lod, size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
-		}
-	}
-	add_tile(p_x, p_z, seen, 0, GRASS_LOD_LEVELS);
-	add_tile(p_x, p_z, casting, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
-}
-
-void CpuBackend::add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end) {
-	if (p_need.blades <= 0.0f) {
-		return;
-	}
-	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
-	const float hash = grass_tile_hash(x, z, _setup.seed);
-	const float blades = grass_lod_shown(p_need.blades, hash);
-	const int segments = std::min(grass_lod_segments(p_need.segments), get_lod_level(p_first).segments);
-	const int level = grass_lod_level(blades, segments, p_first, p_end);
-	const Eigen::Vector3f centre = _setup.grid.get_centre(p_x, p_z).cast<float>();
-	const auto found = _slot_of_tile.find(_setup.grid.get_index(p_x, p_z));
-	const int slot = found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
-	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
-	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
-	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
-		0.0f, 1.0f, 0.0f, centre.y(), //
-		0.0f, 0.0f, 1.0f, centre.z(), //
-		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
-		float(grass_tile_start(x, z, _setup.seed) / GRASS_START_STRIDE), float(low), hash, float(high) };
-	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
-}
-
-int64_t CpuBackend::leave_out(int p_first, int p_end, uint32_t p_room) {
-	const auto levels = std::span(_instances).subspan(size_t(p_first), size_t(p_end - p_first));
-	const auto tiles = [&] {
-		return std::accumulate(levels.begin(), levels.end(), int64_t(0),
-				[](int64_t p_sum, const std::vector<float> &p_level) { return p_sum + int64_t(p_level.size()) / GRASS_INSTANCE_FLOATS; });
-	};
-	const int64_t chosen = tiles();
-	if (chosen <= int64_t(p_room)) {
-		return 0;
-	}
-	const auto rank_of = [&](int p_level, const float *p_tile) {
-		return grass_lod_rank(p_level, grass_tile_turn(uint32_t(p_tile[INSTANCE_TILE]), uint32_t(p_tile[INSTANCE_TILE + 1]), _setup.seed));
-	};
-	std::array<uint32_t, GRASS_RANKS> counts{};
-	for (int level = p_first; level < p_end; level++) {
-		const std::vector<float> &instances = _instances[size_t(level)];
-		for (size_t at = 0; at < instances.size(); at += GRASS_INSTANCE_FLOATS) {
-			counts[rank_of(level, &instances[at])]++;
-		}
-	}
-	const uint32_t ranks = grass_lod_ranks(counts, p_room);
-	for (int level = p_first; level < p_end; level++) {
-		std::vector<float> &instances = _instances[size_t(level)];
-		size_t end = 0;
-		for (size_t at = 0; at < instances.size(); at += GRASS_INSTANCE_FLOATS) {
-			if (rank_of(level, &instances[at]) < ranks) {
-				std::copy_n(instances.begin() + ptrdiff_t(at), GRASS_INSTANCE_FLOATS, instances.begin() + ptrdiff_t(end));
-				if (get_lod_level(level).segments == 1) {
-					instances[end + INSTANCE_MORPH] = grass_lod_left_out(ranks);
-				}
-				end += GRASS_INSTANCE_FLOATS;
-			}
-		}
-		instances.resize(end);
-	}
-	return chosen - tiles();
 }
 
 void CpuBackend::update_pool_texture() {
@@ -333,10 +224,9 @@ int64_t CpuBackend::get_memory_usage() const {
 	for (const FieldInstance &level : _levels) {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
-	for (const std::vector<float> &instances : _instances) {
-		bytes += int64_t(instances.capacity() * sizeof(float));
-	}
-	return bytes + int64_t(_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _changed_slots.get_memory_usage());
+	return bytes +
+			int64_t(_cull.get_memory_usage() + _slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) +
+					_changed_slots.get_memory_usage());
 }
 
 } // namespace grass

@@ -5,6 +5,7 @@
 
 #include "backend/backend.h"
 #include "backend/parallel.h"
+#include "core/detail/cull.h"
 #include "core/solver/simulate.h"
 #include "core/tiles/slot_set.h"
 #include "draw/blade_materials.h"
@@ -40,11 +41,6 @@ public:
 
 private:
 	void choose_tiles(const FieldView &p_view);
-	void choose_tile(const FieldView &p_view, int p_x, int p_z);
-	// Adds the tile to one of the levels in [p_first, p_end).
-	void add_tile(int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end);
-	// Of the tiles of the levels in [p_first, p_end), takes those away that a MultiMesh with p_room has no room for: how many.
-	int64_t leave_out(int p_first, int p_end, uint32_t p_room);
 	void update_pool_texture();
 
 	FieldSetup _setup;
@@ -66,7 +62,7 @@ private:
 	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); looks in a row that found much too much memory
 	std::vector<uint16_t> _pool_texels;
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
-	std::array<std::vector<float>, GRASS_ALL_LEVELS> _instances;
+	TileCull _cull;
 };
 
 } // namespace grass

@@ -2,7 +2,7 @@
 // What both backends draw from: the patch as a texture, and how far a field's blades reach.
 #pragma once
 
-#include "backend/backend.h"
+#include "core/field/field_setup.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/image_texture.hpp>

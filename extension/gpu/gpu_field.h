@@ -3,7 +3,9 @@
 // called there (gpu_backend.h posts them through RenderQueue).
 #pragma once
 
-#include "backend/backend.h"
+#include "core/field/backend_statistics.h"
+#include "core/field/field_setup.h"
+#include "core/solver/slot_passes.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
@@ -23,8 +25,7 @@ struct StepRecords {
 	std::vector<SlotGrowth> growth;
 	std::vector<GrassStep> species;
 	GrassStep step;
-	int sharp_slots; // with GRASS_SLOT_EDGES
-	int free_slots = 0; // with GRASS_SLOT_FREE, which is set here
+	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
 
 	explicit StepRecords(const StepInput &p_input);

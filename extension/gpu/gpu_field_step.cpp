@@ -12,15 +12,10 @@ using namespace godot;
 
 namespace grass {
 
-StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step), sharp_slots(p_input.sharp_slots) {
+StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
 	CpuClock clock;
 	slots.assign(p_input.slots.begin(), p_input.slots.end());
-	for (GrassSlot &slot : slots) {
-		if (slot.list.z == 0 && !(slot.list.w & (GRASS_SLOT_RETIRED | GRASS_SLOT_EDGES))) {
-			slot.list.w |= GRASS_SLOT_FREE;
-			free_slots++;
-		}
-	}
+	passes = choose_passes(p_input, slots);
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
@@ -67,10 +62,10 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	}
 	int64_t uploaded = 0;
 	const uint32_t slots = uint32_t(p_records.slots.size()); // each is one of the passes'; the others leave it at once
-	const uint32_t sharp = p_records.sharp_slots > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.sharp_slots) : 0;
-	const uint32_t free = p_records.free_slots > 0 && _simulate_free.is_ready() ? uint32_t(p_records.free_slots) : 0;
-	const uint32_t sharp_left = p_records.sharp_slots > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
-	const uint32_t free_left = p_records.free_slots > 0 && free == 0 ? GRASS_SLOT_FREE : 0;
+	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;
+	const uint32_t free = p_records.passes.free > 0 && _simulate_free.is_ready() ? uint32_t(p_records.passes.free) : 0;
+	const uint32_t sharp_left = p_records.passes.edges > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
+	const uint32_t free_left = p_records.passes.free > 0 && free == 0 ? GRASS_SLOT_FREE : 0;
 	uploaded += upload_slots(p_records, sharp_left | free_left);
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));

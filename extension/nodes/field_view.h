@@ -2,7 +2,7 @@
 // Through which cameras, and in which light, a field is seen in this frame.
 #pragma once
 
-#include "backend/backend.h"
+#include "core/detail/view.h"
 
 #include <Eigen/Geometry>
 

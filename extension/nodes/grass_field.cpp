@@ -154,7 +154,7 @@ void GrassField::step(double p_delta) {
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
-	input.sharp_slots = _tiles.get_statistics().sharp_tiles;
+	input.sharp = _tiles.get_sharp();
 	input.colliders = _tiles.get_colliders();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/shown_map.h"
 
-#include "backend/backend.h"
+#include "core/field/field_setup.h"
 
 using namespace godot;
 

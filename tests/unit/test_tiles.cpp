@@ -205,7 +205,7 @@ TEST_CASE("tiles: another grid or seed puts all to rest, other parameters do not
 	CHECK(manager.get_slots()[0].tile == ivec4{ 1, 1, 7, 0 });
 }
 
-TEST_CASE("tiles: those with a collider that is sharp beside a segment say so, even if others of it are not") {
+TEST_CASE("tiles: colliders in use say whether they are sharp beside a segment") {
 	TileManager manager = make_manager();
 	TileParams params = manager.get_params();
 	params.segment = 0.04;
@@ -214,15 +214,14 @@ TEST_CASE("tiles: those with a collider that is sharp beside a segment say so, e
 	box.type = GRASS_BOX;
 	box.size = Eigen::Vector3d::Constant(0.1);
 	std::vector<ColliderShape> colliders{ box, make_ball(manager, 3, 5), make_ball(manager, 7, 7) };
+	const auto sharp = [&] { return std::vector<uint8_t>(manager.get_sharp().begin(), manager.get_sharp().end()); };
 	REQUIRE(step(manager, colliders) == 2);
-	CHECK((flags_of(manager.get_slots()[0]) & GRASS_SLOT_EDGES) != 0);
-	CHECK((flags_of(manager.get_slots()[1]) & GRASS_SLOT_EDGES) == 0);
-	CHECK(manager.get_statistics().sharp_tiles == 1);
+	CHECK(sharp() == std::vector<uint8_t>{ 1, 0, 0 });
 	colliders[0].now.position.y() = colliders[0].before.position.y() = 50.0;
 	step(manager, colliders);
-	CHECK(manager.get_statistics().sharp_tiles == 0);
+	CHECK(sharp() == std::vector<uint8_t>{ 0, 0 });
 	params.segment = 0.2; // a ball is as sharp as that is long
 	manager.set_params(params);
 	step(manager, colliders);
-	CHECK(manager.get_statistics().sharp_tiles == 2);
+	CHECK(sharp() == std::vector<uint8_t>{ 1, 1 });
 }

@@ -50,7 +50,7 @@ TEST_CASE("tiles: one whose objects have stood still for long is left as it is, 
 	CHECK(scene.steps_until_still() == STEPS);
 	CHECK(scene.manager.get_colliders().empty());
 	CHECK(scene.manager.get_collider_list().empty());
-	CHECK(scene.manager.get_statistics().sharp_tiles == 0);
+	CHECK(scene.manager.get_sharp().empty());
 	CHECK(!scene.is_simulated());
 	CHECK(scene.manager.get_statistics().still_steps == 2);
 	CHECK(scene.manager.get_statistics().unseen_steps == 0);

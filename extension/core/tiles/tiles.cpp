@@ -58,7 +58,7 @@ void TileManager::reset() {
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_free.reset(_params.pool_size, true);
-	for (SlotSet *set : { &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+	for (SlotSet *set : { &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen }) {
 		set->reset(_params.pool_size, false);
 	}
 	_slot_of_tile.reserve(_params.pool_size);
@@ -157,14 +157,14 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	size_t sets = 0;
-	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen, &_sharp }) {
+	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen }) {
 		sets += set->get_memory_usage();
 	}
 	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
 			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) +
 			bytes(_has_met) + bytes(_touches) + bytes(_met) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
 			_place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) +
-			bytes(_collider_list) + bytes(_planes);
+			bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
 }
 
 } // namespace grass

@@ -65,7 +65,6 @@ struct TileStatistics {
 	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
 	int colliders = 0; // now: that touch an awake tile
 	int list_entries = 0; // now: sum over the simulated tiles of their objects
-	int sharp_tiles = 0; // now: simulated tiles with GRASS_SLOT_EDGES
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
 	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
@@ -114,6 +113,7 @@ public:
 	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
 	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders; }
+	std::span<const uint8_t> get_sharp() const { return _sharp; } // of the colliders, see is_sharp()
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
 	std::span<const Eigen::Vector4f> get_planes() const { return _planes; }
 	const TileStatistics &get_statistics() const { return _statistics; }
@@ -240,8 +240,8 @@ private:
 	std::vector<Life> _lives;
 	std::vector<uint32_t> _entries; // of this step: objects; then where in the collider list the next of them is written
 	SlotSet _free, _used, _settling;
-	// Of this step: touched by an object, by one that moves, comes or has left, by none; awake since; not simulated; with sharp objects.
-	SlotSet _touched, _stirred, _left, _fresh, _unseen, _sharp;
+	// Of this step: touched by an object, by one that moves, comes or has left, by none; awake since; not simulated.
+	SlotSet _touched, _stirred, _left, _fresh, _unseen;
 	std::vector<uint64_t> _signatures, _signatures_before; // by slot: which objects stand where in its tile, in this step and the last one
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
@@ -265,6 +265,7 @@ private:
 	std::vector<GrassSlot> _records; // room for all there can be
 	size_t _record_count = 0;
 	std::vector<GrassCollider> _colliders;
+	std::vector<uint8_t> _sharp; // of the colliders, see is_sharp()
 	std::vector<uint32_t> _collider_list;
 	std::vector<Eigen::Vector4f> _planes;
 	TileStatistics _statistics;

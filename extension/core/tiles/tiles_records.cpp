@@ -16,17 +16,14 @@ void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 	std::fill(_entries.begin(), _entries.end(), 0);
 	size_t kept = 0;
 	uint32_t last = std::numeric_limits<uint32_t>::max();
-	bool last_is_sharp = false;
 	for (const Touch &touch : _touches) { // rising by collider
 		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
 		if (slot != SlotSet::NONE && !_unseen.has(slot)) {
 			if (touch.collider != last) {
 				last = touch.collider;
 				pack_collider(p_colliders[last]);
-				last_is_sharp = is_sharp(_colliders.back(), float(_params.segment));
 			}
 			_entries[size_t(slot)]++;
-			_sharp.insert_if(slot, last_is_sharp);
 			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
 		}
 	}
@@ -36,6 +33,7 @@ void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
 
 void TileManager::pack_collider(const ColliderShape &p_collider) {
 	_colliders.push_back(p_collider.pack(_grid, int(_planes.size())));
+	_sharp.push_back(is_sharp(_colliders.back(), float(_params.segment)));
 	if (p_collider.type == GRASS_HULL) {
 		_planes.insert(_planes.end(), p_collider.planes.begin(), p_collider.planes.end());
 	}
@@ -51,8 +49,7 @@ void TileManager::write_records() {
 		const Place &place = _places[size_t(slot)];
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
-		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) |
-				(_sharp.has(slot) ? GRASS_SLOT_EDGES : 0) | mapped;
+		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped;
 		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags }, { blend_of(slot), 0.0f, 0.0f, 0.0f } };
 		entries += count;
 	}
@@ -60,7 +57,6 @@ void TileManager::write_records() {
 	_statistics.awake = _used.count();
 	_statistics.simulated = _left.count();
 	_statistics.settling = _settling.count();
-	_statistics.sharp_tiles = _sharp.count();
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
 	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated - _statistics.still);
 	_statistics.still_steps += uint64_t(_statistics.still);

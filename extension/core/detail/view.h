@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// From where a field is seen, and how finely it is drawn.
+#pragma once
+
+#include "core/detail/lod.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace grass {
+
+// A camera that sees the field. Field space, metres.
+struct ViewCamera {
+	Frustum planes = {}; // n.x <= d inside
+	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
+	float near = 0.05f; // distance of its near plane
+	float pixel = 0.0f, pixel_slope = 0.0f; // metres in a pixel at a distance: pixel + pixel_slope * distance
+
+	float pixel_at(float p_distance) const { return pixel + pixel_slope * p_distance; }
+	bool operator==(const ViewCamera &) const = default;
+};
+
+// From where, and how finely, the field is drawn in a frame. Field space, metres.
+struct FieldView {
+	std::vector<ViewCamera> cameras; // all whose picture this frame shows
+	LodParams lod;
+	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
+	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
+	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
+
+	bool operator==(const FieldView &) const = default;
+};
+
+} // namespace grass

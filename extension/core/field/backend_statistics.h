@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/layout.h"
+
+#include <array>
+#include <cstdint>
+
+namespace grass {
+
+// What a backend did; counts since it was made, unless said otherwise.
+struct BackendStatistics {
+	int64_t steps = 0; // simulation dispatches (GPU) or passes over the awake tiles (CPU)
+	int64_t simulated_blades = 0; // blades stepped
+	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
+	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
+	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
+						   // free tiles by whole solves; after a change of method all by the one before
+	int64_t uploaded_bytes = 0; // GPU: travelled to the device
+	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
+	int64_t culls = 0; // culling passes
+	int64_t instance_updates = 0; // times that the renderer was told anything of the node: place, world, visibility, layers
+	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
+	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
+	int64_t drawn_blades = 0, shadow_blades = 0;
+	std::array<int64_t, 2> left_out_tiles{}; // that had no room in the MultiMeshes of picture and shadows
+	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
+	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
+};
+
+} // namespace grass

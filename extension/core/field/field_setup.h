@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What a field is made of, for whoever simulates and draws it.
+#pragma once
+
+#include "core/base/tile_grid.h"
+#include "core/blades/clump.h"
+#include "core/blades/patch.h"
+#include "core/detail/cull.h"
+#include "core/map/growth.h"
+#include "core/plants/species.h"
+#include "core/solver/solver_params.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <memory>
+
+namespace grass {
+
+struct FieldSetup {
+	TileGrid grid;
+	std::shared_ptr<const Patch> patch;
+	ClumpParams clump;
+	int pool_tiles = 0; // tiles that may be awake at once
+	int drawn_tiles_max = int(DRAWN_TILES_MAX.initial);
+	uint32_t seed = 0;
+	bool is_mapped = false; // a map says what grows where
+	float follow_slope = 0.0f; // FOLLOW_SLOPE
+	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
+
+	Method method = Method::DIRECT; // that it begins with
+
+	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
+
+	// Whether the meshes of the one fit the other, as long as the MultiMeshes are large enough.
+	bool has_meshes_of(const FieldSetup &p_other) const {
+		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
+	}
+	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
+	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
+	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach; the latter two with its card.
+	// Metres.
+	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
+	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	// Of the mean blade.
+	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
+	CullField cull_field() const {
+		return { grid, blade_reach(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
+	}
+
+private:
+	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
+	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
+	// that tangent, on both axes.
+	float blade_lean() const {
+		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
+	}
+};
+
+} // namespace grass
