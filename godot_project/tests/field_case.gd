@@ -41,7 +41,8 @@ static func warm_up(to: Node) -> Dictionary:
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
 		if field.get_statistics().compiling > 2: # besides the passes of tiles without colliders and of those with edges, which come last
-			first_field = { ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size() }
+			var now := field.get_statistics()
+			first_field = {ticks = ticks, steps = now.steps, awake = field.get_awake_tile_count(), entered = entered.size()}
 	first_field.steps_after = field.get_statistics().steps
 	field.species = [GrassSpecies.new()]
 	deadline = Time.get_ticks_msec() + PATIENCE * 1000
@@ -65,7 +66,8 @@ func made(field: GrassField, makings: int) -> void:
 ## Frames until the field is what its properties and its map say.
 func grown(field: GrassField) -> void:
 	await frames(1)
-	await wait_until(func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0, "the field is grown")
+	var is_grown := func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0
+	await wait_until(is_grown, "the field is grown")
 
 
 ## `body` in the tree at `place` with `shape`, or with nothing where that is null.
@@ -158,7 +160,8 @@ func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i,
 	return knots
 
 
-## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not finite.
+## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not
+## finite.
 func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	if a.size() != b.size() or a.is_empty():
 		return INF

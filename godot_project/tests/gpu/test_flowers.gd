@@ -81,7 +81,8 @@ func test_flowers_bend_with_their_blades() -> void:
 	var violet := make(1.0, Color(0.3, 0.6, 0.2), {card_width = 0.12, card_height = 0.12, length_min = 0.6, length_max = 0.8})
 	violet.card = flower(Color(0.7, 0.1, 0.7))
 	var field := add_seen_field({
-		species = [violet], density = 16.0, ground = false, lod_far = 1000.0, pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0})
+		species = [violet], density = 16.0, ground = false, lod_far = 1000.0, pixels_min = 0.0,
+		sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0})
 	var calls := await draw_calls()
 	look(Vector3(0, 5, 3), Vector3.ZERO)
 	await drawn()
@@ -122,7 +123,8 @@ func test_flowers_bend_with_their_blades() -> void:
 func draw_calls() -> int:
 	await drawn()
 	return RenderingServer.viewport_get_render_info(
-		viewport.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
+		viewport.get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE,
+		RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
 
 
 func _tips(field: GrassField) -> PackedVector3Array:

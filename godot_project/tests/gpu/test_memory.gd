@@ -2,7 +2,8 @@
 ## The renderer's memory: what a field takes, and that all of it comes back.
 extends "res://tests/view_case.gd"
 
-const MEMORY: Array[Performance.Monitor] = [Performance.RENDER_VIDEO_MEM_USED, Performance.RENDER_TEXTURE_MEM_USED, Performance.RENDER_BUFFER_MEM_USED]
+const MEMORY: Array[Performance.Monitor] = [
+	Performance.RENDER_VIDEO_MEM_USED, Performance.RENDER_TEXTURE_MEM_USED, Performance.RENDER_BUFFER_MEM_USED]
 
 
 func used() -> Array[float]:
@@ -45,7 +46,8 @@ func test_a_field_takes_what_it_says_and_gives_it_back() -> void:
 	await frames(5)
 	var taken := used()[0] - without[0]
 	var told := field.get_memory_usage()
-	print("    a field of %d blades: %.1f MiB by itself, %.1f MiB by the renderer" % [field.get_blade_count(), told / 1048576.0, taken / 1048576.0])
+	print("    a field of %d blades: %.1f MiB by itself, %.1f MiB by the renderer" % [
+			field.get_blade_count(), told / 1048576.0, taken / 1048576.0])
 	assert_near(told, taken, 0.25 * taken)
 	field.free()
 	await frames(8)

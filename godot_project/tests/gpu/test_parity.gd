@@ -81,7 +81,8 @@ func test_squashed_blades_rise_to_the_same_place() -> void: # which way one unfo
 		await ticks(10)
 		most = maxf(most, difference(tiles))
 	var off := difference(tiles)
-	print("    parity after squashing: %s of a blade's length on the way, then %s" % [String.num_scientific(most), String.num_scientific(off)])
+	print("    parity after squashing: %s of a blade's length on the way, then %s" % [
+			String.num_scientific(most), String.num_scientific(off)])
 	assert_less(off, MANY_STEPS)
 
 
@@ -94,7 +95,8 @@ func test_fields_that_changed_while_they_stood() -> void:
 	reed.natural_frequency = 1.0
 	var map := full_map()
 	map.stroke(brush(GrassBrush.TOOL_CUT, 0.6, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
-	for change: Dictionary in [{pool_tiles = 64}, {map = map}, {species = [GrassSpecies.new(), reed]}, {pool_tiles = 900}, {map = null}, {species = []}]:
+	for change: Dictionary in [
+			{pool_tiles = 64}, {map = map}, {species = [GrassSpecies.new(), reed]}, {pool_tiles = 900}, {map = null}, {species = []}]:
 		var property: String = change.keys()[0]
 		for field: GrassField in [gpu, cpu]:
 			field.set(property, change[property])

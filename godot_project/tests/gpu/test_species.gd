@@ -5,9 +5,11 @@ extends "res://tests/species_case.gd"
 
 ## Short, wide, upright blades of three colours, far from each other and without clumps, from above.
 func add_markers(properties := {}) -> GrassField:
-	var shape := {length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0}
+	var shape := {
+		length_min = 0.06, length_max = 0.06, width_min = 0.2, width_max = 0.2, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 3.0}
 	var field := add_seen_field({
-		size = Vector2(16, 16), density = 1.0, species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
+		size = Vector2(16, 16), density = 1.0,
+		species = [make(0.4, Color.RED, shape), make(0.3, Color.GREEN, shape), make(0.3, Color.BLUE, shape)],
 		clump_tint = 0.0, clump_height = 0.0, clump_lean = 0.0, ground = false, root_shade = 0.0, pixels_min = 4.0, lod_far = 1000.0,
 	}.merged(properties, true))
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
@@ -90,7 +92,8 @@ func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 		width_max = 0.03, stand_size = 4.0, stand_strength = 0.9})
 	var daisy := make(0.06, Color.WHITE, {
 		root_color = Color(0.15, 0.25, 0.08), tip_color = Color(0.4, 0.5, 0.2), length_min = 0.5, length_max = 0.65, width_max = 0.006,
-		width_min = 0.004, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 1.5, stand_strength = 0.5, card_width = 0.045, card_height = 0.045})
+		width_min = 0.004, weight_drooping = 0.0, weight_wavy = 0.0, stand_size = 1.5, stand_strength = 0.5, card_width = 0.045,
+		card_height = 0.045})
 	daisy.card = daisy_card()
 	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge, daisy]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))

@@ -41,7 +41,8 @@ func test_nothing_moves_when_a_tile_goes_to_sleep() -> void:
 		var step := 0.0
 		for i in HAND_OVER:
 			step = maxf(step, farthest(poses[-1 - i], poses[-2 - i]))
-		print("    method %d: asleep after %d ticks; the last %d of them moved blades by %.3f mm, one by %.3f mm" % [method, poses.size(), HAND_OVER, 1e3 * way, 1e3 * step])
+		print("    method %d: asleep after %d ticks; the last %d of them moved blades by %.3f mm, one by %.3f mm" % [
+				method, poses.size(), HAND_OVER, 1e3 * way, 1e3 * step])
 		assert_less(way, UNSEEN)
 		assert_less(step, UNSEEN)
 		field.free()

@@ -158,7 +158,8 @@ func test_waking_without_contact_moves_nothing() -> void:
 
 
 func test_settled_blades_are_at_rest_before_they_are_let_go() -> void:
-	var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.1, settle_time = 0.5}) # so that there is a long way to settle
+	# So that there is a long way to settle.
+	var field := add_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.1, settle_time = 0.5})
 	await ticks(2)
 	var rest := tile_knots(field, TILE)
 	var body := add_held_body(ball(0.2), PLACE)
