@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/device.h"
 
-#include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>
-#include <godot_cpp/classes/rd_shader_spirv.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -38,27 +35,20 @@ void GpuBuffer::clear() {
 	_uploaded = PackedByteArray();
 }
 
-int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {
-	if (_rid.is_valid() && p_bytes == 0) {
+int64_t GpuBuffer::upload_bytes(std::span<const std::byte> p_bytes) {
+	const int64_t bytes = int64_t(p_bytes.size());
+	if (_rid.is_valid() && bytes == 0) {
 		return 0;
 	}
-	if (!_rid.is_valid() || p_bytes > _size) {
-		allocate(int64_t(std::bit_ceil(uint64_t(std::max<int64_t>(p_bytes, 256)))));
+	if (!_rid.is_valid() || bytes > _size) {
+		allocate(int64_t(std::bit_ceil(uint64_t(std::max<int64_t>(bytes, 256)))));
 	}
-	if (p_bytes == 0 || (p_bytes == _uploaded.size() && std::memcmp(_uploaded.ptr(), p_data, size_t(p_bytes)) == 0)) {
+	if (bytes == 0 || (bytes == _uploaded.size() && std::memcmp(_uploaded.ptr(), p_bytes.data(), p_bytes.size()) == 0)) {
 		return 0;
 	}
-	_uploaded.resize(p_bytes);
-	std::memcpy(_uploaded.ptrw(), p_data, size_t(p_bytes));
-	main_device()->buffer_update(_rid, 0, uint32_t(p_bytes), _uploaded);
-	return p_bytes;
-}
-
-int64_t GpuBuffer::write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes) {
-	PackedByteArray data;
-	data.resize(p_bytes);
-	std::memcpy(data.ptrw(), p_data, size_t(p_bytes));
-	return write(p_offset, data);
+	copy_bytes(p_bytes, _uploaded);
+	main_device()->buffer_update(_rid, 0, uint32_t(bytes), _uploaded);
+	return bytes;
 }
 
 int64_t GpuBuffer::write(int64_t p_offset, const PackedByteArray &p_bytes) {
@@ -78,126 +68,19 @@ void GpuBuffer::free() {
 	_uploaded = PackedByteArray();
 }
 
-std::map<std::pair<const uint32_t *, int>, GpuPass::Pipeline> GpuPass::_pipelines;
-std::atomic<int> GpuPass::_compiling = 0;
-int64_t GpuPass::_task = -1;
-std::mutex GpuPass::_mutex;
-std::condition_variable GpuPass::_is_done;
-std::deque<GpuPass::Pipeline *> GpuPass::_waiting;
-bool GpuPass::_is_working = false;
-
-// Whoever calls it has made its state COMPILING.
-void GpuPass::compile(Pipeline &r_pipeline) {
-	PackedByteArray code;
-	code.resize(int64_t(r_pipeline.code.spirv.size_bytes()));
-	std::memcpy(code.ptrw(), r_pipeline.code.spirv.data(), r_pipeline.code.spirv.size_bytes());
-	Ref<RDShaderSPIRV> spirv;
-	spirv.instantiate();
-	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, code);
-	RenderingDevice *device = main_device();
-	Ref<RDPipelineSpecializationConstant> constant;
-	constant.instantiate();
-	constant->set_constant_id(0);
-	constant->set_value(r_pipeline.code.constant);
-	TypedArray<Ref<RDPipelineSpecializationConstant>> constants;
-	constants.push_back(constant);
-	r_pipeline.shader = device->shader_create_from_spirv(spirv, r_pipeline.code.name);
-	if (r_pipeline.shader.is_valid()) {
-		r_pipeline.pipeline = device->compute_pipeline_create(r_pipeline.shader, constants);
-	}
-	if (!r_pipeline.pipeline.is_valid()) {
-		ERR_PRINT(vformat(
-				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.code.name));
-	}
-	std::lock_guard lock(_mutex);
-	r_pipeline.state = State::DONE;
-	_compiling--;
-	_is_done.notify_all();
-}
-
-void GpuPass::compile_waiting(void *) {
-	std::unique_lock lock(_mutex);
-	while (!_waiting.empty()) {
-		Pipeline &pipeline = *_waiting.front();
-		_waiting.pop_front();
-		pipeline.state = State::COMPILING;
-		lock.unlock();
-		compile(pipeline);
-		lock.lock();
-	}
-	_is_working = false;
-}
-
-bool GpuPass::is_compiled(Pipeline &r_pipeline, bool p_wait) {
-	std::unique_lock lock(_mutex);
-	if (p_wait && r_pipeline.state == State::WAITING) {
-		std::erase(_waiting, &r_pipeline);
-		r_pipeline.state = State::COMPILING;
-		lock.unlock();
-		compile(r_pipeline);
-		return true;
-	}
-	_is_done.wait(lock, [&] { return !p_wait || r_pipeline.state == State::DONE; });
-	return r_pipeline.state == State::DONE;
-}
-
-// Asks a worker thread for it if nobody has yet.
-GpuPass::Pipeline &GpuPass::find(const Code &p_code) {
-	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.constant }];
-	if (known.code.name != nullptr) {
-		return known;
-	}
-	known.code = p_code;
-	_compiling++;
-	std::unique_lock lock(_mutex);
-	_waiting.push_back(&known);
-	if (!_is_working) {
-		_is_working = true;
-		lock.unlock();
-		WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
-		if (_task >= 0) {
-			pool->wait_for_task_completion(_task); // it has done its work
-		}
-		_task = pool->add_native_task(&GpuPass::compile_waiting, nullptr, true, "GrassField's compute passes");
-	}
-	return known;
-}
-
-void GpuPass::create(const Code &p_code, Compile p_when) {
+void GpuPass::create(const Pipelines::Code &p_code, Compile p_when) {
 	free();
-	_source = &find(p_code);
+	_source = &Pipelines::get().find(p_code);
 	if (p_when == Compile::NOW) {
-		is_compiled(*_source, true);
+		Pipelines::get().is_compiled(*_source, true);
 	}
-}
-
-bool GpuPass::prepare(const Code &p_code) {
-	return is_compiled(find(p_code), false);
 }
 
 bool GpuPass::is_ready() {
-	if (!_pipeline.is_valid() && _source != nullptr && is_compiled(*_source, false)) {
+	if (!_pipeline.is_valid() && _source != nullptr && Pipelines::get().is_compiled(*_source, false)) {
 		_pipeline = _source->pipeline;
 	}
 	return _pipeline.is_valid();
-}
-
-void GpuPass::free_pipelines() {
-	{
-		std::lock_guard lock(_mutex);
-		_compiling -= int(_waiting.size());
-		_waiting.clear();
-	}
-	if (_task >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(_task);
-		_task = -1;
-	}
-	for (auto &[code, known] : _pipelines) {
-		if (known.shader.is_valid()) { // takes the pipeline with it
-			main_device()->free_rid(known.shader);
-		}
-	}
-	_pipelines.clear();
 }
 
 void GpuPass::bind(int p_binding, const Binding &p_to) {

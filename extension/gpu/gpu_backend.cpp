@@ -167,7 +167,7 @@ Method GpuBackend::choose_method(Method p_wanted) {
 }
 
 bool GpuBackend::is_complete() const {
-	return GpuPass::compiling() == 0;
+	return Pipelines::get().compiling() == 0;
 }
 
 void GpuBackend::step(const StepInput &p_input) {
@@ -218,7 +218,7 @@ BackendStatistics GpuBackend::get_statistics() {
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
 	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates();
-	statistics.compiling = GpuPass::compiling();
+	statistics.compiling = Pipelines::get().compiling();
 	return statistics;
 }
 

@@ -22,20 +22,20 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-static_assert(GRASS_CONSTANT_METHOD == 0); // the one that GpuPass::Code::constant sets
-const GpuPass::Code CULL = { shader::CULL_SPIRV, "GrassField cull" };
+static_assert(GRASS_CONSTANT_METHOD == 0); // the one that Pipelines::Code::constant sets
+const Pipelines::Code CULL = { shader::CULL_SPIRV, "GrassField cull" };
 
-GpuPass::Code simulate_code(const PassKind &p_kind) {
+Pipelines::Code simulate_code(const PassKind &p_kind) {
 	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_SPIRV) : shader::SIMULATE_SPIRV,
 		"GrassField simulate", int(p_kind.method) };
 }
 
-GpuPass::Code edges_code(const PassKind &p_kind) {
+Pipelines::Code edges_code(const PassKind &p_kind) {
 	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV) : shader::SIMULATE_GRASS_EDGES_SPIRV,
 		"GrassField simulate edges", int(p_kind.method) };
 }
 
-GpuPass::Code free_code(const PassKind &p_kind) {
+Pipelines::Code free_code(const PassKind &p_kind) {
 	return { p_kind.species ? std::span<const uint32_t>(shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV) : shader::SIMULATE_GRASS_FREE_SPIRV,
 		"GrassField simulate free", int(p_kind.method) };
 }
@@ -57,8 +57,8 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 }
 
 void GpuField::begin_passes(const PassKind &p_kind) {
-	GpuPass::prepare(CULL);
-	GpuPass::prepare(simulate_code(p_kind));
+	Pipelines::get().find(CULL);
+	Pipelines::get().find(simulate_code(p_kind));
 }
 
 void GpuField::look_for_passes() {
@@ -68,9 +68,12 @@ void GpuField::look_for_passes() {
 }
 
 void GpuField::prepare(const PassKind &p_kind) {
-	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind)), has_free = GpuPass::prepare(free_code(p_kind)),
-			   has_edges = GpuPass::prepare(edges_code(p_kind));
-	const bool is_complete = can_simulate && has_free && has_edges && !GpuPass::is_refused(simulate_code(p_kind));
+	const auto is_compiled = [](const Pipelines::Code &p_code) {
+		return Pipelines::get().is_compiled(Pipelines::get().find(p_code), false);
+	};
+	const bool can_simulate = is_compiled(simulate_code(p_kind)), has_free = is_compiled(free_code(p_kind)),
+			   has_edges = is_compiled(edges_code(p_kind));
+	const bool is_complete = can_simulate && has_free && has_edges && Pipelines::get().find(simulate_code(p_kind)).pipeline.is_valid();
 	std::lock_guard lock(_report->mutex);
 	_report->prepared[p_kind.index()] = { can_simulate, is_complete };
 }

@@ -25,7 +25,7 @@ RenderQueue *RenderQueue::get_singleton() {
 void RenderQueue::free_singleton() {
 	if (_singleton != nullptr) {
 		if (main_device() != nullptr) {
-			_singleton->post(&GpuPass::free_pipelines);
+			_singleton->post([] { Pipelines::get().free(); });
 			RenderingServer::get_singleton()->force_sync();
 		}
 		memdelete(_singleton);
