@@ -7,18 +7,24 @@
 namespace grass {
 
 namespace {
+
 // From the first piece of work in a frame on no other one begins later. More: frames stutter. Less: changes take longer to show.
 constexpr uint64_t SHARE = 4000; // microseconds
+
+// The frame of the process, and when its first work began.
+struct {
+	uint64_t frame = UINT64_MAX;
+	uint64_t begin = 0; // microseconds
+} current;
+
 } // namespace
 
 bool FrameShare::has_time() {
-	static uint64_t frame = UINT64_MAX, begin = 0;
 	const uint64_t now = godot::Time::get_singleton()->get_ticks_usec();
-	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); frame != this_frame) {
-		frame = this_frame;
-		begin = now;
+	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); current.frame != this_frame) {
+		current = { this_frame, now };
 	}
-	return now - begin < SHARE;
+	return now - current.begin < SHARE;
 }
 
 } // namespace grass

@@ -2,6 +2,8 @@
 // The plugin's life, and what it does to whole fields. Mouse and keys: grass_editor_input.cpp.
 #include "editor/grass_editor_plugin.h"
 
+#include "editor/fill_action.h"
+
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
@@ -12,6 +14,7 @@ using namespace godot;
 namespace grass {
 
 void GrassEditorPlugin::_enter_tree() {
+	set_editor_hooks();
 	_toolbar = memnew(BrushToolbar);
 	_toolbar->set_name("GrassBrushToolbar");
 	_toolbar->hide();
@@ -25,6 +28,7 @@ void GrassEditorPlugin::_enter_tree() {
 }
 
 void GrassEditorPlugin::_exit_tree() {
+	clear_editor_hooks();
 	put_down();
 	_watch.forget();
 	_ring.free();

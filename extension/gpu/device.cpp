@@ -35,23 +35,20 @@ void GpuBuffer::clear() {
 	_uploaded = PackedByteArray();
 }
 
-int64_t GpuBuffer::upload_bytes(const uint8_t *p_data, int64_t p_bytes) {
-	if (_rid.is_valid() && p_bytes == 0) {
+int64_t GpuBuffer::upload_bytes(std::span<const std::byte> p_bytes) {
+	const int64_t bytes = int64_t(p_bytes.size());
+	if (_rid.is_valid() && bytes == 0) {
 		return 0;
 	}
-	if (!_rid.is_valid() || p_bytes > _size) {
-		allocate(int64_t(std::bit_ceil(uint64_t(std::max<int64_t>(p_bytes, 256)))));
+	if (!_rid.is_valid() || bytes > _size) {
+		allocate(int64_t(std::bit_ceil(uint64_t(std::max<int64_t>(bytes, 256)))));
 	}
-	if (p_bytes == 0 || (p_bytes == _uploaded.size() && std::memcmp(_uploaded.ptr(), p_data, size_t(p_bytes)) == 0)) {
+	if (bytes == 0 || (bytes == _uploaded.size() && std::memcmp(_uploaded.ptr(), p_bytes.data(), p_bytes.size()) == 0)) {
 		return 0;
 	}
-	copy_bytes(std::span(p_data, size_t(p_bytes)), _uploaded);
-	main_device()->buffer_update(_rid, 0, uint32_t(p_bytes), _uploaded);
-	return p_bytes;
-}
-
-int64_t GpuBuffer::write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes) {
-	return write(p_offset, to_bytes(std::span(p_data, size_t(p_bytes))));
+	copy_bytes(p_bytes, _uploaded);
+	main_device()->buffer_update(_rid, 0, uint32_t(bytes), _uploaded);
+	return bytes;
 }
 
 int64_t GpuBuffer::write(int64_t p_offset, const PackedByteArray &p_bytes) {

@@ -11,6 +11,7 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,11 +20,6 @@ namespace grass {
 
 // The device that the engine draws with; null in Compatibility and headless.
 godot::RenderingDevice *main_device();
-
-// A record as the bytes of a push constant.
-template <typename T> godot::PackedByteArray record_bytes(const T &p_record) {
-	return to_bytes(std::span(&p_record, 1));
-}
 
 // A storage buffer that grows with what is uploaded, and skips an upload of what it already holds.
 class GpuBuffer {
@@ -36,13 +32,9 @@ public:
 	void resize(int64_t p_bytes);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
-	template <typename T> int64_t upload(std::span<const T> p_records) {
-		return upload_bytes(reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
-	}
+	template <typename T> int64_t upload(std::span<const T> p_records) { return upload_bytes(std::as_bytes(p_records)); }
 	// Writes records at p_offset bytes into what was allocated. Returns the bytes that travelled.
-	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) {
-		return write_bytes(p_offset, reinterpret_cast<const uint8_t *>(p_records.data()), int64_t(p_records.size_bytes()));
-	}
+	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) { return write(p_offset, to_bytes(p_records)); }
 	int64_t write(int64_t p_offset, const godot::PackedByteArray &p_bytes);
 	void free();
 
@@ -50,8 +42,7 @@ public:
 	int64_t size() const { return _size; }
 
 private:
-	int64_t upload_bytes(const uint8_t *p_data, int64_t p_bytes);
-	int64_t write_bytes(int64_t p_offset, const uint8_t *p_data, int64_t p_bytes);
+	int64_t upload_bytes(std::span<const std::byte> p_bytes);
 
 	godot::RID _rid;
 	int64_t _size = 0; // bytes

@@ -67,7 +67,7 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 				continue;
 			}
 			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
-			_cull.dispatch(list, record_bytes(constants), phase == GRASS_CULL_FIT ? 1 : groups);
+			_cull.dispatch(list, to_bytes(std::span(&constants, 1)), phase == GRASS_CULL_FIT ? 1 : groups);
 			device->compute_list_add_barrier(list);
 		}
 		device->compute_list_end();

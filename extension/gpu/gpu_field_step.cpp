@@ -89,7 +89,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		const PackedByteArray constants = record_bytes(p_records.step);
+		const PackedByteArray constants = to_bytes(std::span(&p_records.step, 1));
 		if (sharp + free < slots) {
 			_simulate.dispatch(list, constants, slots);
 		}

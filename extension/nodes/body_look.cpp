@@ -62,7 +62,7 @@ bool BodyTracker::look(Body &r_body) {
 		return false;
 	}
 	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
-	_statistics.engine_calls++;
+	_reads.engine_calls++;
 	r_body.is_driven = is_driven_by_velocity(mode);
 	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
 			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
@@ -87,15 +87,15 @@ void BodyTracker::look_at_shapes(Body &r_body) {
 void BodyTracker::read_traits(Body &r_body, int32_t p_count) {
 	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
 	const double friction = PhysicsServer3D::get_singleton()->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
-	_statistics.engine_calls += 2;
+	_reads.engine_calls += 2;
 	r_body.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
-	r_body.disabled = node == nullptr ? std::vector<bool>(size_t(p_count), false) : find_disabled(node, p_count, _statistics.engine_calls);
+	r_body.disabled = node == nullptr ? std::vector<bool>(size_t(p_count), false) : find_disabled(node, p_count, _reads.engine_calls);
 }
 
 bool BodyTracker::read_shapes(Body &r_body) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
-	_statistics.engine_calls++;
+	_reads.engine_calls++;
 	bool has_changed = size_t(count) != r_body.shapes.size();
 	if (has_changed || r_body.next_look_at_all-- <= 0) {
 		r_body.next_look_at_all = LOOK_AT_ALL_EVERY - 1;
@@ -104,12 +104,12 @@ bool BodyTracker::read_shapes(Body &r_body) {
 	r_body.shapes.resize(size_t(count));
 	for (int32_t index = 0; index < count; index++) {
 		TrackedShape &shape = r_body.shapes[size_t(index)];
-		_statistics.shape_reads++;
+		_reads.shapes++;
 		const bool is_enabled = !r_body.disabled[size_t(index)];
 		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
-		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape, &_statistics.engine_calls) &&
+		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape, &_reads.engine_calls) &&
 				transform == shape.transform && shape.enabled == is_enabled && shape.collider.friction == r_body.friction;
-		_statistics.engine_calls += 2;
+		_reads.engine_calls += 2;
 		if (is_same) {
 			continue;
 		}

@@ -32,22 +32,6 @@ constexpr int JUMP_TICKS = 6;
 
 } // namespace
 
-void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
-	const Eigen::Vector3d scale = p_basis.colwise().norm();
-	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
-		return;
-	}
-	if (r_shape.type == GRASS_BOX || r_shape.type == GRASS_HULL) {
-		r_shape.size = r_shape.size.cwiseProduct(scale);
-	} else { // round about y: radius, half length along y
-		r_shape.size = { r_shape.size.x() * std::max(scale.x(), scale.z()), r_shape.size.y() * scale.y(), 0.0 };
-	}
-	for (Eigen::Vector4f &plane : r_shape.planes) {
-		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(scale.cast<float>());
-		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
-	}
-}
-
 void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t p_mask) {
 	stop();
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
@@ -128,7 +112,7 @@ int64_t BodyTracker::body_count() const {
 // False once the body was freed: it may be listed until the server's next report.
 bool BodyTracker::find_state(Body &r_body) {
 	if (r_body.state_id == 0) {
-		_statistics.engine_calls += 3;
+		_reads.engine_calls += 3;
 		if (r_body.instance_id != 0 && !UtilityFunctions::is_instance_id_valid(int64_t(r_body.instance_id))) {
 			return false;
 		}
@@ -136,7 +120,7 @@ bool BodyTracker::find_state(Body &r_body) {
 		r_body.state_id = r_body.state == nullptr ? 0 : r_body.state->get_instance_id();
 		return r_body.state != nullptr;
 	}
-	_statistics.engine_calls++;
+	_reads.engine_calls++;
 	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
 }
 
@@ -155,7 +139,7 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 
 // In the world, metres per second. That of a kinematic body is made from the places where it was put, teleports included.
 Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
-	_statistics.engine_calls++;
+	_reads.engine_calls++;
 	return to_eigen(p_body.state->get_linear_velocity());
 }
 
@@ -170,7 +154,7 @@ Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vecto
 	if (character == nullptr) {
 		return Eigen::Vector3d::Zero();
 	}
-	_statistics.engine_calls += 2;
+	_reads.engine_calls += 2;
 	const Eigen::Vector3d wanted = to_eigen(character->get_velocity()), real = to_eigen(character->get_real_velocity());
 	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
 }
@@ -210,7 +194,7 @@ void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double 
 	double own = 0.0;
 	if (r_body.is_driven && angle > Motion::PLAUSIBLE_TURN) {
 		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
-		_statistics.engine_calls++;
+		_reads.engine_calls++;
 	}
 	if (!r_body.motion.follow_turn(angle, own)) {
 		r_body.before.linear() = p_now.linear();
@@ -260,10 +244,10 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 			continue;
 		}
 		++entry;
-		_statistics.body_reads++;
+		_reads.poses++;
 		const bool is_due = look(body);
 		const Transform3D world = body.state->get_transform();
-		_statistics.engine_calls++;
+		_reads.engine_calls++;
 		const Eigen::Affine3d now = pose_of(body, world, field);
 		const bool is_carried =
 				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < FIELD_JUMP;

@@ -3,8 +3,10 @@
 // which bodies overlap the field; every tick their shapes and poses become colliders.
 #pragma once
 
+#include "core/bodies/body_reads.h"
 #include "core/bodies/body_shape.h"
 #include "core/bodies/motion.h"
+#include "nodes/physics_shapes.h"
 
 #include <Eigen/Geometry>
 
@@ -13,36 +15,11 @@
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
-#include <godot_cpp/variant/variant.hpp>
 
 #include <map>
 #include <vector>
 
 namespace grass {
-
-// A physics shape as the solver takes it, and what it was made from (to notice changes).
-struct TrackedShape {
-	godot::RID rid;
-	int64_t type = -1; // PhysicsServer3D.ShapeType
-	godot::Variant data; // PhysicsServer3D.shape_get_data
-	ColliderShape shape;
-	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space
-	bool usable = false;
-
-	godot::Transform3D transform; // of the physics shape in its body
-	bool enabled = false;
-	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
-	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
-	ColliderPose pose; // in field space, as it was handed on in the last tick
-	bool has_pose = false; // it was
-};
-
-// Counts since the tracker was made.
-struct TrackerStatistics {
-	int64_t body_reads = 0; // poses read, one a body and tick
-	int64_t shape_reads = 0; // shapes looked at for changes
-	int64_t engine_calls = 0; // of the physics server and of nodes: most of what bodies cost
-};
 
 class BodyTracker {
 public:
@@ -67,7 +44,7 @@ public:
 	// Instead of collect(), where nobody wants to know: bodies that left are not kept.
 	void forget_left();
 
-	const TrackerStatistics &get_statistics() const { return _statistics; }
+	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
 
 private:
@@ -129,15 +106,8 @@ private:
 	int _ticks_since_jump = 1 << 30;
 	bool _has_warned_of_height_map = false;
 	size_t _written = 0; // colliders in this tick
-	TrackerStatistics _statistics;
+	BodyReads _reads; // since it was made
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run
 };
-
-// Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
-// (planes, rays, height maps).
-// r_calls: counts calls of the server, if given.
-bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_calls = nullptr);
-// Takes the scale of p_basis into the shape: poses hold rotation only.
-void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 
 } // namespace grass

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/grass_brush.h"
 
+#include "nodes/bind_property.h"
 #include "nodes/params.h"
 
 using namespace godot;
@@ -78,30 +79,27 @@ MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vect
 void GrassBrush::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassBrush::set_param);
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassBrush::get_param);
-#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
-	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassBrush::m_setter);                                                             \
-	ClassDB::bind_method(D_METHOD(#m_getter), &GrassBrush::m_getter);                                                                      \
-	ADD_PROPERTY(m_info, #m_setter, #m_getter)
 	const auto add_numbers = [](int p_first, int p_last) {
 		for (int param = p_first; param <= p_last; param++) {
 			ClassDB::add_property("GrassBrush", property_of(BRUSH_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
 		}
 	};
 
-	BIND_PROPERTY(PropertyInfo(Variant::INT, "tool", PROPERTY_HINT_ENUM,
-						  "Paint,Erase,Smooth,Density,Height,Species,Tint,Comb,Cut,Flatten,Regrow,Recover"),
+	GRASS_BIND_PROPERTY(GrassBrush,
+			PropertyInfo(Variant::INT, "tool", PROPERTY_HINT_ENUM,
+					"Paint,Erase,Smooth,Density,Height,Species,Tint,Comb,Cut,Flatten,Regrow,Recover"),
 			set_tool, get_tool);
 	add_numbers(BRUSH_RADIUS, BRUSH_HARDNESS);
-	BIND_PROPERTY(PropertyInfo(Variant::INT, "falloff", PROPERTY_HINT_ENUM, "Smooth,Linear,Sphere,Sharp"), set_falloff, get_falloff);
+	GRASS_BIND_PROPERTY(
+			GrassBrush, PropertyInfo(Variant::INT, "falloff", PROPERTY_HINT_ENUM, "Smooth,Linear,Sphere,Sharp"), set_falloff, get_falloff);
 	add_numbers(BRUSH_TARGET, BRUSH_CUT_HEIGHT);
-	BIND_PROPERTY(PropertyInfo(Variant::INT, "species", PROPERTY_HINT_RANGE, "0,255,1"), set_species, get_species);
-	BIND_PROPERTY(PropertyInfo(Variant::COLOR, "color", PROPERTY_HINT_COLOR_NO_ALPHA), set_color, get_color);
-	BIND_PROPERTY(
+	GRASS_BIND_PROPERTY(GrassBrush, PropertyInfo(Variant::INT, "species", PROPERTY_HINT_RANGE, "0,255,1"), set_species, get_species);
+	GRASS_BIND_PROPERTY(GrassBrush, PropertyInfo(Variant::COLOR, "color", PROPERTY_HINT_COLOR_NO_ALPHA), set_color, get_color);
+	GRASS_BIND_PROPERTY(GrassBrush,
 			PropertyInfo(Variant::INT, "channel", PROPERTY_HINT_ENUM, "Density:0,Height:1,Tint:3,Lean:4,Ground:5,Normal:6,Wear:7,Cut:8"),
 			set_channel, get_channel);
 	ADD_GROUP("Limits", "");
 	add_numbers(BRUSH_SLOPE_MIN, BRUSH_HEIGHT_MAX);
-#undef BIND_PROPERTY
 
 	BIND_ENUM_CONSTANT(TOOL_PAINT);
 	BIND_ENUM_CONSTANT(TOOL_ERASE);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/grass_exclusion_3d.h"
 
+#include "nodes/bind_property.h"
 #include "nodes/params.h"
 #include "nodes/watch_resource.h"
 
@@ -161,15 +162,12 @@ void GrassExclusion3D::free_picture() {
 }
 
 void GrassExclusion3D::_bind_methods() {
-#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
-	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassExclusion3D::m_setter);                                                       \
-	ClassDB::bind_method(D_METHOD(#m_getter), &GrassExclusion3D::m_getter);                                                                \
-	ADD_PROPERTY(m_info, #m_setter, #m_getter)
-	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "enabled"), set_enabled, is_enabled);
-	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "shape", PROPERTY_HINT_RESOURCE_TYPE, "Shape3D"), set_shape, get_shape);
-	BIND_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "outline", PROPERTY_HINT_NONE, "suffix:m"), set_outline, get_outline);
-	BIND_PROPERTY(property_of(FADE), set_fade, get_fade);
-#undef BIND_PROPERTY
+	GRASS_BIND_PROPERTY(GrassExclusion3D, PropertyInfo(Variant::BOOL, "enabled"), set_enabled, is_enabled);
+	GRASS_BIND_PROPERTY(
+			GrassExclusion3D, PropertyInfo(Variant::OBJECT, "shape", PROPERTY_HINT_RESOURCE_TYPE, "Shape3D"), set_shape, get_shape);
+	GRASS_BIND_PROPERTY(GrassExclusion3D, PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "outline", PROPERTY_HINT_NONE, "suffix:m"),
+			set_outline, get_outline);
+	GRASS_BIND_PROPERTY(GrassExclusion3D, property_of(FADE), set_fade, get_fade);
 }
 
 } // namespace grass

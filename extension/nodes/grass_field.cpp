@@ -1,39 +1,26 @@
 // SPDX-License-Identifier: MIT
-// The field's life, its physics ticks and its frames. Properties: grass_field_properties.cpp; what scripts may ask:
-// grass_field_queries.cpp.
+// The node's life, its physics ticks and its frames.
 #include "nodes/grass_field.h"
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
+#include "core/field/grass_at.h"
 #include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
-#include "nodes/params.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 using namespace godot;
 
 namespace grass {
 
-namespace {
-
-// Grass this far outside of the view counts as seen: a camera that turns finds it as it should be. Metres. Smaller: bodies
-// push into the grass before one's eyes when the camera turns fast. Larger: more is simulated that nobody sees.
-constexpr float VIEW_MARGIN = 3.0f;
-
-} // namespace
-
 GrassField::GrassField() {
 	GrassPatch::prepare_default(); // until it enters the tree
-	for (size_t i = 0; i < _params.size(); i++) {
-		_params[i] = FIELD_PARAMS[i].tunable.initial;
-	}
-	for (size_t i = 0; i < _colors.size(); i++) {
-		_colors[i] = Color(FIELD_COLORS[i].red, FIELD_COLORS[i].green, FIELD_COLORS[i].blue);
-	}
 	set_notify_transform(true);
 }
 
@@ -76,10 +63,10 @@ void GrassField::enter() {
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_collision_mask));
+		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
 	}
-	if (_backend_mode == BACKEND_AUTO) {
-		GpuBackend::begin_passes(!_species.empty(), Method(_solver_method));
+	if (!_properties.is_on_cpu) {
+		GpuBackend::begin_passes(!_properties.species.is_empty(), _properties.method);
 	}
 	request_rebuild();
 }
@@ -92,80 +79,86 @@ void GrassField::leave() {
 	_tracker.stop();
 	_backend.reset();
 	_ground.free();
-	tell_of_leaving();
-	_standing.map.reset();
-	_wanted.reset();
-	_tiles.reset();
+	emit_leaving();
+	_field.forget_map();
+	_map.reset();
+	_maker.forget();
+	_field.rest();
 }
 
 void GrassField::physics_tick(double p_delta) {
 	build();
-	if (!_backend || !_simulated || Engine::get_singleton()->is_editor_hint()) {
+	if (!_backend || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
 	recover(p_delta);
 	if (!_backend) { // a listener of the map did that
 		return;
 	}
-	_backend->tidy();
-	choose_method();
-	const bool can_simulate = _backend->can_simulate();
-	if ((!_is_seen || !can_simulate) && !is_listened_to()) {
-		_unseen_time += p_delta;
-		_unseen_ticks += can_simulate ? 1 : 0;
+	if (!_field.begin_tick(*_backend, _properties.method, is_listened_to(), p_delta)) {
 		_tracker.forget_left();
-		return; // nobody would know
+		return;
 	}
 	CpuClock clock;
-	if (_unseen_time > 0.0) {
+	if (_field.resume()) {
 		_tracker.forget_motion();
 		_node_colliders.forget_motion();
-		_tiles.pass_unseen(_unseen_time);
-		_unseen_time = 0.0;
 	}
 	update_map();
+	collect_bodies(p_delta);
+	_gather_ms = clock.lap();
+	_field.set_params(_properties.field_params(_species));
+	if (_field.tick(*_backend, _colliders, p_delta)) {
+		request_draw();
+	}
+	emit_visits();
+}
+
+void GrassField::collect_bodies(double p_delta) {
 	const Transform3D transform = field_transform();
-	const double height = _standing.setup.blade_length();
-	const Vector3 half(real_t(0.5 * _standing.setup.grid.get_size_x() + height), real_t(height + ground_reach()),
-			real_t(0.5 * _standing.setup.grid.get_size_z() + height));
+	const double height = _field.get_setup().blade_length();
+	const Vector3 half(real_t(0.5 * _field.get_grid().get_size_x() + height), real_t(height + _field.ground_reach()),
+			real_t(0.5 * _field.get_grid().get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = param(PARAM_TELEPORT_SPEED) };
 	_tracker.set_box(transform, half, p_delta);
 	_tracker.collect(transform, tick, _colliders);
 	_node_colliders.collect(transform, tick, _colliders);
-	_gather_ms = clock.lap();
-	_tiles.report_energy(_backend->read_energy());
-	_tiles.stir(_backend->is_complete() ? _regrown : all_tiles());
-	_tiles.update(p_delta, _colliders);
-	_tiles_ms = clock.lap();
-	if (!can_simulate) {
-		_tiles.reset(); // whom the bodies meet is known; the blades stand
-	} else if (!_tiles.get_slots().empty()) { // else nothing is awake: no dispatch, no upload
-		step(p_delta);
+}
+
+// What time heals in a tick.
+void GrassField::recover(double p_delta) {
+	const RecoveryRates rates = _properties.recovery_rates(_species);
+	const Ref<GrassMap> &map = _properties.map;
+	if (map.is_valid() && map->is_readable() && !rates.is_none()) {
+		const SharesAt shares = [this](const Eigen::Vector2d &p_place) {
+			return _field.get_setup().species->get_shares_at(p_place.cast<float>(), _field.get_layers());
+		};
+		const MapRegion region = MapRegion::of_grid(_field.get_grid());
+		map.ptr()->change([&](PaintMap &r_map) {
+			return _recovery.step(r_map, region, kind_of(_field), rates, p_delta, _field.get_setup().species ? shares : nullptr);
+		});
 	}
-	tell_of_bodies();
 }
 
-// At rest, too: who waits until nothing is being compiled shall wait for this.
-void GrassField::choose_method() {
-	_method_now = _backend->choose_method(Method(_solver_method));
+// Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Last in a tick: who listens may
+// change the field.
+void GrassField::emit_visits() {
+	const Visitors::Change change = _visitors.update(_field.get_tiles(), _colliders);
+	emit_for_each("body_exited_grass", change.exited);
+	emit_for_each("body_entered_grass", change.entered);
 }
 
-void GrassField::step(double p_delta) {
-	StepInput input;
-	input.number = _tiles.get_step_number();
-	input.slots = _tiles.get_slots();
-	input.sharp = _tiles.get_sharp();
-	input.colliders = _tiles.get_colliders();
-	input.collider_list = _tiles.get_collider_list();
-	input.planes = _tiles.get_planes();
-	input.growth = grow_tiles();
-	input.step = _clock.advance(solver_params(), p_delta);
-	input.species = species_steps();
-	input.step.field = { float(_standing.setup.grid.get_tile_size()), float(_standing.setup.grid.get_tiles_x()),
-		float(_standing.setup.grid.get_tiles_z()), float(GRASS_KNOTS) };
-	input.step.clump = { _standing.setup.clump.size, _standing.setup.clump.height, _standing.setup.clump.lean, _standing.setup.clump.tint };
-	_backend->step(input);
-	request_draw();
+// Where the grass goes, nobody is in it any more.
+void GrassField::emit_leaving() {
+	emit_for_each("body_exited_grass", _visitors.leave());
+}
+
+void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies) {
+	for (const uint64_t id : p_bodies) {
+		if (Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id))) {
+			emit_signal(p_signal, body);
+		}
+	}
 }
 
 void GrassField::frame(double p_delta) {
@@ -174,19 +167,17 @@ void GrassField::frame(double p_delta) {
 	if (!_backend) {
 		return;
 	}
-	if (param(PARAM_WIND_SPEED) > 0.0) {
-		_wind_clock.advance(p_delta, param(PARAM_WIND_SPEED), param(PARAM_GUST_SIZE));
-		if (_is_seen) { // before drawing begins: what is told in _before_draw() asks for no further frame
-			set_wind_clock();
-			_wind_updates++;
-		}
+	// Before drawing begins: what is set in _before_draw() draws no further frame.
+	if (_uniforms.blow(_properties, p_delta) && _field.is_seen()) {
+		set_wind_clock();
+		_wind_updates++;
 	}
 }
 
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _has_ground && ground_reach() == 0.0); // it is flat
+	_ground.follow(this, transform, _properties.has_ground && _field.ground_reach() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
@@ -198,14 +189,14 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	update_map();
 	follow();
-	const bool was_seen = _is_seen;
+	const bool was_seen = _field.is_seen();
 	const FieldView view = find_view();
-	_is_seen = look(view);
-	if (!view.cameras.empty() && (_is_seen || was_seen)) { // once more, to know that nothing is drawn
+	_field.see(view, is_visible_in_tree());
+	if (!view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(view);
 		watch_room();
 	}
-	if (_is_seen && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
+	if (_field.is_seen() && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
 		set_wind_clock();
 		_wind_updates++;
 	}
@@ -214,9 +205,8 @@ void GrassField::_before_draw() {
 
 // Says once, as soon as it is known, that more tiles are seen than have room.
 void GrassField::watch_room() {
-	if (_is_crowded ||
-			int(_standing.setup.grid.get_tile_count()) <=
-					std::min(_standing.setup.instance_capacity(), _standing.setup.shadow_capacity())) {
+	const FieldSetup &setup = _field.get_setup();
+	if (_is_crowded || int(setup.grid.get_tile_count()) <= std::min(setup.instance_capacity(), setup.shadow_capacity())) {
 		return;
 	}
 	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
@@ -234,25 +224,6 @@ bool GrassField::is_listened_to() const {
 	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
 }
 
-// Tells the tiles what is seen; whether any of them is, or throws a shadow that is. A world without a camera is looked at
-// in ways that are not known here: by scripts, by tests.
-bool GrassField::look(const FieldView &p_view) {
-	if (p_view.cameras.empty() && is_visible_in_tree()) {
-		_tiles.see_all();
-		return true;
-	}
-	std::vector<Frustum> frustums;
-	for (const ViewCamera &camera : p_view.cameras) {
-		frustums.push_back(camera.planes);
-	}
-	float margin = std::max(VIEW_MARGIN, p_view.shadow_margin);
-	for (const Eigen::Vector3f &fall : p_view.falls) {
-		margin = std::max(margin, fall.norm());
-	}
-	_tiles.see(frustums, margin);
-	return _tiles.is_field_seen();
-}
-
 // From all cameras; from none if it is hidden.
 FieldView GrassField::find_view() {
 	FieldView view;
@@ -264,15 +235,11 @@ FieldView GrassField::find_view() {
 	if (view.cameras.empty()) {
 		return view;
 	}
-	view.lod.far = float(param(PARAM_LOD_FAR));
-	view.lod.error = float(param(PARAM_LOD_ERROR));
-	view.lod.pixels_min = float(param(PARAM_PIXELS_MIN));
-	view.lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
-	view.lod = view.lod.sanitised();
+	view.lod = _properties.lod();
 	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
 		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
-		view.falls = find_falls(this, field, _standing.setup.blade_height() + ground_range(), param(PARAM_SHADOW_DISTANCE));
+		view.falls = find_falls(this, field, _field.get_setup().blade_height() + _field.ground_range(), param(PARAM_SHADOW_DISTANCE));
 	}
 	return view;
 }
@@ -293,27 +260,6 @@ Transform3D GrassField::field_transform() const {
 		turned.basis.scale_local(Vector3(-1, 1, 1));
 	}
 	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
-}
-
-TileRange GrassField::all_tiles() const {
-	return { 0, _standing.setup.grid.get_tiles_x(), 0, _standing.setup.grid.get_tiles_z() };
-}
-
-TileParams GrassField::tile_params() const {
-	TileParams params;
-	params.pool_size = _standing.setup.pool_tiles;
-	params.sleep_mode = grass::SleepMode(_sleep_mode);
-	params.sleep_delay = param(PARAM_SLEEP_DELAY);
-	params.sleep_energy = calm_energy();
-	params.still_delay = calm_time();
-	params.settle_time = param(PARAM_SETTLE_TIME);
-	params.reach = _standing.bounds ? _standing.bounds->get_reach() : 0.0;
-	params.low = _standing.bounds ? _standing.bounds->get_low() : 0.0;
-	params.height = _standing.bounds ? _standing.bounds->get_height() : 0.0;
-	params.segment = _standing.setup.patch ? double(_standing.setup.blade_length()) / GRASS_SEGMENTS : 0.0;
-	params.is_mapped = _standing.blades.is_told();
-	params.seed = _standing.setup.seed;
-	return params;
 }
 
 } // namespace grass

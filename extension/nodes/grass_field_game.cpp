@@ -3,13 +3,12 @@
 #include "nodes/grass_field.h"
 
 #include "convert.h"
-#include "core/wear/mow.h"
+#include "core/field/grass_at.h"
+#include "nodes/ground_sheet.h"
 #include "nodes/main_thread.h"
 
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/core/object.hpp>
-
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -19,6 +18,8 @@ namespace {
 
 // The map keeps wear every 0.5 m: a smaller disc can lie between all of them. Metres.
 constexpr double SMALLEST_TRAMPLE = 0.36;
+// Around a field that is baked as a whole: what its last blades blend with. Metres.
+constexpr double BORDER = info_of(MAP_GROUND).texel_size();
 
 } // namespace
 
@@ -31,21 +32,21 @@ bool GrassField::find_place(const Vector3 &p_global, Eigen::Vector3d &r_place) {
 	}
 	update_map();
 	r_place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global);
-	const TilePlace tile = _standing.setup.grid.get_place(r_place);
-	return r_place.allFinite() && _standing.setup.grid.has_tile(tile.x, tile.z);
+	const TilePlace tile = _field.get_grid().get_place(r_place);
+	return r_place.allFinite() && _field.get_grid().has_tile(tile.x, tile.z);
 }
 
-Growth GrassField::growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
-	return p_layers != nullptr ? p_layers->sample(p_place, _standing.setup.follow_slope) : glsl::grass_unpainted(1.0f);
-}
-
-GrassKind GrassField::grass_kind() const {
-	const double tile = _standing.setup.grid.get_tile_size();
-	GrassKind kind{ _standing.setup.patch->mean_height, _standing.setup.blade_length(), GRASS_BLADES_PER_TILE / (tile * tile), {} };
-	if (_standing.setup.species) {
-		kind.height_at = [this](const Eigen::Vector2d &p_place) { return mean_height_at(p_place.cast<float>(), shown_layers()); };
+// What the map says about a place, as it is now: what the field shows of it, or r_own, where that waits to change. Null without a map.
+const MapLayers *GrassField::layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const {
+	if (_properties.map.is_null()) {
+		return nullptr;
 	}
-	return kind;
+	if (_map && _map->get_map() == _properties.map && !_map->get_field().is_waiting_at(p_place)) {
+		return _field.get_layers();
+	}
+	r_own.reset(_field.get_setup().grid, _field.get_setup().blade_length());
+	r_own = r_own.read(_properties.map->get_map(), p_place);
+	return &r_own;
 }
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {
@@ -61,7 +62,7 @@ double GrassField::density_at(const Vector3 &p_global_position) {
 	}
 	MapLayers own;
 	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
-	return growth_at(ground, layers_at(ground, own)).density;
+	return grass::density_at(_field, ground, layers_at(ground, own));
 }
 
 double GrassField::height_at(const Vector3 &p_global_position) {
@@ -72,10 +73,7 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 	}
 	MapLayers own;
 	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
-	const MapLayers *layers = layers_at(ground, own);
-	const Growth here = growth_at(ground, layers);
-	const double clump = clump_at(ground, _standing.setup.clump).height;
-	return here.density > 0.0f ? std::min(mean_height_at(ground, layers) * clump * here.height, double(here.cut)) : 0.0;
+	return grass::height_at(_field, ground, layers_at(ground, own));
 }
 
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
@@ -84,19 +82,19 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 	if (density_at(p_global_position) <= 0.0 || !find_place(p_global_position, place)) {
 		return Vector3();
 	}
-	const TilePlace tile = _standing.setup.grid.get_place(place);
-	const Eigen::Vector3d bend = _tiles.get_bend(_standing.setup.grid.get_index(tile.x, tile.z)).cast<double>();
+	const TilePlace tile = _field.get_grid().get_place(place);
+	const Eigen::Vector3d bend = _field.get_tiles().get_bend(_field.get_grid().get_index(tile.x, tile.z)).cast<double>();
 	return field_transform().basis.xform(to_godot(bend));
 }
 
 // The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did.
 GrassMap *GrassField::find_map(const char *p_method) {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
-	if (_map.is_null()) {
+	if (_properties.map.is_null()) {
 		make_map();
 	}
 	build();
-	return _map.ptr();
+	return _properties.map.ptr();
 }
 
 void GrassField::make_map() {
@@ -122,7 +120,7 @@ bool GrassField::find_region(
 }
 
 MowRegion GrassField::mow_region(const std::optional<Footprint> &p_footprint) const {
-	return { p_footprint ? &*p_footprint : nullptr, MapRegion::of_grid(_standing.setup.grid) };
+	return { p_footprint ? &*p_footprint : nullptr, MapRegion::of_grid(_field.get_grid()) };
 }
 
 Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -137,7 +135,7 @@ Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	if (map == nullptr || !_backend || !find_region("cut", p_shape, p_transform, footprint)) {
 		return result;
 	}
-	const CutResult cut = map->change([&](PaintMap &r_map) { return cut_grass(r_map, mow_region(footprint), grass_kind()); });
+	const CutResult cut = map->change([&](PaintMap &r_map) { return cut_grass(r_map, mow_region(footprint), kind_of(_field)); });
 	result["area"] = cut.area;
 	result["volume"] = cut.volume;
 	result["blades"] = int64_t(std::llround(cut.blades));
@@ -148,10 +146,10 @@ double GrassField::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D
 	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	std::optional<Footprint> footprint;
 	build();
-	if (_map.is_null() || !_backend || !find_region("get_mown_share", p_shape, p_transform, footprint)) {
+	if (_properties.map.is_null() || !_backend || !find_region("get_mown_share", p_shape, p_transform, footprint)) {
 		return 0.0;
 	}
-	return mown_share(_map->get_map(), mow_region(footprint), grass_kind());
+	return mown_share(_properties.map->get_map(), mow_region(footprint), kind_of(_field));
 }
 
 void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -160,8 +158,9 @@ void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_sh
 			message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
 	std::optional<Footprint> footprint;
 	build();
-	if (_map.is_valid() && _backend && find_region("regrow", p_shape, p_transform, footprint)) {
-		_map->change([&](PaintMap &r_map) { return regrow_grass(r_map, mow_region(footprint), grass_kind(), p_height, p_wear); });
+	if (_properties.map.is_valid() && _backend && find_region("regrow", p_shape, p_transform, footprint)) {
+		_properties.map->change(
+				[&](PaintMap &r_map) { return regrow_grass(r_map, mow_region(footprint), kind_of(_field), p_height, p_wear); });
 	}
 }
 
@@ -186,7 +185,7 @@ double GrassField::trample(const Vector3 &p_global_position, double p_radius, do
 	}
 	const Eigen::Vector3d place = to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
 	const Eigen::Vector2d centre(place.x(), place.z());
-	if (!MapRegion::of_grid(_standing.setup.grid).grown(p_radius).contains(centre)) {
+	if (!MapRegion::of_grid(_field.get_grid()).grown(p_radius).contains(centre)) {
 		return 0.0;
 	}
 	Brush brush;
@@ -215,54 +214,63 @@ void GrassField::unregister_collider(Node3D *p_node) {
 	_node_colliders.remove(p_node);
 }
 
-// What time heals in a tick.
-void GrassField::recover(double p_delta) {
-	const RecoveryRates rates = recovery_rates();
-	if (_map.is_valid() && _map->is_readable() && !rates.is_none()) {
-		const SharesAt shares = [this](const Eigen::Vector2d &p_place) {
-			return _standing.setup.species->get_shares_at(p_place.cast<float>(), shown_layers());
-		};
-		_map->change([&](PaintMap &r_map) {
-			return _recovery.step(r_map, MapRegion::of_grid(_standing.setup.grid), grass_kind(), rates, p_delta,
-					_standing.setup.species ? shares : nullptr);
+MapRegion GrassField::bake_region(const Rect2 &p_region) const {
+	if (!p_region.has_area()) {
+		const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);
+		return MapRegion{ -half, half }.grown(BORDER);
+	}
+	return { to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+}
+
+int64_t GrassField::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height) {
+	GrassMap *map = find_map("bake_ground");
+	if (map == nullptr) {
+		return 0;
+	}
+	int64_t found = 0;
+	map->change([&](PaintMap &r_map) {
+		return lay_ground(r_map, p_region, [&](const Eigen::Vector2d &p_place) {
+			const double height = p_height(p_place);
+			found += std::isfinite(height) ? 1 : 0;
+			return height;
 		});
-	}
+	});
+	return found;
 }
 
-// Tells of bodies that met grass in this tick and did not in the one before, and the other way round. Last in a tick: who
-// listens may change the field.
-void GrassField::tell_of_bodies() {
-	std::vector<uint64_t> in_grass;
-	for (size_t i = 0; i < _colliders.size(); i++) {
-		if (_colliders[i].owner != 0 && _tiles.has_met_grass(i)) {
-			in_grass.push_back(_colliders[i].owner);
-		}
-	}
-	std::sort(in_grass.begin(), in_grass.end());
-	in_grass.erase(std::unique(in_grass.begin(), in_grass.end()), in_grass.end());
-	in_grass.swap(_in_grass); // now those of the tick before
-	const std::vector<uint64_t> now = _in_grass;
-	const auto tell = [this](const char *p_signal, const std::vector<uint64_t> &p_ids, const std::vector<uint64_t> &p_others) {
-		for (const uint64_t id : p_ids) {
-			Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id));
-			if (body != nullptr && !std::binary_search(p_others.begin(), p_others.end(), id)) {
-				emit_signal(p_signal, body);
-			}
-		}
-	};
-	tell("body_exited_grass", in_grass, now);
-	tell("body_entered_grass", now, in_grass);
+int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, message("bake_ground() needs a region of finite numbers, or an empty one."));
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), 0, message("add the node to the scene tree before baking its ground."));
+	GroundRays rays(get_world_3d(), field_transform(), p_mask);
+	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
+			message("the physics cannot be asked now. Where it runs on a thread of its own, call bake_ground() in _physics_process()."));
+	return lay_ground_by(bake_region(p_region),
+			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -GroundRays::REACH, GroundRays::REACH); });
 }
 
-// Where the grass goes, nobody is in it any more.
-void GrassField::tell_of_leaving() {
-	std::vector<uint64_t> bodies;
-	bodies.swap(_in_grass);
-	for (const uint64_t id : bodies) {
-		if (Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id))) {
-			emit_signal("body_exited_grass", body);
-		}
+int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), 0, message("add the node to the scene tree before baking its ground."));
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, message("bake_ground_from() needs a transform of finite numbers."));
+	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
+			message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
+	const MapRegion region = bake_region(Rect2());
+	HeightSheet sheet(region);
+	add_ground_shape(sheet, p_shape, to_eigen(field_transform()).inverse(Eigen::Isometry) * to_eigen(p_transform));
+	return lay_ground_by(region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); });
+}
+
+double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	ERR_FAIL_COND_V_MSG(p_rule.is_null(), 0.0, message("fill() needs a GrassFillRule."));
+	if (find_map("fill") == nullptr) {
+		return 0.0;
 	}
+	if (_filler.is_set()) {
+		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
+	}
+	return _filler.fill(_properties.map, p_rule, { this, field_transform(), MapRegion::of_grid(_field.get_grid()) });
 }
 
 } // namespace grass

@@ -1,186 +1,316 @@
 // SPDX-License-Identifier: MIT
-// GrassField's making: from properties to a field. One that enters the tree is made at once, so that its grass is there from the first
-// tick on. One that stands goes on as it is until all that takes long has been made beside it: patches and passes by other threads,
-// shaders and the map piece by piece, as frames have time for it (draw/frame_share.h).
+// GrassField's wiring: what a change of properties, species, map or fill rule sets going.
 #include "nodes/grass_field.h"
 
 #include "backend/cpu_backend.h"
+#include "convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/frame_share.h"
 #include "gpu/gpu_backend.h"
+#include "nodes/editor_hooks.h"
+#include "nodes/main_thread.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
-
-#include <algorithm>
-#include <utility>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 using namespace godot;
 
 namespace grass {
 
-// However many properties change, the field is made once, at the next tick or frame.
+namespace {
+
+// Chunks of the map (64 m) that may change without waiting for anything: less than 1 ms each. More: frames stutter when a large brush is
+// used. Less: what is painted with it comes in pieces.
+constexpr int CHUNKS_AT_ONCE = 4;
+
+} // namespace
+
 void GrassField::request_rebuild() {
-	_dirty = true;
-	_build_ms = 0.0;
-	_wanted.reset();
+	_maker.request();
 	update_gizmos();
 	update_configuration_warnings();
 }
 
 void GrassField::build() {
-	if (!_dirty || !is_inside_tree()) {
+	if (!_maker.is_waiting() || !is_inside_tree()) {
 		return;
 	}
 	CpuClock clock;
 	start_fill();
-	const bool in_parts = _backend != nullptr;
-	if (prepare(in_parts) && (!in_parts || FrameShare::has_time())) {
+	if (_maker.prepare(_properties, _field, _backend.get())) {
 		make();
 	}
-	_build_ms = std::max(_build_ms, clock.lap());
+	_maker.add_time(clock.lap());
 }
 
 void GrassField::make() {
-	_dirty = _is_crowded = false;
-	take_wanted();
-	_tiles.set_grid(_standing.setup.grid);
-	_tiles.set_params(tile_params());
-	_tiles.set_bounds(_standing.bounds);
-	_tiles.reset();
-	_clock.reset();
-	if (Engine::get_singleton()->is_editor_hint()) { // there they stand beside the node
-		update_configuration_warnings();
-	} else {
-		const PackedStringArray warnings = _get_configuration_warnings();
-		for (const String &warning : warnings) {
-			if (!_warned_of.has(warning)) {
-				WARN_PRINT(vformat("%s: %s", label(), warning));
-			}
-		}
-		_warned_of = warnings;
-	}
+	_is_crowded = false;
+	WantedField wanted = _maker.take();
+	_field.set(wanted.setup, wanted.bounds, wanted.map ? &wanted.map->get_field() : nullptr, patches_of(wanted.species),
+			_properties.field_params(wanted.species));
+	_mix = std::move(wanted.mix);
+	_species = std::move(wanted.species);
+	_map = std::move(wanted.map);
+	report_warnings();
 	_ground.free();
-	_makings++;
-	if (_standing.setup.patch->is_empty() || !_backend || !_backend->set_field(_standing.setup)) {
+	const FieldSetup &setup = _field.get_setup();
+	if (setup.patch->is_empty() || !_backend || !_backend->set_field(setup)) {
 		make_backend();
 	}
 	if (_backend) {
-		_ground.create(_standing.setup.grid, _standing.setup.is_mapped);
+		_ground.create(setup.grid, setup.is_mapped);
 		follow();
-		set_all_uniforms();
+		_uniforms.set_all(_properties, setup, uniform_setter(true));
+		set_wind_clock();
+		_uniforms.set_species(setup, _species, uniform_setter(false));
 		show_map();
 	}
 }
 
-// Whether all is there that a field of these properties takes. In parts: does no more of it than this frame has time for.
-bool GrassField::prepare(bool p_in_parts) {
-	if (p_in_parts && !prepare_patches()) {
-		return false;
+// Once each, in the console; in the editor beside the node.
+void GrassField::report_warnings() {
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_configuration_warnings();
+		return;
 	}
-	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
-	if (!_wanted && has_time()) {
-		_wanted = find_wanted();
-	}
-	if (_wanted && !_wanted->bounds && has_time()) {
-		_wanted->bounds = find_bounds(_wanted->setup);
-	}
-	if (!_wanted || !_wanted->bounds) {
-		return false;
-	}
-	const bool has_shaders = !p_in_parts || (_backend->prepare(_wanted->setup) && Ground::prepare(_wanted->setup.is_mapped));
-	return has_shaders && prepare_map(p_in_parts);
-}
-
-// Those that are not there are being made from now on.
-bool GrassField::prepare_patches() const {
-	bool are_there = true;
-	for (const Ref<GrassSpecies> &species : _species) {
-		are_there = (species.is_null() || species->prepare_patch()) && are_there;
-	}
-	return are_there && (!_species.empty() || _patch.is_null() || const_cast<GrassPatch *>(_patch.ptr())->prepare());
-}
-
-bool GrassField::prepare_map(bool p_in_parts) {
-	if (!_wanted->setup.is_mapped || _wanted->setup.patch->is_empty()) {
-		return true;
-	}
-	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
-	std::unique_ptr<ShownMap> &map = _wanted->map;
-	if (!map && has_time()) {
-		map = std::make_unique<ShownMap>(_map, _wanted->setup);
-	}
-	while (map && has_time()) {
-		if (!map->work()) {
-			return true;
+	const PackedStringArray warnings = _get_configuration_warnings();
+	for (const String &warning : warnings) {
+		if (!_warned_of.has(warning)) {
+			WARN_PRINT(vformat("%s: %s", label(), warning));
 		}
 	}
-	return false;
-}
-
-GrassField::Wanted GrassField::find_wanted() const {
-	Wanted wanted;
-	FieldSetup &setup = wanted.setup;
-	setup.grid = TileGrid::make(_size.x, _size.y, param(PARAM_DENSITY));
-	setup.patch = find_patch();
-	setup.clump = { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
-		float(param(PARAM_CLUMP_TINT)) };
-	setup.pool_tiles = int(_pool_tiles);
-	setup.method = _backend ? _method_now : Method(_solver_method); // another backend of this field goes on by passes that are there
-	setup.drawn_tiles_max = int(param(PARAM_DRAWN_TILES_MAX));
-	setup.seed = uint32_t(_seed);
-	setup.is_mapped = _map.is_valid();
-	setup.follow_slope = float(param(PARAM_FOLLOW_SLOPE));
-	setup.card_size = card_size();
-	wanted.mix = species_mix();
-	setup.species = _species.empty() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
-	for (const Ref<GrassSpecies> &species : used_species()) {
-		wanted.species.push_back({ species, species->find_patch() });
-	}
-	return wanted;
-}
-
-// The boxes of the tiles of a field that follows this one.
-std::shared_ptr<TileBounds> GrassField::find_bounds(const FieldSetup &p_next) const {
-	const FieldSetup &now = _standing.setup;
-	const bool same_blades = _standing.bounds && now.patch == p_next.patch && now.clump == p_next.clump && now.seed == p_next.seed &&
-			now.is_mapped == p_next.is_mapped && (now.species == nullptr) == (p_next.species == nullptr) &&
-			now.card_size == p_next.card_size && now.follow_slope == p_next.follow_slope;
-	return same_blades ? std::make_shared<TileBounds>(*_standing.bounds, p_next.grid)
-					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
-}
-
-std::shared_ptr<const Patch> GrassField::find_patch() const {
-	if (!_species.empty()) {
-		return join_species();
-	}
-	return _patch.is_valid() ? const_cast<GrassPatch *>(_patch.ptr())->get_patch() : GrassPatch::get_default();
-}
-
-// From here on the field is what was prepared.
-void GrassField::take_wanted() {
-	static_cast<Wanted &>(_standing) = std::move(*_wanted);
-	_wanted.reset();
-	const FieldSetup &setup = _standing.setup;
-	const FieldMap *map = _standing.map ? &_standing.map->get_field() : nullptr;
-	_standing.bounds->set_cover(
-			map != nullptr ? map->get_cover() : nullptr, map != nullptr ? slope_lean(setup.follow_slope) * setup.blade_length() : 0.0);
-	_standing.blades = FieldBlades(setup.grid, setup.patch, setup.clump, setup.seed, setup.species, map);
+	_warned_of = warnings;
 }
 
 void GrassField::make_backend() {
 	_backend.reset();
-	if (_standing.setup.patch->is_empty()) {
+	if (_field.get_setup().patch->is_empty()) {
 		return;
 	}
 	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
-	if (has_device && _backend_mode == BACKEND_AUTO) {
-		_backend = std::make_unique<GpuBackend>(_standing.setup);
+	const FieldSetup &setup = _field.get_setup();
+	if (has_device && !_properties.is_on_cpu) {
+		_backend = std::make_unique<GpuBackend>(setup);
 	} else {
-		_backend = std::make_unique<CpuBackend>(_standing.setup);
+		_backend = std::make_unique<CpuBackend>(setup);
 	}
-	_backend->set_measure_time(_measure_time || _is_watched);
+	_backend->set_measure_time(_properties.measure_time || _is_watched);
 	_builds++;
+}
+
+// What a field that goes on as it is reads from the properties.
+void GrassField::update_tiles() {
+	if (_backend) { // else build() will
+		_field.set_params(_properties.field_params(_species));
+		_field.stir();
+	}
+}
+
+void GrassField::set_uniform(const StringName &p_name, const Variant &p_value) {
+	if (_backend) {
+		_backend->set_uniform(p_name, p_value);
+		_ground.set_uniform(p_name, p_value);
+	}
+}
+
+// p_ground: of the ground, too, not of the blades alone.
+FieldUniforms::Set GrassField::uniform_setter(bool p_ground) {
+	return [this, p_ground](const char *p_name, const Variant &p_value) {
+		if (p_ground) {
+			set_uniform(p_name, p_value);
+		} else {
+			_backend->set_uniform(p_name, p_value);
+		}
+	};
+}
+
+// The ground has no wind.
+void GrassField::set_wind_clock() {
+	_uniforms.set_wind_clock(uniform_setter(false));
+}
+
+// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.
+void GrassField::request_draw() {
+	set_uniform("tile_size", _field.get_grid().get_tile_size());
+}
+
+void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
+	GRASS_MAIN_THREAD_ONLY();
+	const Callable changed = callable_mp(this, &GrassField::_patch_changed);
+	if (_properties.patch.is_valid()) {
+		_properties.patch->disconnect("changed", changed);
+	}
+	_properties.patch = p_patch;
+	if (_properties.patch.is_valid()) {
+		_properties.patch->connect("changed", changed);
+	}
+	_patch_changed();
+}
+
+void GrassField::_patch_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_patch_changed).call_deferred();
+		return;
+	}
+	request_rebuild();
+	if (_backend) {
+		_properties.prepare_patches();
+	}
+}
+
+void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
+	GRASS_MAIN_THREAD_ONLY();
+	_properties.species.set(p_species, callable_mp(this, &GrassField::_species_changed));
+	request_rebuild();
+}
+
+// Colours and frequencies take effect at once; what changes blades makes the field anew.
+void GrassField::_species_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_species_changed).call_deferred();
+		return;
+	}
+	const FieldSpecies &species = _properties.species;
+	if (_backend && !_maker.is_waiting() && _properties.prepare_patches() && species.is_joined() && species.find_mix() == _mix &&
+			species.find_card_size() == _field.get_setup().card_size) {
+		_uniforms.set_species(_field.get_setup(), _species, uniform_setter(false));
+		update_tiles();
+	} else {
+		request_rebuild();
+	}
+}
+
+void GrassField::set_map(const Ref<GrassMap> &p_map) {
+	GRASS_MAIN_THREAD_ONLY();
+	const Callable changed = callable_mp(this, &GrassField::_map_changed);
+	if (_properties.map.is_valid()) {
+		_properties.map->disconnect("chunks_changed", changed);
+	}
+	_properties.map = p_map;
+	_recovery.reset();
+	_filler.forget_map();
+	if (_properties.map.is_valid()) {
+		_properties.map->connect("chunks_changed", changed);
+	}
+	_is_map_bare = is_map_bare();
+	request_rebuild();
+}
+
+// Nothing grows on it, nor will by a rule.
+bool GrassField::is_map_bare() const {
+	const Ref<GrassMap> &map = _properties.map;
+	return map.is_valid() && map->is_readable() && !_filler.is_active() && map->get_base_density() == 0.0 &&
+			!map->get_map().uses(MAP_DENSITY);
+}
+
+// The editor reads a node's warnings only when it is notified, and then draws its whole tree of nodes anew.
+void GrassField::watch_bare_map() {
+	if (_is_map_bare != is_map_bare()) {
+		_is_map_bare = !_is_map_bare;
+		update_configuration_warnings();
+	}
+}
+
+// However often the map changes, it is read once, at the next tick or frame.
+void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
+	_filler.touch(_properties.map, p_chunks);
+	watch_bare_map();
+	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	for (ShownMap *map : shown_maps()) {
+		if (map != nullptr && map->get_map() == _properties.map) {
+			map->touch(region);
+		}
+	}
+	request_draw();
+}
+
+// All of it, to a backend that has not seen it yet.
+void GrassField::show_map() {
+	if (!_map) {
+		MapTextures::clear_uniforms(uniform_setter(true));
+		return;
+	}
+	_map->set_uniforms(uniform_setter(true));
+	const TileGrid &grid = _field.get_grid();
+	_backend->set_cover(_map->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
+}
+
+// Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time.
+void GrassField::update_map() {
+	if (!_map || _map->get_waiting() == 0) {
+		return;
+	}
+	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE;
+	const FieldMap::Changes changes = _map->update([are_few] { return are_few || FrameShare::has_time(); });
+	if (changes.tiles.count() == 0) {
+		return;
+	}
+	_map->set_uniforms(uniform_setter(true));
+	_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+	_field.regrow(changes.tiles);
+	if (_field.get_layers()->is_full()) {
+		WARN_PRINT_ONCE(vformat(
+				"%s: `map` has more painted chunks under the field than it can show (%d, about 8 km\u00b2); the rest stays bare. Use "
+				"several smaller fields.",
+				label(), GRASS_MAX_LAYERS));
+	}
+}
+
+void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY();
+	_filler.set_rule(p_rule, callable_mp(this, &GrassField::_fill_rule_changed), _properties.map);
+	_fill_rule_changed();
+	notify_property_list_changed();
+}
+
+void GrassField::set_fill_live(bool p_live) {
+	GRASS_MAIN_THREAD_ONLY();
+	_filler.set_live(p_live, _properties.map);
+	update_configuration_warnings();
+	notify_property_list_changed();
+}
+
+void GrassField::_fill_rule_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_fill_rule_changed).call_deferred();
+		return;
+	}
+	_filler.rule_changed();
+	update_configuration_warnings();
+}
+
+FieldFiller::Place GrassField::fill_place() const {
+	return { const_cast<GrassField *>(this), field_transform(), MapRegion::of_grid(_properties.grid()) };
+}
+
+// A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
+void GrassField::start_fill() {
+	if (!_filler.is_active() || _filler.is_set()) {
+		return;
+	}
+	if (_properties.map.is_null()) {
+		make_map();
+	}
+	_filler.start(_properties.map, fill_place(), !_backend);
+}
+
+void GrassField::update_fill() {
+	start_fill();
+	if (_filler.is_set() && _filler.update(_properties.map, fill_place())) {
+		emit_signal("fill_finished"); // last: who listens may change the field
+	}
+}
+
+// The inspector's button.
+void GrassField::_fill_pressed() {
+	if (_filler.get_rule().is_valid() && is_inside_tree() && editor_hooks.fill != nullptr) {
+		editor_hooks.fill(*this);
+	}
+}
+
+Callable GrassField::get_fill_button() const {
+	return callable_mp(const_cast<GrassField *>(this), &GrassField::_fill_pressed);
 }
 
 } // namespace grass

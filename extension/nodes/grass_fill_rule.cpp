@@ -2,6 +2,7 @@
 #include "nodes/grass_fill_rule.h"
 
 #include "convert.h"
+#include "nodes/bind_property.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
 #include "nodes/watch_resource.h"
@@ -128,10 +129,6 @@ void GrassFillRule::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassFillRule::get_param);
 	ClassDB::bind_method(D_METHOD("_set_group", "group", "name"), &GrassFillRule::set_group);
 	ClassDB::bind_method(D_METHOD("_get_group", "group"), &GrassFillRule::get_group);
-#define BIND_PROPERTY(m_info, m_setter, m_getter)                                                                                          \
-	ClassDB::bind_method(D_METHOD(#m_setter, "value"), &GrassFillRule::m_setter);                                                          \
-	ClassDB::bind_method(D_METHOD(#m_getter), &GrassFillRule::m_getter);                                                                   \
-	ADD_PROPERTY(m_info, #m_setter, #m_getter)
 	const auto add_numbers = [](int p_first, int p_last) {
 		for (int param = p_first; param <= p_last; param++) {
 			ClassDB::add_property("GrassFillRule", property_of(FILL_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
@@ -146,13 +143,14 @@ void GrassFillRule::_bind_methods() {
 	add_numbers(FILL_SLOPE_MIN, FILL_HEIGHT_FADE);
 	ADD_GROUP("Noise", "");
 	add_numbers(FILL_NOISE_COVER, FILL_NOISE_FADE);
-	BIND_PROPERTY(PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
 	ADD_GROUP("Mask", "");
-	BIND_PROPERTY(PropertyInfo(Variant::OBJECT, "mask", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_mask, get_mask);
-	BIND_PROPERTY(
-			PropertyInfo(Variant::INT, "mask_channel", PROPERTY_HINT_ENUM, "Red,Green,Blue,Alpha"), set_mask_channel, get_mask_channel);
-	BIND_PROPERTY(PropertyInfo(Variant::BOOL, "mask_invert"), set_mask_invert, is_mask_inverted);
-	BIND_PROPERTY(PropertyInfo(Variant::RECT2, "mask_region", PROPERTY_HINT_NONE, "suffix:m"), set_mask_region, get_mask_region);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::OBJECT, "mask", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_mask, get_mask);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::INT, "mask_channel", PROPERTY_HINT_ENUM, "Red,Green,Blue,Alpha"),
+			set_mask_channel, get_mask_channel);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::BOOL, "mask_invert"), set_mask_invert, is_mask_inverted);
+	GRASS_BIND_PROPERTY(
+			GrassFillRule, PropertyInfo(Variant::RECT2, "mask_region", PROPERTY_HINT_NONE, "suffix:m"), set_mask_region, get_mask_region);
 	add_group("mask_group", GROUP_MASK);
 	ADD_GROUP("Distance", "");
 	add_group("distance_group", GROUP_DISTANCE);
@@ -160,7 +158,6 @@ void GrassFillRule::_bind_methods() {
 	ADD_GROUP("Exclusion", "");
 	add_group("exclusion_group", GROUP_EXCLUSION);
 	add_numbers(FILL_EXCLUSION_HEIGHT, FILL_EXCLUSION_FADE);
-#undef BIND_PROPERTY
 
 	BIND_ENUM_CONSTANT(MASK_RED);
 	BIND_ENUM_CONSTANT(MASK_GREEN);

@@ -26,6 +26,11 @@ double checked(const Tunable &p_tunable, double p_value, const String &p_owner) 
 	return value;
 }
 
+String range_hint(int64_t p_min, int64_t p_max, const char *p_unit) {
+	const String range = vformat("%d,%d,1", p_min, p_max);
+	return p_unit[0] == '\0' ? range : range + vformat(",suffix:%s", p_unit);
+}
+
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const String &p_owner) {
 	const int64_t value = std::clamp(p_value, p_min, p_max);
 	if (value != p_value) {

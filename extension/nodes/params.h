@@ -16,7 +16,9 @@ godot::PropertyInfo property_of(const Tunable &p_tunable);
 // The nearest allowed value; says so, naming p_owner and the property, if that is another one.
 double checked(const Tunable &p_tunable, double p_value, const godot::String &p_owner);
 
-// A whole number within limits, likewise.
+// The inspector's hint of a whole number within limits.
+godot::String range_hint(int64_t p_min, int64_t p_max, const char *p_unit = "");
+// The nearest whole number within limits, as checked() does.
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const godot::String &p_owner);
 
 // Where a least value is above the greatest one: that, and p_so, what comes of it, among the warnings of p_who.

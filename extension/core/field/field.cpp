@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "core/field/field.h"
+
+#include "core/base/cpu_clock.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace grass {
+
+namespace {
+
+// Grass this far outside of the view counts as seen: a camera that turns finds it as it should be. Metres. Smaller: bodies
+// push into the grass before one's eyes when the camera turns fast. Larger: more is simulated that nobody sees.
+constexpr float VIEW_MARGIN = 3.0f;
+
+} // namespace
+
+double FieldParams::calm_time() const {
+	double time = species.empty() ? solver.calm_time() : 0.0;
+	for (const SolverParams &own : species) {
+		time = std::max(time, own.calm_time());
+	}
+	return time;
+}
+
+double FieldParams::calm_energy() const {
+	const double distance = 1e-3 * sleep_motion;
+	double energy = species.empty() ? solver.energy_within(distance) : std::numeric_limits<double>::max();
+	for (const SolverParams &own : species) {
+		energy = std::min(energy, own.energy_within(distance));
+	}
+	return energy;
+}
+
+void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map,
+		const SpeciesPatches &p_species, const FieldParams &p_params) {
+	_setup = p_setup;
+	_bounds = p_bounds;
+	_map = p_map;
+	_species = p_species;
+	set_params(p_params);
+	_regrown = {};
+	_bounds->set_cover(p_map != nullptr ? p_map->get_cover() : nullptr,
+			p_map != nullptr ? slope_lean(_setup.follow_slope) * _setup.blade_length() : 0.0);
+	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, p_map);
+	_tiles.set_grid(_setup.grid);
+	_tiles.set_params(tile_params());
+	_tiles.set_bounds(_bounds);
+	_tiles.reset();
+	_clock.reset();
+}
+
+void Field::forget_map() {
+	_map = nullptr;
+	_blades = FieldBlades();
+}
+
+// The method stays the one that was chosen.
+void Field::set_params(const FieldParams &p_params) {
+	const Method method = get_method();
+	_params = p_params;
+	set_method(method);
+}
+
+void Field::set_method(Method p_method) {
+	_params.solver.method = p_method;
+	for (SolverParams &species : _params.species) {
+		species.method = p_method;
+	}
+}
+
+void Field::choose_method(Simulator &r_simulator, Method p_wanted) {
+	set_method(r_simulator.choose_method(p_wanted));
+}
+
+TileParams Field::tile_params() const {
+	TileParams params;
+	params.pool_size = _setup.pool_tiles;
+	params.sleep_mode = _params.sleep_mode;
+	params.sleep_delay = _params.sleep_delay;
+	params.sleep_energy = _params.calm_energy();
+	params.still_delay = _params.calm_time();
+	params.settle_time = _params.settle_time;
+	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.low = _bounds ? _bounds->get_low() : 0.0;
+	params.height = _bounds ? _bounds->get_height() : 0.0;
+	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
+	params.is_mapped = _blades.is_told();
+	params.seed = _setup.seed;
+	return params;
+}
+
+void Field::stir() {
+	_tiles.set_params(tile_params());
+	_tiles.stir(all_tiles());
+}
+
+void Field::regrow(const TileRange &p_tiles) {
+	_regrown = _regrown.count() > 0 ? _regrown.joined(p_tiles) : p_tiles;
+	_tiles.set_params(tile_params()); // lowest and highest ground
+}
+
+void Field::see(const FieldView &p_view, bool p_is_visible) {
+	if (p_view.cameras.empty() && p_is_visible) {
+		_tiles.see_all();
+		_is_seen = true;
+		return;
+	}
+	std::vector<Frustum> frustums;
+	for (const ViewCamera &camera : p_view.cameras) {
+		frustums.push_back(camera.planes);
+	}
+	float margin = std::max(VIEW_MARGIN, p_view.shadow_margin);
+	for (const Eigen::Vector3f &fall : p_view.falls) {
+		margin = std::max(margin, fall.norm());
+	}
+	_tiles.see(frustums, margin);
+	_is_seen = _tiles.is_field_seen();
+}
+
+bool Field::begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta) {
+	r_simulator.tidy();
+	choose_method(r_simulator, p_method); // at rest, too: it compiles meanwhile
+	_can_simulate = r_simulator.can_simulate();
+	if ((_is_seen && _can_simulate) || p_is_listened) {
+		return true;
+	}
+	_unseen_time += p_delta;
+	_unseen_ticks += _can_simulate ? 1 : 0;
+	return false;
+}
+
+bool Field::resume() {
+	const bool has_passed = _unseen_time > 0.0;
+	if (has_passed) {
+		_tiles.pass_unseen(_unseen_time);
+	}
+	_unseen_time = 0.0;
+	return has_passed;
+}
+
+bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta) {
+	CpuClock clock;
+	_tiles.report_energy(r_simulator.read_energy());
+	_tiles.stir(r_simulator.is_complete() ? _regrown : all_tiles());
+	_tiles.update(p_delta, p_colliders);
+	_tiles_ms = clock.lap();
+	if (!_can_simulate) {
+		_tiles.reset(); // which bodies meet grass is known; the blades stand
+		return false;
+	}
+	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
+		return false;
+	}
+	step(r_simulator, p_delta);
+	return true;
+}
+
+void Field::step(Simulator &r_simulator, double p_delta) {
+	StepInput input;
+	input.number = _tiles.get_step_number();
+	input.slots = _tiles.get_slots();
+	input.colliders = _tiles.get_colliders();
+	input.sharp = _tiles.get_sharp();
+	input.collider_list = _tiles.get_collider_list();
+	input.planes = _tiles.get_planes();
+	input.growth = grow_tiles();
+	input.step = _clock.advance(_params.solver, p_delta);
+	_species_steps.clear();
+	for (const SolverParams &species : _params.species) {
+		_species_steps.push_back(_clock.repeat(species));
+	}
+	input.species = _species_steps;
+	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
+		float(GRASS_KNOTS) };
+	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
+	r_simulator.step(input);
+}
+
+// How the blades grow of tiles that woke in this tick, and of those awake below which the map changed.
+std::span<const SlotGrowth> Field::grow_tiles() {
+	_growth.clear();
+	if (_blades.is_told()) {
+		for (const GrassSlot &slot : _tiles.get_slots()) {
+			const bool is_retired = slot.list.w & GRASS_SLOT_RETIRED, is_fresh = slot.list.w & GRASS_SLOT_FRESH;
+			if (!is_retired && (is_fresh || _regrown.has(slot.tile.x, slot.tile.y))) {
+				_growth.push_back(_blades.grow(slot));
+			}
+		}
+		_regrown = {};
+	}
+	return _growth;
+}
+
+double Field::ground_reach() const {
+	return _map != nullptr ? std::max(-get_cover()->get_low(), get_cover()->get_high()) : 0.0;
+}
+
+double Field::ground_range() const {
+	return _map != nullptr ? double(get_cover()->get_high()) - double(get_cover()->get_low()) : 0.0;
+}
+
+std::shared_ptr<TileBounds> Field::bounds_of(const FieldSetup &p_next) const {
+	const bool same_blades = _bounds && _setup.patch == p_next.patch && _setup.clump == p_next.clump && _setup.seed == p_next.seed &&
+			_setup.is_mapped == p_next.is_mapped && (_setup.species == nullptr) == (p_next.species == nullptr) &&
+			_setup.card_size == p_next.card_size && _setup.follow_slope == p_next.follow_slope;
+	return same_blades ? std::make_shared<TileBounds>(*_bounds, p_next.grid)
+					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
+}
+
+std::vector<Eigen::Vector3d> Field::find_knots(
+		int p_x, int p_z, int p_first, int p_count, std::span<const Eigen::Vector3f> p_simulated) const {
+	std::vector<Eigen::Vector3d> knots;
+	knots.reserve(size_t(p_count * GRASS_KNOTS));
+	for (int i = 0; i < p_count; i++) {
+		const FieldBlades::Pose pose = _blades.get_pose(p_x, p_z, p_first + i);
+		const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * _setup.grid.get_tile_size();
+		const Eigen::Vector3d root = _setup.grid.get_centre(p_x, p_z) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
+		for (int knot = 0; knot < GRASS_KNOTS; knot++) {
+			const bool at_rest = p_simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
+			const Eigen::Vector3f in_blade = at_rest ? _blades.get_rest_knot(pose, knot) : p_simulated[size_t(i * GRASS_KNOTS + knot)];
+			knots.push_back(root + in_blade.cast<double>());
+		}
+	}
+	return knots;
+}
+
+} // namespace grass

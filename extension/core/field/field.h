@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The field that runs: its setup, its awake tiles, its clock, what is seen of it. A tick goes from bodies to tiles to a simulator. No node
+// and no engine: tests/unit/test_field.cpp runs it.
+#pragma once
+
+#include "core/detail/view.h"
+#include "core/field/field_params.h"
+#include "core/field/field_setup.h"
+#include "core/field/simulator.h"
+#include "core/map/field_map.h"
+#include "core/plants/field_blades.h"
+#include "core/tiles/tiles.h"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class Field {
+public:
+	using SpeciesPatches = std::vector<std::shared_ptr<const Patch>>;
+
+	// From here on it is this field, all of it at rest. p_map: what is painted on it, or null; outlives the field, or forget_map().
+	// p_species: the patch of each species.
+	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map, const SpeciesPatches &p_species,
+			const FieldParams &p_params);
+	void forget_map();
+	// Puts every blade to rest at once.
+	void rest() { _tiles.reset(); }
+
+	// For the next step.
+	void set_params(const FieldParams &p_params);
+	// Tiles follow the params, and what stands still may move.
+	void stir();
+	// The method to simulate by from now on, as soon as the simulator can.
+	void choose_method(Simulator &r_simulator, Method p_wanted);
+	Method get_method() const { return _params.solver.method; }
+	// The map has changed under these tiles.
+	void regrow(const TileRange &p_tiles);
+
+	// What the cameras of a frame see of it. Without any, in a node that is visible, all of it: a world without a camera is looked at in
+	// ways that are not known here, by scripts, by tests.
+	void see(const FieldView &p_view, bool p_is_visible);
+	bool is_seen() const { return _is_seen; } // or a shadow of it
+
+	// Begins a tick of p_delta seconds. False: nobody would notice what happens in it, so the rest of it is left out.
+	bool begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta);
+	// True once after ticks that were left out: bodies have gone on meanwhile, and sweep nothing.
+	bool resume();
+	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved.
+	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta);
+
+	const FieldSetup &get_setup() const { return _setup; }
+	const TileGrid &get_grid() const { return _setup.grid; }
+	const TileManager &get_tiles() const { return _tiles; }
+	const FieldBlades &get_blades() const { return _blades; }
+	const TileBounds *get_bounds() const { return _bounds.get(); }
+	const TileCover *get_cover() const { return _map != nullptr ? _map->get_cover().get() : nullptr; }
+	const MapLayers *get_layers() const { return _map != nullptr ? &_map->get_layers() : nullptr; }
+	const FieldMap *get_map() const { return _map; }
+	const SpeciesPatches &get_species() const { return _species; }
+	double ground_reach() const; // metres that the ground rises above or falls below the field
+	double ground_range() const; // metres from the lowest ground to the highest
+	int64_t get_unseen_ticks() const { return _unseen_ticks; } // left out so far
+	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick
+
+	// The boxes of the tiles of a field that follows this one.
+	std::shared_ptr<TileBounds> bounds_of(const FieldSetup &p_next) const;
+	// Knots of p_count blades of the tile from p_first on, field space, metres. p_simulated: those of an awake tile in blade space, as
+	// Backend::read_knots() returns them; none of one at rest.
+	std::vector<Eigen::Vector3d> find_knots(int p_x, int p_z, int p_first, int p_count, std::span<const Eigen::Vector3f> p_simulated) const;
+
+private:
+	TileParams tile_params() const;
+	void set_method(Method p_method);
+	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
+	std::span<const SlotGrowth> grow_tiles();
+	void step(Simulator &r_simulator, double p_delta);
+
+	FieldSetup _setup;
+	FieldParams _params;
+	std::shared_ptr<TileBounds> _bounds;
+	const FieldMap *_map = nullptr;
+	SpeciesPatches _species;
+	FieldBlades _blades;
+	TileManager _tiles;
+	StepClock _clock;
+	std::vector<GrassStep> _species_steps; // of this tick
+	std::vector<SlotGrowth> _growth; // of this tick
+	TileRange _regrown; // tiles below which the map changed since the last tick
+	bool _is_seen = true; // in the last frame; where no frames are drawn, always
+	bool _can_simulate = false; // in this tick
+	double _unseen_time = 0.0; // seconds of ticks left out since the last one that was not
+	int64_t _unseen_ticks = 0;
+	double _tiles_ms = 0.0;
+};
+
+} // namespace grass

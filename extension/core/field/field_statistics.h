@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// All that is counted and measured of a field, for scripts and tests. Nothing that runs reads it.
+#pragma once
+
+#include "core/bodies/body_reads.h"
+#include "core/field/backend_statistics.h"
+#include "core/tiles/tiles.h"
+
+namespace grass {
+
+// Of the picture, and of shadows: in the newest frame known.
+struct DrawnStatistics {
+	std::array<int64_t, 2> tiles{}, triangles{};
+};
+
+struct FieldStatistics {
+	const char *backend = "none";
+	int64_t tiles = 0, blades = 0, pool_tiles = 0, bare_tiles = 0;
+	int64_t memory = 0; // bytes
+	int64_t awake_tiles = 0;
+	int64_t bodies = 0;
+	BodyReads reads;
+	TileStatistics tile_work;
+	BackendStatistics backend_work;
+	DrawnStatistics drawn;
+
+	int64_t map_bytes = 0; // uploaded so far
+	int64_t map_waiting = 0; // chunks
+	int64_t fill_cells = 0; // texels on which rules ran
+	int64_t fill_waiting = 0; // chunks
+	bool is_waiting = false; // to be made again
+	int64_t builds = 0, makings = 0; // backends made; times that the field was made
+	int64_t unseen_ticks = 0; // ticks left out
+	int64_t wind_updates = 0; // frames in which the wind's clock went to the materials
+	int64_t instance_updates = 0; // times that the renderer was told anything of the node
+
+	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field
+	// (the most that one frame had to do for it).
+	double gather_ms = 0.0, tiles_ms = 0.0, frame_ms = 0.0, build_ms = 0.0;
+};
+
+} // namespace grass

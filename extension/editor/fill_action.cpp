@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "editor/fill_action.h"
+
+#include "nodes/editor_hooks.h"
+#include "nodes/grass_field.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/editor_undo_redo_manager.hpp>
+#include <godot_cpp/classes/undo_redo.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+void mark_edited(const Ref<Resource> &p_resource) {
+	EditorInterface::get_singleton()->set_object_edited(p_resource.ptr(), true);
+}
+
+// A field without a map gets one on which grass stands everywhere.
+void fill(GrassField &r_field) {
+	const bool is_new = r_field.get_map().is_null();
+	if (is_new) {
+		Ref<GrassMap> map;
+		map.instantiate();
+		map->set_base_density(1.0);
+		r_field.set_map(map);
+	}
+	const Ref<GrassMap> map = r_field.get_map();
+	const Ref<GrassMapSnapshot> before = map->take_snapshot();
+	r_field.fill(r_field.get_fill_rule());
+	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
+	history->create_action("Fill Grass", UndoRedo::MERGE_DISABLE, &r_field);
+	if (is_new) {
+		history->add_do_property(&r_field, "map", map);
+		history->add_undo_property(&r_field, "map", Variant());
+	}
+	history->add_do_method(map.ptr(), "restore_snapshot", map->take_snapshot());
+	history->add_undo_method(map.ptr(), "restore_snapshot", before);
+	history->commit_action(false); // done already
+	mark_edited(map);
+}
+
+} // namespace
+
+void set_editor_hooks() {
+	editor_hooks = { fill, mark_edited };
+}
+
+void clear_editor_hooks() {
+	editor_hooks = {};
+}
+
+} // namespace grass

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What the editor does for nodes. Its plugin fills these in while it runs; nodes know nothing else of it.
+#pragma once
+
+#include <godot_cpp/classes/resource.hpp>
+
+namespace grass {
+
+class GrassField;
+
+struct EditorHooks {
+	void (*fill)(GrassField &r_field) = nullptr; // fills the field's map by its rule, as a step of the history
+	void (*mark_edited)(const godot::Ref<godot::Resource> &p_resource) = nullptr; // so that it is saved with the scene
+};
+
+// Empty in games.
+inline EditorHooks editor_hooks;
+
+} // namespace grass

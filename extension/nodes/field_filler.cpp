@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_filler.h"
+
+#include "backend/parallel.h"
+#include "nodes/editor_hooks.h"
+#include "nodes/grass_exclusion_3d.h"
+
+#include <godot_cpp/core/memory.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Filled in a frame, at most: 65,536 texels. More: frames stutter while a rule is changed. Fewer: a field of 1 km^2 (256 chunks) takes
+// longer to follow.
+constexpr int CHUNKS_A_FRAME = 4;
+// Nodes of the rule's groups notify nobody when they move: their places are read this often, frames.
+constexpr int FRAMES_BETWEEN_LOOKS = 15;
+
+void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
+	Parallel *parallel = memnew(Parallel);
+	parallel->run(p_count, p_body);
+	memdelete(parallel);
+}
+
+} // namespace
+
+// What the field itself does to the map concerns no rule.
+template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map, F &&p_change) {
+	_is_filling = true;
+	const FillResult result = p_map.ptr()->change(p_change);
+	_is_filling = false;
+	_cells += result.cells;
+	return result;
+}
+
+void FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
+	if (_rule.is_valid()) {
+		_rule->disconnect("changed", p_changed);
+	}
+	_rule = p_rule;
+	if (_rule.is_valid()) {
+		_rule->connect("changed", p_changed);
+	} else if (p_map.is_valid() && _state.is_set()) {
+		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, on_all_threads); });
+	}
+}
+
+void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
+	_is_live = p_live;
+	if (!p_live && _state.is_set() && editor_hooks.mark_edited != nullptr) {
+		editor_hooks.mark_edited(p_map); // what is filled is saved with it from now on
+	}
+	_state = LiveFill(); // without it the map keeps what is filled
+}
+
+void FieldFiller::look(const Place &p_place) {
+	_has_changed = false;
+	_revision = GrassExclusion3D::get_revision();
+	_frames_to_look = FRAMES_BETWEEN_LOOKS;
+	_state.set(_rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform), p_place.region);
+}
+
+void FieldFiller::start(const Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once) {
+	look(p_place);
+	if (p_at_once) {
+		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, -1, on_all_threads); });
+	}
+	_has_finished = _state.get_waiting() == 0;
+	_replacements = p_map->get_replacements();
+	_base_density = p_map->get_base_density();
+}
+
+bool FieldFiller::update(const Ref<GrassMap> &p_map, const Place &p_place) {
+	if (_rule.is_null() || !_state.is_set() || !p_map->is_readable()) {
+		return false;
+	}
+	if (_has_changed || _revision != GrassExclusion3D::get_revision() || --_frames_to_look <= 0) {
+		look(p_place);
+	}
+	if (_state.get_waiting() > 0) {
+		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, CHUNKS_A_FRAME, on_all_threads); });
+		_has_finished = _state.get_waiting() == 0;
+	}
+	return std::exchange(_has_finished, false);
+}
+
+void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &p_chunks) {
+	if (_is_filling || !_state.is_set()) {
+		return;
+	}
+	std::vector<MapKey> keys;
+	for (int64_t i = 0; i < p_chunks.size(); i++) {
+		const Vector2i chunk = p_chunks[i];
+		keys.push_back({ chunk.x, chunk.y });
+	}
+	const bool is_replaced = _replacements != p_map->get_replacements();
+	_replacements = p_map->get_replacements();
+	_state.touch(p_map->get_map(), keys, is_replaced);
+	if (_base_density != p_map->get_base_density()) { // it shows where a chunk is filled with nothing else
+		_base_density = p_map->get_base_density();
+		_state.touch_all();
+	}
+}
+
+double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
+	const FillRule rule = p_rule->get_rule(p_place.region);
+	const FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
+	return change(p_map, [&](PaintMap &r_map) {
+		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, on_all_threads);
+	}).amount;
+}
+
+} // namespace grass

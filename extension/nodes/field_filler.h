@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Keeps a map filled by a rule: spread over frames, and only where something changed.
+#pragma once
+
+#include "core/base/tile_grid.h"
+#include "core/fill/live_fill.h"
+#include "nodes/fill_gatherer.h"
+#include "nodes/grass_map.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+namespace grass {
+
+class FieldFiller {
+public:
+	// What is filled: the field's node, its transform (global, without scale), its rectangle.
+	struct Place {
+		godot::Node3D *node;
+		godot::Transform3D transform;
+		MapRegion region;
+	};
+
+	// p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
+	void set_rule(const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
+	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
+	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
+	bool is_live() const { return _is_live; }
+	bool is_active() const { return _rule.is_valid() && _is_live; } // fills a map
+	bool is_set() const { return _state.is_set(); } // has begun to
+	void rule_changed() { _has_changed = true; }
+	// Another map: nothing is filled yet.
+	void forget_map() { _state = LiveFill(); }
+
+	// Looks at the rule; at once: fills all of the map by it.
+	void start(const godot::Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once);
+	// Once a frame, after start(). True in the frame in which it has finished.
+	bool update(const godot::Ref<GrassMap> &p_map, const Place &p_place);
+	// Somebody changed chunks of the map.
+	void touch(const godot::Ref<GrassMap> &p_map, const godot::TypedArray<godot::Vector2i> &p_chunks);
+	// Fills by any rule, once. Returns square metres of full grass that came.
+	double fill(const godot::Ref<GrassMap> &p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
+
+	int64_t get_cells() const { return _cells; } // texels on which rules ran, in all
+	int get_waiting() const { return _state.get_waiting(); } // chunks
+
+private:
+	void look(const Place &p_place);
+	template <typename F> FillResult change(const godot::Ref<GrassMap> &p_map, F &&p_change);
+
+	godot::Ref<GrassFillRule> _rule;
+	bool _is_live = true;
+	LiveFill _state; // not set: nothing filled yet
+	FillGatherer _gatherer;
+	bool _has_changed = false; // the rule, since it was looked at
+	bool _is_filling = false; // the map changes by the field's own doing
+	uint64_t _revision = 0; // of the exclusion nodes, when looked at
+	bool _has_finished = false; // since the last update()
+	uint64_t _replacements = 0; // of the map's contents, as far as known
+	double _base_density = 0.0; // of the map, as far as known
+	int _frames_to_look = 0;
+	int64_t _cells = 0;
+};
+
+} // namespace grass

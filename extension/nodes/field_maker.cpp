@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_maker.h"
+
+#include "draw/frame_share.h"
+#include "draw/ground.h"
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+void FieldMaker::request() {
+	_is_waiting = true;
+	_most_ms = 0.0;
+	_wanted.reset();
+}
+
+bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend) {
+	const bool in_parts = p_backend != nullptr;
+	if (in_parts && !p_properties.prepare_patches()) {
+		return false;
+	}
+	const auto has_time = [in_parts] { return !in_parts || FrameShare::has_time(); };
+	if (!_wanted && has_time()) {
+		// Another backend of this field goes on by passes that are compiled.
+		_wanted = find_wanted(p_properties, in_parts ? p_now.get_method() : p_properties.method);
+	}
+	if (_wanted && !_wanted->bounds && has_time()) {
+		_wanted->bounds = p_now.bounds_of(_wanted->setup);
+	}
+	if (!_wanted || !_wanted->bounds) {
+		return false;
+	}
+	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(_wanted->setup.is_mapped));
+	return has_shaders && prepare_map(p_properties, in_parts) && has_time();
+}
+
+bool FieldMaker::prepare_map(const FieldProperties &p_properties, bool p_in_parts) {
+	if (!_wanted->setup.is_mapped || _wanted->setup.patch->is_empty()) {
+		return true;
+	}
+	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
+	std::unique_ptr<ShownMap> &map = _wanted->map;
+	if (!map && has_time()) {
+		map = std::make_unique<ShownMap>(p_properties.map, _wanted->setup);
+	}
+	while (map && has_time()) {
+		if (!map->work()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method p_method) const {
+	WantedField wanted;
+	FieldSetup &setup = wanted.setup;
+	setup.grid = p_properties.grid();
+	setup.patch = p_properties.find_patch();
+	setup.clump = p_properties.clump();
+	setup.pool_tiles = int(p_properties.pool_tiles);
+	setup.method = p_method;
+	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
+	setup.seed = uint32_t(p_properties.seed);
+	setup.is_mapped = p_properties.map.is_valid();
+	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
+	setup.card_size = p_properties.species.find_card_size();
+	wanted.mix = p_properties.species.find_mix();
+	setup.species = p_properties.species.is_empty() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
+	wanted.species = p_properties.species.find_grown();
+	return wanted;
+}
+
+WantedField FieldMaker::take() {
+	WantedField wanted = std::move(*_wanted);
+	_wanted.reset();
+	_is_waiting = false;
+	_makings++;
+	return wanted;
+}
+
+void FieldMaker::add_time(double p_ms) {
+	_most_ms = std::max(_most_ms, p_ms);
+}
+
+} // namespace grass

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on. One that stands
+// goes on as it is until all that takes long has been made beside it: patches and passes by other threads, shaders and the map piece by
+// piece, as frames have time for it (draw/frame_share.h).
+#pragma once
+
+#include "backend/backend.h"
+#include "core/field/field.h"
+#include "nodes/field_properties.h"
+#include "nodes/shown_map.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace grass {
+
+// The field that properties describe, as far as it is prepared. Nothing that runs reads it.
+struct WantedField {
+	FieldSetup setup;
+	std::vector<SpeciesParams> mix;
+	std::vector<GrownSpecies> species;
+	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
+	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
+};
+
+class FieldMaker {
+public:
+	// However many properties change, the field is made once, at the next tick or frame.
+	void request();
+	bool is_waiting() const { return _is_waiting; }
+	// Prepares it; beside a field that stands (p_backend) no more of it than this frame has time for. True once it can be made.
+	bool prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend);
+	// The field that was prepared, to be made now.
+	WantedField take();
+	void forget() { _wanted.reset(); }
+
+	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
+	// What the making took of one frame, milliseconds; the most of them since request().
+	void add_time(double p_ms);
+	double get_time() const { return _most_ms; }
+	int64_t get_makings() const { return _makings; } // so far
+
+private:
+	WantedField find_wanted(const FieldProperties &p_properties, Method p_method) const;
+	bool prepare_map(const FieldProperties &p_properties, bool p_in_parts);
+
+	bool _is_waiting = false;
+	std::optional<WantedField> _wanted; // once it is known what the properties make
+	double _most_ms = 0.0;
+	int64_t _makings = 0;
+};
+
+} // namespace grass

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_properties.h"
+
+using namespace godot;
+
+namespace grass {
+
+FieldProperties::FieldProperties() {
+	for (size_t i = 0; i < params.size(); i++) {
+		params[i] = FIELD_PARAMS[i].tunable.initial;
+	}
+	for (size_t i = 0; i < colors.size(); i++) {
+		colors[i] = Color(FIELD_COLORS[i].red, FIELD_COLORS[i].green, FIELD_COLORS[i].blue);
+	}
+}
+
+ClumpParams FieldProperties::clump() const {
+	return { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
+		float(param(PARAM_CLUMP_TINT)) };
+}
+
+LodParams FieldProperties::lod() const {
+	LodParams lod;
+	lod.far = float(param(PARAM_LOD_FAR));
+	lod.error = float(param(PARAM_LOD_ERROR));
+	lod.pixels_min = float(param(PARAM_PIXELS_MIN));
+	lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
+	return lod.sanitised();
+}
+
+SolverParams FieldProperties::solver() const {
+	SolverParams solver;
+	solver.method = method;
+	solver.natural_frequency = param(PARAM_NATURAL_FREQUENCY);
+	solver.damping_ratio = param(PARAM_DAMPING_RATIO);
+	solver.root_stiffness = param(PARAM_ROOT_STIFFNESS);
+	solver.bend_stiffness = param(PARAM_BEND_STIFFNESS);
+	solver.friction = param(PARAM_FRICTION);
+	solver.max_speed = param(PARAM_MAX_SPEED);
+	solver.iterations = int(param(PARAM_ITERATIONS));
+	return solver;
+}
+
+FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_species) const {
+	FieldParams field;
+	field.solver = solver();
+	field.species = solvers_of(p_species, field.solver);
+	field.sleep_mode = sleep_mode;
+	field.sleep_delay = param(PARAM_SLEEP_DELAY);
+	field.sleep_motion = param(PARAM_SLEEP_MOTION);
+	field.settle_time = param(PARAM_SETTLE_TIME);
+	return field;
+}
+
+RecoveryRates FieldProperties::recovery_rates(const std::vector<GrownSpecies> &p_species) const {
+	RecoveryRates rates;
+	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
+	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
+	for (size_t s = 0; s < p_species.size(); s++) {
+		rates.wear[s] = p_species[s].species->get_wear_recovery() / 60.0;
+	}
+	return rates;
+}
+
+bool FieldProperties::prepare_patches() const {
+	return species.prepare_patches() && (!species.is_empty() || patch.is_null() || const_cast<GrassPatch *>(patch.ptr())->prepare());
+}
+
+std::shared_ptr<const Patch> FieldProperties::find_patch() const {
+	if (!species.is_empty()) {
+		return species.join();
+	}
+	return patch.is_valid() ? const_cast<GrassPatch *>(patch.ptr())->get_patch() : GrassPatch::get_default();
+}
+
+} // namespace grass

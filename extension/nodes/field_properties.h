@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a user set of a GrassField, and what follows from it without a field. Setters are the node's.
+#pragma once
+
+#include "core/base/tile_grid.h"
+#include "core/blades/patch.h"
+#include "core/detail/lod.h"
+#include "core/field/field_params.h"
+#include "core/wear/recovery.h"
+#include "nodes/field_params.h"
+#include "nodes/field_species.h"
+#include "nodes/grass_map.h"
+#include "nodes/grass_patch.h"
+
+#include <array>
+
+namespace grass {
+
+struct FieldProperties {
+	FieldProperties(); // defaults
+
+	double param(FieldParamId p_param) const { return params[size_t(p_param)]; }
+	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
+	ClumpParams clump() const;
+	LodParams lod() const;
+	SolverParams solver() const;
+	// Of a field that stands with these species.
+	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
+	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
+	// Lets threads make the patches that are missing. True once none is.
+	bool prepare_patches() const;
+	std::shared_ptr<const Patch> find_patch() const;
+
+	godot::Vector2 size{ 32, 32 };
+	godot::Ref<GrassPatch> patch;
+	FieldSpecies species;
+	godot::Ref<GrassMap> map;
+	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
+	bool simulated = true, measure_time = false, has_ground = true;
+	Method method = SolverParams().method;
+	SleepMode sleep_mode = TileParams().sleep_mode;
+	bool is_on_cpu = false;
+	int64_t debug_view = GRASS_DEBUG_OFF;
+	std::array<double, FIELD_PARAMS.size()> params;
+	std::array<godot::Color, FIELD_COLORS.size()> colors;
+};
+
+} // namespace grass

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_species.h"
+
+using namespace godot;
+
+namespace grass {
+
+std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field) {
+	std::vector<SolverParams> solvers;
+	for (const GrownSpecies &grown : p_species) {
+		solvers.push_back(grown.species->get_solver(p_field));
+	}
+	return solvers;
+}
+
+std::vector<std::shared_ptr<const Patch>> patches_of(const std::vector<GrownSpecies> &p_species) {
+	std::vector<std::shared_ptr<const Patch>> patches;
+	for (const GrownSpecies &grown : p_species) {
+		patches.push_back(grown.patch);
+	}
+	return patches;
+}
+
+void FieldSpecies::set(const TypedArray<GrassSpecies> &p_species, const Callable &p_changed) {
+	for (const Ref<GrassSpecies> &species : _list) {
+		if (species.is_valid() && species->is_connected("changed", p_changed)) { // one may be there twice
+			species->disconnect("changed", p_changed);
+		}
+	}
+	_list.clear();
+	for (int64_t i = 0; i < p_species.size(); i++) {
+		const Ref<GrassSpecies> species = p_species[i];
+		if (species.is_valid() && !species->is_connected("changed", p_changed)) {
+			species->connect("changed", p_changed);
+		}
+		_list.push_back(species);
+	}
+}
+
+TypedArray<GrassSpecies> FieldSpecies::get() const {
+	TypedArray<GrassSpecies> species;
+	for (const Ref<GrassSpecies> &one : _list) {
+		species.push_back(one);
+	}
+	return species;
+}
+
+bool FieldSpecies::prepare_patches() const {
+	bool are_made = true;
+	for (const Ref<GrassSpecies> &species : _list) {
+		are_made = (species.is_null() || species->prepare_patch()) && are_made;
+	}
+	return are_made;
+}
+
+FieldSpecies::List FieldSpecies::find_used() const {
+	List used(_list.begin(), _list.begin() + std::min<size_t>(_list.size(), GRASS_MAX_SPECIES));
+	for (Ref<GrassSpecies> &species : used) {
+		if (species.is_null()) {
+			species.instantiate();
+			species->set_param(SPECIES_PARAM_SHARE, 0.0);
+		}
+	}
+	return used;
+}
+
+std::vector<GrownSpecies> FieldSpecies::find_grown() const {
+	std::vector<GrownSpecies> grown;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		grown.push_back({ species, species->find_patch() });
+	}
+	return grown;
+}
+
+std::vector<SpeciesParams> FieldSpecies::find_mix() const {
+	std::vector<SpeciesParams> mix;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		mix.push_back(species->get_mix());
+	}
+	return mix;
+}
+
+// A species without a patch has the one that fields without a patch have.
+std::vector<std::shared_ptr<const Patch>> FieldSpecies::find_patches() const {
+	std::vector<std::shared_ptr<const Patch>> patches;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		patches.push_back(species->find_patch());
+	}
+	return patches;
+}
+
+// Of all blades, together 1.
+std::vector<double> FieldSpecies::find_shares() const {
+	std::vector<double> shares;
+	double total = 0.0;
+	for (const SpeciesParams &mix : find_mix()) {
+		shares.push_back(mix.share);
+		total += mix.share;
+	}
+	for (size_t s = 0; s < shares.size(); s++) {
+		shares[s] = total > 0.0 ? shares[s] / total : (s == 0 ? 1.0 : 0.0);
+	}
+	return shares;
+}
+
+bool FieldSpecies::is_joined() const {
+	return _joined && _joined_from == find_patches() && _joined_shares == find_shares();
+}
+
+std::shared_ptr<const Patch> FieldSpecies::join() const {
+	if (!is_joined()) {
+		_joined_from = find_patches();
+		_joined_shares = find_shares();
+		_joined = std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares));
+	}
+	return _joined;
+}
+
+float FieldSpecies::find_card_size() const {
+	double most = 0.0;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		most = std::max(most, species->get_card_size());
+	}
+	return float(most);
+}
+
+void FieldSpecies::warn(bool p_has_patch, PackedStringArray &r_warnings) const {
+	if (_list.empty()) {
+		return;
+	}
+	if (_list.size() > GRASS_MAX_SPECIES) {
+		r_warnings.push_back(
+				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
+	}
+	if (p_has_patch) {
+		r_warnings.push_back("`patch` is not used while `species` has entries. Give it to one of the species, or empty one of the two.");
+	}
+	for (size_t i = 0; i < std::min<size_t>(_list.size(), GRASS_MAX_SPECIES); i++) {
+		if (_list[i].is_null()) {
+			r_warnings.push_back(
+					vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
+		} else if (_list[i]->prepare_patch() && _list[i]->find_patch()->is_empty()) {
+			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _list[i]->find_patch()->empty_because));
+		}
+		if (_list[i].is_valid() && _list[i]->get_patch().is_valid()) {
+			r_warnings.append_array(_list[i]->get_patch()->find_warnings(vformat("The patch of species %d", int64_t(i))));
+		}
+	}
+}
+
+} // namespace grass

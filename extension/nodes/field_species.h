@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A field's species: from the list of resources to one patch, one mix, and the steps of a tick.
+#pragma once
+
+#include "core/blades/patch.h"
+#include "core/plants/species.h"
+#include "core/solver/solver_params.h"
+#include "nodes/grass_species.h"
+
+#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+// A species of a field that stands, with the patch that it was made with.
+struct GrownSpecies {
+	godot::Ref<GrassSpecies> species;
+	std::shared_ptr<const Patch> patch;
+};
+
+// The field's solver as each species has it.
+std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field);
+
+std::vector<std::shared_ptr<const Patch>> patches_of(const std::vector<GrownSpecies> &p_species);
+
+// The list that the node's property holds.
+class FieldSpecies {
+public:
+	using List = std::vector<godot::Ref<GrassSpecies>>;
+
+	// p_changed: called when one of them changes.
+	void set(const godot::TypedArray<GrassSpecies> &p_species, const godot::Callable &p_changed);
+	godot::TypedArray<GrassSpecies> get() const;
+	bool is_empty() const { return _list.empty(); }
+
+	// Lets threads make the patches that are missing. True once none is.
+	bool prepare_patches() const;
+	// Those that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
+	List find_used() const;
+	std::vector<SpeciesParams> find_mix() const;
+	std::vector<GrownSpecies> find_grown() const;
+	// Of the largest flower or seed head, from its tip, metres; a card on a thinned tile is drawn larger.
+	float find_card_size() const;
+	bool is_joined() const; // the patch of join() is of the species as they are
+	// All species' blades as one patch, the same one until they change.
+	std::shared_ptr<const Patch> join() const;
+	// p_has_patch: the field has a patch of its own, too.
+	void warn(bool p_has_patch, godot::PackedStringArray &r_warnings) const;
+
+private:
+	std::vector<std::shared_ptr<const Patch>> find_patches() const;
+	std::vector<double> find_shares() const;
+
+	List _list; // may hold empty ones
+	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares
+	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
+	mutable std::vector<double> _joined_shares;
+};
+
+} // namespace grass

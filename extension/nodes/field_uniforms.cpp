@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_uniforms.h"
+
+#include "draw/patch_texture.h"
+
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const {
+	const TileGrid &grid = p_setup.grid;
+	p_set("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
+	p_set("lattice_points", lattice_texture());
+	p_set("tile_size", grid.get_tile_size());
+	p_set("clump", Vector4(p_setup.clump.size, p_setup.clump.height, p_setup.clump.lean, p_setup.clump.tint));
+	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
+	p_set("debug_view", p_properties.debug_view);
+	p_set("follow_slope", p_setup.follow_slope);
+	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
+		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
+			p_set(FIELD_PARAMS[i].tunable.name, p_properties.params[i]);
+		}
+	}
+	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
+		p_set(FIELD_COLORS[i].name, p_properties.colors[i]);
+	}
+	set_wind(p_properties, p_set);
+}
+
+void FieldUniforms::set_wind(const FieldProperties &p_properties, const Set &p_set) const {
+	const double angle = Math::deg_to_rad(p_properties.param(PARAM_WIND_DIRECTION)), speed = p_properties.param(PARAM_WIND_SPEED);
+	p_set("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
+	p_set("gust", Vector2(real_t(p_properties.param(PARAM_GUST_SIZE)), real_t(p_properties.param(PARAM_GUST_STRENGTH))));
+}
+
+void FieldUniforms::set_wind_clock(const Set &p_set) const {
+	p_set("grass_time", Vector2(real_t(_wind.sway), real_t(_wind.roll)));
+}
+
+bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta) {
+	const double speed = p_properties.param(PARAM_WIND_SPEED);
+	if (speed > 0.0) {
+		_wind.advance(p_delta, speed, p_properties.param(PARAM_GUST_SIZE));
+	}
+	return speed > 0.0;
+}
+
+void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set) {
+	if (!p_setup.species) {
+		return;
+	}
+	PackedInt32Array records;
+	for (const SpeciesRecord &record : p_setup.species->get_records()) {
+		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
+			records.push_back(value);
+		}
+	}
+	records.resize(4 * GRASS_MAX_SPECIES);
+	p_set("species_count", p_setup.species->get_count());
+	p_set("species_mix", records);
+	p_set("species_texel", p_setup.species->get_texel_units());
+	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
+	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
+	std::vector<SpeciesLook> looks;
+	for (const GrownSpecies &grown : p_species) {
+		SpeciesLook look = grown.species->get_look();
+		const float own = grown.patch->mean_height * OVER_MEAN, mixed = p_setup.patch->mean_height * OVER_MEAN;
+		const float alone = float(grown.species->get_mix().stand_strength);
+		look.blade_area = COVERS * grown.patch->mean_width * grown.patch->mean_length;
+		look.canopy_alone = std::max(own, 0.01f);
+		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
+		looks.push_back(look);
+	}
+	if (!are_made_of(_cards, looks)) {
+		_cards = make_cards(looks);
+	}
+	p_set("species_look", make_look_texture(looks, _cards));
+	if (_cards.textures.is_valid()) {
+		p_set("card_textures", _cards.textures);
+	}
+}
+
+} // namespace grass

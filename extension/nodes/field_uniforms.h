@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What the shaders of a field read besides textures of patch, pool and map.
+#pragma once
+
+#include "core/blades/wind.h"
+#include "core/field/field_setup.h"
+#include "draw/species_look.h"
+#include "nodes/field_properties.h"
+
+#include <functional>
+#include <vector>
+
+namespace grass {
+
+class FieldUniforms {
+public:
+	using Set = std::function<void(const char *p_name, const godot::Variant &p_value)>;
+
+	// Of blades and ground.
+	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
+	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
+	// Of blades only. p_species: those that stand.
+	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set);
+	void set_wind_clock(const Set &p_set) const;
+
+	// The wind blows for p_delta seconds. False where there is none.
+	bool blow(const FieldProperties &p_properties, double p_delta);
+	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
+
+private:
+	WindClock _wind;
+	Cards _cards;
+};
+
+} // namespace grass

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/statistics_dictionary.h"
+
+#include "nodes/build_info.h"
+
+#include <godot_cpp/variant/variant.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+Dictionary to_dictionary(const FieldStatistics &p_statistics) {
+	const TileStatistics &tiles = p_statistics.tile_work;
+	const BackendStatistics &backend = p_statistics.backend_work;
+	const DrawnStatistics &drawn = p_statistics.drawn;
+	Dictionary result;
+	result["version"] = get_version();
+	result["backend"] = p_statistics.backend;
+	result["device"] = get_device();
+	result["driver"] = get_driver();
+	result["tiles"] = p_statistics.tiles;
+	result["blades"] = p_statistics.blades;
+	result["bare_tiles"] = p_statistics.bare_tiles;
+	result["map_bytes"] = p_statistics.map_bytes;
+	result["map_waiting"] = p_statistics.map_waiting;
+	result["waiting"] = p_statistics.is_waiting;
+	result["fill_cells"] = p_statistics.fill_cells;
+	result["fill_waiting"] = p_statistics.fill_waiting;
+	result["pool_tiles"] = p_statistics.pool_tiles;
+	result["awake_tiles"] = p_statistics.awake_tiles;
+	result["settling_tiles"] = tiles.settling;
+	result["still_tiles"] = tiles.still;
+	result["tile_steps"] = int64_t(tiles.tile_steps);
+	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
+	result["still_tile_steps"] = int64_t(tiles.still_steps);
+	result["unseen_ticks"] = p_statistics.unseen_ticks;
+	result["wind_updates"] = p_statistics.wind_updates;
+	result["woken"] = int64_t(tiles.woken);
+	result["slept"] = int64_t(tiles.slept);
+	result["evicted"] = int64_t(tiles.evicted);
+	result["refused"] = int64_t(tiles.refused);
+	result["capped"] = int64_t(tiles.capped);
+	result["bodies"] = p_statistics.bodies;
+	result["body_reads"] = p_statistics.reads.poses;
+	result["shape_reads"] = p_statistics.reads.shapes;
+	result["engine_calls"] = p_statistics.reads.engine_calls;
+	result["tiles_looked_at"] = int64_t(tiles.looked_at);
+	result["colliders"] = tiles.colliders;
+	result["list_entries"] = tiles.list_entries;
+	result["bad_colliders"] = int64_t(tiles.bad_colliders);
+	result["steps"] = backend.steps;
+	result["simulated_blades"] = backend.simulated_blades;
+	result["edge_tile_steps"] = backend.edge_tile_steps;
+	result["free_tile_steps"] = backend.free_tile_steps;
+	result["compiling"] = backend.compiling;
+	result["uploaded_bytes"] = backend.uploaded_bytes;
+	result["culls"] = backend.culls;
+	result["instance_updates"] = p_statistics.instance_updates;
+	result["drawn_tiles"] = drawn.tiles[0];
+	result["drawn_blades"] = backend.drawn_blades;
+	result["drawn_triangles"] = drawn.triangles[0];
+	result["left_out_tiles"] = backend.left_out_tiles[0];
+	result["shadow_tiles"] = drawn.tiles[1];
+	result["shadow_blades"] = backend.shadow_blades;
+	result["shadow_triangles"] = drawn.triangles[1];
+	result["left_out_shadow_tiles"] = backend.left_out_tiles[1];
+	result["gather_ms"] = p_statistics.gather_ms;
+	result["tiles_ms"] = p_statistics.tiles_ms;
+	result["management_ms"] = p_statistics.gather_ms + p_statistics.tiles_ms;
+	result["upload_ms"] = backend.upload_ms;
+	result["frame_ms"] = p_statistics.frame_ms;
+	result["build_ms"] = p_statistics.build_ms;
+	result["builds"] = p_statistics.builds;
+	result["makings"] = p_statistics.makings;
+	result["simulate_ms"] = backend.simulate_ms;
+	result["cull_ms"] = backend.cull_ms;
+	result["memory"] = p_statistics.memory;
+	return result;
+}
+
+} // namespace grass

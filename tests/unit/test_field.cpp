@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// Whole ticks without an engine: bodies in, blades out.
+#include "core/field/field.h"
+
+#include "core/field/grass_at.h"
+#include "core/field/visitors.h"
+#include "core/solver/simulate.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace grass;
+
+namespace {
+
+constexpr double TICK = 1.0 / 60.0;
+
+std::shared_ptr<const Patch> shared_patch() {
+	static const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
+	return patch;
+}
+
+// Simulates as the CPU backend does, unless a test forbids it.
+class PoolSimulator : public Simulator {
+public:
+	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_tiles) {}
+
+	bool can_simulate() override { return can; }
+	Method choose_method(Method p_wanted) override { return has_all_methods ? p_wanted : Method::DIRECT; }
+	void step(const StepInput &p_input) override {
+		_pool.step(p_input);
+		_step = p_input.number;
+		method = Method(int(p_input.step.contact.w));
+		slots.assign(p_input.slots.begin(), p_input.slots.end());
+		steps++;
+	}
+	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
+	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) const { return _pool.get_knots(p_slot, p_blade); }
+
+	bool can = true, has_all_methods = true;
+	int steps = 0;
+	Method method = Method::DIRECT; // of the last step
+	std::vector<GrassSlot> slots; // likewise
+
+private:
+	CpuPool _pool;
+	uint64_t _step = 0;
+};
+
+FieldSetup make_setup() {
+	FieldSetup setup;
+	setup.grid = TileGrid::make(16.0, 16.0, 64.0); // tiles of 1 m
+	setup.patch = shared_patch();
+	setup.pool_tiles = 64;
+	return setup;
+}
+
+// A field, and a ball on it.
+struct FieldScene {
+	FieldSetup setup = make_setup();
+	FieldParams params;
+	Field field;
+	PoolSimulator simulator{ setup };
+	std::vector<ColliderShape> bodies;
+	Visitors visitors;
+
+	FieldScene() {
+		params.sleep_mode = SleepMode::TIMER;
+		params.sleep_delay = 0.1;
+		params.settle_time = 0.1;
+		field.set(setup, field.bounds_of(setup), nullptr, {}, params);
+	}
+	void put_ball(const Eigen::Vector3d &p_place, const Eigen::Vector3d &p_before) {
+		ColliderShape ball;
+		ball.size.x() = 0.2;
+		ball.now.position = p_place;
+		ball.before.position = p_before;
+		ball.owner = 7;
+		bodies = { ball };
+	}
+	void put_ball(const Eigen::Vector3d &p_place) { put_ball(p_place, p_place); }
+	// False if the tick was left out.
+	bool tick(bool p_is_listened = false) {
+		if (!field.begin_tick(simulator, params.solver.method, p_is_listened, TICK)) {
+			return false;
+		}
+		field.resume();
+		field.tick(simulator, bodies, TICK);
+		return true;
+	}
+	void ticks(int p_count) {
+		for (int i = 0; i < p_count; i++) {
+			tick();
+		}
+	}
+	// The farthest that a knot of a tile is from where it is at rest, metres.
+	double bend_of(int p_x, int p_z) {
+		const int slot = field.get_tiles().get_slot_of(setup.grid.get_index(p_x, p_z));
+		double most = 0.0;
+		for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
+			const auto rest = field.find_knots(p_x, p_z, blade, 1, {});
+			const auto simulated = slot == GRASS_NO_SLOT ? std::vector<Eigen::Vector3f>() : simulator.read_knots(slot, blade);
+			const auto now = field.find_knots(p_x, p_z, blade, 1, simulated);
+			for (size_t knot = 0; knot < rest.size(); knot++) {
+				most = std::max(most, (now[knot] - rest[knot]).norm());
+			}
+		}
+		return most;
+	}
+};
+
+// A camera whose six planes hold nothing, or all, of the field.
+FieldView make_view(bool p_sees) {
+	ViewCamera camera;
+	camera.planes.fill(Eigen::Vector4f(1.0f, 0.0f, 0.0f, p_sees ? 1000.0f : -1000.0f));
+	FieldView view;
+	view.cameras = { camera };
+	return view;
+}
+
+} // namespace
+
+TEST_CASE("field: a ball bends the blades of its tile, which rise and sleep when it has gone") {
+	FieldScene scene;
+	scene.ticks(2);
+	CHECK(scene.simulator.steps == 0); // nothing is awake
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.ticks(20);
+	CHECK(scene.simulator.steps == 20);
+	CHECK(scene.bend_of(8, 8) > 0.05);
+	CHECK(scene.bend_of(0, 0) == 0.0);
+	scene.bodies.clear();
+	scene.ticks(60);
+	CHECK(scene.field.get_tiles().get_statistics().awake == 0);
+	CHECK(scene.bend_of(8, 8) == 0.0);
+	CHECK(scene.simulator.steps < 80);
+}
+
+TEST_CASE("field: the same ticks make the same bits") {
+	FieldScene one, other;
+	for (FieldScene *scene : { &one, &other }) {
+		for (int i = 0; i < 30; i++) {
+			scene->put_ball({ -2.0 + 0.1 * i, 0.2, 0.25 }, { -2.1 + 0.1 * i, 0.2, 0.25 });
+			scene->tick();
+		}
+	}
+	REQUIRE(one.simulator.slots.size() == other.simulator.slots.size());
+	for (const GrassSlot &slot : one.simulator.slots) {
+		CHECK(one.simulator.read_knots(slot.tile.w, 5) == other.simulator.read_knots(slot.tile.w, 5));
+	}
+}
+
+TEST_CASE("field: ticks that nobody sees are left out, unless somebody listens, and time has passed when it is seen again") {
+	FieldScene scene;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.ticks(5);
+	CHECK(scene.field.is_seen());
+	scene.field.see(make_view(false), true);
+	CHECK_FALSE(scene.field.is_seen());
+	CHECK_FALSE(scene.tick());
+	CHECK(scene.simulator.steps == 5);
+	CHECK(scene.field.get_unseen_ticks() == 1);
+	CHECK(scene.tick(true)); // resumes
+	CHECK_FALSE(scene.field.resume());
+	CHECK_FALSE(scene.tick());
+	scene.field.see(make_view(true), true);
+	REQUIRE(scene.field.begin_tick(scene.simulator, Method::DIRECT, false, TICK));
+	CHECK(scene.field.resume());
+	CHECK_FALSE(scene.field.resume());
+	scene.field.see(FieldView(), false); // hidden
+	CHECK_FALSE(scene.field.is_seen());
+	scene.field.see(FieldView(), true); // a world without a camera
+	CHECK(scene.field.is_seen());
+}
+
+TEST_CASE("field: while the simulation compiles grass stands, and who listens still hears of bodies in it") {
+	FieldScene scene;
+	scene.simulator.can = false;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	CHECK_FALSE(scene.tick());
+	CHECK(scene.field.get_unseen_ticks() == 0); // it is seen
+	CHECK(scene.tick(true));
+	CHECK(scene.simulator.steps == 0);
+	CHECK(scene.field.get_tiles().get_statistics().awake == 0);
+	CHECK(scene.visitors.update(scene.field.get_tiles(), scene.bodies).entered == std::vector<uint64_t>{ 7 });
+	scene.simulator.can = true;
+	CHECK(scene.tick());
+	CHECK(scene.simulator.steps == 1);
+}
+
+TEST_CASE("field: the method changes as soon as the simulator has it, for every species") {
+	FieldScene scene;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.simulator.has_all_methods = false;
+	scene.params.solver.method = Method::PBD;
+	scene.field.set_params(scene.params);
+	scene.tick();
+	CHECK(scene.simulator.method == Method::DIRECT);
+	scene.simulator.has_all_methods = true;
+	scene.tick();
+	CHECK(scene.simulator.method == Method::PBD);
+	CHECK(scene.field.get_method() == Method::PBD);
+	scene.params.solver.method = Method::DIRECT;
+	scene.field.set_params(scene.params); // not yet chosen
+	CHECK(scene.field.get_method() == Method::PBD);
+}
+
+TEST_CASE("field params: tiles wait for the species that swings longest, and are calm when the quickest is") {
+	FieldParams params;
+	SolverParams slow = params.solver, fast = params.solver;
+	slow.natural_frequency = 0.5;
+	fast.natural_frequency = 4.0;
+	CHECK(params.calm_time() == params.solver.calm_time());
+	CHECK(params.calm_energy() == params.solver.energy_within(1e-3 * params.sleep_motion));
+	params.species = { fast, slow };
+	CHECK(params.calm_time() == std::max(slow.calm_time(), fast.calm_time()));
+	CHECK(params.calm_time() > fast.calm_time());
+	CHECK(params.calm_energy() == slow.energy_within(1e-3 * params.sleep_motion));
+	CHECK(params.calm_energy() < fast.energy_within(1e-3 * params.sleep_motion));
+}
+
+TEST_CASE("field: bounds are made anew for other blades only") {
+	FieldScene scene;
+	FieldSetup next = scene.setup;
+	next.grid = TileGrid::make(8.0, 8.0, 64.0);
+	const double reach = scene.field.get_bounds()->get_reach();
+	CHECK(scene.field.bounds_of(next)->get_reach() == reach);
+	next.clump.lean = 0.0f;
+	CHECK(scene.field.bounds_of(next)->get_reach() < reach);
+}
+
+TEST_CASE("grass at a place: all of it without a map, and what is painted with one") {
+	FieldScene scene;
+	const Eigen::Vector2f place(0.5f, 0.5f);
+	CHECK(density_at(scene.field, place, nullptr) == 1.0);
+	const double height = height_at(scene.field, place, nullptr);
+	CHECK(height > 0.5 * double(scene.setup.patch->mean_height));
+	CHECK(height < double(scene.setup.blade_length()));
+	PaintMap painted;
+	painted.set_base_density(0.0);
+	FieldMap map(scene.setup.grid, scene.setup.blade_length(), 0.0f);
+	map.update(painted, map.get_region());
+	CHECK(density_at(scene.field, place, &map.get_layers()) == 0.0);
+	CHECK(height_at(scene.field, place, &map.get_layers()) == 0.0);
+	CHECK(kind_of(scene.field).per_area == 64.0);
+}
+
+TEST_CASE("visitors: a body is listed once when it comes and once when it goes, however many shapes it has") {
+	FieldScene scene;
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.bodies.push_back(scene.bodies[0]);
+	scene.tick();
+	Visitors::Change change = scene.visitors.update(scene.field.get_tiles(), scene.bodies);
+	CHECK(change.entered == std::vector<uint64_t>{ 7 });
+	CHECK(change.exited.empty());
+	scene.tick();
+	change = scene.visitors.update(scene.field.get_tiles(), scene.bodies);
+	CHECK(change.entered.empty());
+	CHECK(change.exited.empty());
+	scene.bodies.clear();
+	scene.tick();
+	change = scene.visitors.update(scene.field.get_tiles(), scene.bodies);
+	CHECK(change.exited == std::vector<uint64_t>{ 7 });
+	CHECK(scene.visitors.leave().empty());
+}
