@@ -12,7 +12,7 @@ TAB = 4
 # What may not be broken: code spans, links and pictures, formulas, each with what hangs on it.
 WHOLE = re.compile(r"(?:`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
 ITEM = re.compile(r"(\s*)([-*+]|\d+\.)(\s+)")
-TEXT = re.compile(r'''(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])''')
+TEXT = re.compile(r"""(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])""")
 STARTS_SOMETHING = re.compile(r"(?:[-*+]|\d+\.|#+|>|\||===+|---+)$|[|>]")  # a word that may not begin a line
 APART = re.compile(r"\s*(?:#|\||<|\$\$|>|!\[[^\]]*\]\([^)]*\)\s*$|\[[^\]]+\]:|-{3,}\s*$|\*{3,}\s*$)")
 MARKS = {".py": "#", ".gd": "#"}  # what begins a comment; elsewhere //
