@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, engine, links, machine, paper, paper_page, prose, settle, snippets
+from tools import bench_page, engine, formatting, links, machine, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.testing import Tally, in_engine
 
@@ -146,12 +146,13 @@ def run(only):
 		page = path.relative_to(ROOT)
 		if only in (name := f"docs/{page} links"):
 			noted(tally, name, "; ".join(links.wrong_in_page(path)))
-		if only in (name := f"docs/{page} width"):
-			wide = ", ".join(map(str, prose.too_wide(path)))
-			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)
+	for path in formatting.sources("pages"):
+		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
+			wide = ", ".join(map(str, prose.too_wide(path)))
+			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 	blocks = snippets.find()
 	if only in (name := "docs/checks"):
 		noted(tally, name, wrong_checks(blocks))
