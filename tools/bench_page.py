@@ -129,7 +129,7 @@ def processor():
 	lines = [
 		"## The CPU: a tick",
 		"",
-		"The most that a tick can have to do: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles gives tiles away "
+		"The most that a tick can have to do: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles yields slots "
 		"in every tick. Nothing depends on the size of the field. The aim was 0.2 ms for 128 bodies.",
 	]
 	body = []
@@ -139,7 +139,7 @@ def processor():
 			body.append(
 				[number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"]
 			)
-	lines += grid(["tiles", "bodies", "reading bodies, ms", "choosing tiles, ms", "handing over, ms", "in all, ms"], body)
+	lines += grid(["tiles", "bodies", "reading bodies, ms", "choosing tiles, ms", "uploading, ms", "in all, ms"], body)
 	return lines + source("cpu")
 
 

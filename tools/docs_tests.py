@@ -146,9 +146,6 @@ def run(only):
 		page = path.relative_to(ROOT)
 		if only in (name := f"docs/{page} links"):
 			noted(tally, name, "; ".join(links.wrong_in_page(path)))
-		if only in (name := f"docs/{page} width"):
-			wide = ", ".join(map(str, prose.too_wide(path)))
-			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)

@@ -10,7 +10,7 @@ PAGE_WIDTH = 100
 SOURCE_WIDTH = 140
 TAB = 4
 # What may not be broken: code spans, links and pictures, formulas, each with what hangs on it.
-WHOLE = re.compile(r"(?:`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
+WHOLE = re.compile(r"(?:\[Eq \w+\]|`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
 ITEM = re.compile(r"(\s*)([-*+]|\d+\.)(\s+)")
 TEXT = re.compile(r"""(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])""")
 STARTS_SOMETHING = re.compile(r"(?:[-*+]|\d+\.|#+|>|\||===+|---+)$|[|>]")  # a word that may not begin a line
@@ -67,6 +67,11 @@ def page(text, always=False):
 	return "\n".join(made)
 
 
+def ends_there(line, following):
+	"""Whether a line of a comment ends where it does on purpose: the next word would have had room in it."""
+	return len(line.expandtabs(TAB)) + 1 + len(following.split()[0]) <= SOURCE_WIDTH
+
+
 def comments(text, suffix):
 	"""A source with the comments that stand by themselves wrapped where one of their lines is too wide."""
 	pattern, made, block = COMMENT[MARKS.get(suffix, "//")], [], []
@@ -83,7 +88,7 @@ def comments(text, suffix):
 
 	for line in text.split("\n"):
 		match = pattern.match(line)
-		if block and (not match or match.group(1, 2) != block[0].group(1, 2)):
+		if block and (not match or match.group(1, 2) != block[0].group(1, 2) or ends_there(block[-1][0], match[4])):
 			end()
 		if match:
 			block.append(match)
