@@ -113,4 +113,16 @@ double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p
 	}).amount;
 }
 
+void FieldFiller::warn(const Ref<GrassMap> &p_map, PackedStringArray &r_warnings) const {
+	if (_rule.is_null()) {
+		return;
+	}
+	if (_rule->asks_ground() && (p_map.is_null() || !p_map->get_map().uses(MAP_GROUND))) {
+		r_warnings.push_back(
+				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
+				"height. Bake the ground.");
+	}
+	r_warnings.append_array(_rule->find_warnings());
+}
+
 } // namespace grass

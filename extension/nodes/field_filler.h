@@ -41,6 +41,8 @@ public:
 	// Fills by any rule, once. Returns square metres of full grass that came.
 	double fill(const godot::Ref<GrassMap> &p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
+	void warn(const godot::Ref<GrassMap> &p_map, godot::PackedStringArray &r_warnings) const;
+
 	int64_t get_cells() const { return _cells; } // texels on which rules ran, in all
 	int get_waiting() const { return _state.get_waiting(); } // chunks
 

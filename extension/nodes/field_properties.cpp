@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/field_properties.h"
 
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+// Tiles along a side whose numbers survive the 16-bit floats that the Compatibility renderer packs an instance's numbers in.
+constexpr int EXACT_TILES = 2048;
+
+bool is_compatibility() {
+	return RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+}
+
+} // namespace
 
 FieldProperties::FieldProperties() {
 	for (size_t i = 0; i < params.size(); i++) {
@@ -71,6 +86,37 @@ std::shared_ptr<const Patch> FieldProperties::find_patch() const {
 		return species.join();
 	}
 	return patch.is_valid() ? const_cast<GrassPatch *>(patch.ptr())->get_patch() : GrassPatch::get_default();
+}
+
+void FieldProperties::warn_of_blades(PackedStringArray &r_warnings) const {
+	if (prepare_patches() && find_patch()->is_empty()) {
+		r_warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
+	}
+	if (species.is_empty() && patch.is_valid()) {
+		r_warnings.append_array(patch->find_warnings("`patch`"));
+	}
+	species.warn(patch.is_valid(), r_warnings);
+}
+
+void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {
+	if (simulated && collision_mask == 0) {
+		r_warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn "
+							 "`simulated` off.");
+	}
+	if (simulated && pool_tiles == 0) {
+		r_warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
+	}
+	const TileGrid tiles = grid();
+	if (is_compatibility() && std::max(tiles.get_tiles_x(), tiles.get_tiles_z()) > EXACT_TILES) {
+		r_warnings.push_back(
+				vformat("The Compatibility renderer tells tiles apart up to %d along a side only: beyond, tiles share their clumps, "
+						"wind and map. Lower `density` or `size`, or use several fields.",
+						EXACT_TILES));
+	}
+	if (tiles.was_limited()) {
+		r_warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
+							 "use several fields.");
+	}
 }
 
 } // namespace grass

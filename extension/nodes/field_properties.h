@@ -30,6 +30,9 @@ struct FieldProperties {
 	// Lets threads make the patches that are missing. True once none is.
 	bool prepare_patches() const;
 	std::shared_ptr<const Patch> find_patch() const;
+	// What is wrong with patch and species; with what is simulated and how many tiles there are.
+	void warn_of_blades(godot::PackedStringArray &r_warnings) const;
+	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
 
 	godot::Vector2 size{ 32, 32 };
 	godot::Ref<GrassPatch> patch;

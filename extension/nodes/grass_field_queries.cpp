@@ -10,20 +10,12 @@
 #include "nodes/statistics_dictionary.h"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
 
 using namespace godot;
 
 namespace grass {
 
 namespace {
-
-// Tiles along a side whose numbers survive the 16-bit floats that the Compatibility renderer packs an instance's numbers in.
-constexpr int EXACT_TILES = 2048;
-
-bool is_compatibility() {
-	return RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
-}
 
 DrawnStatistics count_drawn(const BackendStatistics &p_backend, const FieldSetup &p_setup) {
 	DrawnStatistics drawn;
@@ -255,13 +247,7 @@ String GrassField::crowded_warning() const {
 
 PackedStringArray GrassField::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (_properties.prepare_patches() && _properties.find_patch()->is_empty()) {
-		warnings.push_back(vformat("No grass grows: %s", _properties.find_patch()->empty_because));
-	}
-	if (_properties.species.is_empty() && _properties.patch.is_valid()) {
-		warnings.append_array(_properties.patch->find_warnings("`patch`"));
-	}
-	_properties.species.warn(_properties.patch.is_valid(), warnings);
+	_properties.warn_of_blades(warnings);
 	if (is_map_bare() && Engine::get_singleton()->is_editor_hint()) { // a game may begin with bare ground
 		warnings.push_back("`map` has nothing painted and `base_density` 0, so no grass grows. Paint with the brush, or set the map's "
 						   "`base_density` to 1.");
@@ -274,36 +260,11 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 			warnings.push_back("The node's scale is ignored. Use `size` for the field, and the patch's lengths and widths for the blades.");
 		}
 	}
-	if (_properties.simulated && _properties.collision_mask == 0) {
-		warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn "
-						   "`simulated` off.");
-	}
-	if (_properties.simulated && _properties.pool_tiles == 0) {
-		warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
-	}
-	const TileGrid grid = _properties.grid();
-	if (is_compatibility() && std::max(grid.get_tiles_x(), grid.get_tiles_z()) > EXACT_TILES) {
-		warnings.push_back(
-				vformat("The Compatibility renderer tells tiles apart up to %d along a side only: beyond, tiles share their clumps, "
-						"wind and map. Lower `density` or `size`, or use several fields.",
-						EXACT_TILES));
-	}
-	if (grid.was_limited()) {
-		warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
-						   "use several fields.");
-	}
+	_properties.warn_of_tiles(warnings);
 	if (_is_crowded) {
 		warnings.push_back(crowded_warning());
 	}
-	if (_filler.get_rule().is_valid() && _filler.get_rule()->asks_ground() &&
-			(_properties.map.is_null() || !_properties.map->get_map().uses(MAP_GROUND))) {
-		warnings.push_back(
-				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
-				"height. Bake the ground.");
-	}
-	if (_filler.get_rule().is_valid()) {
-		warnings.append_array(_filler.get_rule()->find_warnings());
-	}
+	_filler.warn(_properties.map, warnings);
 	return warnings;
 }
 
