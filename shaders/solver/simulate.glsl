@@ -137,6 +137,7 @@ vec3 rest_of(int p_knot) {
 #include "bodies/constants.inc"
 #include "bodies/collider.inc"
 #include "solver/constants.inc"
+#include "solver/leaves.inc"
 #include "solver/edge.inc"
 
 #include "solver/share.inc"

@@ -60,12 +60,6 @@ template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T
 	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
 }
 
-// [Eq 31] The force of a surface that gives by 1 / p_hard, at a depth below its skin.
-template <class T> GRASS_INLINE T push_at(const T &p_hard, const T &p_depth, const T &p_skin) {
-	const T in_skin = minimum(maximum(p_depth, T(0.0f)) / p_skin, T(1.0f));
-	return select(p_depth > T(0.0f), p_hard * (p_depth - p_skin * in_skin + p_skin * in_skin * in_skin * T(0.5f)), T(0.0f));
-}
-
 // [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
 // the lever moves along. p_weight: the knot's inertia, p_own: the share of the push that is this point's. Returns the most that friction
 // pulls with.
@@ -98,10 +92,6 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Cha
 	add(r_beyond.S, Symmetric<T>{ S.x.x, S.y.y, S.z.z, S.y.x, S.x.z, S.y.z });
 	r_beyond.q = r_beyond.q + cross(p_lever, force);
 	return friction;
-}
-
-inline constexpr float root_contact(int p_knot) {
-	return p_knot == GRASS_CLAMPED_KNOTS ? CONTACT_AT_ROOT : 1.0f;
 }
 
 // [Eq 36] Keeps what a collider's touch, with such a friction, says of how the blade is held.

@@ -14,18 +14,6 @@ template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p
 	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
 }
 
-// [Eq 23] Stiffness of joint p_joint: EI over the length of blade that it stands for. The first one stands for the whole
-// clamped segment and half of the next, and for the lever that it lacks by sitting at that segment's end.
-template <class T> GRASS_INLINE T joint_length(const Blade<T> &p_blade, int p_joint) {
-	const T here = p_blade.lengths[p_joint], before = p_blade.lengths[p_joint - 1];
-	if (p_joint > 1) {
-		return (before + here) * T(0.5f);
-	}
-	const T whole = p_blade.reach, free = whole - before, rest = free - here * T(0.5f);
-	const T a = whole * whole, b = rest * rest;
-	return (a * a - b * b) / maximum(T(4.0f) * free * free * free, T(1e-24f));
-}
-
 template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
 	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
 	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
@@ -89,7 +77,8 @@ GRASS_INLINE Contacts<T> solve_chain(
 			touch = first;
 			continue;
 		}
-		const T stiffness = p_chain.bending * p_stage.span * p_stage.span / maximum(joint_length(r_blade, s), T(1e-12f));
+		const T stiffness = p_chain.bending * p_stage.span * p_stage.span /
+				maximum(joint_length(s, r_blade.reach, r_blade.lengths[s - 1], r_blade.lengths[s]), T(1e-12f));
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);

@@ -65,11 +65,6 @@ template <class T> struct Stride {
 	Vec3<T> normal;
 	T more; // beyond 1
 };
-// [Eq 42] How much segment p_segment turns in the first swing, as a share of what the last one does: as by an even load.
-inline constexpr float first_swing(int p_segment) {
-	const float to_tip = (float(GRASS_SEGMENTS - p_segment) - 0.5f) / float(GRASS_SEGMENTS - 1);
-	return 1.0f - to_tip * to_tip * to_tip;
-}
 // The plane is that of the first and the last segment; of a straight blade any will do.
 template <class T> GRASS_INLINE Stride<T> find_stride(const Blade<T> &p_blade, const ChainTerms<T> &p_chain) {
 	Vec3<T> moved{};

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/bodies/collider.h"
-#include "core/solver/constants.h"
+#include "core/solver/leaves.h"
 
 namespace grass {
 
@@ -74,12 +74,6 @@ template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blen
 		make_quick_joints(terms);
 	}
 	return terms;
-}
-
-// [Eq 3] How much stiffer knot p_knot is held than the tip: 1 at the clamp, 0 at the tip.
-inline constexpr float root_share(int p_knot) {
-	const float to_tip = float(GRASS_KNOTS - 1 - p_knot) / float(GRASS_KNOTS - GRASS_CLAMPED_KNOTS);
-	return to_tip * to_tip;
 }
 
 template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {
