@@ -64,9 +64,10 @@ layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer
 };
 
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
-// [slot][half][component][knot][blade]. One half holds the places now, the other one those of the step before; a step writes its places over the
-// latter, and the halves change roles: so nothing is copied. Within a step the places now are what is called start below, and the
-// other half is `before`: METHOD_DIRECT keeps there what its stage aims at, since what else a thread keeps for itself would push it out of the caches.
+// [slot][half][component][knot][blade]. One half holds the places now, the other one those of the step before; a step writes its places
+// over the latter, and the halves change roles: so nothing is copied. Within a step the places now are what is called start below, and the
+// other half is `before`: METHOD_DIRECT keeps there what its stage aims at, since what else a thread keeps for itself would push it out of
+// the caches.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
@@ -104,8 +105,8 @@ layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer
 layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
 	uint blade_species[];
 };
-// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a complaint where a shader asks
-// a buffer for its length.
+// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a complaint where a shader
+// asks a buffer for its length.
 layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly buffer SpeciesStepBuffer {
 	GrassStep species_steps[GRASS_MAX_SPECIES];
 };

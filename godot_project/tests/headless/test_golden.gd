@@ -3,7 +3,7 @@
 ## that is not meant to change what it computes keeps the hashes; one that is meant to writes down new ones.
 extends "res://tests/field_case.gd"
 
-const EVERY := 30 # ticks from one look to the next
+const EVERY := 30  # ticks from one look to the next
 ## Of each method, at each look: a hash of all awake tiles and their knots.
 const GOLDEN: Dictionary[int, Array] = {
 	GrassField.METHOD_DIRECT: ["801713e69226333e", "76ee310cb29a7c21", "8e90c93dc181d2fa", "8680dfb6c6ac39c0"],
@@ -40,21 +40,47 @@ func species(share: float, frequency: float) -> GrassSpecies:
 
 ## A field that lies aslant in the world, painted all over: thin, high, combed and mown places, a hill.
 func add_painted_field(method: GrassField.SolverMethod) -> GrassField:
-	var field := add_field({
-		size = Vector2(10, 8), transform = Transform3D(TURNED, Vector3(8, 1, -4)), backend = GrassField.BACKEND_CPU, method = method,
-		seed = 7, map = full_map(), species = [species(0.75, 1.25), species(0.25, 2.0)], density = 200.0, follow_slope = 1.0,
-		sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.5, settle_time = 0.25,
-	})
+	var field := add_field(
+		{
+			size = Vector2(10, 8),
+			transform = Transform3D(TURNED, Vector3(8, 1, -4)),
+			backend = GrassField.BACKEND_CPU,
+			method = method,
+			seed = 7,
+			map = full_map(),
+			species = [species(0.75, 1.25), species(0.25, 2.0)],
+			density = 200.0,
+			follow_slope = 1.0,
+			sleep_mode = GrassField.SLEEP_TIMER,
+			sleep_delay = 0.5,
+			settle_time = 0.25,
+		}
+	)
 	for stroke: Array in [
-		[GrassBrush.TOOL_ERASE, -2.0, {strength = 0.5}], [GrassBrush.TOOL_HEIGHT, -1.0, {target = 0.5}], [GrassBrush.TOOL_COMB, 0.0, {}],
-		[GrassBrush.TOOL_CUT, 1.0, {cut_height = 0.125}], [GrassBrush.TOOL_SPECIES, 2.0, {species = 1}],
+		[GrassBrush.TOOL_ERASE, -2.0, {strength = 0.5}],
+		[GrassBrush.TOOL_HEIGHT, -1.0, {target = 0.5}],
+		[GrassBrush.TOOL_COMB, 0.0, {}],
+		[GrassBrush.TOOL_CUT, 1.0, {cut_height = 0.125}],
+		[GrassBrush.TOOL_SPECIES, 2.0, {species = 1}],
 	]:
 		var from := field.transform * Vector3(1.5 * stroke[1], 0, -3.5)
 		field.paint(brush(stroke[0], 0.5, stroke[2]), from, from + field.transform.basis.z * 7.0)
 	var hill := ConcavePolygonShape3D.new()
-	hill.set_faces(PackedVector3Array([
-		Vector3(-6, 0, -5), Vector3(6, 0.5, -5), Vector3(-6, 0, 5), Vector3(6, 0.5, -5), Vector3(6, 0.75, 5), Vector3(-6, 0, 5),
-	]))
+	(
+		hill
+		. set_faces(
+			PackedVector3Array(
+				[
+					Vector3(-6, 0, -5),
+					Vector3(6, 0.5, -5),
+					Vector3(-6, 0, 5),
+					Vector3(6, 0.5, -5),
+					Vector3(6, 0.75, 5),
+					Vector3(-6, 0, 5),
+				]
+			)
+		)
+	)
 	field.bake_ground_from(hill, field.transform)
 	return field
 
