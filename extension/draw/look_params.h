@@ -15,11 +15,13 @@ struct NamedColor {
 	float red, green, blue;
 };
 
+// Of a species.
+inline constexpr NamedColor ROOT_COLOR{ "root_color", 0.15f, 0.25f, 0.08f };
+inline constexpr NamedColor TIP_COLOR{ "tip_color", 0.48f, 0.60f, 0.22f };
+inline constexpr NamedColor DRY_COLOR{ "dry_color", 0.66f, 0.60f, 0.34f };
+// Of a field.
 inline constexpr std::array FIELD_COLORS = {
-	NamedColor{ "root_color", 0.15f, 0.25f, 0.08f },
-	NamedColor{ "tip_color", 0.48f, 0.60f, 0.22f },
 	NamedColor{ "soil_color", 0.22f, 0.20f, 0.12f },
-	NamedColor{ "dry_color", 0.66f, 0.60f, 0.34f },
 };
 
 // Share of dryness in tips and light clumps.

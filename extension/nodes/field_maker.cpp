@@ -19,7 +19,7 @@ void FieldMaker::request() {
 
 bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend) {
 	const bool in_parts = p_backend != nullptr;
-	if (in_parts && !p_properties.prepare_patches()) {
+	if (in_parts && !p_properties.species.prepare_patches()) {
 		return false;
 	}
 	const auto has_time = [in_parts] { return !in_parts || FrameShare::has_time(); };
@@ -58,7 +58,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	WantedField wanted;
 	FieldSetup &setup = wanted.setup;
 	setup.grid = p_properties.grid();
-	setup.patch = p_properties.find_patch();
+	setup.patch = p_properties.species.join();
 	setup.clump = p_properties.clump();
 	setup.pool_tiles = int(p_properties.pool_tiles);
 	setup.method = p_method;
@@ -68,7 +68,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
 	setup.card_size = p_properties.species.find_card_size();
 	wanted.mix = p_properties.species.find_mix();
-	setup.species = p_properties.species.is_empty() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
+	setup.species = p_properties.species.is_plain() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
 	wanted.species = p_properties.species.find_grown();
 	return wanted;
 }

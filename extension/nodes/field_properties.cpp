@@ -46,10 +46,6 @@ LodParams FieldProperties::lod() const {
 SolverParams FieldProperties::solver() const {
 	SolverParams solver;
 	solver.method = method;
-	solver.natural_frequency = param(PARAM_NATURAL_FREQUENCY);
-	solver.damping_ratio = param(PARAM_DAMPING_RATIO);
-	solver.root_stiffness = param(PARAM_ROOT_STIFFNESS);
-	solver.bend_stiffness = param(PARAM_BEND_STIFFNESS);
 	solver.friction = param(PARAM_FRICTION);
 	solver.max_speed = param(PARAM_MAX_SPEED);
 	solver.iterations = int(param(PARAM_ITERATIONS));
@@ -58,8 +54,11 @@ SolverParams FieldProperties::solver() const {
 
 FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_species) const {
 	FieldParams field;
-	field.solver = solver();
-	field.species = solvers_of(p_species, field.solver);
+	field.species = solvers_of(p_species, solver());
+	field.solver = field.species.front();
+	if (species.is_plain()) {
+		field.species.clear();
+	}
 	field.sleep_mode = sleep_mode;
 	field.sleep_delay = param(PARAM_SLEEP_DELAY);
 	field.sleep_motion = param(PARAM_SLEEP_MOTION);
@@ -70,32 +69,17 @@ FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_spe
 RecoveryRates FieldProperties::recovery_rates(const std::vector<GrownSpecies> &p_species) const {
 	RecoveryRates rates;
 	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
-	rates.wear[0] = param(PARAM_WEAR_RECOVERY) / 60.0;
 	for (size_t s = 0; s < p_species.size(); s++) {
 		rates.wear[s] = p_species[s].species->get_wear_recovery() / 60.0;
 	}
 	return rates;
 }
 
-bool FieldProperties::prepare_patches() const {
-	return species.prepare_patches() && (!species.is_empty() || patch.is_null() || const_cast<GrassPatch *>(patch.ptr())->prepare());
-}
-
-std::shared_ptr<const Patch> FieldProperties::find_patch() const {
-	if (!species.is_empty()) {
-		return species.join();
-	}
-	return patch.is_valid() ? const_cast<GrassPatch *>(patch.ptr())->get_patch() : GrassPatch::get_default();
-}
-
 void FieldProperties::warn_of_blades(PackedStringArray &r_warnings) const {
-	if (prepare_patches() && find_patch()->is_empty()) {
-		r_warnings.push_back(vformat("No grass grows: %s", find_patch()->empty_because));
+	if (species.prepare_patches() && species.join()->is_empty()) {
+		r_warnings.push_back(vformat("No grass grows: %s", species.join()->empty_because));
 	}
-	if (species.is_empty() && patch.is_valid()) {
-		r_warnings.append_array(patch->find_warnings("`patch`"));
-	}
-	species.warn(patch.is_valid(), r_warnings);
+	species.warn(r_warnings);
 }
 
 void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {

@@ -10,7 +10,6 @@
 #include "nodes/field_params.h"
 #include "nodes/field_species.h"
 #include "nodes/grass_map.h"
-#include "nodes/grass_patch.h"
 
 #include <array>
 
@@ -23,19 +22,15 @@ struct FieldProperties {
 	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
 	ClumpParams clump() const;
 	LodParams lod() const;
-	SolverParams solver() const;
+	SolverParams solver() const; // without what is a species' own
 	// Of a field that stands with these species.
 	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
 	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
-	// Lets threads make the patches that are missing. True once none is.
-	bool prepare_patches() const;
-	std::shared_ptr<const Patch> find_patch() const;
-	// What is wrong with patch and species; with what is simulated and how many tiles there are.
+	// What is wrong with the species; with what is simulated and how many tiles there are.
 	void warn_of_blades(godot::PackedStringArray &r_warnings) const;
 	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
 
 	godot::Vector2 size{ 32, 32 };
-	godot::Ref<GrassPatch> patch;
 	FieldSpecies species;
 	godot::Ref<GrassMap> map;
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;

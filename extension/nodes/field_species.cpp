@@ -45,6 +45,19 @@ TypedArray<GrassSpecies> FieldSpecies::get() const {
 	return species;
 }
 
+Ref<GrassSpecies> FieldSpecies::make_first(const Callable &p_changed) {
+	if (_list.empty()) {
+		TypedArray<GrassSpecies> one;
+		one.push_back(memnew(GrassSpecies));
+		set(one, p_changed);
+	}
+	return _list.front();
+}
+
+bool FieldSpecies::is_plain() const {
+	return _list.empty() || (_list.size() == 1 && (_list[0].is_null() || _list[0]->is_plain()));
+}
+
 bool FieldSpecies::prepare_patches() const {
 	bool are_made = true;
 	for (const Ref<GrassSpecies> &species : _list) {
@@ -60,6 +73,9 @@ FieldSpecies::List FieldSpecies::find_used() const {
 			species.instantiate();
 			species->set_param(SPECIES_PARAM_SHARE, 0.0);
 		}
+	}
+	if (used.empty()) {
+		used.emplace_back().instantiate();
 	}
 	return used;
 }
@@ -111,7 +127,7 @@ std::shared_ptr<const Patch> FieldSpecies::join() const {
 	if (!is_joined()) {
 		_joined_from = find_patches();
 		_joined_shares = find_shares();
-		_joined = std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares));
+		_joined = _joined_from.size() == 1 ? _joined_from[0] : std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares));
 	}
 	return _joined;
 }
@@ -124,16 +140,10 @@ float FieldSpecies::find_card_size() const {
 	return float(most);
 }
 
-void FieldSpecies::warn(bool p_has_patch, PackedStringArray &r_warnings) const {
-	if (_list.empty()) {
-		return;
-	}
+void FieldSpecies::warn(PackedStringArray &r_warnings) const {
 	if (_list.size() > GRASS_MAX_SPECIES) {
 		r_warnings.push_back(
 				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
-	}
-	if (p_has_patch) {
-		r_warnings.push_back("`patch` is not used while `species` has entries. Give it to one of the species, or empty one of the two.");
 	}
 	for (size_t i = 0; i < std::min<size_t>(_list.size(), GRASS_MAX_SPECIES); i++) {
 		if (_list[i].is_null()) {

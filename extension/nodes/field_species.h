@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field's species: from the list of resources to one patch, one mix, and the steps of a tick.
+// A field's species: from the list of resources to one patch, one mix, and the steps of a tick. An empty list counts as one species
+// with the defaults (docs/decisions/0023-always-a-species.md).
 #pragma once
 
 #include "core/blades/patch.h"
@@ -35,12 +36,15 @@ public:
 	// p_changed: called when one of them changes.
 	void set(const godot::TypedArray<GrassSpecies> &p_species, const godot::Callable &p_changed);
 	godot::TypedArray<GrassSpecies> get() const;
-	bool is_empty() const { return _list.empty(); }
+	// One species without gradient and card: shaders and passes for several are not needed.
+	bool is_plain() const;
 
 	// Lets threads make the patches that are missing. True once none is.
 	bool prepare_patches() const;
 	// Those that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
 	List find_used() const;
+	// The first of them, and in an empty list a new one.
+	godot::Ref<GrassSpecies> make_first(const godot::Callable &p_changed);
 	std::vector<SpeciesParams> find_mix() const;
 	std::vector<GrownSpecies> find_grown() const;
 	// Of the largest flower or seed head, from its tip, metres; a card on a thinned tile is drawn larger.
@@ -48,8 +52,7 @@ public:
 	bool is_joined() const; // the patch of join() is of the species as they are
 	// All species' blades as one patch, the same one until they change.
 	std::shared_ptr<const Patch> join() const;
-	// p_has_patch: the field has a patch of its own, too.
-	void warn(bool p_has_patch, godot::PackedStringArray &r_warnings) const;
+	void warn(godot::PackedStringArray &r_warnings) const;
 
 private:
 	std::vector<std::shared_ptr<const Patch>> find_patches() const;

@@ -47,7 +47,26 @@ bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta) {
 	return speed > 0.0;
 }
 
-void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set) {
+// Of the ground, and of blades that are all of one species: the mean of the species by their shares.
+void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set) {
+	double shares = 0.0;
+	for (const GrownSpecies &grown : p_species) {
+		shares += grown.species->get_mix().share;
+	}
+	for (int color = SPECIES_ROOT_COLOR; color <= SPECIES_DRY_COLOR; color++) {
+		Color mean(0.0f, 0.0f, 0.0f);
+		for (const GrownSpecies &grown : p_species) {
+			const double share = shares > 0.0 ? grown.species->get_mix().share / shares : 1.0 / double(p_species.size());
+			mean += grown.species->get_color(color).srgb_to_linear() * float(share);
+		}
+		p_set(SPECIES_COLORS[size_t(color)].name, p_species.size() == 1 ? p_species[0].species->get_color(color) : mean.linear_to_srgb());
+	}
+	p_set(DRY.name, p_species[0].species->get_param(SPECIES_PARAM_DRY));
+}
+
+void FieldUniforms::set_species(
+		const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set, const Set &p_set_blades) {
+	set_colors(p_species, p_set);
 	if (!p_setup.species) {
 		return;
 	}
@@ -58,9 +77,9 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 		}
 	}
 	records.resize(4 * GRASS_MAX_SPECIES);
-	p_set("species_count", p_setup.species->get_count());
-	p_set("species_mix", records);
-	p_set("species_texel", p_setup.species->get_texel_units());
+	p_set_blades("species_count", p_setup.species->get_count());
+	p_set_blades("species_mix", records);
+	p_set_blades("species_texel", p_setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
 	std::vector<SpeciesLook> looks;
@@ -76,9 +95,9 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	if (!are_made_of(_cards, looks)) {
 		_cards = make_cards(looks);
 	}
-	p_set("species_look", make_look_texture(looks, _cards));
+	p_set_blades("species_look", make_look_texture(looks, _cards));
 	if (_cards.textures.is_valid()) {
-		p_set("card_textures", _cards.textures);
+		p_set_blades("card_textures", _cards.textures);
 	}
 }
 

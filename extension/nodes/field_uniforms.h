@@ -19,8 +19,8 @@ public:
 	// Of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
-	// Of blades only. p_species: those that stand.
-	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set);
+	// p_species: those that stand. p_set: of blades and ground; p_set_blades: of blades only.
+	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set, const Set &p_set_blades);
 	void set_wind_clock(const Set &p_set) const;
 
 	// The wind blows for p_delta seconds. False where there is none.
@@ -28,6 +28,8 @@ public:
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
+	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
+
 	WindClock _wind;
 	Cards _cards;
 };

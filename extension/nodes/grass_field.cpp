@@ -66,7 +66,7 @@ void GrassField::enter() {
 		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
 	}
 	if (!_properties.is_on_cpu) {
-		GpuBackend::begin_passes(!_properties.species.is_empty(), _properties.method);
+		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method);
 	}
 	request_rebuild();
 }

@@ -56,11 +56,9 @@ public:
 
 	void set_size(const godot::Vector2 &p_size); // metres along x and z
 	godot::Vector2 get_size() const { return _properties.size; }
-	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
-	godot::Ref<GrassPatch> get_patch() const { return _properties.patch; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _properties.map; }
-	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: the field's own patch and properties
+	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
 	godot::Ref<GrassFillRule> get_fill_rule() const { return _filler.get_rule(); }
@@ -139,6 +137,8 @@ protected:
 	static void _bind_methods();
 	void _notification(int p_what);
 	void _validate_property(godot::PropertyInfo &p_property) const;
+	bool _set(const godot::StringName &p_name, const godot::Variant &p_value);
+	bool _get(const godot::StringName &p_name, godot::Variant &r_value) const;
 
 private:
 	// grass_field.cpp: the node's life, its ticks and its frames
@@ -177,7 +177,6 @@ private:
 	FieldUniforms::Set uniform_setter(bool p_ground);
 	void set_wind_clock();
 	void request_draw();
-	void _patch_changed();
 	void _species_changed();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	void _fill_rule_changed();
@@ -221,6 +220,7 @@ private:
 	Visitors _visitors;
 	Recovery _recovery;
 
+	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as far as the editor was told

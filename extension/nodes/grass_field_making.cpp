@@ -63,7 +63,7 @@ void GrassField::make() {
 		follow();
 		_uniforms.set_all(_properties, setup, uniform_setter(true));
 		set_wind_clock();
-		_uniforms.set_species(setup, _species, uniform_setter(false));
+		_uniforms.set_species(setup, _species, uniform_setter(true), uniform_setter(false));
 		show_map();
 	}
 }
@@ -135,33 +135,10 @@ void GrassField::request_draw() {
 	set_uniform("tile_size", _field.get_grid().get_tile_size());
 }
 
-void GrassField::set_patch(const Ref<GrassPatch> &p_patch) {
-	GRASS_MAIN_THREAD_ONLY();
-	const Callable changed = callable_mp(this, &GrassField::_patch_changed);
-	if (_properties.patch.is_valid()) {
-		_properties.patch->disconnect("changed", changed);
-	}
-	_properties.patch = p_patch;
-	if (_properties.patch.is_valid()) {
-		_properties.patch->connect("changed", changed);
-	}
-	_patch_changed();
-}
-
-void GrassField::_patch_changed() {
-	if (!is_main_thread()) { // a part of the resource changed on another one
-		callable_mp(this, &GrassField::_patch_changed).call_deferred();
-		return;
-	}
-	request_rebuild();
-	if (_backend) {
-		_properties.prepare_patches();
-	}
-}
-
 void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
 	GRASS_MAIN_THREAD_ONLY();
 	_properties.species.set(p_species, callable_mp(this, &GrassField::_species_changed));
+	_has_own_species = false;
 	request_rebuild();
 }
 
@@ -172,9 +149,10 @@ void GrassField::_species_changed() {
 		return;
 	}
 	const FieldSpecies &species = _properties.species;
-	if (_backend && !_maker.is_waiting() && _properties.prepare_patches() && species.is_joined() && species.find_mix() == _mix &&
-			species.find_card_size() == _field.get_setup().card_size) {
-		_uniforms.set_species(_field.get_setup(), _species, uniform_setter(false));
+	const FieldSetup &setup = _field.get_setup();
+	if (_backend && !_maker.is_waiting() && species.prepare_patches() && species.is_joined() && species.find_mix() == _mix &&
+			species.is_plain() == (setup.species == nullptr) && species.find_card_size() == setup.card_size) {
+		_uniforms.set_species(_field.get_setup(), _species, uniform_setter(true), uniform_setter(false));
 		update_tiles();
 	} else {
 		request_rebuild();

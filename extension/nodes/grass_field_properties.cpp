@@ -8,7 +8,10 @@
 #include "nodes/params.h"
 
 #include <godot_cpp/core/class_db.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 using namespace godot;
@@ -134,6 +137,40 @@ Color GrassField::get_color(int64_t p_index) const {
 	return _properties.colors[size_t(p_index)];
 }
 
+namespace {
+
+// What was a field's in 0.9.0 and is a species' since.
+bool is_species_property(const StringName &p_name) {
+	static const char *const names[] = { "patch", "natural_frequency", "damping_ratio", "root_stiffness", "bend_stiffness", "wear_recovery",
+		"root_color", "tip_color", "dry_color", "dry" };
+	return std::any_of(std::begin(names), std::end(names), [&](const char *p_known) { return p_name == StringName(p_known); });
+}
+
+} // namespace
+
+// Scenes and scripts of 0.9.0 go on: a field without species gets one that has the value. One that has species did not read it.
+bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
+	if (!is_species_property(p_name)) {
+		return false;
+	}
+	GRASS_MAIN_THREAD_ONLY_V(true);
+	if (_has_own_species || _properties.species.get().is_empty()) {
+		_has_own_species = true;
+		_properties.species.make_first(callable_mp(this, &GrassField::_species_changed))->set(p_name, p_value);
+		_species_changed();
+		notify_property_list_changed();
+	}
+	return true;
+}
+
+bool GrassField::_get(const StringName &p_name, Variant &r_value) const {
+	if (!is_species_property(p_name)) {
+		return false;
+	}
+	r_value = _properties.species.find_used().front()->get(p_name);
+	return true;
+}
+
 void GrassField::_validate_property(PropertyInfo &p_property) const {
 	const CharString utf8 = String(p_property.name).utf8();
 	const std::string_view name = utf8.get_data();
@@ -165,8 +202,6 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Field", "");
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
 	add_numbers("Field");
-	GRASS_BIND_PROPERTY(
-			GrassField, PropertyInfo(Variant::OBJECT, "patch", PROPERTY_HINT_RESOURCE_TYPE, "GrassPatch"), set_patch, get_patch);
 	GRASS_BIND_PROPERTY(GrassField,
 			PropertyInfo(Variant::ARRAY, "species", PROPERTY_HINT_TYPE_STRING,
 					vformat("%d/%d:GrassSpecies", Variant::OBJECT, PROPERTY_HINT_RESOURCE_TYPE)),

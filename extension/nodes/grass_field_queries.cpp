@@ -52,7 +52,7 @@ String GrassField::message(const String &p_text) const {
 // Whether grass stands, or will as soon as the field is made.
 bool GrassField::has_blades() const {
 	return _backend ||
-			(is_inside_tree() && _maker.is_waiting() && !(_properties.prepare_patches() && _properties.find_patch()->is_empty()));
+			(is_inside_tree() && _maker.is_waiting() && !(_properties.species.prepare_patches() && _properties.species.join()->is_empty()));
 }
 
 int64_t GrassField::get_blade_count() const {
@@ -233,7 +233,7 @@ Dictionary GrassField::get_statistics() const {
 AABB GrassField::_get_aabb() const {
 	FieldSetup setup;
 	setup.grid = _properties.grid();
-	setup.patch = _backend ? _field.get_setup().patch : _properties.find_patch();
+	setup.patch = _backend ? _field.get_setup().patch : _properties.species.join();
 	return field_bounds(setup, _field.get_cover());
 }
 

@@ -87,6 +87,8 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 	SolverParams params = p_field;
 	params.natural_frequency = param(SPECIES_PARAM_NATURAL_FREQUENCY);
 	params.damping_ratio = param(SPECIES_PARAM_DAMPING_RATIO);
+	params.root_stiffness = param(SPECIES_PARAM_ROOT_STIFFNESS);
+	params.bend_stiffness = param(SPECIES_PARAM_BEND_STIFFNESS);
 	return params;
 }
 
@@ -145,7 +147,7 @@ void GrassSpecies::_bind_methods() {
 	ADD_GROUP("Mix", "");
 	add_numbers(SPECIES_PARAM_SHARE, SPECIES_PARAM_STAND_STRENGTH);
 	ADD_GROUP("Simulation", "");
-	add_numbers(SPECIES_PARAM_NATURAL_FREQUENCY, SPECIES_PARAM_DAMPING_RATIO);
+	add_numbers(SPECIES_PARAM_NATURAL_FREQUENCY, SPECIES_PARAM_BEND_STIFFNESS);
 	ADD_GROUP("Map", "");
 	add_numbers(SPECIES_PARAM_WEAR_RECOVERY, SPECIES_PARAM_WEAR_RECOVERY);
 	ADD_GROUP("Look", "");

@@ -38,6 +38,8 @@ public:
 	SpeciesLook get_look(); // without canopies
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 	double get_card_size() const; // farthest from the tip, metres; 0: no card
+	// Two colours and no card: a field of it alone is drawn by shaders that know no species.
+	bool is_plain() const { return _gradient.is_null() && _card.is_null(); }
 
 protected:
 	static void _bind_methods();

@@ -104,8 +104,10 @@ func stored(object: Object) -> Array[Dictionary]:
 
 ## All that may change, as [object, property].
 func changes_of(field: GrassField) -> Array:
-	var objects: Array[Object] = [field, field.patch, field.map, field.fill_rule]
-	objects.append_array(field.species)
+	var objects: Array[Object] = [field, field.map, field.fill_rule]
+	for species: GrassSpecies in field.species:
+		objects.append(species)
+		objects.append(species.patch if species else null)
 	var changes := []
 	for object in objects:
 		if object and is_instance_valid(object):

@@ -28,8 +28,12 @@ func game_a_mower() -> void:
 
 
 func game_footsteps_paths_and_hiding() -> void:
-	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(0.25, 0.3, 0.25))
-	assert_near(stage.field.wear_recovery, 0.02, 1e-6)
+	var stage := await staged(
+		func(made: Stage) -> void:
+			made.player.position = Vector3(0.25, 0.3, 0.25)
+			made.field.species = [GrassSpecies.new()]
+	)
+	assert_near(stage.field.species[0].wear_recovery, 0.02, 1e-6)
 	await seen()
 	assert_true(stage.get_node("Rustle").playing, "the player has entered grass")
 	assert_true(stage.call("is_player_hidden"), "crouching in a meadow of the default patch")

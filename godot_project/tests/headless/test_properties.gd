@@ -6,7 +6,6 @@ const UNITS: Dictionary[String, String] = {
 	size = "m",
 	density = "blades/m²",
 	clump_size = "m",
-	natural_frequency = "Hz",
 	sleep_motion = "mm",
 	sleep_delay = "s",
 	settle_time = "s",
@@ -49,10 +48,9 @@ func test_properties_have_hints_units_and_groups() -> void:
 			assert_true(
 				found[property].hint_string.ends_with("suffix:" + UNITS[property]), "%s: %s" % [property, found[property].hint_string]
 			)
-	for property: String in ["patch", "seed", "simulated", "collision_mask", "backend", "debug_view", "measure_time", "root_color"]:
+	for property: String in ["seed", "simulated", "collision_mask", "backend", "debug_view", "measure_time", "soil_color"]:
 		assert_true(found.has(property), "no property " + property)
 	assert_eq(found.collision_mask.hint, PROPERTY_HINT_LAYERS_3D_PHYSICS)
-	assert_eq(found.patch.hint_string, "GrassPatch")
 	var groups := (
 		ClassDB
 		. class_get_property_list("GrassField", true)

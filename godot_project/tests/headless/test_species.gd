@@ -81,18 +81,15 @@ func test_a_field_keeps_its_species_and_says_what_is_wrong_with_them() -> void:
 	expect_error("'Meadow': `species` has an empty entry 1")
 	await ticks(2)
 	one.share = 0.25  # it is there twice
-	field.patch = GrassPatch.new()
 	var many: Array[GrassSpecies] = []
 	for i in 10:
 		many.append(make(0.1, 0.0 if i == 3 else 0.4))
 	field.species = many
 	expect_error("`species` has more than 8 entries")
-	expect_error("`patch` is not used")
 	expect_error("Species 3 has no blades")
 	await grown(field)
 	assert_eq(field.get_blade_count(), 64 * 64)
 	field.species = []
-	field.patch = null
 	await grown(field)
 	assert_eq(field.get_blade_species(Vector2i.ZERO, 5), 0)
 
@@ -191,7 +188,7 @@ func test_wear_goes_at_the_rate_of_the_species_that_grows_there() -> void:
 	var moss := make(1.0, 0.2, {wear_recovery = 12.0})  # 0.2/s
 	var reed := make(0.0, 0.9)
 	var map := full_map()
-	var field := add_field({map = map, wear_recovery = 60.0, species = [moss, reed]})  # the field's own does not count
+	var field := add_field({map = map, species = [moss, reed]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 2.0, {species = 2}), Vector3(2, 0, 0), Vector3(2, 0, 0))
 	for x: float in [-1.25, 1.25]:
 		field.trample(Vector3(x, 0, 0), 0.5, 1.0)

@@ -24,11 +24,11 @@ func test_calls_from_another_thread_are_refused() -> void:
 		func() -> void:
 			field.cut(ball(0.5), Transform3D())
 			field.map = null
-			field.natural_frequency = 7.0
+			field.friction = 0.7
 			field.get_statistics()
 	)
 	assert_eq(field.map, map)
-	assert_near(field.natural_frequency, 1.2, 1e-6)
+	assert_near(field.friction, 1.0, 1e-6)
 	assert_eq(field.density_at(Vector3.ZERO), 1.0)
 	assert_near(field.get_mown_share(ball(0.5), Transform3D()), 0.0, 1e-6)
 
