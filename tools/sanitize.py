@@ -48,7 +48,7 @@ def of_core(program, option, only):
 	"""Tests of the core, with the sanitizers of `option`."""
 	folder = f"{'stress' if program == 'stress' else 'unit'}-{option.removeprefix('sanitize=').replace(',', '-')}"
 	said = []
-	went = testing.core(program, only, [str(BUILD / folder / f"{program}_tests")], OPTIONS, said=said)
+	went = testing.core(program, only, [str(BUILD / folder / f"{program}_tests")], OPTIONS, said=said, slow=True)
 	failed, skipped = ([f"sanitize, {text}" for text in texts] for texts in (went.failed, went.skipped))
 	return testing.Tally(went.passed, [*failures(program, said), *failed], skipped)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the layers of tests and adds them up. The last line is `N passed, N failed`, and skips if there are any."""
 
+import concurrent.futures
 import os
 import re
 import shutil
@@ -45,25 +46,44 @@ class Tally:
 		return f"{self.passed} passed, {len(self.failed)} failed{skips}"
 
 
-def core(layer, only, program=None, environment=None, title=None, said=None):
+CASES_A_PART = 8  # test cases that a slow program runs at a time
+
+
+def core(layer, only, program=None, environment=None, title=None, said=None, slow=False):
 	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's
-	ordinary one; `said`: gets the lines of its errors."""
+	ordinary one; `said`: gets the lines of its errors; `slow`: it runs in parts, one on each processor."""
 	program = program or [str(BUILD / layer / f"{layer}_tests")]
 	title = title or layer
 	environment = {**os.environ, **(environment or {})}
 	chosen = [f"--test-case=*{only}*"] if only else []
+	command = [*program, *chosen]
+	cases = cases_of(command, environment)
+	size = CASES_A_PART if slow else max(len(cases), 1)
+	parts = [[f"--first={at + 1}", f"--last={at + size}"] if slow else [] for at in range(0, max(len(cases), 1), size)]
+
+	def run(part):
+		return subprocess.run([*command, *part], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment)
+
 	try:
-		with progress(f"Running the {title} tests"):
-			result = subprocess.run(
-				[*program, *chosen], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment
-			)
+		with progress(f"Running the {title} tests"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+			results = list(pool.map(run, parts))
 	except subprocess.TimeoutExpired:
 		return Tally(failed=[f"{title}: still running after {PROGRAM_LIMIT} s"])
-	print(result.stdout + result.stderr, end="")
-	if said is not None:
-		said += result.stderr.splitlines()
-	summary = re.search(r"test cases:\s*\d+\s*\|\s*(\d+) passed\s*\|\s*(\d+) failed", result.stdout)
-	passed, failed = (int(summary[1]), int(summary[2])) if summary else (0, 0)
+	tally = Tally()
+	for n, result in enumerate(results):
+		print(result.stdout + result.stderr, end="")
+		if said is not None:
+			said += result.stderr.splitlines()
+		tally.add(tally_of(result, len(cases[n * size : (n + 1) * size]), title))
+	skipped = sorted(set(cases_of([*command, "--no-skip"], environment)) - set(cases))
+	tally.skipped += [f"{title}: {name} (marked to be skipped)" for name in skipped]
+	return tally
+
+
+def tally_of(result, cases, title):
+	"""Of one run of a program of doctest's, over so many test cases."""
+	summary = re.search(r"test cases:\s*\d+\s*\|\s*\d+ passed\s*\|\s*(\d+) failed", result.stdout)
+	failed = int(summary[1]) if summary else 0
 	# A block between rulers is one report: of failed checks, or only of a message.
 	blocks = [block for block in re.split(r"^=+$", result.stdout, flags=re.MULTILINE) if "ERROR:" in block]
 	names = [name.strip() for block in blocks for name in re.findall(r"^TEST CASE:\s*(.*)$", block, re.MULTILINE)]
@@ -71,18 +91,13 @@ def core(layer, only, program=None, environment=None, title=None, said=None):
 	failures = [f"{title}: {name}" for name in names[:failed]]
 	if result.returncode and not failures:
 		failures = [f"{title}: the tests ended with code {result.returncode}"]
-	return Tally(passed, failures, [f"{title}: {name} (marked to be skipped)" for name in skips(program, chosen, environment)])
+	return Tally(cases - failed if summary else 0, failures)
 
 
-def skips(program, chosen, environment):
-	"""Names of the test cases that are marked to be skipped."""
-
-	def names(*arguments):
-		command = [*program, *chosen, "--list-test-cases", *arguments]
-		listing = subprocess.run(command, capture_output=True, text=True, env=environment).stdout
-		return {line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))}
-
-	return sorted(names("--no-skip") - names())
+def cases_of(command, environment):
+	"""Names of the test cases that a program of doctest's would run, in order."""
+	listing = subprocess.run([*command, "--list-test-cases"], capture_output=True, text=True, env=environment).stdout
+	return [line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))]
 
 
 def stress_in_full():

@@ -167,7 +167,11 @@ def run_layer(layer, only, testing):
 	check(tally, only, checks(target, False))
 	command, additions = runner(target)
 	for name in ("unit", "stress") if target == WINDOWS else ("unit",):
-		tally.add(testing.core(name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}"))
+		tally.add(
+			testing.core(
+				name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}", slow=target == ARM64
+			)
+		)
 	if target == ARM64:
 		tally.add(in_arm64_engine(only, testing))
 	return tally

@@ -31,7 +31,7 @@ func game_footsteps_paths_and_hiding() -> void:
 	var stage := await staged(
 		func(made: Stage) -> void:
 			made.player.position = Vector3(0.25, 0.3, 0.25)
-			made.field.species = [GrassSpecies.new()]
+			made.get_node("GrassField").species = [GrassSpecies.new()]
 	)
 	assert_near(stage.field.species[0].wear_recovery, 0.02, 1e-6)
 	await seen()
