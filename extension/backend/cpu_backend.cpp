@@ -30,13 +30,13 @@ int rows_for(int p_highest_slot) {
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
-		_pool(p_setup.patch, p_setup.pool_tiles),
+		_pool(p_setup.patch, p_setup.pool_size),
 		_parallel(memnew(Parallel)),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_materials(shader_features(p_setup)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_changed_slots.reset(p_setup.pool_tiles, false);
+	_changed_slots.reset(p_setup.pool_size, false);
 	update_pool_texture();
 }
 
@@ -54,10 +54,10 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 		update_patch_texture(_patch_texture, *p_setup.patch);
 		_materials.set("blade_length", p_setup.blade_length());
 	}
-	if (p_setup.pool_tiles != _setup.pool_tiles) {
-		_pool.set_slots(p_setup.pool_tiles);
-		_changed_slots.reset(p_setup.pool_tiles, false);
-		_highest_slot = std::min(_highest_slot, p_setup.pool_tiles - 1);
+	if (p_setup.pool_size != _setup.pool_size) {
+		_pool.set_pool_size(p_setup.pool_size);
+		_changed_slots.reset(p_setup.pool_size, false);
+		_highest_slot = std::min(_highest_slot, p_setup.pool_size - 1);
 	}
 	_setup = p_setup;
 	_slot_of_tile.clear();
@@ -166,7 +166,7 @@ void CpuBackend::update_pool_texture() {
 		}
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
-	_changed_slots.reset(_setup.pool_tiles, false);
+	_changed_slots.reset(_setup.pool_size, false);
 	const Ref<Image> image =
 			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
 	if (is_resized) {

@@ -28,7 +28,7 @@ std::optional<GroundPoint> pick_ground(
 		const GrassField *p_field, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 
 // How far up and down the ground is looked for around a cursor: it may be as steep as 60 degrees. Metres.
-inline double ground_reach(double p_radius) {
+inline double search_height(double p_radius) {
 	return 2.0 * p_radius + 1.0;
 }
 

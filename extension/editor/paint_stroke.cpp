@@ -89,9 +89,9 @@ void PaintStroke::bake(const StrokeStep &p_step) {
 		return;
 	}
 	GroundRays rays(field->get_world_3d(), field->field_transform());
-	const double reach = ground_reach(border + BAKE_CELL);
+	const double span = search_height(border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
-	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - reach, _level + reach); };
+	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - span, _level + span); };
 	const LaidGround laid = _map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
 	_costs.rays += laid.asked;
 	_changed = _changed || !laid.changed.empty();

@@ -114,7 +114,7 @@ private:
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
-	int64_t _tiles = 0, _slots = -1; // -1: none yet
+	int64_t _tiles = 0, _pool_size = -1; // -1: none yet
 	int64_t _instances = 0, _shadow_instances = 0; // that the MultiMeshes hold
 	bool _table_changed = true; // since the last cull
 

@@ -131,7 +131,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 			report->bends[slot] = { record.y, record.z, record.w };
 		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_pool_size * int64_t(sizeof(vec4))), receive);
 }
 
 // Whoever reads waits until the device has done all it was given, which takes far longer than the copy: so both halves come at once, with

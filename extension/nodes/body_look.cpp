@@ -142,11 +142,11 @@ void BodyTracker::warn_of_height_map(const Body &p_body, const TrackedShape &p_s
 
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
-	const bool is_still = r_body.before.matrix() == p_now.matrix();
+	const bool stands_still = r_body.before.matrix() == p_now.matrix();
 	for (TrackedShape &shape : r_body.shapes) {
 		if (!shape.enabled || !shape.usable) {
 			shape.has_pose = false;
-			if (shape.enabled && !is_still) {
+			if (shape.enabled && !stands_still) {
 				warn_of_height_map(r_body, shape);
 			}
 			continue;
@@ -159,7 +159,7 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::
 		collider.owner = r_body.instance_id;
 		// Where it was is where it came to in the tick before, as a rule.
 		collider.before = shape.has_pose && !r_body.was_put ? shape.pose : ColliderShape::make_pose(r_body.before * shape.local);
-		collider.now = is_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
+		collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
 		shape.pose = collider.now;
 		shape.has_pose = true;
 	}

@@ -60,7 +60,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.grid = p_properties.grid();
 	setup.patch = p_properties.find_patch();
 	setup.clump = p_properties.clump();
-	setup.pool_tiles = int(p_properties.pool_tiles);
+	setup.pool_size = int(p_properties.pool_tiles);
 	setup.method = p_method;
 	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(p_properties.seed);

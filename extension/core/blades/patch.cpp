@@ -104,7 +104,7 @@ void measure(Patch &r_patch, int p_blade) {
 		const Eigen::Vector3f knot(half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]));
 		length += (knot - before).norm();
 		before = knot;
-		r_patch.max_reach = std::max(r_patch.max_reach, std::hypot(knot.x(), knot.z()));
+		r_patch.max_spread = std::max(r_patch.max_spread, std::hypot(knot.x(), knot.z()));
 		height = std::max(height, knot.y());
 	}
 	r_patch.max_height = std::max(r_patch.max_height, height);
@@ -191,7 +191,7 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 		}
 		const float share = float(p_shares[s]);
 		joined.max_length = std::max(joined.max_length, own.max_length);
-		joined.max_reach = std::max(joined.max_reach, own.max_reach);
+		joined.max_spread = std::max(joined.max_spread, own.max_spread);
 		joined.max_height = std::max(joined.max_height, own.max_height);
 		joined.mean_height += share * own.mean_height;
 		joined.mean_length += share * own.mean_length;

@@ -20,7 +20,7 @@ inline constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH
 // What culling reads of a field.
 struct CullField {
 	TileGrid grid;
-	float reach = 0.0f; // that blades lean out over their tile's square, metres
+	float overhang = 0.0f; // that blades lean out over their tile's square, metres
 	float height = 0.0f; // of the tallest blade above its ground, metres
 	BladeSize size; // of the mean blade
 	uint32_t seed = 0;

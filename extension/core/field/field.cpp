@@ -76,13 +76,13 @@ void Field::choose_method(Simulator &r_simulator, Method p_wanted) {
 
 TileParams Field::tile_params() const {
 	TileParams params;
-	params.pool_size = _setup.pool_tiles;
+	params.pool_size = _setup.pool_size;
 	params.sleep_mode = _params.sleep_mode;
 	params.sleep_delay = _params.sleep_delay;
 	params.sleep_energy = _params.calm_energy();
 	params.still_delay = _params.calm_time();
 	params.settle_time = _params.settle_time;
-	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.overhang = _bounds ? _bounds->get_overhang() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
 	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
@@ -193,7 +193,7 @@ std::span<const SlotGrowth> Field::grow_tiles() {
 	return _growth;
 }
 
-double Field::ground_reach() const {
+double Field::ground_relief() const {
 	return _map != nullptr ? std::max(-get_cover()->get_low(), get_cover()->get_high()) : 0.0;
 }
 

@@ -61,7 +61,7 @@ public:
 	const MapLayers *get_layers() const { return _map != nullptr ? &_map->get_layers() : nullptr; }
 	const FieldMap *get_map() const { return _map; }
 	const SpeciesPatches &get_species() const { return _species; }
-	double ground_reach() const; // metres that the ground rises above or falls below the field
+	double ground_relief() const; // metres that the ground rises above or falls below the field
 	double ground_range() const; // metres from the lowest ground to the highest
 	int64_t get_unseen_ticks() const { return _unseen_ticks; } // left out so far
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick

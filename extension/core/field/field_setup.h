@@ -21,7 +21,7 @@ struct FieldSetup {
 	TileGrid grid;
 	std::shared_ptr<const Patch> patch;
 	ClumpParams clump;
-	int pool_tiles = 0; // tiles that may be awake at once
+	int pool_size = 0; // tiles that may be awake at once
 	int drawn_tiles_max = int(DRAWN_TILES_MAX.initial);
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map says what grows where
@@ -39,15 +39,15 @@ struct FieldSetup {
 	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach; the latter two with its card.
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card.
 	// Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
-	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
 	// Of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 	CullField cull_field() const {
-		return { grid, blade_reach(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
+		return { grid, blade_spread(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
 	}
 
 private:

@@ -173,8 +173,8 @@ double FillObstacle::outline_distance(const Eigen::Vector2d &p_at) const {
 }
 
 double FillObstacle::mesh_distance(const FillPlace &p_place) const {
-	const double reach = _distance + _fade;
-	const Eigen::Array2d near_min = p_place.at.array() - reach, near_max = p_place.at.array() + reach;
+	const double margin = _distance + _fade;
+	const Eigen::Array2d near_min = p_place.at.array() - margin, near_max = p_place.at.array() + margin;
 	double nearest = INFINITE;
 	for (size_t i = 0; i < _corners.size() && nearest > 0.0; i += 3) {
 		const Eigen::Vector3d *corner = &_corners[i];

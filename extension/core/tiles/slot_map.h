@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tile -> its slot of the pool, for a bounded count of tiles whatever the field's size. Squares of 4 x 4 tiles lie in a line
-// of the cache each and are found by open addressing: an object asks for a few squares, not for each of its tiles.
+// of the cache each and are found by open addressing: a collider looks up a few squares, not each of its tiles.
 #pragma once
 
 #include "core/base/hash.h"

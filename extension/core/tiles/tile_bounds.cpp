@@ -63,7 +63,7 @@ void TileBounds::find_boxes() {
 	const float size = float(_grid.get_tile_size());
 	const double side = 0.5 * _grid.get_tile_size();
 	_boxes.clear();
-	_reach = _height = 0.0;
+	_overhang = _height = 0.0;
 	for (int start = 0; start < GRASS_START_COUNT; start++) {
 		const float huge = std::numeric_limits<float>::max();
 		Box all{ huge, -huge, huge, -huge, 0.0f };
@@ -75,7 +75,7 @@ void TileBounds::find_boxes() {
 				std::max(all.height, blade.box.height) };
 		}
 		_boxes.push_back(all);
-		_reach = std::max({ _reach, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
+		_overhang = std::max({ _overhang, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
 		_height = std::max(_height, double(all.height));
 	}
 }

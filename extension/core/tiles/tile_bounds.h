@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box around a tile's blades at rest: what Algorithm 1 tests a body's box against. Much tighter than the longest
-// blade's reach on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
+// overhang on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
 #pragma once
 
 #include "core/blades/clump.h"
@@ -37,7 +37,7 @@ public:
 		_lean = p_lean;
 	}
 	// Of all tiles: how far the blades lean out over the tile's square; their lowest ground and their highest tip. Metres.
-	double get_reach() const { return _reach + _lean; }
+	double get_overhang() const { return _overhang + _lean; }
 	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
 	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }
 	// Asks for what the next find_met() of many tiles reads, all at once: it lies in the order of a hash.
@@ -65,7 +65,7 @@ private:
 	uint32_t _seed = 0;
 	std::shared_ptr<const std::vector<Blade>> _blades; // of the patch
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
-	double _reach = 0.0, _height = 0.0;
+	double _overhang = 0.0, _height = 0.0;
 	double _lean = 0.0;
 	std::shared_ptr<const TileCover> _cover;
 };
