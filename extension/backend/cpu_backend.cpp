@@ -18,8 +18,8 @@ namespace grass {
 namespace {
 constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
-// Ticks between looks at what the pool takes, and how many in a row must find it at least four times too large: three seconds. Then
-// room for twice what is awake is kept. Less: memory comes and goes with every body that passes.
+// Ticks between checks of the pool's memory, and how many checks in a row must find it at least four times too large: three seconds.
+// Room for twice what is awake stays. Less: memory comes and goes with every body that passes.
 constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
 
@@ -116,7 +116,7 @@ void CpuBackend::draw(const FieldView &p_view) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	update_pool_texture();
 	if (!_tiles_changed && _view == p_view) {
-		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+		return; // the same view of the same tiles: the MultiMeshes are still right
 	}
 	choose_tiles(p_view);
 	_view = p_view;
@@ -178,7 +178,7 @@ void CpuBackend::update_pool_texture() {
 }
 
 void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
-	(void)p_changed; // asked for tile by tile
+	(void)p_changed; // culling reads the cover tile by tile
 	_cover = p_cover;
 	_tiles_changed = true;
 	for (FieldInstance &level : _levels) {

@@ -83,7 +83,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
-	_materials.set("pool_knots", Variant()); // else the engine looks for it once more, where another thread's new texture may be by then
+	_materials.set("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 
@@ -200,13 +200,13 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade, int
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
 	RenderQueue::get_singleton()->post(
 			[field = _field, knots, p_slot, p_blade, p_count] { *knots = field->read_knots(p_slot, p_blade, p_count); });
-	RenderingServer::get_singleton()->force_sync(); // the render thread may be another one: until then `knots` is its own
+	RenderingServer::get_singleton()->force_sync(); // where the render thread is another one, it owns `knots` until then
 	return *knots;
 }
 
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
-	if (_energy_step != _report->energy_step) { // swapped: what comes next is written over what was read before
+	if (_energy_step != _report->energy_step) { // swapped, so that the next report reuses the memory of the last
 		_energy_step = _report->energy_step;
 		_energy.swap(_report->energy);
 		_bends.swap(_report->bends);

@@ -113,7 +113,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	report_memory();
 }
 
-// What there is of each tile. With room to spare: a field that grows finds it at most times.
+// What each tile has. With room to spare, so that a field that grows mostly finds it.
 void GpuField::fit_tables() {
 	_table_changed = true;
 	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles))), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
@@ -188,7 +188,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 void GpuField::report_times() {
 	const GpuTimes times = read_gpu_times();
 	std::lock_guard lock(_report->mutex);
-	BackendStatistics &statistics = _report->statistics; // of a pass that the frame had not, the last known time stands
+	BackendStatistics &statistics = _report->statistics; // a pass that the frame did not have keeps its last known time
 	statistics.simulate_ms = times.simulate_ms > 0.0 ? times.simulate_ms : statistics.simulate_ms;
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }

@@ -24,7 +24,7 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	}
 	const auto has_time = [in_parts] { return !in_parts || FrameShare::has_time(); };
 	if (!_wanted && has_time()) {
-		// Another backend of this field goes on by passes that are compiled.
+		// A new backend of this field continues with the passes that are compiled.
 		_wanted = find_wanted(p_properties, in_parts ? p_now.get_method() : p_properties.method);
 	}
 	if (_wanted && !_wanted->bounds && has_time()) {

@@ -120,7 +120,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	const double z = fraction(0.5 + R2_Y * p_blade + JITTER * (dice.roll(JITTER_Y) - 0.5));
 	const double azimuth = TURN * (fraction(GOLDEN * p_blade + 0.25 * dice.roll(AZIMUTH)) - 0.5);
 
-	// Two dice make middle lengths commoner than extreme ones; long blades tend to be wide ones.
+	// The mean of two random numbers makes middle lengths commoner than extreme ones; long blades tend to be wide.
 	const double tall = 0.5 * (dice.roll(LENGTH) + dice.roll(LENGTH_MORE));
 	const double length = std::max(SHORTEST, between(p_params.length_min, p_params.length_max, tall));
 	const double width = between(p_params.width_min, p_params.width_max, 0.5 * (tall + dice.roll(WIDTH)));
@@ -129,7 +129,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	const double twist_side = dice.roll(TWIST) * 2.0 - 1.0;
 	const BladeCurve curve = blade_curve(type, between(BEND_MIN, BEND_MAX, dice.roll(BEND)), twist_side);
 
-	// A blade leans across its width, give or take.
+	// A blade leans roughly across its width.
 	const double lean = azimuth + 0.25 * TURN + SWAY * (dice.roll(SWAY_ANGLE) * 2.0 - 1.0);
 	const double along_x = cosine(lean);
 	const double along_z = sine(lean);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field is made of, for whoever simulates and draws it.
+// What a field is made of, for the code that simulates and draws it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -32,11 +32,11 @@ struct FieldSetup {
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
-	// Whether the meshes of the one fit the other, as long as the MultiMeshes are large enough.
+	// Whether the meshes of one field fit the other, provided that the MultiMeshes are large enough.
 	bool has_meshes_of(const FieldSetup &p_other) const {
 		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
 	}
-	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
+	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows mostly finds room.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
 	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card.
@@ -52,8 +52,8 @@ struct FieldSetup {
 
 private:
 	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
-	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
-	// that tangent, on both axes.
+	// The farthest that a clump's lean and the slope move a tip: the chord of the angle whose half has that tangent, on both
+	// axes.
 	float blade_lean() const {
 		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
 	}

@@ -98,12 +98,12 @@ void TileBounds::prefetch() const {
 #endif
 }
 
-// Without jumps: whether a tile is met cannot be foreseen.
+// Branch-free: whether a tile is met is unpredictable.
 int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const {
 	if (_boxes.empty()) {
 		return 0;
 	}
-	const TileGrid grid = _grid; // copies: they are the same for all tiles, which r_tiles would have to prove
+	const TileGrid grid = _grid; // copies, so that the compiler knows that writing r_tiles does not change them
 	const TileCover *cover = _cover.get();
 	const Box *boxes = _boxes.data();
 	const uint32_t seed = _seed;
@@ -112,7 +112,7 @@ int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile 
 	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
 		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
 			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::Tile{ 0.0f, 0.0f };
-			// Rounded once, after the difference: a few nanometres, on any field.
+			// Rounded once, after the difference: exact to a few nanometres on any field.
 			const Eigen::Vector3d centre = grid.get_centre(x, z);
 			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
 				float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };

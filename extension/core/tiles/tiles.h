@@ -163,7 +163,7 @@ private:
 		uint32_t start = 0; // first blade in the patch
 	};
 
-	// What is seldom asked for.
+	// What is seldom read.
 	struct Life {
 		uint64_t woken_step = 0; // number of the step
 		double settle_left = 0.0; // seconds to rest, while settling
