@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field needs from whatever simulates and draws it. Two implementations: gpu/gpu_backend.h
+// What a field needs of the code that simulates and draws it. Two implementations: gpu/gpu_backend.h
 // (Forward+, Mobile) and backend/cpu_backend.h (headless, Compatibility, and the oracle of the tests).
 #pragma once
 
@@ -20,21 +20,21 @@ namespace grass {
 
 class Backend : public Simulator {
 public:
-	// Gets ready for a field that has what this one has not yet: makes its shaders and passes, one a call at most. Whether all are there.
+	// Prepares a field that needs shaders or passes which this one lacks: makes one a call at most. Returns whether all are ready.
 	virtual bool prepare(const FieldSetup &p_setup) = 0;
-	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: then make another
-	// backend.
+	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: make another
+	// backend then.
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
-	// Of fields with a map: what it says about the tiles, of which those in p_changed may differ from the last call.
+	// For fields with a map: the cover of the tiles. Those in p_changed may differ from the last call.
 	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets a uniform of the blade shader.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 
-	// Whether BackendStatistics' times are taken: it costs a little on the GPU.
+	// Whether to measure BackendStatistics' times, which costs a little on the GPU.
 	virtual void set_measure_time(bool p_measure) = 0;
 
 	// Knots of p_count blades of an awake tile from p_blade on, blade space, metres: GRASS_KNOTS points each. Waits for the GPU: for

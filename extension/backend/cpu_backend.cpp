@@ -18,8 +18,8 @@ namespace grass {
 namespace {
 constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
-// Ticks between looks at what the pool takes, and how many in a row must find it at least four times too large: three seconds. Then
-// room for twice what is awake is kept. Less: memory comes and goes with every body that passes.
+// Ticks between checks of the pool's memory, and how many checks in a row must find it at least four times too large: three seconds.
+// Room for twice what is awake stays. Less: memory comes and goes with every body that passes.
 constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
 constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
 
@@ -30,13 +30,13 @@ int rows_for(int p_highest_slot) {
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
-		_pool(p_setup.patch, p_setup.pool_tiles),
+		_pool(p_setup.patch, p_setup.pool_size),
 		_parallel(memnew(Parallel)),
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_materials(shader_features(p_setup)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_changed_slots.reset(p_setup.pool_tiles, false);
+	_changed_slots.reset(p_setup.pool_size, false);
 	update_pool_texture();
 }
 
@@ -54,10 +54,10 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 		update_patch_texture(_patch_texture, *p_setup.patch);
 		_materials.set("blade_length", p_setup.blade_length());
 	}
-	if (p_setup.pool_tiles != _setup.pool_tiles) {
-		_pool.set_slots(p_setup.pool_tiles);
-		_changed_slots.reset(p_setup.pool_tiles, false);
-		_highest_slot = std::min(_highest_slot, p_setup.pool_tiles - 1);
+	if (p_setup.pool_size != _setup.pool_size) {
+		_pool.set_pool_size(p_setup.pool_size);
+		_changed_slots.reset(p_setup.pool_size, false);
+		_highest_slot = std::min(_highest_slot, p_setup.pool_size - 1);
 	}
 	_setup = p_setup;
 	_slot_of_tile.clear();
@@ -116,7 +116,7 @@ void CpuBackend::draw(const FieldView &p_view) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	update_pool_texture();
 	if (!_tiles_changed && _view == p_view) {
-		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+		return; // the same view of the same tiles: the MultiMeshes are still right
 	}
 	choose_tiles(p_view);
 	_view = p_view;
@@ -166,7 +166,7 @@ void CpuBackend::update_pool_texture() {
 		}
 		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
 	}
-	_changed_slots.reset(_setup.pool_tiles, false);
+	_changed_slots.reset(_setup.pool_size, false);
 	const Ref<Image> image =
 			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
 	if (is_resized) {
@@ -178,7 +178,7 @@ void CpuBackend::update_pool_texture() {
 }
 
 void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
-	(void)p_changed; // asked for tile by tile
+	(void)p_changed; // culling reads the cover tile by tile
 	_cover = p_cover;
 	_tiles_changed = true;
 	for (FieldInstance &level : _levels) {

@@ -58,7 +58,7 @@ private:
 	BladeMaterials _materials;
 	int _pool_rows = 0; // of the pool texture
 	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
-	int _highest_slot = -1; // that there is memory for; rises with the slots in use, falls when all have been far below for a while
+	int _highest_slot = -1; // with memory; rises with the slots in use, falls when all have been far below for a while
 	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); looks in a row that found much too much memory
 	std::vector<uint16_t> _pool_texels;
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;

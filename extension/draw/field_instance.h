@@ -12,7 +12,7 @@
 
 namespace grass {
 
-// What an instance is there for: the picture shows all blades that can be seen; shadows need far fewer.
+// What an instance is for: the picture shows all visible blades; shadows need far fewer.
 enum class Role { PICTURE, SHADOWS };
 
 class FieldInstance {
@@ -24,7 +24,7 @@ public:
 
 	// p_indirect: counts are written by a compute pass into the MultiMesh's command buffer.
 	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds, Role p_role);
-	// Makes room for more instances, of those that the CPU writes; what they hold is lost.
+	// Makes room for more instances, where the CPU writes them. Their contents are lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
@@ -34,7 +34,7 @@ public:
 
 	godot::RID multimesh() const { return _multimesh; }
 	int capacity() const { return _capacity; }
-	int64_t get_updates() const { return _follower.get_updates(); } // times that the renderer was told anything of the node
+	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 	bool is_created() const { return _multimesh.is_valid(); }
 
 private:

@@ -8,7 +8,7 @@ namespace grass {
 
 namespace {
 
-// From the first piece of work in a frame on no other one begins later. More: frames stutter. Less: changes take longer to show.
+// No work begins later than this after a frame's first piece of work. More: frames stutter. Less: changes take longer to show.
 constexpr uint64_t SHARE = 4000; // microseconds
 
 // The frame of the process, and when its first work began.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Time that a frame has for work which may as well be done in the next one. All fields share it.
+// A frame's time for work that could as well run in the next one. All fields share it.
 #pragma once
 
 namespace grass {
 
 class FrameShare {
 public:
-	// Whether there is some left in this frame. Main thread only.
+	// Whether this frame has some left. Main thread only.
 	static bool has_time();
 };
 

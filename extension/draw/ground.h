@@ -18,14 +18,14 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
-	// Makes the shader that create() takes, if it is not there. Whether it was.
+	// Makes the shader that create() uses, if it does not exist. Returns whether it existed before.
 	static bool prepare(bool p_mapped);
 	void create(const TileGrid &p_grid, bool p_mapped); // p_mapped: soil only where the map has grass
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
-	// Sets a uniform of the ground shader; it shares names with the blade shader and ignores the blades' own.
+	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void free();
-	int64_t get_updates() const { return _follower.get_updates(); } // times that the renderer was told anything of the node
+	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
 private:
 	godot::Ref<godot::ArrayMesh> _mesh;

@@ -26,7 +26,7 @@ inline constexpr std::array FIELD_COLORS = {
 
 // Share of dryness in tips and light clumps.
 inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
-// How dark the ground between the densest blades is. Low on sparse lawns.
+// How dark the ground between the densest blades is. Use less on sparse lawns.
 inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that comes out of the other.
 inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.5 };

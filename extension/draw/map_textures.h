@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field's map as textures for the blade and ground shaders (shaders/map/map.inc): a layer a chunk, and a page that
-// says which. Only layers that changed travel.
+// A field's map as textures for the blade and ground shaders (shaders/map/map.inc): a layer for each chunk, and a page
+// that maps chunks to layers. Only layers that changed are uploaded.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -19,14 +19,14 @@ public:
 	// p_species: whether the field has any.
 	explicit MapTextures(bool p_species) : _kinds(p_species ? KINDS : int(SPECIES)) {}
 
-	// Makes one of the textures, with room for p_room layers. False: there is none left to make.
+	// Makes the next of the textures, with room for p_room layers. False: all are made.
 	bool make_one(const MapLayers &p_layers, int p_room);
-	// Brings the textures to what the layers hold. p_changed: layers that differ from the last call.
+	// Uploads the layers in p_changed, which differ from the last call.
 	void update(const MapLayers &p_layers, const std::vector<int> &p_changed);
-	// Whether set_uniforms() has something to say that it has not said yet.
+	// Whether set_uniforms() would change a uniform.
 	bool are_new() const { return _are_new; }
 	void set_uniforms(const MapLayers &p_layers, const SetUniform &p_set);
-	// Lets go of the textures that set_uniforms() told of.
+	// Releases the textures of the last set_uniforms().
 	static void clear_uniforms(const SetUniform &p_set);
 	int64_t get_uploaded_bytes() const { return _uploaded; } // since made
 	int64_t get_memory_usage() const; // bytes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lets an instance of the renderer follow a node. Asks every frame, tells the renderer what changed and nothing else: an instance
-// that is told its world anew leaves and enters the renderer's scene, even if it is the same.
+// Lets an instance of the renderer follow a node. Reads the node every frame and passes on only what changed: an instance whose world
+// is set leaves and enters the renderer's scene, even if the world is the same.
 #pragma once
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -14,7 +14,7 @@ public:
 	// until reset().
 	void follow(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_wanted);
 	void reset() { _is_known = false; }
-	int64_t get_updates() const { return _updates; } // times that anything was told
+	int64_t get_updates() const { return _updates; } // changes that went to the renderer
 
 private:
 	struct State {

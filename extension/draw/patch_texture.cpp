@@ -66,9 +66,9 @@ int shader_features(const FieldSetup &p_setup) {
 
 AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover) {
 	const double low = p_cover ? p_cover->get_low() : 0.0, high = p_cover ? p_cover->get_high() : 0.0;
-	const double reach = p_setup.blade_length() + p_setup.card_size; // a blade blown or pressed flat
-	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + reach), 0, real_t(0.5 * p_setup.grid.get_size_z() + reach));
-	return AABB(Vector3(0, real_t(low), 0) - half, 2.0 * half + Vector3(0, real_t(high - low + reach), 0));
+	const double margin = p_setup.blade_length() + p_setup.card_size; // a blade blown or pressed flat
+	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + margin), 0, real_t(0.5 * p_setup.grid.get_size_z() + margin));
+	return AABB(Vector3(0, real_t(low), 0) - half, 2.0 * half + Vector3(0, real_t(high - low + margin), 0));
 }
 
 } // namespace grass

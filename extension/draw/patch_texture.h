@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What both backends draw from: the patch as a texture, and how far a field's blades reach.
+// What both backends draw from: the patch as a texture, and the box around a field's blades.
 #pragma once
 
 #include "core/field/field_setup.h"
@@ -15,11 +15,11 @@ godot::Ref<godot::ImageTexture> make_patch_texture(const Patch &p_patch);
 void update_patch_texture(const godot::Ref<godot::ImageTexture> &p_texture, const Patch &p_patch);
 
 // RGBA8, GRASS_LATTICE_CELLS a side: the numbers that [Eq B1] blends, for the shaders that draw. One for all
-// fields, made when first asked for and kept until the extension ends.
+// fields, made by the first call and kept until the extension ends.
 godot::Ref<godot::ImageTexture> lattice_texture();
 void free_shared_textures();
 
-// What the shaders of the field's blades must know of: ShaderFeature.
+// The ShaderFeatures that the shaders of the field's blades are compiled for.
 int shader_features(const FieldSetup &p_setup);
 
 // Box around all blades of the field at rest and in wind, field space, metres. p_cover: null on level ground.

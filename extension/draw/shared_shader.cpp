@@ -31,7 +31,7 @@ bool prepare_shader(const char *p_code, int p_features) {
 		return true;
 	}
 	if (FrameShare::has_time()) {
-		shared_shader(p_code, p_features)->get_rid(); // the engine compiles it when it is first asked for this
+		shared_shader(p_code, p_features)->get_rid(); // this makes the engine compile it
 	}
 	return false;
 }

@@ -27,7 +27,7 @@ struct SpeciesLook {
 	float canopy_among_others = 0.0f, canopy_alone = 0.0f; // metres; up there a blade is as light as its tips
 };
 
-// The cards of species as the layers of one texture, RGBA8, Cards::SIDE texels a side, and what the looks must know of them.
+// The cards of species as the layers of one texture, RGBA8, Cards::SIDE texels a side, and what looks read of them.
 struct Cards {
 	static constexpr int SIDE = 256; // texels
 	std::array<godot::Ref<godot::Image>, GRASS_MAX_SPECIES> images; // that they were made of
@@ -39,7 +39,7 @@ struct Cards {
 	int64_t get_memory_usage() const; // bytes, of the textures
 };
 
-// A texture's picture as a layer has it, with mipmaps; null if there is none. Waits for the GPU.
+// A texture's image in the format of a layer, with mipmaps; null if it has none. Waits for the GPU.
 godot::Ref<godot::Image> read_card(const godot::Ref<godot::Texture2D> &p_texture);
 bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks);
 Cards make_cards(std::span<const SpeciesLook> p_looks);

@@ -62,7 +62,7 @@ void BrushToolbar::show_brush() {
 	if (_showing) {
 		return;
 	}
-	_showing = true; // sliders tell of each change
+	_showing = true; // sliders notify of each change
 	const GrassBrush::Tool tool = _brush->get_tool();
 	const ToolInfo &info = info_of(tool);
 	for (const Slider &entry : _sliders) {
@@ -122,7 +122,7 @@ void BrushToolbar::_number_changed(double) {
 	if (_showing) {
 		return;
 	}
-	_showing = true; // the brush tells of each change; other sliders wait to be read
+	_showing = true; // the brush notifies of each change, while other sliders are still unread
 	for (const Slider &entry : _sliders) {
 		_brush->set_param(entry.param, entry.slider->get_value());
 	}

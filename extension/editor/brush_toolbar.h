@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The brush's tools and numbers, in the 3D editor's menu bar while a GrassField is selected. Edits a GrassBrush; who paints
-// with it is the plugin.
+// The brush's tools and numbers, in the 3D editor's menu bar while a GrassField is selected. Edits a GrassBrush; the
+// plugin paints with it.
 #pragma once
 
 #include "editor/species_choice.h"
@@ -67,7 +67,7 @@ private:
 	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width);
 	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
 	void load_icons();
-	void fit(); // one row where the window has room beside its docks, else as many as it takes
+	void fit(); // one row where the window has room beside its docks, else as many as needed
 	void show_brush(); // the brush's properties, in the controls
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Says as an error, while a project is exported, that the library is missing for what it is exported to: the engine goes on then, and the
-// game would have no grass.
+// Reports an error when a project is exported to a platform that the library is missing for: the engine would export it all the same, and
+// the game would have no grass.
 #pragma once
 
 #include <godot_cpp/classes/editor_export_plugin.hpp>

@@ -51,7 +51,7 @@ int32_t GrassEditorPlugin::key_input(const Ref<InputEventKey> &p_key) {
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
-	// Where a bracket needs AltGr, the keys at their place serve as well.
+	// Where a bracket needs AltGr, the keys in the brackets' US position work as well.
 	const auto is_key = [&](Key p_code) { return p_key->get_keycode() == p_code || p_key->get_physical_keycode() == p_code; };
 	const int notches = int(is_key(KEY_BRACKETRIGHT)) - int(is_key(KEY_BRACKETLEFT));
 	if (notches == 0 || p_key->is_alt_pressed()) {
@@ -110,7 +110,7 @@ int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEvent
 	if (!_stroke.is_active()) {
 		return AFTER_GUI_INPUT_PASS;
 	}
-	if (!p_motion->get_button_mask().has_flag(MOUSE_BUTTON_MASK_LEFT)) { // released where we could not hear it
+	if (!p_motion->get_button_mask().has_flag(MOUSE_BUTTON_MASK_LEFT)) { // released outside of our window
 		finish_stroke();
 		return AFTER_GUI_INPUT_PASS;
 	}

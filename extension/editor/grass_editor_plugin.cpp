@@ -77,7 +77,7 @@ void GrassEditorPlugin::_edit(Object *p_object) {
 
 void GrassEditorPlugin::_make_visible(bool p_visible) {
 	if (_toolbar == nullptr) {
-		return; // the editor closes, and tells so after taking the plugin down
+		return; // the editor closes, and notifies only after it removed the plugin
 	}
 	_toolbar->set_visible(p_visible);
 	if (!p_visible) {
@@ -86,7 +86,7 @@ void GrassEditorPlugin::_make_visible(bool p_visible) {
 }
 
 Dictionary GrassEditorPlugin::_get_state() const {
-	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last that is heard while the scene is the edited one
+	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last notification while the scene is the edited one
 	return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField is selected. There from the moment
-// the library is; nothing to enable.
+// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField is selected. Active as soon
+// as the library is loaded; nothing to enable.
 #pragma once
 
 #include "editor/brush_toolbar.h"

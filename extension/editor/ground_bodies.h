@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that grass may stand on, as a scene's nodes have them: where each of them is, and which box it fills.
+// Bodies that grass may stand on, from a scene's nodes: the place and the box of each.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 
 namespace grass {
 
-// A body as it is at one moment. No shapes: it is not there.
+// A body at one moment. No shapes: it does not exist.
 struct GroundBody {
 	struct Shape {
 		int64_t id = 0; // of its RID

@@ -49,10 +49,10 @@ std::optional<GroundPoint> pick_ground(const GrassField *p_field, const Camera3D
 std::vector<Eigen::Vector3d> drape(
 		const GrassField *p_field, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius) {
 	GroundRays rays(p_field->get_world_3d(), p_field->field_transform());
-	const double level = p_centre.position.y(), reach = ground_reach(p_radius);
+	const double level = p_centre.position.y(), span = search_height(p_radius);
 	std::vector<Eigen::Vector3d> points;
 	for (const Eigen::Vector2d &place : p_places) {
-		const double height = p_centre.on_body ? rays.height_at(place, level - reach, level + reach) : level;
+		const double height = p_centre.on_body ? rays.height_at(place, level - span, level + span) : level;
 		points.push_back({ place.x(), std::isfinite(height) ? height : level, place.y() });
 	}
 	return points;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the cursor meets the ground: on whatever body of the physics lies there and does not move about, else on the
-// field's own plane.
+// Where the cursor meets the ground: on the physics body there, unless it moves about, else on the field's own plane.
 #pragma once
 
 #include "nodes/grass_field.h"
@@ -22,13 +21,13 @@ struct GroundPoint {
 	Eigen::Vector2d place() const { return { position.x(), position.z() }; }
 };
 
-// p_mouse: in the 3D editor's viewport, as its input events have it. Nothing where the ray meets neither the field nor a
+// p_mouse: in the 3D editor's viewport, as in its input events. Nothing where the ray meets neither the field nor a
 // body within p_margin metres of it.
 std::optional<GroundPoint> pick_ground(
 		const GrassField *p_field, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 
-// How far up and down the ground is looked for around a cursor: it may be as steep as 60 degrees. Metres.
-inline double ground_reach(double p_radius) {
+// How far up and down to search for the ground around a cursor: it may be as steep as 60 degrees. Metres.
+inline double search_height(double p_radius) {
 	return 2.0 * p_radius + 1.0;
 }
 

@@ -20,18 +20,18 @@ namespace grass {
 
 namespace {
 
-// Frames of a round, in which each body is looked at once; what is the same in two of them has come to rest. More: the grass
+// Frames of a round, which checks each body once; what is the same in two rounds has come to rest. More: the grass
 // follows later. Less: a scene of thousands of bodies makes the editor slow.
 constexpr int FRAMES_A_ROUND = 15;
-// Rounds from one search for new bodies to the next. More: one that is added and moved at once is not noticed.
+// Rounds from one search for new bodies to the next. More: misses a body that is moved soon after it was added.
 constexpr int ROUNDS_A_SEARCH = 8;
 // Rays a frame, about: those of one chunk, some milliseconds. More: the editor stutters.
 constexpr int64_t RAYS_A_FRAME = 4096;
-// What moves over less than this is followed everywhere; else only in chunks that have ground: of a large field that
-// was painted here and there the rest stays unread. m^2.
+// Changes over less than this area are read everywhere, others only in chunks that have ground: the unpainted rest of a
+// large field stays unread. m^2.
 constexpr double LARGEST_REGION = 65536.0;
 constexpr double TEXEL = info_of(MAP_GROUND).texel_size();
-// What is this large is ground. Smaller, it may be a house, which grass stands around. m^2.
+// A body this large is ground. A smaller one may be a house, which grass stands around. m^2.
 constexpr double TERRAIN = 1000.0;
 
 // Level ground at the field's height leaves no trace in the map: small fields are baked whole with their first stroke.
@@ -169,7 +169,7 @@ void GroundWatch::look(size_t p_count) {
 
 void GroundWatch::look_at_body(uint64_t p_id, Watched<GroundBody> &r_body) {
 	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
-	// One that was taken out of the scene may come back by the history.
+	// Undo may bring back one that was removed from the scene.
 	const GroundBody now = node == nullptr ? GroundBody() : read_ground_body(node, r_body.last);
 	if (r_body.last == now && !(r_body.baked == now)) {
 		add_body(r_body, now);
@@ -237,8 +237,8 @@ void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_regio
 	}
 }
 
-// Number of rays. Where no ground is any more, grass stays at the height it has (somebody gave the map heights without a
-// body), unless it stood on the body that has left: then it comes down to the field's plane.
+// Returns the number of rays. Where no ground is left, grass keeps its height (the map may have heights without a body),
+// unless it stood on the body that has gone: then it comes down to the field's plane.
 int64_t GroundWatch::bake(const Piece &p_piece) {
 	const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(p_piece.field_id));
 	if (field == nullptr || !field->is_inside_tree() || !has_ground(*field)) {
@@ -256,17 +256,17 @@ int64_t GroundWatch::bake(const Piece &p_piece) {
 	}
 	const LaidGround laid = map->change([&](PaintMap &r_map) {
 		return lay_ground(r_map, p_piece.region, [&](const Eigen::Vector2d &p_place) {
-			const double height = rays.height_at(p_place, -GroundRays::REACH, GroundRays::REACH);
+			const double height = rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
 			const double before = r_map.sample(MAP_GROUND, 0, p_place);
 			const bool comes_down = std::isnan(height) && before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
 			return comes_down ? 0.0 : height;
 		});
 	});
-	_rays += laid.asked;
+	_rays += laid.sampled;
 	if (!laid.changed.empty()) {
 		EditorInterface::get_singleton()->set_object_edited(map.ptr(), true);
 	}
-	return laid.asked;
+	return laid.sampled;
 }
 
 } // namespace grass

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps ground that is baked true while a scene is edited: where a body that grass stands on was moved, resized or taken away,
-// or the field itself was moved, the ground is read again. It is no step of the history: a motion that is undone is a motion,
-// and brings the ground back that was there.
+// or the field itself was moved, the ground is read again. This is no step of the history: undoing a motion is a motion, too,
+// and brings back the ground of before.
 #pragma once
 
 #include "editor/ground_bodies.h"
@@ -16,7 +16,7 @@ class GroundWatch {
 public:
 	// Once a frame. p_root: of the scene that is edited, or null.
 	void update(godot::Node *p_root);
-	// All at once, for whoever goes by the ground now, or keeps a snapshot of it.
+	// Reads all waiting ground at once, before something uses it or takes a snapshot.
 	void finish(godot::Node *p_root);
 	void forget();
 

@@ -70,7 +70,7 @@ void PaintStroke::move(const GroundPoint &p_point, const StrokeKeys &p_keys) {
 	}
 }
 
-// The squares that the brush comes to for the first time in this stroke, and what lies between them.
+// The squares that the brush meets for the first time in this stroke, and those between them.
 void PaintStroke::bake(const StrokeStep &p_step) {
 	const GrassField *field = find_field();
 	const double radius = _brush->get_param(BRUSH_RADIUS), border = radius + info_of(MAP_GROUND).texel_size();
@@ -89,11 +89,11 @@ void PaintStroke::bake(const StrokeStep &p_step) {
 		return;
 	}
 	GroundRays rays(field->get_world_3d(), field->field_transform());
-	const double reach = ground_reach(border + BAKE_CELL);
+	const double span = search_height(border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
-	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - reach, _level + reach); };
+	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, _level - span, _level + span); };
 	const LaidGround laid = _map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
-	_costs.rays += laid.asked;
+	_costs.rays += laid.sampled;
 	_changed = _changed || !laid.changed.empty();
 }
 

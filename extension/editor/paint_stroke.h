@@ -31,14 +31,14 @@ struct StrokeCosts {
 
 class PaintStroke {
 public:
-	// p_bakes: reads the ground under the brush into the map before it paints there, so that grass stands on it and the
-	// brush's limits know it.
+	// p_bakes: reads the ground under the brush into the map before it paints there, for the grass to stand on and the
+	// brush's limits to use.
 	void begin(
 			GrassField *p_field, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys, bool p_bakes);
 	void move(const GroundPoint &p_point, const StrokeKeys &p_keys);
 	// Ends the stroke and writes it into the history, if it changed anything. The field may be gone by then.
 	void finish(godot::EditorUndoRedoManager *p_history);
-	// Ends the stroke and takes back what it did.
+	// Ends the stroke and undoes it.
 	void cancel();
 
 	bool is_active() const { return _map.is_valid(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The brush's ring in the 3D editor's views: a mesh of the renderer's, no node, so nothing of it gets into a scene.
+// The brush's ring in the 3D editor's views: an instance in the renderer and no node, so it never gets into a scene.
 #pragma once
 
 #include "editor/ground_picker.h"

@@ -19,11 +19,11 @@ class SpeciesChoice : public godot::OptionButton {
 public:
 	SpeciesChoice();
 
-	// Offers the field's species. Cheap where they are as before: species tell nobody but their field when they change.
+	// Offers the field's species. Cheap if they did not change: species notify only their field of that.
 	void show_field(const GrassField *p_field);
 	int get_count() const { return int(_entries.size()); } // of species
 	void show_species(int64_t p_species);
-	// The one to plant on this field by a brush that plants p_species so far: until somebody has chosen, the first.
+	// The species to plant on this field, where the brush plants p_species so far: the first, until the user has chosen one.
 	int64_t fitting(int64_t p_species) const;
 	void set_chosen() { _is_chosen = true; }
 
@@ -44,7 +44,7 @@ private:
 	void fill();
 
 	std::vector<Entry> _entries;
-	bool _is_chosen = false; // by somebody
+	bool _is_chosen = false; // by the user
 };
 
 } // namespace grass

@@ -82,7 +82,7 @@ void CompileQueue::compile_waiting(void *p_queue) {
 	queue._is_working = false;
 }
 
-// Whoever calls it has made its state COMPILING.
+// The caller has set its state to COMPILING.
 void CompileQueue::compile(Pipeline &r_pipeline) {
 	r_pipeline.shader = compile_shader(r_pipeline.code);
 	if (r_pipeline.shader.is_valid()) {
@@ -126,7 +126,7 @@ void CompileQueue::free_pipelines() {
 		_task = -1;
 	}
 	for (auto &[code, known] : _pipelines) {
-		if (known.shader.is_valid()) { // takes the pipeline with it
+		if (known.shader.is_valid()) { // frees the pipeline, too
 			main_device()->free_rid(known.shader);
 		}
 	}

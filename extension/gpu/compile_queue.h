@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles compute passes beside the frames, for drivers take seconds for one, and keeps the pipelines.
+// Compiles compute passes beside the frames, since drivers take seconds for one, and keeps the pipelines.
 #pragma once
 
 #include <godot_cpp/variant/rid.hpp>
@@ -24,7 +24,7 @@ struct PassCode {
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
 };
 
-// The only object of its class is get(). Its functions run on the render thread, where no other is named.
+// A singleton, get(). Its functions run on the render thread unless they name another.
 class CompileQueue {
 public:
 	struct Pipeline {
@@ -39,13 +39,13 @@ public:
 
 	static CompileQueue &get();
 
-	// The pipeline of p_code, which a worker thread compiles from the first call on, after those before it.
+	// The pipeline of p_code. The first call queues it for a worker thread, which compiles one after the other.
 	Pipeline &find(const PassCode &p_code);
 	// Whether the driver has compiled or refused it.
 	bool is_done(const Pipeline &p_pipeline);
 	// Returns when it is done: compiles it here, unless the worker thread has begun it.
 	void finish(Pipeline &r_pipeline);
-	// Frees all pipelines, for when the library is unloaded.
+	// Frees all pipelines; call when the library is unloaded.
 	void free_pipelines();
 	// Pipelines that are not done yet. From any thread.
 	int count_compiling() const { return _compiling; }
@@ -57,8 +57,8 @@ private:
 
 	std::map<std::pair<const uint32_t *, int>, Pipeline> _pipelines; // by code and method
 	std::atomic<int> _compiling = 0;
-	// One task of the WorkerThreadPool compiles one after the other: several would hold up the engine's own tasks, and one that is
-	// still queued when the game ends is never run.
+	// One task of the WorkerThreadPool compiles them in turn: several would hold up the engine's own tasks, and one that is
+	// still queued when the game ends never runs.
 	int64_t _task = -1; // -1: none
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;

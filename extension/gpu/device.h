@@ -26,7 +26,7 @@ class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
 
-	// Allocates p_bytes, all zero: the device writes them, nothing travels. Frees what was there.
+	// Allocates p_bytes, all zero, for the device to write: nothing is uploaded. Frees the old buffer.
 	void allocate(int64_t p_bytes);
 	// Allocates them if it has another size.
 	void resize(int64_t p_bytes);
@@ -52,15 +52,15 @@ private:
 // A compute pass: one shader, its pipeline, and one uniform set that is made again when a resource in it changed.
 class GpuPass {
 public:
-	static constexpr uint32_t MAX_ROW = 65535; // workgroups along one dimension that every device takes
+	static constexpr uint32_t MAX_ROW = 65535; // workgroups along one dimension that every device allows
 
 	~GpuPass() { free(); }
 
 	enum class Compile { NOW, LATER };
 
-	// Finds the pipeline of p_code in the CompileQueue. LATER: the pass does nothing until is_ready().
+	// Uses the pipeline of p_code from the CompileQueue. LATER: the pass does nothing until is_ready().
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
-	// Queues p_code if nobody did. Returns whether its pipeline is done.
+	// Queues p_code, once. Returns whether its pipeline is done.
 	static bool prepare(const PassCode &p_code);
 	// Returns whether the driver refused the pipeline, which must be done.
 	static bool is_refused(const PassCode &p_code) { return !CompileQueue::get().find(p_code).pipeline.is_valid(); }
@@ -73,7 +73,7 @@ public:
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_ready();
-	// Whether it binds something else than in its last dispatch.
+	// Whether its bindings changed since its last dispatch.
 	bool has_changed() const { return _changed; }
 
 private:

@@ -37,7 +37,7 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 	view.lod = { p_view.lod.far, p_view.lod.error, p_view.lod.pixels_min, p_view.lod.shadow_coarseness };
 	view.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
 		p_setup.blade_height() };
-	view.blades = { p_setup.blade_reach(), size.width, size.length, 0.0f };
+	view.blades = { p_setup.blade_spread(), size.width, size.length, 0.0f };
 	view.shadow = { p_view.shadow_margin, p_view.shadow_distance, 0.0f, 0.0f };
 	const size_t falls = std::min(p_view.falls.size(), std::size(view.falls));
 	for (size_t i = 0; i < falls; i++) {
@@ -83,7 +83,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
-	_materials.set("pool_knots", Variant()); // else the engine looks for it once more, where another thread's new texture may be by then
+	_materials.set("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 
@@ -200,13 +200,13 @@ std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade, int
 	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
 	RenderQueue::get_singleton()->post(
 			[field = _field, knots, p_slot, p_blade, p_count] { *knots = field->read_knots(p_slot, p_blade, p_count); });
-	RenderingServer::get_singleton()->force_sync(); // the render thread may be another one: until then `knots` is its own
+	RenderingServer::get_singleton()->force_sync(); // where the render thread is another one, it owns `knots` until then
 	return *knots;
 }
 
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
-	if (_energy_step != _report->energy_step) { // swapped: what comes next is written over what was read before
+	if (_energy_step != _report->energy_step) { // swapped, so that the next report reuses the memory of the last
 		_energy_step = _report->energy_step;
 		_energy.swap(_report->energy);
 		_bends.swap(_report->bends);

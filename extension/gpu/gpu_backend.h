@@ -54,7 +54,7 @@ private:
 	bool _can_simulate = false;
 	Method _method;
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
-	std::shared_ptr<const Patch> _next_patch; // of the field that comes, once its texture is there
+	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture;
 	BladeMaterials _materials;

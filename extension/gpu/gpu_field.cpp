@@ -85,23 +85,23 @@ void GpuField::set_method(Method p_method) {
 
 void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	const bool had_species = std::exchange(_kind.species, p_setup.species != nullptr);
-	const int64_t slots_before = std::exchange(_slots, p_setup.pool_tiles);
+	const int64_t size_before = std::exchange(_pool_size, p_setup.pool_size);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
-	_knots.resize(_slots * 2 * KNOT_FLOATS_PER_HALF * 4);
-	_halves.resize(_slots * 4);
-	_twists.resize(_slots * TWIST_FLOATS_PER_SLOT * 4);
-	_energy.resize(_slots * int64_t(sizeof(vec4)));
-	_growth.resize(_is_mapped || _kind.species ? _slots * int64_t(sizeof(SlotGrowth::blades)) : 0);
+	_knots.resize(_pool_size * 2 * KNOT_FLOATS_PER_HALF * 4);
+	_halves.resize(_pool_size * 4);
+	_twists.resize(_pool_size * TWIST_FLOATS_PER_SLOT * 4);
+	_energy.resize(_pool_size * int64_t(sizeof(vec4)));
+	_growth.resize(_is_mapped || _kind.species ? _pool_size * int64_t(sizeof(SlotGrowth::blades)) : 0);
 	if (_kind.species) {
-		_blade_species.resize(_slots * int64_t(sizeof(SlotGrowth::species)));
+		_blade_species.resize(_pool_size * int64_t(sizeof(SlotGrowth::species)));
 		_species_steps.resize(GRASS_MAX_SPECIES * int64_t(sizeof(GrassStep)));
 	} else {
 		_blade_species.free();
 		_species_steps.free();
 	}
 	fit_tables();
-	if (_slots != slots_before) {
+	if (_pool_size != size_before) {
 		make_pool_texture();
 	}
 	if (_kind.species != had_species) {
@@ -113,7 +113,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	report_memory();
 }
 
-// What there is of each tile. With room to spare: a field that grows finds it at most times.
+// What each tile has. With room to spare, so that a field that grows mostly finds it.
 void GpuField::fit_tables() {
 	_table_changed = true;
 	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles))), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
@@ -133,7 +133,7 @@ void GpuField::make_pool_texture() {
 	format.instantiate();
 	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
 	format->set_width(POOL_TEXTURE_WIDTH);
-	format->set_height(uint32_t(std::max<int64_t>(_slots, 1))); // no texture is empty
+	format->set_height(uint32_t(std::max<int64_t>(_pool_size, 1))); // no texture is empty
 	format->set_usage_bits(RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT);
 	Ref<RDTextureView> view;
 	view.instantiate();
@@ -188,14 +188,14 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 void GpuField::report_times() {
 	const GpuTimes times = read_gpu_times();
 	std::lock_guard lock(_report->mutex);
-	BackendStatistics &statistics = _report->statistics; // of a pass that the frame had not, the last known time stands
+	BackendStatistics &statistics = _report->statistics; // a pass that the frame did not have keeps its last known time
 	statistics.simulate_ms = times.simulate_ms > 0.0 ? times.simulate_ms : statistics.simulate_ms;
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }
 
 // The report's mutex is held.
 void GpuField::report_memory() {
-	int64_t bytes = _slots * POOL_TEXTURE_WIDTH * 8;
+	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8;
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

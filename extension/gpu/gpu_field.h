@@ -51,10 +51,10 @@ struct PassKind {
 	size_t index() const { return size_t(method) * 2 + size_t(species); }
 };
 
-// Which of the passes that GpuField::prepare() was asked for the driver has compiled.
+// Which of the passes of GpuField::prepare() the driver has compiled.
 struct Prepared {
-	bool can_simulate = false; // the one that takes all kinds of tiles
-	bool is_complete = false; // all of them, none refused that the others cannot do without
+	bool can_simulate = false; // the one for all kinds of tiles
+	bool is_complete = false; // all of them, and none was refused that the others need
 };
 
 // What the render thread reports to the main thread.
@@ -65,7 +65,7 @@ struct GpuReport {
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
 	std::array<Prepared, PassKind::COUNT> prepared = {}; // by PassKind::index()
-	bool can_simulate = false; // the simulation pass is there
+	bool can_simulate = false; // the simulation pass is ready
 };
 
 class GpuField {
@@ -74,17 +74,17 @@ public:
 
 	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
-	// Lets worker threads make the passes of a first field, those first that it needs first.
+	// Lets worker threads make the passes of a first field, in the order in which it needs them.
 	static void begin_passes(const PassKind &p_kind);
-	// Tells GpuReport whether the simulation pass is there.
+	// Updates in GpuReport whether the simulation pass is ready.
 	void look_for_passes();
-	// Lets worker threads make the passes that such a field takes; GpuReport tells when they are there.
+	// Lets worker threads make the passes that such a field needs; GpuReport shows when they are ready.
 	void prepare(const PassKind &p_kind);
-	// From the next step on, by passes that have been prepared.
+	// Simulates by prepared passes from the next step on.
 	void set_method(Method p_method);
-	// Another field, all of it at rest, in the buffers that fit. p_patch: as for create().
+	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
-	// One tick: uploads the records, simulates their tiles, asks for their energy.
+	// One tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
@@ -97,7 +97,7 @@ public:
 private:
 	static constexpr int64_t KNOT_FLOATS_PER_HALF = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
-	// Words of CountBuffer in cull.glsl: of those that tell what is drawn, and where some of them stand; of all.
+	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
@@ -106,7 +106,7 @@ private:
 	void make_pool_texture();
 	void make_simulate();
 	void bind_simulate();
-	// p_left: bits of slots that the pass for all kinds takes, too, since their own is not there yet. Bytes.
+	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void report_counts(int64_t p_uploaded);
@@ -114,7 +114,7 @@ private:
 	void report_memory();
 
 	std::shared_ptr<GpuReport> _report;
-	int64_t _tiles = 0, _slots = -1; // -1: none yet
+	int64_t _tiles = 0, _pool_size = -1; // -1: none yet
 	int64_t _instances = 0, _shadow_instances = 0; // that the MultiMeshes hold
 	bool _table_changed = true; // since the last cull
 
@@ -129,7 +129,7 @@ private:
 	// stand, read by cull. Fields without a map have none (16 bytes).
 	GpuBuffer _growth, _cover;
 	bool _is_mapped = false;
-	// The same for fields with species: which species the blades of each slot are; and, every step, the step as each takes it.
+	// The same for fields with species: which species the blades of each slot are; and, every step, each species' step.
 	GpuBuffer _blade_species, _species_steps;
 	PassKind _kind;
 	// Written every frame, read by cull.

@@ -52,7 +52,7 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 		report_times();
 	}
 	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
-		return; // the same view of the same tiles: what is in the MultiMeshes still holds
+		return; // the same view of the same tiles: the MultiMeshes are still right
 	}
 	_table_changed = false;
 	{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tick of GpuField: what travels to the device, the simulation pass, and what comes back of it.
+// A tick of GpuField: uploads, the simulation pass, and the readback of energies.
 #include "core/base/cpu_clock.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
@@ -61,7 +61,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		report_times();
 	}
 	int64_t uploaded = 0;
-	const uint32_t slots = uint32_t(p_records.slots.size()); // each is one of the passes'; the others leave it at once
+	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once
 	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;
 	const uint32_t free = p_records.passes.free > 0 && _simulate_free.is_ready() ? uint32_t(p_records.passes.free) : 0;
 	const uint32_t sharp_left = p_records.passes.edges > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
@@ -131,11 +131,11 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 			report->bends[slot] = { record.y, record.z, record.w };
 		}
 	};
-	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_slots * int64_t(sizeof(vec4))), receive);
+	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_pool_size * int64_t(sizeof(vec4))), receive);
 }
 
-// Whoever reads waits until the device has done all it was given, which takes far longer than the copy: so both halves come at once, with
-// the word that says which one holds.
+// A read waits until the device has finished all its work, which takes far longer than the copy: so both halves come at once, with the
+// word that says which one is current.
 std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade, int p_count) {
 	constexpr uint32_t HALVES = 2 * KNOT_FLOATS_PER_HALF * 4; // bytes
 	std::vector<Eigen::Vector3f> knots(size_t(p_count * GRASS_KNOTS), Eigen::Vector3f::Zero());

@@ -31,7 +31,7 @@ GpuTimes read_gpu_times() {
 	GpuTimes times;
 	int steps = 0; // a slow frame holds several
 	const uint32_t count = device->get_captured_timestamps_count();
-	for (uint32_t i = 1; i < count; i++) { // each of ours ends a stretch that began at the one before it
+	for (uint32_t i = 1; i < count; i++) { // each of ours ends a span that began at the one before it
 		const String name = device->get_captured_timestamp_name(i);
 		if (device->get_captured_timestamp_name(i - 1) != String(BEGIN)) {
 			continue;

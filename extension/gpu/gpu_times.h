@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long the passes take on the GPU: timestamps around them, and what they say about two frames later. Render thread.
+// How long the passes take on the GPU: timestamps around them, read about two frames later. Render thread.
 #pragma once
 
 namespace grass {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way from the main thread to the render thread and back. Both of the engine's thread models are served:
-// in the default one post() runs the job at once, in the separate one the render thread runs it later, in order.
+// From the main thread to the render thread and back, in both of the engine's thread models: in the default one post()
+// runs the job at once, in the separate one the render thread runs it later, in order.
 #pragma once
 
 #include <godot_cpp/classes/object.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What BodyTracker notices of a body's shapes, and makes of them. Calls of the engine are most of what a body costs.
+// How BodyTracker reads a body's shapes and makes colliders of them. Calls into the engine are most of what a body costs.
 #include "nodes/body_tracker.h"
 
 #include "convert.h"
@@ -24,11 +24,11 @@ constexpr double BLADE_FRICTION = 0.5;
 // Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
 // grass notices a change later.
 constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
-// Looks from one at everything to the next: at friction, and which shapes are disabled. Of the latter the server tells, too, as
-// far as they touch grass: an overlap begins or ends.
+// Looks from one at everything to the next: at friction, and at which shapes are disabled. Where such a shape touches grass,
+// the server notifies, too: an overlap begins or ends.
 constexpr int LOOK_AT_ALL_EVERY = 2;
 
-// Moves as its velocity says. Kinematic bodies have one too, but it is made from the places where they were put.
+// Whether its velocity moves it. Kinematic bodies have a velocity, too, but it follows from the places where they were put.
 bool is_driven_by_velocity(int64_t p_mode) {
 	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
 }
@@ -56,7 +56,7 @@ std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count
 
 } // namespace
 
-// Notices now and then what kind of body it is. True when it is time to look at its shapes, too.
+// Checks now and then what kind of body it is. Returns whether its shapes are due for a look, too.
 bool BodyTracker::look(Body &r_body) {
 	if (r_body.next_look-- > 0) {
 		return false;
@@ -69,7 +69,7 @@ bool BodyTracker::look(Body &r_body) {
 	// A frozen RigidBody3D is no ground.
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
 			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
-	// Bodies that came together are not looked at together.
+	// Spreads the looks at bodies that came together over the ticks.
 	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
 	r_body.next_look = LOOK_EVERY - 1 + phase;
 	return true;
@@ -83,7 +83,7 @@ void BodyTracker::look_at_shapes(Body &r_body) {
 	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
 }
 
-// What is seldom changed, and not by the shapes themselves.
+// What changes seldom, and not with the shapes themselves.
 void BodyTracker::read_traits(Body &r_body, int32_t p_count) {
 	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
 	const double friction = PhysicsServer3D::get_singleton()->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
@@ -126,7 +126,7 @@ bool BodyTracker::read_shapes(Body &r_body) {
 	return has_changed;
 }
 
-// Once a field: a body that moves may be meant to bend grass.
+// Once a field: the user may expect a body that moves to bend grass.
 void BodyTracker::warn_of_height_map(const Body &p_body, const TrackedShape &p_shape) {
 	if (p_shape.type != PhysicsServer3D::SHAPE_HEIGHTMAP || _has_warned_of_height_map) {
 		return;
@@ -142,11 +142,11 @@ void BodyTracker::warn_of_height_map(const Body &p_body, const TrackedShape &p_s
 
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
-	const bool is_still = r_body.before.matrix() == p_now.matrix();
+	const bool stands_still = r_body.before.matrix() == p_now.matrix();
 	for (TrackedShape &shape : r_body.shapes) {
 		if (!shape.enabled || !shape.usable) {
 			shape.has_pose = false;
-			if (shape.enabled && !is_still) {
+			if (shape.enabled && !stands_still) {
 				warn_of_height_map(r_body, shape);
 			}
 			continue;
@@ -157,9 +157,9 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::
 		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
 		collider = shape.collider;
 		collider.owner = r_body.instance_id;
-		// Where it was is where it came to in the tick before, as a rule.
+		// It usually starts where it ended in the tick before.
 		collider.before = shape.has_pose && !r_body.was_put ? shape.pose : ColliderShape::make_pose(r_body.before * shape.local);
-		collider.now = is_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
+		collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
 		shape.pose = collider.now;
 		shape.has_pose = true;
 	}

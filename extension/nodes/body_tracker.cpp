@@ -51,7 +51,7 @@ void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_
 		return;
 	}
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	// Never less than it was: a game that slows down and speeds up again does not change the box in every tick.
+	// Never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
 	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
 	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
 	if (_box_extents != extents) {
@@ -85,8 +85,8 @@ void BodyTracker::stop() {
 	_bodies.clear();
 }
 
-// Counts overlaps, and leaves aside which shape it is: indices shift when shapes come and go, and the server reports
-// the end of an overlap under an index of before.
+// Counts overlaps without regard to the shape: indices shift when shapes come and go, and the server reports the end of
+// an overlap under the old index.
 void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
 	const uint64_t key = uint64_t(p_body.get_id());
 	auto found = _bodies.find(key);
@@ -109,7 +109,7 @@ int64_t BodyTracker::body_count() const {
 	return std::count_if(_bodies.begin(), _bodies.end(), [](const auto &p_entry) { return p_entry.second.overlaps > 0; });
 }
 
-// False once the body was freed: it may be listed until the server's next report.
+// False once the body is freed: it may stay listed until the server's next report.
 bool BodyTracker::find_state(Body &r_body) {
 	if (r_body.state_id == 0) {
 		_reads.engine_calls += 3;
@@ -137,14 +137,14 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
 
-// In the world, metres per second. That of a kinematic body is made from the places where it was put, teleports included.
+// In the world, metres per second. A kinematic body's follows from the places where it was put, teleports included.
 Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
 	_reads.engine_calls++;
 	return to_eigen(p_body.state->get_linear_velocity());
 }
 
-// The velocity that moves it, in the world; zero where nobody knows. p_motion: what it did in this tick, to choose between what a character
-// wants and what it could do.
+// The velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between what a character wanted
+// and what it could do.
 Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion) {
 	if (p_body.is_driven) {
 		return server_velocity(p_body);
@@ -159,7 +159,7 @@ Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vecto
 	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
 }
 
-// Takes back what the body did not do in this tick, but was done to it, and adds what it did before it was known.
+// Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
 void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
 	const Eigen::Matrix3d from_world = _from_world_before.linear();
 	const Eigen::Vector3d now = p_now.translation();
@@ -208,8 +208,8 @@ bool BodyTracker::has_left(Body &r_body) const {
 	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
 }
 
-// A static body is an object from its first motion on, until it has stood still for a while. p_is_carried: the field
-// jumped, and the body with it, in the same tick or in the next: the server hears of either when nodes tell it.
+// A static body bends grass from its first motion on, until it has stood still for a while. p_is_carried: the field
+// jumped and the body with it, in the same tick or the next: nodes pass on either to the server when they are updated.
 bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
 	if (!r_body.is_static) {
 		r_body.still_ticks = 0;
@@ -254,7 +254,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 		const bool ground = is_ground(body, world, is_carried);
 		judge_motion(body, now, tick);
 		if (ground) {
-			body.shapes.clear(); // nobody asks for them, and a terrain's are large
+			body.shapes.clear(); // unused, and a terrain's are large
 		} else {
 			if (is_due || body.shapes.empty()) {
 				look_at_shapes(body);

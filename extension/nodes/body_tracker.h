@@ -35,13 +35,13 @@ public:
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// Writes every shape that may touch grass in this tick, posed in the field's space, over what r_colliders held.
-	// p_field: the field's transform (orthonormal); p_tick.watched is the tracker's own affair.
+	// Overwrites r_colliders with every shape that may touch grass in this tick, posed in the field's space. p_field: the
+	// field's transform (orthonormal); the tracker sets p_tick.watched itself.
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
-	// Time has passed without collect(): where bodies were before is no motion.
+	// Time has passed without collect(): the way from where bodies were last is no motion.
 	void forget_motion();
 
-	// Instead of collect(), where nobody wants to know: bodies that left are not kept.
+	// Instead of collect(), in ticks that are left out: drops bodies that left.
 	void forget_left();
 
 	const BodyReads &get_reads() const { return _reads; }
@@ -53,7 +53,7 @@ private:
 		uint64_t instance_id = 0;
 		int64_t overlaps = 0; // shapes of it that overlap the area
 		int left_for = 0; // ticks since none does
-		uint64_t state_id = 0; // of the server's object that tells where it is: gone when the body is
+		uint64_t state_id = 0; // of the server's state object, which has its pose and ends with the body
 		godot::PhysicsDirectBodyState3D *state = nullptr;
 		// As it was when it was last looked at.
 		std::vector<TrackedShape> shapes; // none while it is ground
@@ -61,7 +61,7 @@ private:
 		bool is_driven = false; // moves as its velocity says; a character's is in its node
 		bool is_character = false;
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
-		int next_look_at_all = 0; // looks to the next one at all there is
+		int next_look_at_all = 0; // looks to the next one at everything
 		double friction = 0.0; // of blades along it
 		std::vector<bool> disabled; // by shape
 		// As it was in the last tick.

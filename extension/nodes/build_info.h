@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report needs so that somebody else can act upon it: which build of the extension ran, on what.
+// What makes a bug report useful: which build of the extension ran, and on what.
 #pragma once
 
 #include <godot_cpp/variant/string.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the editor does for nodes. Its plugin fills these in while it runs; nodes know nothing else of it.
+// What the editor does for nodes. Its plugin sets these while it runs; nodes know nothing else of it.
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>

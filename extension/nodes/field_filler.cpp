@@ -27,7 +27,7 @@ void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 
 } // namespace
 
-// What the field itself does to the map concerns no rule.
+// The field's own changes to the map do not concern the rule.
 template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map, F &&p_change) {
 	_is_filling = true;
 	const FillResult result = p_map.ptr()->change(p_change);
@@ -99,7 +99,7 @@ void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &
 	const bool is_replaced = _replacements != p_map->get_replacements();
 	_replacements = p_map->get_replacements();
 	_state.touch(p_map->get_map(), keys, is_replaced);
-	if (_base_density != p_map->get_base_density()) { // it shows where a chunk is filled with nothing else
+	if (_base_density != p_map->get_base_density()) { // it shows in chunks that hold nothing else
 		_base_density = p_map->get_base_density();
 		_state.touch_all();
 	}

@@ -24,7 +24,7 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	}
 	const auto has_time = [in_parts] { return !in_parts || FrameShare::has_time(); };
 	if (!_wanted && has_time()) {
-		// Another backend of this field goes on by passes that are compiled.
+		// A new backend of this field continues with the passes that are compiled.
 		_wanted = find_wanted(p_properties, in_parts ? p_now.get_method() : p_properties.method);
 	}
 	if (_wanted && !_wanted->bounds && has_time()) {
@@ -60,7 +60,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.grid = p_properties.grid();
 	setup.patch = p_properties.species.join();
 	setup.clump = p_properties.clump();
-	setup.pool_tiles = int(p_properties.pool_tiles);
+	setup.pool_size = int(p_properties.pool_tiles);
 	setup.method = p_method;
 	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(p_properties.seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on. One that stands
-// goes on as it is until all that takes long has been made beside it: patches and passes by other threads, shaders and the map piece by
-// piece, as frames have time for it (draw/frame_share.h).
+// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on. A field
+// that stands goes on until everything slow has been made beside it: patches and passes by other threads, shaders and the map piece by
+// piece, as frames have time (draw/frame_share.h).
 #pragma once
 
 #include "backend/backend.h"
@@ -15,7 +15,7 @@
 
 namespace grass {
 
-// The field that properties describe, as far as it is prepared. Nothing that runs reads it.
+// The field that properties describe, as far as it is prepared. The running field does not read it.
 struct WantedField {
 	FieldSetup setup;
 	std::vector<SpeciesParams> mix;
@@ -29,14 +29,14 @@ public:
 	// However many properties change, the field is made once, at the next tick or frame.
 	void request();
 	bool is_waiting() const { return _is_waiting; }
-	// Prepares it; beside a field that stands (p_backend) no more of it than this frame has time for. True once it can be made.
+	// Prepares it; beside a field that stands (p_backend), as far as this frame has time. True once it can be made.
 	bool prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend);
 	// The field that was prepared, to be made now.
 	WantedField take();
 	void forget() { _wanted.reset(); }
 
 	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
-	// What the making took of one frame, milliseconds; the most of them since request().
+	// Milliseconds that the making took in one frame, at most, since request().
 	void add_time(double p_ms);
 	double get_time() const { return _most_ms; }
 	int64_t get_makings() const { return _makings; } // so far

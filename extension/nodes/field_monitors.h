@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Custom monitors in the engine's debugger: what all fields of the running game together do and cost. They are there as
-// long as a field is.
+// Custom monitors in the engine's debugger: what all fields of the running game together do and cost. They exist as long
+// as a field does.
 #pragma once
 
 #include <godot_cpp/classes/object.hpp>
@@ -29,10 +29,10 @@ class FieldMonitors : public godot::Object {
 	GDCLASS(FieldMonitors, godot::Object)
 
 public:
-	// Of the main thread. p_field counts from now on, until remove().
+	// Main thread only. p_field counts from now on, until remove().
 	static void add(GrassField *p_field);
 	static void remove(GrassField *p_field);
-	// For the extension's end.
+	// Call when the library is unloaded.
 	static void free_singleton();
 
 protected:

@@ -75,7 +75,7 @@ std::vector<ViewCamera> find_cameras(Node3D *p_node, const Eigen::Affine3d &p_fi
 	std::vector<ViewCamera> views;
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
 		Viewport *viewport = camera->get_viewport();
-		// Not is_current(): the editor's cameras, and those of the scene that is edited, answer it otherwise.
+		// Not is_current(), which the editor's cameras and those of the edited scene return differently.
 		if (viewport != nullptr && viewport->get_camera_3d() == camera && camera->get_world_3d() == p_node->get_world_3d() &&
 				is_drawn(viewport)) {
 			views.push_back(view_camera(camera, viewport, p_field));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Through which cameras, and in which light, a field is seen in this frame.
+// The cameras and lights in which a field is seen in this frame.
 #pragma once
 
 #include "core/detail/view.h"

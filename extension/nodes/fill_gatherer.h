@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds what a fill rule asks of the scene: exclusion nodes, and the nodes of the groups that the rule names. What did not
-// change since the last time is the very same object again, so that only what changed is filled again.
+// Gathers a fill rule's sources from the scene: exclusion nodes, and the nodes of the groups that the rule names. A source
+// that did not change is the very same object as last time, so that only what changed is filled again.
 #pragma once
 
 #include "nodes/body_tracker.h"
@@ -33,7 +33,7 @@ private:
 	void add_shapes(const GrassFillRule &p_rule, const godot::Node *p_node);
 	void add_distances(const GrassFillRule &p_rule);
 	void add_shape(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape, double p_fade, double p_height);
-	// Keeps the node's obstacle, or has p_make make it anew.
+	// Keeps the node's obstacle, or calls p_make to make it anew.
 	template <typename F> void add(const godot::Node3D *p_node, const Source &p_source, F &&p_make);
 	std::shared_ptr<const FillMesh> find_mesh(const godot::StringName &p_group);
 	Eigen::Affine3d pose_of(const godot::Node3D *p_node) const;

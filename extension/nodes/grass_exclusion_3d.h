@@ -34,7 +34,7 @@ public:
 
 	// All in the tree, in the order in which they were made.
 	static std::vector<GrassExclusion3D *> get_all();
-	// Another number whenever one of them came, went, moved or changed.
+	// A number that changes whenever one of them comes, goes, moves or changes.
 	static uint64_t get_revision();
 
 protected:

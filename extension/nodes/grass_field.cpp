@@ -117,7 +117,7 @@ void GrassField::physics_tick(double p_delta) {
 void GrassField::collect_bodies(double p_delta) {
 	const Transform3D transform = field_transform();
 	const double height = _field.get_setup().blade_length();
-	const Vector3 half(real_t(0.5 * _field.get_grid().get_size_x() + height), real_t(height + _field.ground_reach()),
+	const Vector3 half(real_t(0.5 * _field.get_grid().get_size_x() + height), real_t(height + _field.ground_relief()),
 			real_t(0.5 * _field.get_grid().get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = param(PARAM_TELEPORT_SPEED) };
 	_tracker.set_box(transform, half, p_delta);
@@ -177,7 +177,7 @@ void GrassField::frame(double p_delta) {
 void GrassField::follow() {
 	const Transform3D transform = field_transform();
 	_backend->follow(this, transform);
-	_ground.follow(this, transform, _properties.has_ground && _field.ground_reach() == 0.0); // it is flat
+	_ground.follow(this, transform, _properties.has_ground && _field.ground_relief() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().

@@ -246,7 +246,7 @@ int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			message("the physics cannot be asked now. Where it runs on a thread of its own, call bake_ground() in _physics_process()."));
 	return lay_ground_by(bake_region(p_region),
-			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -GroundRays::REACH, GroundRays::REACH); });
+			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT); });
 }
 
 int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {

@@ -193,7 +193,7 @@ FieldStatistics GrassField::find_statistics() const {
 		statistics.backend = _backend->get_name();
 		statistics.backend_work = _backend->get_statistics();
 		statistics.tiles = _field.get_grid().get_tile_count();
-		statistics.pool_tiles = _field.get_setup().pool_tiles;
+		statistics.pool_tiles = _field.get_setup().pool_size;
 		statistics.instance_updates = statistics.backend_work.instance_updates;
 	}
 	statistics.tile_work = _field.get_tiles().get_statistics();

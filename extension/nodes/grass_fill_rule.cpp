@@ -88,7 +88,7 @@ StringName GrassFillRule::get_group(int64_t p_group) const {
 	return _groups[size_t(p_group)];
 }
 
-// Null where there is no picture: a NoiseTexture2D still makes its own, and tells when it is done.
+// Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
 std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
 	Ref<Image> image = _mask->get_image();
 	if (image.is_null() || image->is_empty()) {

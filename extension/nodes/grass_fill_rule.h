@@ -36,7 +36,7 @@ public:
 	void set_group(int64_t p_group, const godot::StringName &p_name);
 	godot::StringName get_group(int64_t p_group) const;
 
-	godot::PackedStringArray find_warnings() const; // what of it can hardly be meant
+	godot::PackedStringArray find_warnings() const; // about settings that are hardly intended
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height(); }
 	// p_region: what is filled.
 	FillRule get_rule(const MapRegion &p_region);
@@ -52,7 +52,7 @@ private:
 	godot::Ref<godot::Texture2D> _mask;
 	MaskChannel _mask_channel = MASK_RED;
 	godot::Rect2 _mask_region;
-	std::shared_ptr<const FillMask> _picture; // of _mask; null: not read since it changed, or not there yet
+	std::shared_ptr<const FillMask> _picture; // of _mask; null: not read since it changed, or not made yet
 	std::array<godot::StringName, GROUP_COUNT> _groups;
 };
 

@@ -47,7 +47,7 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
 	if (!p_changed.empty()) {
-		const Ref<GrassMap> keep(this); // who listens may let go of it
+		const Ref<GrassMap> keep(this); // a listener may release it
 		emit_signal("chunks_changed", to_chunks(p_changed), p_region);
 		emit_changed();
 	}
@@ -125,7 +125,7 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 	};
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	const LaidGround laid = change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
-	return laid.asked > laid.missing;
+	return laid.sampled > laid.missing;
 }
 
 double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassMap: the painted map as a Resource. Says in Godot's words what core/map does, and tells who listens which chunks
+// GrassMap: the painted map as a Resource. Exposes core/map to Godot, and notifies listeners of the chunks that
 // changed. Saved by nodes/grass_map_file.h in a file of its own, or as a property within scenes and .res files.
 #pragma once
 
@@ -54,7 +54,7 @@ public:
 	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const;
 	// The ground's shape, from heights in metres (red channel) over a rectangle of places; false if nothing could be read.
 	bool set_ground(const godot::Ref<godot::Image> &p_heights, const godot::Rect2 &p_region);
-	// By what a rule says without nodes; null: back to the base density. Square metres of full grass that came.
+	// Fills by a rule without nodes; null: back to the base density. Returns the square metres of full grass gained.
 	double fill(const godot::Ref<GrassFillRule> &p_rule, const godot::Rect2 &p_region);
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
@@ -67,11 +67,11 @@ public:
 	bool is_readable() const { return _unread.is_empty(); } // else nothing can be changed
 	// How often its contents were replaced: a snapshot, data, clear().
 	uint64_t get_replacements() const { return _replacements; }
-	// Replaces the map by what the bytes hold, "" or the reason why not, and then nothing has changed.
+	// Replaces the map by what the bytes hold. Returns "", or why it could not and left the map as it was.
 	godot::String read(const godot::PackedByteArray &p_bytes);
-	// Does it on the map, and tells who listens.
+	// Runs it on the map, and notifies listeners.
 	BrushResult apply(const MapShape &p_shape, const Brush &p_brush);
-	// Does whatever p_change does to the map, and tells who listens. p_change returns a BrushResult, or what derives from it.
+	// Runs p_change on the map, and notifies listeners. p_change returns a BrushResult, or a type derived from it.
 	template <typename F> auto change(F &&p_change) {
 		decltype(p_change(_map)) result;
 		if (is_usable()) {

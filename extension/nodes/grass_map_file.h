@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Loads and saves GrassMaps as files of their own, NAME.grassmap, so that `load`, `ResourceSaver.save` and the inspector
-// treat them as any resource. core/map/map_file.h knows the format; the engine's Zstandard makes it small.
+// treat them as any resource. core/map/map_file.h has the format; the engine's Zstandard compresses it.
 #pragma once
 
 #include "core/map/map_file.h"
@@ -20,7 +20,7 @@ public:
 	godot::PackedStringArray _get_recognized_extensions() const override;
 	bool _handles_type(const godot::StringName &p_type) const override;
 	godot::String _get_resource_type(const godot::String &p_path) const override;
-	// The map, or an error's number after a message that names the file: never half a map.
+	// The map, or an error code after a message that names the file: never half a map.
 	godot::Variant _load(
 			const godot::String &p_path, const godot::String &p_original_path, bool p_use_sub_threads, int32_t p_cache_mode) const override;
 
@@ -34,14 +34,14 @@ class GrassMapSaver : public godot::ResourceFormatSaver {
 public:
 	bool _recognize(const godot::Ref<godot::Resource> &p_resource) const override;
 	godot::PackedStringArray _get_recognized_extensions(const godot::Ref<godot::Resource> &p_resource) const override;
-	// Writes a file beside it and puts that in its place once it is whole: at no time is there less than one whole file.
+	// Writes a new file beside the old one and replaces it once complete: one whole file exists at any time.
 	godot::Error _save(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path, uint32_t p_flags) override;
 
 protected:
 	static void _bind_methods() {}
 };
 
-// Tells the engine about the two, and forgets them.
+// Registers the two with the engine, and unregisters them.
 void register_map_files();
 void unregister_map_files();
 

@@ -32,14 +32,14 @@ public:
 	void set_param(Param p_param, double p_value);
 	double get_param(Param p_param) const;
 
-	// What of it can hardly be meant. p_who: what to call the patch.
+	// Warnings about settings that are hardly intended. p_who: the patch's name in them.
 	godot::PackedStringArray find_warnings(const godot::String &p_who) const;
 
-	// The blades; made when first asked for after a change, and shared by all fields that use this resource.
+	// The blades. The first call after a change makes them; all fields that use this resource share them.
 	std::shared_ptr<const Patch> get_patch();
-	// Whether get_patch() has them at once. If not, they are being made from now on, on another thread.
+	// Whether get_patch() returns them at once. If not, another thread begins to make them.
 	bool prepare();
-	// Those of a patch that nobody changed, shared by all that have none of their own.
+	// The default patch, shared by all fields without one of their own.
 	static std::shared_ptr<const Patch> get_default();
 	static void prepare_default();
 	static void free_default(); // when the library is unloaded

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ground as the physics has it: rays that meet whatever stands still.
+// The ground by the physics server: rays that hit what stands still.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ bool moves_about(const godot::Object *p_body);
 class GroundRays {
 public:
 	static constexpr int64_t ALL_LAYERS = 0xFFFFFFFF;
-	static constexpr double REACH = 1024.0; // metres above and below the field in which a field's ground is looked for
+	static constexpr double SEARCH_HEIGHT = 1024.0; // metres above and below the field in which a field's ground is looked for
 
 	// p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);

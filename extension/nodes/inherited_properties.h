@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Properties that a GrassField inherits and that do nothing on it: they reach the node's own instance in the renderer, which draws
 // nothing, while the grass is drawn by instances that culling and levels of detail of our own feed. The inspector hides them.
-// Bounds of a whole field, which most of them speak of, are no measure of the grass that one sees of it.
+// Most of them refer to the bounds of the whole field, which say little about the grass in view.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which thread may call: a field's ticks and frames read, on the main thread, what its methods change. Like the engine's own nodes, a
+// Which thread may call: a field's ticks and frames read on the main thread what its methods change. Like the engine's own nodes, a
 // field in the tree refuses calls from other threads; so does a resource that a field uses.
 #pragma once
 

@@ -14,12 +14,12 @@ namespace grass {
 
 namespace {
 
-// Of an ordinary body's friction, as the tracker takes it.
+// The friction of an ordinary body, as the tracker scales it.
 constexpr double NODE_FRICTION = 0.5;
 
 } // namespace
 
-// A node has no velocity: only its motion tells.
+// A node has no velocity: only its motion shows it.
 void NodeColliders::judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
 	const Eigen::Vector3d nobody_knows = Eigen::Vector3d::Zero(), before = r_entry.before.translation(), now = p_now.translation();
 	if (!r_entry.has_before) {

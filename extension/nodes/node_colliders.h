@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nodes without physics that bend grass all the same, since a game registered them with a shape.
+// Nodes without physics that bend grass because a game registered them with a shape.
 #pragma once
 
 #include "nodes/body_tracker.h"
@@ -11,7 +11,7 @@ namespace grass {
 
 class NodeColliders {
 public:
-	// False, and nothing is added, if the shape is none that bends grass.
+	// False, and adds nothing, if the shape cannot bend grass.
 	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void remove(const godot::Node3D *p_node); // with all its shapes
 	// Appends every shape, posed in the field's space. p_field: the field's transform (orthonormal).
@@ -33,8 +33,8 @@ private:
 	std::vector<Entry> _entries; // in the order in which they came
 };
 
-// A shape as the solver takes it, at a place in the field's space (scale counts, shear does not). False if it is none that
-// bends grass.
+// A shape as the solver reads it, at a place in the field's space (scale counts, shear does not). False if it cannot bend
+// grass.
 bool pose_shape(const godot::Ref<godot::Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a core Tunable becomes a property: hint, clamp and warning are all made from it.
+// How a core Tunable becomes a property: hint, clamp and warning all follow from it.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -13,7 +13,7 @@ namespace grass {
 
 godot::PropertyInfo property_of(const Tunable &p_tunable);
 
-// The nearest allowed value; says so, naming p_owner and the property, if that is another one.
+// The nearest allowed value; warns, naming p_owner and the property, if it differs from the given one.
 double checked(const Tunable &p_tunable, double p_value, const godot::String &p_owner);
 
 // The inspector's hint of a whole number within limits.
@@ -21,7 +21,7 @@ godot::String range_hint(int64_t p_min, int64_t p_max, const char *p_unit = "");
 // The nearest whole number within limits, as checked() does.
 int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const godot::String &p_owner);
 
-// Where a least value is above the greatest one: that, and p_so, what comes of it, among the warnings of p_who.
+// Warns for p_who where a minimum is above its maximum. p_so: the consequence, for the message.
 void warn_if_reversed(const godot::String &p_who, const Tunable &p_min, double p_least, const Tunable &p_max, double p_most,
 		const char *p_so, godot::PackedStringArray &r_warnings);
 

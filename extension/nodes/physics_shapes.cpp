@@ -96,7 +96,7 @@ bool read_shape(const RID &p_shape, TrackedShape &r_shape, int64_t *r_calls) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const bool is_known = r_shape.type >= 0 && p_shape == r_shape.rid;
 	const int64_t type = is_known ? r_shape.type : int64_t(server->shape_get_type(p_shape)); // a shape never becomes another kind
-	// Planes, rays and height maps are ground, not objects; their data may be large.
+	// Planes, rays and height maps are ground, not bodies in the grass; their data may be large.
 	const bool is_object = type >= PhysicsServer3D::SHAPE_SPHERE && type <= PhysicsServer3D::SHAPE_CONCAVE_POLYGON &&
 			type != PhysicsServer3D::SHAPE_HEIGHTMAP;
 	const Variant data = is_object ? server->shape_get_data(p_shape) : Variant();

@@ -14,7 +14,7 @@
 
 namespace grass {
 
-// A physics shape as the solver takes it, and what it was made from (to notice changes).
+// A physics shape as the solver reads it, and what it was made from (to detect changes).
 struct TrackedShape {
 	godot::RID rid;
 	int64_t type = -1; // PhysicsServer3D.ShapeType
@@ -28,14 +28,14 @@ struct TrackedShape {
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
 	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
 	ColliderPose pose; // in field space, as it was handed on in the last tick
-	bool has_pose = false; // it was
+	bool has_pose = false; // it was handed on
 };
 
-// Reads shape p_shape of the physics server; whether it has changed. TrackedShape::usable: false if it bends no grass
+// Reads shape p_shape of the physics server. Returns whether it changed. TrackedShape::usable: false if it bends no grass
 // (planes, rays, height maps).
 // r_calls: counts calls of the server, if given.
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_calls = nullptr);
-// Takes the scale of p_basis into the shape: poses hold rotation only.
+// Applies the scale of p_basis to the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 
 } // namespace grass

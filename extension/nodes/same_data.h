@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether data that was read twice is the same: at once where both share their memory.
+// Whether data that was read twice is the same: without comparing where both share their memory.
 #pragma once
 
 #include <godot_cpp/variant/variant.hpp>
@@ -7,7 +7,7 @@
 namespace grass {
 
 // For what PhysicsServer3D.shape_get_data() returns, and packed arrays. The engine's arrays share their memory until one of
-// them is written, so who keeps the last answer sees a change by the address, however many points there are.
+// them is written, so the address shows a change to a caller that keeps the last result, however many points it has.
 bool is_same_data(const godot::Variant &p_a, const godot::Variant &p_b);
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which cameras and directional lights there are in the scene tree. Kept by the tree's signals, once for all fields: to look for
-// them in every frame would cost with the number of nodes.
+// The cameras and directional lights in the scene tree. The tree's signals keep the lists, once for all fields: a search in
+// every frame would cost with the number of nodes.
 #pragma once
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -21,7 +21,7 @@ public:
 	static SceneWatch *get_singleton();
 	static void free_singleton();
 
-	// From here on the lists hold; nodes that p_inside's tree has already are found. Cheap when it is so already.
+	// Starts the lists with the nodes that p_inside's tree already has. Cheap once they are kept.
 	void start(godot::Node *p_inside);
 
 	// All in the tree, in the order in which they came.

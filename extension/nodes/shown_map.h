@@ -16,16 +16,16 @@ public:
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
-	// Takes over what the map says, chunk by chunk as long as p_go_on says so.
+	// Lays the map out chunk by chunk, as long as p_go_on returns true.
 	FieldMap::Changes update(const std::function<bool()> &p_go_on);
-	// A piece of that, or of making the textures: for a map that is not shown yet. False: there is nothing left to do.
+	// A piece of that, or of making the textures: for a map that is not shown yet. False: nothing is left to do.
 	bool work();
 
 	const FieldMap &get_field() const { return _field; }
 	MapTextures &get_textures() { return _textures; }
 	const MapTextures &get_textures() const { return _textures; }
 	const godot::Ref<GrassMap> &get_map() const { return _map; }
-	// Tells the shaders of what is new.
+	// Sets the shaders' uniforms, where they changed.
 	void set_uniforms(const MapTextures::SetUniform &p_set);
 
 private:

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Puts p_new, which may be null, into r_held: from now on p_changed runs when p_new changes, and no more when the old one does.
+// Puts p_new, which may be null, into r_held: from now on p_changed runs when p_new changes, and no longer when the old one does.
 template <typename T> void watch_instead(godot::Ref<T> &r_held, const godot::Ref<T> &p_new, const godot::Callable &p_changed) {
 	if (r_held.is_valid()) {
 		r_held->disconnect("changed", p_changed);

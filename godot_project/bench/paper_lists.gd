@@ -55,9 +55,9 @@ func _measure(p_method: int, p_objects: int, p_is_listed: bool, p_patch: PackedB
 		var place := Vector2(random.randf(), random.randf()) * (TILES * TILE - 4.0) + Vector2(2.0, 2.0)
 		var way := Vector2.from_angle(random.randf() * TAU) * 0.02  # metres in the step
 		colliders.append_array(_collider(place, way))
-		var reach := Vector2.ONE * (RADIUS + LENGTH)
-		var first := Vector2i(((place - reach) / TILE).floor())
-		var last := Vector2i(((place + reach) / TILE).floor())
+		var half := Vector2.ONE * (RADIUS + LENGTH)
+		var first := Vector2i(((place - half) / TILE).floor())
+		var last := Vector2i(((place + half) / TILE).floor())
 		for z in range(first.y, last.y + 1):
 			for x in range(first.x, last.x + 1):
 				if not touched.has(Vector2i(x, z)):

@@ -55,10 +55,10 @@ func _paint_meadow(place: Node3D) -> void:
 
 func _paint_lawn(_place: Node3D) -> void:
 	_map.base_density = 1.0
-	var reach := Lawn.HALF + 1.0
+	var half_length := Lawn.HALF + 1.0
 	for lane in range(-1, Lawn.LANES + 1):
 		var lane_at := Lawn.place_of(lane, 0.0).z
-		_draw(GrassBrush.TOOL_SPECIES, [[-reach, lane_at], [reach, lane_at]], {species = 2, radius = 0.5 * Lawn.LANE})
+		_draw(GrassBrush.TOOL_SPECIES, [[-half_length, lane_at], [half_length, lane_at]], {species = 2, radius = 0.5 * Lawn.LANE})
 	for lane in Lawn.MOWN:
 		var ends := [Lawn.place_of(lane, -0.3), Lawn.place_of(lane, 2.0 * Lawn.HALF + 0.3)]
 		_draw(GrassBrush.TOOL_CUT, ends, {cut_height = 0.06, radius = 0.5 * Lawn.LANE})

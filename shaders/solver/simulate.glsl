@@ -223,8 +223,8 @@ void find_blade(uint p_blade) {
 // [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
 vec3 measure_bend() {
 	const int tip = GRASS_KNOTS - 1;
-	float reach = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
-	return clamp((start_of(tip) - rest_of(tip)) / reach, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
+	float size = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
+	return clamp((start_of(tip) - rest_of(tip)) / size, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }
 
 void main() {

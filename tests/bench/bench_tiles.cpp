@@ -60,7 +60,7 @@ void run(double p_size, int p_count, std::vector<uint64_t> &r_other) {
 	static const Patch patch = generate_patch(PatchParams());
 	const auto bounds = std::make_shared<const TileBounds>(patch, grid, ClumpParams(), 0);
 	TileParams params;
-	params.reach = bounds->get_reach();
+	params.overhang = bounds->get_overhang();
 	params.height = bounds->get_height();
 	manager.set_grid(grid);
 	manager.set_params(params);

@@ -83,7 +83,7 @@ struct ElasticBlade {
 		for (int s = 1; s < GRASS_SEGMENTS; s++) {
 			const Vec3<double> speed = (blade.knots[s + 1] - blade.before[s + 1]) * (1.0 / p_delta);
 			sum += 0.5 * knot_mass(blade, s + 1, chain) * dot(speed, speed);
-			const double share = joint_length(s, blade.reach, blade.lengths[s - 1], blade.lengths[s]);
+			const double share = joint_length(s, blade.blade_length, blade.lengths[s - 1], blade.lengths[s]);
 			sum += 0.5 * chain.bending / share * dot(joints[s].turn, joints[s].turn);
 		}
 		return sum;

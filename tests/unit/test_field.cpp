@@ -25,7 +25,7 @@ std::shared_ptr<const Patch> shared_patch() {
 // Simulates as the CPU backend does, unless a test forbids it.
 class PoolSimulator : public Simulator {
 public:
-	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_tiles) {}
+	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_size) {}
 
 	bool can_simulate() override { return can; }
 	Method choose_method(Method p_wanted) override { return has_all_methods ? p_wanted : Method::DIRECT; }
@@ -53,7 +53,7 @@ FieldSetup make_setup() {
 	FieldSetup setup;
 	setup.grid = TileGrid::make(16.0, 16.0, 64.0); // tiles of 1 m
 	setup.patch = shared_patch();
-	setup.pool_tiles = 64;
+	setup.pool_size = 64;
 	return setup;
 }
 
@@ -225,10 +225,10 @@ TEST_CASE("field: bounds are made anew for other blades only") {
 	FieldScene scene;
 	FieldSetup next = scene.setup;
 	next.grid = TileGrid::make(8.0, 8.0, 64.0);
-	const double reach = scene.field.get_bounds()->get_reach();
-	CHECK(scene.field.bounds_of(next)->get_reach() == reach);
+	const double overhang = scene.field.get_bounds()->get_overhang();
+	CHECK(scene.field.bounds_of(next)->get_overhang() == overhang);
 	next.clump.lean = 0.0f;
-	CHECK(scene.field.bounds_of(next)->get_reach() < reach);
+	CHECK(scene.field.bounds_of(next)->get_overhang() < overhang);
 }
 
 TEST_CASE("grass at a place: all of it without a map, and what is painted with one") {

@@ -394,7 +394,7 @@ TEST_CASE("field_map: tiles wake where bodies touch grass on a hill, and nowhere
 	TileManager tiles;
 	tiles.set_grid(GRID);
 	TileParams params;
-	params.reach = bounds->get_reach();
+	params.overhang = bounds->get_overhang();
 	params.low = bounds->get_low();
 	params.height = bounds->get_height();
 	params.is_mapped = true;

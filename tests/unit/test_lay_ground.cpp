@@ -14,7 +14,7 @@ TEST_CASE("lay_ground: heights and normals of a smooth hill, over chunk borders"
 	const LaidGround laid = lay_ground(map, { { -20, -10 }, { 20, 10 } }, hill);
 	CHECK(laid.changed.size() == 4);
 	CHECK(laid.missing == 0);
-	CHECK(laid.asked == 42 * 22);
+	CHECK(laid.sampled == 42 * 22);
 	CHECK_FALSE(laid.out_of_room);
 	for (double x = -19.0; x < 19.0; x += 1.7) {
 		for (double z = -9.0; z < 9.0; z += 1.3) {
@@ -45,11 +45,11 @@ TEST_CASE("lay_ground: regions that are no regions, and those out of reach") {
 	PaintMap map;
 	const auto flat = [](const Eigen::Vector2d &) { return 1.0; };
 	const double nan = std::numeric_limits<double>::quiet_NaN(), reach = PaintMap::REACH * MAP_CHUNK_SIZE;
-	CHECK(lay_ground(map, { { nan, 0 }, { 1, 1 } }, flat).asked == 0);
-	CHECK(lay_ground(map, { { 1, 1 }, { 0, 0 } }, flat).asked == 0);
-	CHECK(lay_ground(map, { { 0.6, 0.6 }, { 0.9, 0.9 } }, flat).asked == 0); // no centre of a texel
+	CHECK(lay_ground(map, { { nan, 0 }, { 1, 1 } }, flat).sampled == 0);
+	CHECK(lay_ground(map, { { 1, 1 }, { 0, 0 } }, flat).sampled == 0);
+	CHECK(lay_ground(map, { { 0.6, 0.6 }, { 0.9, 0.9 } }, flat).sampled == 0); // no centre of a texel
 	const LaidGround laid = lay_ground(map, { { reach - 2.0, 0 }, { reach + 3.0, 2 } }, flat);
 	CHECK(laid.out_of_room);
 	CHECK(laid.changed.size() == 1);
-	CHECK(lay_ground(map, { { reach + 10.0, 0 }, { reach + 20.0, 9 } }, flat).asked == 0);
+	CHECK(lay_ground(map, { { reach + 10.0, 0 }, { reach + 20.0, 9 } }, flat).sampled == 0);
 }

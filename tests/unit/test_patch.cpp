@@ -93,11 +93,11 @@ TEST_CASE("patch: fills the texture with blades within the lengths, widths and t
 	}
 	CHECK(patch.max_length == doctest::Approx(longest));
 	CHECK(patch.max_height < patch.max_length);
-	CHECK(patch.max_reach < patch.max_length);
+	CHECK(patch.max_spread < patch.max_length);
 	CHECK(patch.mean_height < 0.8 * patch.max_height);
 	CHECK(patch.mean_height > 0.5 * patch.max_height);
 	CHECK(patch.max_height > 0.8 * patch.max_length);
-	CHECK(patch.max_reach > 0.5 * patch.max_length);
+	CHECK(patch.max_spread > 0.5 * patch.max_length);
 }
 
 TEST_CASE("patch: segments of a blade are equal, knot 1 is above the root, no knot is near the ground") {

@@ -293,8 +293,8 @@ TEST_CASE("tile_bounds: a tile's box holds the blades of whichever species they 
 	const TileBounds small(*patches[0], GRID, ClumpParams(), 0), tall(*patches[1], GRID, ClumpParams(), 0),
 			both(join_patches(patches, shares), GRID, ClumpParams(), 0);
 	CHECK(both.get_height() == tall.get_height());
-	CHECK(both.get_reach() >= small.get_reach());
-	CHECK(both.get_reach() == doctest::Approx(tall.get_reach()).epsilon(0.02));
+	CHECK(both.get_overhang() >= small.get_overhang());
+	CHECK(both.get_overhang() == doctest::Approx(tall.get_overhang()).epsilon(0.02));
 }
 
 TEST_CASE("field_blades: an awake tile of two species stands at rest as its blades grow") {

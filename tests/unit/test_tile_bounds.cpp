@@ -51,9 +51,9 @@ TEST_CASE("tile bounds: hold every knot of every blade of a tile, whatever its c
 	}
 }
 
-TEST_CASE("tile bounds: are tighter than the farthest reach on all sides") {
+TEST_CASE("tile bounds: are tighter than the widest overhang on all sides") {
 	const Meadow meadow;
-	const double side = 0.5 * meadow.grid.get_tile_size() + meadow.bounds.get_reach();
+	const double side = 0.5 * meadow.grid.get_tile_size() + meadow.bounds.get_overhang();
 	int met = 0, all = 0;
 	for (int x = 0; x < meadow.grid.get_tiles_x(); x++) {
 		for (const Eigen::Vector3d &corner :
@@ -80,7 +80,7 @@ TEST_CASE("tile bounds: a tile manager that has them wakes fewer tiles, and each
 	ball.size = { 0.25, 0.0, 0.0 };
 	ball.now.position = ball.before.position = { 0.1, 0.25, 0.1 };
 	TileParams params;
-	params.reach = meadow.bounds.get_reach();
+	params.overhang = meadow.bounds.get_overhang();
 	params.height = meadow.bounds.get_height();
 	params.seed = 5;
 	int awake[2];
@@ -99,6 +99,6 @@ TEST_CASE("tile bounds: a tile manager that has them wakes fewer tiles, and each
 			}
 		}
 	}
-	MESSAGE("tiles awake around a ball of 0.5 m: ", awake[0], " by the reach, ", awake[1], " by the boxes");
+	MESSAGE("tiles awake around a ball of 0.5 m: ", awake[0], " by the overhang, ", awake[1], " by the boxes");
 	CHECK(awake[1] * 5 < awake[0] * 4);
 }

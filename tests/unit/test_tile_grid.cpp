@@ -96,15 +96,15 @@ TEST_CASE("tile_grid: a far point has a tile and an offset that lead back to it"
 TEST_CASE("tile_grid: the range over a rectangle is every tile whose grown square meets it, and no other") {
 	const TileGrid grid = TileGrid::make(8.0, 5.0, 200.0);
 	std::mt19937 random(2);
-	std::uniform_real_distribution<double> place(-6.0, 6.0), extent(0.0, 3.0), reach_of(0.0, 0.6);
+	std::uniform_real_distribution<double> place(-6.0, 6.0), extent(0.0, 3.0), margin_of(0.0, 0.6);
 	int differing = 0;
 	for (int i = 0; i < 2000; i++) {
-		const double x = place(random), z = place(random), width = extent(random), depth = extent(random), reach = reach_of(random);
-		const TileRange range = grid.get_range(x, x + width, z, z + depth, reach);
+		const double x = place(random), z = place(random), width = extent(random), depth = extent(random), margin = margin_of(random);
+		const TileRange range = grid.get_range(x, x + width, z, z + depth, margin);
 		for (int tile = 0; tile < grid.get_tile_count(); tile++) {
 			const int tile_x = grid.get_x(tile), tile_z = grid.get_z(tile);
 			const Eigen::Vector3d centre = grid.get_centre(tile_x, tile_z);
-			const double half = 0.5 * grid.get_tile_size() + reach;
+			const double half = 0.5 * grid.get_tile_size() + margin;
 			const bool meets_x = std::abs(centre.x() - x - 0.5 * width) <= half + 0.5 * width;
 			const bool meets_z = std::abs(centre.z() - z - 0.5 * depth) <= half + 0.5 * depth;
 			const bool listed = tile_x >= range.x_begin && tile_x < range.x_end && tile_z >= range.z_begin && tile_z < range.z_end;

@@ -13,7 +13,7 @@
 using namespace grass;
 using namespace grass::test;
 
-TEST_CASE("tiles: without objects there is nothing to do") {
+TEST_CASE("tiles: without colliders there is nothing to do") {
 	TileManager manager = make_manager();
 	CHECK(step(manager, {}) == 0);
 	CHECK(manager.get_colliders().empty());
@@ -21,7 +21,7 @@ TEST_CASE("tiles: without objects there is nothing to do") {
 	CHECK(manager.get_memory_usage() > 0);
 }
 
-TEST_CASE("tiles: lines 5 to 16: an object's tiles are activated, each with a slot, fresh once") {
+TEST_CASE("tiles: lines 5 to 16: a collider's tiles are activated, each with a slot, fresh once") {
 	TileManager manager = make_manager();
 	const ColliderShape ball = make_ball(manager, 3, 5);
 	REQUIRE(step(manager, { ball }) == 1);
@@ -53,7 +53,7 @@ TEST_CASE("tiles: line 11: a tile that is active already keeps its slot, a new o
 	CHECK(flags_of(manager.get_slots()[1]) == GRASS_SLOT_FRESH);
 }
 
-TEST_CASE("tiles: a moving object leaves a trail of awake tiles two seconds long") {
+TEST_CASE("tiles: a moving collider leaves a trail of awake tiles two seconds long") {
 	TileManager manager = make_manager(4096);
 	const double speed = 2.0; // metres a second: a tile in a quarter of a second
 	ColliderShape ball = make_ball(manager, 0, 20);
@@ -73,7 +73,7 @@ TEST_CASE("tiles: a moving object leaves a trail of awake tiles two seconds long
 	CHECK(manager.get_statistics().evicted == 0);
 }
 
-TEST_CASE("tiles: a fast object wakes every tile on its way, one above the blades none") {
+TEST_CASE("tiles: a fast collider wakes every tile on its way, one above the blades none") {
 	TileManager manager = make_manager(4096);
 	ColliderShape ball = make_ball(manager, 2, 7);
 	ball.now.position = manager.get_grid().get_centre(35, 7);
@@ -87,22 +87,22 @@ TEST_CASE("tiles: a fast object wakes every tile on its way, one above the blade
 	CHECK(step(manager, { above, below }) == 35);
 }
 
-TEST_CASE("tiles: blades that lean out of their tile are met: the reach") {
+TEST_CASE("tiles: blades that lean out of their tile are met: the overhang") {
 	TileManager manager = make_manager();
 	TileParams params = manager.get_params();
-	params.reach = 0.2; // a ball of 0.1 in the middle of a 0.5 m tile comes to 0.15 m from its neighbours
+	params.overhang = 0.2; // a ball of 0.1 in the middle of a 0.5 m tile comes to 0.15 m from its neighbours
 	manager.set_params(params);
 	CHECK(step(manager, { make_ball(manager, 3, 5) }) == 9);
 	manager.reset();
-	params.reach = 0.14;
+	params.overhang = 0.14;
 	manager.set_params(params);
 	CHECK(step(manager, { make_ball(manager, 3, 5) }) == 1);
 }
 
-TEST_CASE("tiles: each tile's list holds exactly the objects whose boxes meet its own") {
+TEST_CASE("tiles: each tile's list holds exactly the colliders whose boxes meet its own") {
 	TileManager manager = make_manager(4096);
 	TileParams params = manager.get_params();
-	params.reach = 0.17;
+	params.overhang = 0.17;
 	params.height = 0.8;
 	manager.set_params(params);
 	const TileGrid &grid = manager.get_grid();
@@ -122,7 +122,7 @@ TEST_CASE("tiles: each tile's list holds exactly the objects whose boxes meet it
 		std::map<int, std::vector<int>> expected;
 		for (int tile = 0; tile < grid.get_tile_count(); tile++) {
 			const Eigen::Vector3d centre = grid.get_centre(grid.get_x(tile), grid.get_z(tile));
-			const double half = 0.5 * grid.get_tile_size() + params.reach;
+			const double half = 0.5 * grid.get_tile_size() + params.overhang;
 			const Eigen::Vector3d low(centre.x() - half, 0.0, centre.z() - half), high(centre.x() + half, params.height, centre.z() + half);
 			for (size_t i = 0; i < colliders.size(); i++) {
 				const Bounds bounds = colliders[i].get_swept_bounds();
@@ -149,7 +149,7 @@ TEST_CASE("tiles: each tile's list holds exactly the objects whose boxes meet it
 	CHECK(entries > 5000);
 }
 
-TEST_CASE("tiles: objects that meet no tile are not uploaded, hulls bring their planes") {
+TEST_CASE("tiles: colliders that meet no tile are not uploaded, hulls bring their planes") {
 	TileManager manager = make_manager();
 	ColliderShape hull = make_ball(manager, 4, 4);
 	hull.type = GRASS_HULL;
@@ -173,7 +173,7 @@ TEST_CASE("tiles: objects that meet no tile are not uploaded, hulls bring their 
 	CHECK(manager.get_colliders().empty());
 }
 
-TEST_CASE("tiles: an object with bad numbers is left out and counted, the others stay") {
+TEST_CASE("tiles: a collider with bad numbers is left out and counted, the others stay") {
 	TileManager manager = make_manager();
 	ColliderShape bad = make_ball(manager, 4, 4);
 	bad.now.position.x() = std::numeric_limits<double>::quiet_NaN();

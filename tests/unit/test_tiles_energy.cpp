@@ -96,7 +96,7 @@ TEST_CASE("tiles: one lively report, or a touch, and the half second begins anew
 	CHECK(settles_after(manager, CALM));
 }
 
-TEST_CASE("tiles: under an object nothing sleeps, however calm it is") {
+TEST_CASE("tiles: under a collider nothing sleeps, however calm it is") {
 	TileManager manager = make_energy_manager();
 	for (int i = 0; i < 200; i++) {
 		step(manager, { make_ball(manager, 3) });

@@ -79,7 +79,7 @@ TEST_CASE("tiles: late and bad energies change nothing") {
 	CHECK(manager.is_awake(4));
 }
 
-TEST_CASE("tiles: a tile under an object never gives its slot: the wish is refused, until one is free") {
+TEST_CASE("tiles: a tile under a collider never gives its slot: the wish is refused, until one is free") {
 	TileManager manager = make_manager(2);
 	const std::vector<ColliderShape> balls = { make_ball(manager, 2), make_ball(manager, 4), make_ball(manager, 6) };
 	for (int i = 1; i <= 20; i++) {
@@ -135,11 +135,11 @@ TEST_CASE("tiles: slots that were given back are handed out again, lowest first"
 TEST_CASE("tiles: parameters that are no numbers become the defaults") {
 	const double nan = std::numeric_limits<double>::quiet_NaN();
 	TileParams params;
-	params.sleep_delay = params.settle_time = params.reach = params.height = nan;
+	params.sleep_delay = params.settle_time = params.overhang = params.height = nan;
 	params = params.sanitised();
 	CHECK(params.sleep_delay == 2.0);
 	CHECK(params.settle_time == 0.5);
-	CHECK(params.reach == TileParams().reach);
+	CHECK(params.overhang == TileParams().overhang);
 	CHECK(params.height == TileParams().height);
 	params.sleep_delay = -1.0;
 	CHECK(params.sanitised().sleep_delay == 0.0);

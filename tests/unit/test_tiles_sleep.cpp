@@ -46,7 +46,7 @@ TEST_CASE("tiles: 5.2: a tile sleeps once the delay since the last touch has pas
 	CHECK(manager.get_slots()[0].tile.w == 0);
 }
 
-TEST_CASE("tiles: 5.2: the timestamp is refreshed while an object is in the tile") {
+TEST_CASE("tiles: 5.2: the timestamp is refreshed while a collider is in the tile") {
 	TileManager manager = make_manager();
 	for (int i = 0; i < 100; i++) {
 		REQUIRE(step(manager, { make_ball(manager, 3, 5) }) == 1);
@@ -129,7 +129,7 @@ TEST_CASE("tiles: a step without time, or of nonsense, neither ages nor harms a 
 	CHECK(flags_of(manager.get_slots()[0]) == GRASS_SLOT_RETIRED);
 }
 
-TEST_CASE("tiles: no delay and no settling time: away with the object") {
+TEST_CASE("tiles: no delay and no settling time: away with the collider") {
 	TileManager manager = make_manager();
 	TileParams params = manager.get_params();
 	params.sleep_delay = params.settle_time = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles that are left as they are, since the objects on them stand still.
+// Tiles that are left as they are, since the colliders on them stand still.
 #include <doctest/doctest.h>
 
 #include "tile_scene.h"
@@ -9,7 +9,7 @@ using namespace grass::test;
 
 namespace {
 
-// A manager that puts tiles to sleep by energy, with objects that have stood in one of its tiles until that was left as it is.
+// A manager that puts tiles to sleep by energy, with colliders that have stood in one of its tiles until that was left as it is.
 struct StillScene {
 	TileManager manager = make_manager();
 	std::vector<ColliderShape> balls{ make_ball(manager, 3, 5) };
@@ -45,7 +45,7 @@ constexpr int STEPS = 4; // of the delay
 
 } // namespace
 
-TEST_CASE("tiles: one whose objects have stood still for long is left as it is, without a record, until anything changes") {
+TEST_CASE("tiles: one whose colliders have stood still for long is left as it is, without a record, until anything changes") {
 	StillScene scene;
 	CHECK(scene.steps_until_still() == STEPS);
 	CHECK(scene.manager.get_colliders().empty());
@@ -54,7 +54,7 @@ TEST_CASE("tiles: one whose objects have stood still for long is left as it is, 
 	CHECK(!scene.is_simulated());
 	CHECK(scene.manager.get_statistics().still_steps == 2);
 	CHECK(scene.manager.get_statistics().unseen_steps == 0);
-	SUBCASE("an object that moves") {
+	SUBCASE("a collider that moves") {
 		scene.balls[0].now.position.y() += 0.01;
 		CHECK(scene.is_simulated());
 		scene.balls[0].before = scene.balls[0].now;
@@ -105,7 +105,7 @@ TEST_CASE("tiles: one whose objects have stood still for long is left as it is, 
 		scene.manager.stir({ 7, 8, 5, 6 });
 		CHECK(!scene.is_simulated());
 	}
-	SUBCASE("no object any more") {
+	SUBCASE("no collider any more") {
 		scene.balls.clear();
 		CHECK(step(scene.manager, {}) == 1);
 	}
@@ -136,7 +136,7 @@ TEST_CASE("tiles: only time in which blades are simulated counts: what goes on m
 	CHECK(scene.is_simulated());
 }
 
-TEST_CASE("tiles: put to sleep by the timer, they are simulated as long as an object is in them, as in the paper") {
+TEST_CASE("tiles: put to sleep by the timer, they are simulated as long as a collider is in them, as in the paper") {
 	StillScene scene;
 	TileParams params = scene.manager.get_params();
 	params.sleep_mode = SleepMode::TIMER;

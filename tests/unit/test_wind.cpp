@@ -60,9 +60,9 @@ std::vector<Eigen::Vector3f> bend(const std::vector<Eigen::Vector3f> &p_knots, c
 	std::vector<Eigen::Vector3f> bent(p_knots.size());
 	for (size_t k = 0; k < p_knots.size(); k++) {
 		const size_t below = std::min(k, p_knots.size() - 2);
-		const Eigen::Vector3f reach = (p_knots[below + 1] - p_knots[below]) * std::max(float(k), 0.01f);
+		const Eigen::Vector3f tangent = (p_knots[below + 1] - p_knots[below]) * std::max(float(k), 0.01f);
 		const glsl::GrassWind here = wind_at({ 1.0f, 2.0f }, float(k) / GRASS_SEGMENTS, clock_at(p_time, p_wind), p_wind);
-		const glsl::vec3 knot = to_glsl(p_knots[k]), along = to_glsl(reach);
+		const glsl::vec3 knot = to_glsl(p_knots[k]), along = to_glsl(tangent);
 		bent[k] = from_glsl(glsl::grass_wind_point(knot, along, here.tilt * glsl::grass_wind_hold(knot, along)));
 	}
 	return bent;

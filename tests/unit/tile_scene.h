@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of TileManager have in common: managers, objects, steps.
+// What the tests of TileManager have in common: managers, colliders, steps.
 #pragma once
 
 #include "core/tiles/tiles.h"
@@ -20,7 +20,7 @@ inline TileManager make_manager(int p_pool_size, const TileGrid &p_grid) {
 	TileParams params;
 	params.pool_size = p_pool_size;
 	params.sleep_mode = SleepMode::TIMER;
-	params.reach = 0.0;
+	params.overhang = 0.0;
 	manager.set_params(params);
 	return manager;
 }

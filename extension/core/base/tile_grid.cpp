@@ -47,17 +47,17 @@ TilePlace TileGrid::get_place(const Eigen::Vector3d &p_position) const {
 	return place;
 }
 
-TileRange TileGrid::get_range(double p_min_x, double p_max_x, double p_min_z, double p_max_z, double p_reach) const {
-	if (!(p_min_x <= p_max_x && p_min_z <= p_max_z && p_reach >= 0.0)) {
+TileRange TileGrid::get_range(double p_min_x, double p_max_x, double p_min_z, double p_max_z, double p_margin) const {
+	if (!(p_min_x <= p_max_x && p_min_z <= p_max_z && p_margin >= 0.0)) {
 		return {};
 	}
 	// Tile i spans [i, i + 1] in tiles from the field's corner. Closed intervals: to touch is to meet.
 	const double corner_x = 0.5 * _tiles_x, corner_z = 0.5 * _tiles_z;
 	TileRange range;
-	range.x_begin = std::max(0, -floor_to_int((p_reach - p_min_x) / _tile_size - corner_x) - 1);
-	range.z_begin = std::max(0, -floor_to_int((p_reach - p_min_z) / _tile_size - corner_z) - 1);
-	range.x_end = std::min(_tiles_x, floor_to_int((p_max_x + p_reach) / _tile_size + corner_x) + 1);
-	range.z_end = std::min(_tiles_z, floor_to_int((p_max_z + p_reach) / _tile_size + corner_z) + 1);
+	range.x_begin = std::max(0, -floor_to_int((p_margin - p_min_x) / _tile_size - corner_x) - 1);
+	range.z_begin = std::max(0, -floor_to_int((p_margin - p_min_z) / _tile_size - corner_z) - 1);
+	range.x_end = std::min(_tiles_x, floor_to_int((p_max_x + p_margin) / _tile_size + corner_x) + 1);
+	range.z_end = std::min(_tiles_z, floor_to_int((p_max_z + p_margin) / _tile_size + corner_z) + 1);
 	return range.count() > 0 ? range : TileRange{};
 }
 

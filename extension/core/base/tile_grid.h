@@ -72,9 +72,9 @@ public:
 		return (p_position - get_centre(p_x, p_z)).cast<float>();
 	}
 
-	// The tiles whose square, grown by p_reach metres on every side, meets the rectangle. Empty if none does, or if
+	// The tiles whose square, grown by p_margin metres on every side, meets the rectangle. Empty if none does, or if
 	// a limit is NaN.
-	TileRange get_range(double p_min_x, double p_max_x, double p_min_z, double p_max_z, double p_reach) const;
+	TileRange get_range(double p_min_x, double p_max_x, double p_min_z, double p_max_z, double p_margin) const;
 
 	bool operator==(const TileGrid &) const = default;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a blade stands and what shape it has at rest. shaders/blades/blade.inc as C++.
+// Where a blade stands, and its shape at rest. shaders/blades/blade.inc as C++.
 #pragma once
 
 #include "core/blades/clump.h"

@@ -36,7 +36,7 @@ struct ClumpParams {
 // No blade grows by more than this factor.
 inline constexpr float CLUMP_TALLEST = float(1.0 + GRASS_CLUMP_TALLER);
 
-// [Eq B2] What the noise says about p_place (field-space x, z in metres).
+// [Eq B2] The clump at p_place (field-space x, z in metres).
 inline Clump clump_at(const Eigen::Vector2f &p_place, const ClumpParams &p_clump) {
 	return glsl::grass_clump_at(to_glsl(p_place), glsl::vec4(p_clump.size, p_clump.height, p_clump.lean, p_clump.tint));
 }

@@ -104,7 +104,7 @@ void measure(Patch &r_patch, int p_blade) {
 		const Eigen::Vector3f knot(half_to_float(texel[0]), half_to_float(texel[1]), half_to_float(texel[2]));
 		length += (knot - before).norm();
 		before = knot;
-		r_patch.max_reach = std::max(r_patch.max_reach, std::hypot(knot.x(), knot.z()));
+		r_patch.max_spread = std::max(r_patch.max_spread, std::hypot(knot.x(), knot.z()));
 		height = std::max(height, knot.y());
 	}
 	r_patch.max_height = std::max(r_patch.max_height, height);
@@ -120,7 +120,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	const double z = fraction(0.5 + R2_Y * p_blade + JITTER * (dice.roll(JITTER_Y) - 0.5));
 	const double azimuth = TURN * (fraction(GOLDEN * p_blade + 0.25 * dice.roll(AZIMUTH)) - 0.5);
 
-	// Two dice make middle lengths commoner than extreme ones; long blades tend to be wide ones.
+	// The mean of two random numbers makes middle lengths commoner than extreme ones; long blades tend to be wide.
 	const double tall = 0.5 * (dice.roll(LENGTH) + dice.roll(LENGTH_MORE));
 	const double length = std::max(SHORTEST, between(p_params.length_min, p_params.length_max, tall));
 	const double width = between(p_params.width_min, p_params.width_max, 0.5 * (tall + dice.roll(WIDTH)));
@@ -129,7 +129,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	const double twist_side = dice.roll(TWIST) * 2.0 - 1.0;
 	const BladeCurve curve = blade_curve(type, between(BEND_MIN, BEND_MAX, dice.roll(BEND)), twist_side);
 
-	// A blade leans across its width, give or take.
+	// A blade leans roughly across its width.
 	const double lean = azimuth + 0.25 * TURN + SWAY * (dice.roll(SWAY_ANGLE) * 2.0 - 1.0);
 	const double along_x = cosine(lean);
 	const double along_z = sine(lean);
@@ -191,7 +191,7 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 		}
 		const float share = float(p_shares[s]);
 		joined.max_length = std::max(joined.max_length, own.max_length);
-		joined.max_reach = std::max(joined.max_reach, own.max_reach);
+		joined.max_spread = std::max(joined.max_spread, own.max_spread);
 		joined.max_height = std::max(joined.max_height, own.max_height);
 		joined.mean_height += share * own.mean_height;
 		joined.mean_length += share * own.mean_length;

@@ -53,7 +53,7 @@ struct Patch {
 	int species = 1; // whose blades stand one below the other
 	const char *empty_because = nullptr; // why there are no blades, for a warning; nullptr if there are
 	float max_length = 0.0f; // metres, along the blade
-	float max_reach = 0.0f; // metres, horizontally from the root
+	float max_spread = 0.0f; // metres, horizontally from the root
 	float max_height = 0.0f; // metres, above the root
 	float mean_height = 0.0f; // metres, of the blades' highest knots
 	float mean_length = 0.0f, mean_width = 0.0f; // metres: along the blade, full width at the root

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a patch on a thread of its own: it takes a tenth of a second, which no frame has.
+// Makes a patch on a thread of its own: that takes a tenth of a second, far longer than a frame has.
 #pragma once
 
 #include "core/blades/patch.h"
@@ -17,11 +17,11 @@ public:
 	PatchMaker &operator=(const PatchMaker &) = delete;
 	~PatchMaker() { stop(); }
 
-	// Begins with another patch; what was begun before is given up.
+	// Begins another patch; gives up the one begun before.
 	void start(const PatchParams &p_params);
 	bool is_started() const { return _made.valid(); }
 	bool is_done() const;
-	// What was begun. Waits for it; then nothing is begun any more.
+	// Waits for the patch that was begun and returns it. Afterwards none is under way.
 	std::shared_ptr<const Patch> take() { return _made.get(); }
 	// Gives up what was begun, in microseconds.
 	void stop();

@@ -22,7 +22,7 @@ inline constexpr Tunable GUST_SIZE{ "gust_size", "m", 0.5, 200.0, 0.1, 7.0 };
 // 0 = an even wind, 1 = lulls of 0.4 and gusts of twice the wind's speed.
 inline constexpr Tunable GUST_STRENGTH{ "gust_strength", "", 0.0, 1.0, 0.01, 0.6 };
 
-// Time as the wind knows it, wrapped where nothing is seen of it: it grows for days, and floats tire.
+// The wind's time, wrapped where that does not show: over days a float would lose its precision.
 struct WindClock {
 	double sway = 0.0; // seconds
 	double roll = 0.0; // gust sizes that the wind has travelled: a change of the wind moves no gust

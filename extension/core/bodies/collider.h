@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a knot stands to a collider: surface, entry point of a path, contact. Twin of shaders/bodies/collider.inc.
+// Where a knot stands to a collider: surface, entry point of a path, correction. Twin of shaders/bodies/collider.inc.
 // Every shape is convex, and a face is a supporting plane: what is outside of the plane is outside of the shape.
 #pragma once
 
@@ -80,9 +80,9 @@ GRASS_INLINE Face<T> round_face(const Vec3<T> &p_out, const T &p_radius, const V
 	}
 	const T height = dot(p_out, p_ground.up);
 	const Vec3<T> level = p_out - p_ground.up * height;
-	const T reach = square_root(maximum(p_radius * p_radius - height * height, T(0.0f)));
+	const T level_radius = square_root(maximum(p_radius * p_radius - height * height, T(0.0f)));
 	return { select(is_level, normalized(level, perpendicular(p_ground.up)), face.normal),
-		select(is_level, length(level) - reach, face.distance) };
+		select(is_level, length(level) - level_radius, face.distance) };
 }
 
 // [Eq 10] The face nearest to a point in the shape's own axes; on the axis or at the centre a fixed one.
@@ -125,18 +125,18 @@ template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider
 	return find_face(p_collider, p_point, Ground<T>{ {}, T(0.0f) });
 }
 
-// Whether the collider, on its way during the step, comes within p_reach (metres) of the blade's root.
-template <class T> GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_root, const T &p_reach) {
+// Whether the collider, on its way during the step, comes within p_distance (metres) of the blade's root.
+template <class T> GRASS_INLINE auto comes_within(const TileCollider &p_collider, const Vec3<T> &p_root, const T &p_distance) {
 	const Vec3<T> way = widened<T>(p_collider.centre - p_collider.centre_before);
 	const Vec3<T> from = widened<T>(p_collider.centre_before) - p_root;
 	const T t = minimum(maximum(-dot(from, way) / maximum(dot(way, way), T(TINY_SQUARED)), T(0.0f)), T(1.0f));
 	const Vec3<T> nearest = from + way * t;
-	const T reach = p_reach + T(p_collider.bound);
-	return dot(nearest, nearest) < reach * reach;
+	const T farthest = p_distance + T(p_collider.bound);
+	return dot(nearest, nearest) < farthest * farthest;
 }
 
 // Whether the collider stands still in this step.
-GRASS_INLINE bool is_still(const TileCollider &p_collider) {
+GRASS_INLINE bool stands_still(const TileCollider &p_collider) {
 	const Vec3<float> way = p_collider.centre - p_collider.centre_before;
 	const Vec3<float> axis = p_collider.turn.axis - p_collider.turn_before.axis;
 	const float w = p_collider.turn.w - p_collider.turn_before.w;
@@ -227,17 +227,18 @@ template <class T> GRASS_INLINE Ground<T> ground_under(const TileCollider &p_col
 	return { up, maximum(p_height, T(0.0f)) };
 }
 
-// What would bring a knot out: a correction in the field's axes, and its length (0: no contact).
-template <class T> struct Contact {
+// What would bring a knot out: a direction in the field's axes, and how far (metres; 0: it is not inside).
+template <class T> struct Correction {
 	Vec3<T> direction;
 	T depth;
 	Vec3<T> normal{}; // of the surface, the field's axes
 };
 
-// [Eq 12] The contact of a point behind a face that went p_way (the collider's axes) in this step. Friction takes back what it slid along
-// the surface, up to the depth times p_friction.
+// [Eq 12] The correction of a point behind a face that went p_way (the collider's axes) in this step. Friction takes back what it slid
+// along the surface, up to the depth times p_friction.
 template <class T>
-GRASS_INLINE Contact<T> make_contact(const TileCollider &p_collider, const Face<T> &p_face, const Vec3<T> &p_way, const T &p_friction) {
+GRASS_INLINE Correction<T> make_correction(
+		const TileCollider &p_collider, const Face<T> &p_face, const Vec3<T> &p_way, const T &p_friction) {
 	const T depth = maximum(-p_face.distance, T(0.0f));
 	if (!any(depth > T(0.0f))) {
 		return { {}, T(0.0f) };
@@ -252,13 +253,13 @@ GRASS_INLINE Contact<T> make_contact(const TileCollider &p_collider, const Face<
 	return { turned(turn, direction), select(depth > T(0.0f), size, T(0.0f)), turned(turn, p_face.normal) };
 }
 
-// The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before to its pose now.
+// The correction of a knot that went from p_from to p_to (blade space) while the collider went from its pose before to its pose now.
 template <class T>
-GRASS_INLINE Contact<T> find_contact(
+GRASS_INLINE Correction<T> find_correction(
 		const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to, const T &p_friction) {
 	const Path<T> path = relative_path(p_collider, p_root, p_from, p_to);
 	const Face<T> face = sweep(p_collider, path, ground_under(p_collider, p_to.y));
-	return make_contact(p_collider, face, path.to - path.from, p_friction);
+	return make_correction(p_collider, face, path.to - path.from, p_friction);
 }
 
 } // namespace grass

@@ -38,7 +38,7 @@ void TileCull::choose(const CullField &p_field, const FieldView &p_view, const T
 
 void TileCull::choose_tile(
 		const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground, int p_x, int p_z, const SlotOf &p_slot_of) {
-	const float side = 0.5f * float(p_field.grid.get_tile_size()) + p_field.reach;
+	const float side = 0.5f * float(p_field.grid.get_tile_size()) + p_field.overhang;
 	const float half_height = 0.5f * (p_field.height + p_ground.high - p_ground.low);
 	const Eigen::Vector3f half(side, half_height, side);
 	const Eigen::Vector3f middle =

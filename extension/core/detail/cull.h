@@ -20,7 +20,7 @@ inline constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH
 // What culling reads of a field.
 struct CullField {
 	TileGrid grid;
-	float reach = 0.0f; // that blades lean out over their tile's square, metres
+	float overhang = 0.0f; // that blades lean out over their tile's square, metres
 	float height = 0.0f; // of the tallest blade above its ground, metres
 	BladeSize size; // of the mean blade
 	uint32_t seed = 0;
@@ -47,7 +47,7 @@ private:
 			const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground, int p_x, int p_z, const SlotOf &p_slot_of);
 	// Adds the tile to one of the levels in [p_first, p_end).
 	void add_tile(const CullField &p_field, int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, const SlotOf &p_slot_of);
-	// Removes those of the levels in [p_first, p_end) for which there is no room. Returns how many.
+	// Removes the tiles of the levels in [p_first, p_end) that do not fit. Returns how many.
 	int64_t leave_out(int p_first, int p_end, uint32_t p_room, uint32_t p_seed);
 	int64_t count_blades(int p_first, int p_end) const;
 

@@ -10,8 +10,8 @@ namespace {
 
 using glsl::GRASS_BLADES_OF, glsl::GRASS_SEGMENTS_OF;
 
-// What grass_lod_level() takes for granted of the levels from p_first to p_end: the first holds all blades, each order of
-// segments begins with a mesh that does, and segments fall, then blades.
+// What grass_lod_level() requires of the levels from p_first to p_end: the first level of each segment count holds all blades;
+// segments fall, and blades fall within a segment count.
 consteval bool are_ordered(int p_first, int p_end) {
 	for (int i = p_first; i < p_end; i++) {
 		const bool begins = i == p_first || GRASS_SEGMENTS_OF[i] < GRASS_SEGMENTS_OF[i - 1];

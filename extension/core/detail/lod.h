@@ -25,11 +25,11 @@ using glsl::grass_lod_blades, glsl::grass_lod_blades_of_width, glsl::grass_lod_c
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
 // How far a blade may be drawn from its curve, in pixels: decides its segments. 0: always 15; above 2 curves look cut.
 inline constexpr Tunable LOD_ERROR{ "lod_error", "px", 0.0, 8.0, 0.05, 1.0 };
-// No blade is drawn narrower at its root than this; where blades would be, fewer are drawn that cover as much. 0: all
-// blades at their own width, far grass flickers; above 2 it looks coarse.
+// No blade is drawn narrower at its root than this: where they would be, fewer blades cover as much. 0: all blades keep
+// their own width, and far grass flickers; above 2 it looks coarse.
 inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
-// How many times coarser than in the picture blades are where they only cast shadows. 1: as fine; above 6 shadows of
-// single blades are gone near the camera.
+// How many times coarser blades are in shadows than in the picture. 1: as fine; above 6 single blades near the camera
+// cast no shadow.
 inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 0.1, 3.0 };
 
 // Tiles that a field draws in a frame, at most; a quarter as many cast shadows. 100 bytes each. Where more are seen, far ones are left
@@ -52,12 +52,12 @@ struct BladeSize {
 	float width = 0.0f, length = 0.0f;
 };
 
-// What a tile needs: blades, and segments of each. The most that any camera asks for counts.
+// What a tile needs: blades, and segments of each. The most that any camera needs counts.
 struct LodNeed {
 	float blades = 0.0f, segments = 0.0f;
 
-	// Adds what a camera at p_distance (metres) asks for, whose near plane is p_near metres away, and to which p_pixel metres
-	// of the tile are a pixel.
+	// Adds what a camera at p_distance (metres) needs. p_near: distance of its near plane, metres; p_pixel: metres of the tile
+	// in one of its pixels.
 	void add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel);
 };
 
@@ -69,7 +69,7 @@ struct LodLevel {
 // Level i of GRASS_ALL_LEVELS.
 LodLevel get_lod_level(int p_level);
 
-// How many ranks, from the first on, have room for all of their tiles, as fit() in room.inc counts them. p_tiles: of each rank.
+// Returns how many ranks, from the first on, have room for all of their tiles, as fit() in room.inc counts them. p_tiles: of each rank.
 uint32_t grass_lod_ranks(const std::array<uint32_t, GRASS_RANKS> &p_tiles, uint32_t p_room);
 
 // Six planes: normal.xyz, d; inside: normal . x <= d. The normals look out of the view, as Godot's do.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From where a field is seen, and how finely it is drawn.
+// Where a field is seen from, and how finely it is drawn.
 #pragma once
 
 #include "core/detail/lod.h"
@@ -21,7 +21,7 @@ struct ViewCamera {
 	bool operator==(const ViewCamera &) const = default;
 };
 
-// From where, and how finely, the field is drawn in a frame. Field space, metres.
+// Where the field is seen from in a frame, and how finely it is drawn. Field space, metres.
 struct FieldView {
 	std::vector<ViewCamera> cameras; // all whose picture this frame shows
 	LodParams lod;

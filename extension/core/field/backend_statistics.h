@@ -19,7 +19,7 @@ struct BackendStatistics {
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t culls = 0; // culling passes
-	int64_t instance_updates = 0; // times that the renderer was told anything of the node: place, world, visibility, layers
+	int64_t instance_updates = 0; // changes of the node that went to the renderer: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;

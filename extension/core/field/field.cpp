@@ -10,8 +10,8 @@ namespace grass {
 
 namespace {
 
-// Grass this far outside of the view counts as seen: a camera that turns finds it as it should be. Metres. Smaller: bodies
-// push into the grass before one's eyes when the camera turns fast. Larger: more is simulated that nobody sees.
+// Grass this far outside of the view counts as seen, so that a camera that turns finds it up to date. Metres. Smaller: bodies
+// visibly push into the grass when the camera turns fast. Larger: more is simulated that nobody sees.
 constexpr float VIEW_MARGIN = 3.0f;
 
 } // namespace
@@ -56,7 +56,7 @@ void Field::forget_map() {
 	_blades = FieldBlades();
 }
 
-// The method stays the one that was chosen.
+// Keeps the chosen method.
 void Field::set_params(const FieldParams &p_params) {
 	const Method method = get_method();
 	_params = p_params;
@@ -76,17 +76,17 @@ void Field::choose_method(Simulator &r_simulator, Method p_wanted) {
 
 TileParams Field::tile_params() const {
 	TileParams params;
-	params.pool_size = _setup.pool_tiles;
+	params.pool_size = _setup.pool_size;
 	params.sleep_mode = _params.sleep_mode;
 	params.sleep_delay = _params.sleep_delay;
 	params.sleep_energy = _params.calm_energy();
 	params.still_delay = _params.calm_time();
 	params.settle_time = _params.settle_time;
-	params.reach = _bounds ? _bounds->get_reach() : 0.0;
+	params.overhang = _bounds ? _bounds->get_overhang() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;
 	params.height = _bounds ? _bounds->get_height() : 0.0;
 	params.segment = _setup.patch ? double(_setup.blade_length()) / GRASS_SEGMENTS : 0.0;
-	params.is_mapped = _blades.is_told();
+	params.is_mapped = _blades.needs_growth();
 	params.seed = _setup.seed;
 	return params;
 }
@@ -178,10 +178,10 @@ void Field::step(Simulator &r_simulator, double p_delta) {
 	r_simulator.step(input);
 }
 
-// How the blades grow of tiles that woke in this tick, and of those awake below which the map changed.
+// The growth of the blades of tiles that woke in this tick, and of awake tiles on which the map changed.
 std::span<const SlotGrowth> Field::grow_tiles() {
 	_growth.clear();
-	if (_blades.is_told()) {
+	if (_blades.needs_growth()) {
 		for (const GrassSlot &slot : _tiles.get_slots()) {
 			const bool is_retired = slot.list.w & GRASS_SLOT_RETIRED, is_fresh = slot.list.w & GRASS_SLOT_FRESH;
 			if (!is_retired && (is_fresh || _regrown.has(slot.tile.x, slot.tile.y))) {
@@ -193,7 +193,7 @@ std::span<const SlotGrowth> Field::grow_tiles() {
 	return _growth;
 }
 
-double Field::ground_reach() const {
+double Field::ground_relief() const {
 	return _map != nullptr ? std::max(-get_cover()->get_low(), get_cover()->get_high()) : 0.0;
 }
 

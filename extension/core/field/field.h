@@ -22,7 +22,7 @@ class Field {
 public:
 	using SpeciesPatches = std::vector<std::shared_ptr<const Patch>>;
 
-	// From here on it is this field, all of it at rest. p_map: what is painted on it, or null; outlives the field, or forget_map().
+	// Becomes this field, all of it at rest. p_map: what is painted on it, or null; must live until forget_map() or the field's end.
 	// p_species: the patch of each species.
 	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map, const SpeciesPatches &p_species,
 			const FieldParams &p_params);
@@ -40,14 +40,14 @@ public:
 	// The map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
 
-	// What the cameras of a frame see of it. Without any, in a node that is visible, all of it: a world without a camera is looked at in
-	// ways that are not known here, by scripts, by tests.
+	// What the cameras of a frame see of it. Without cameras, a visible node's field counts as seen: scripts and tests look
+	// at such a world in ways that are not known here.
 	void see(const FieldView &p_view, bool p_is_visible);
 	bool is_seen() const { return _is_seen; } // or a shadow of it
 
 	// Begins a tick of p_delta seconds. False: nobody would notice what happens in it, so the rest of it is left out.
 	bool begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta);
-	// True once after ticks that were left out: bodies have gone on meanwhile, and sweep nothing.
+	// True once after ticks that were left out: bodies have moved meanwhile, and must not sweep grass on the way.
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved.
 	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta);
@@ -61,7 +61,7 @@ public:
 	const MapLayers *get_layers() const { return _map != nullptr ? &_map->get_layers() : nullptr; }
 	const FieldMap *get_map() const { return _map; }
 	const SpeciesPatches &get_species() const { return _species; }
-	double ground_reach() const; // metres that the ground rises above or falls below the field
+	double ground_relief() const; // metres that the ground rises above or falls below the field
 	double ground_range() const; // metres from the lowest ground to the highest
 	int64_t get_unseen_ticks() const { return _unseen_ticks; } // left out so far
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick

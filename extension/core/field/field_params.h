@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may change of a field that goes on as it is: how its blades move, and when they sleep.
+// What may change while a field goes on: how its blades move, and when they sleep.
 #pragma once
 
 #include "core/solver/solver_params.h"

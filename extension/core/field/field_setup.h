@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field is made of, for whoever simulates and draws it.
+// What a field is made of, for the code that simulates and draws it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -21,7 +21,7 @@ struct FieldSetup {
 	TileGrid grid;
 	std::shared_ptr<const Patch> patch;
 	ClumpParams clump;
-	int pool_tiles = 0; // tiles that may be awake at once
+	int pool_size = 0; // tiles that may be awake at once
 	int drawn_tiles_max = int(DRAWN_TILES_MAX.initial);
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map says what grows where
@@ -32,28 +32,28 @@ struct FieldSetup {
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 
-	// Whether the meshes of the one fit the other, as long as the MultiMeshes are large enough.
+	// Whether the meshes of one field fit the other, provided that the MultiMeshes are large enough.
 	bool has_meshes_of(const FieldSetup &p_other) const {
 		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
 	}
-	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows finds room at most times.
+	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows mostly finds room.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal reach; the latter two with its card.
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card.
 	// Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
-	float blade_reach() const { return std::min(patch->max_reach * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
 	// Of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 	CullField cull_field() const {
-		return { grid, blade_reach(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
+		return { grid, blade_spread(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
 	}
 
 private:
 	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
-	// How far a clump's lean, and the slope that blades follow, moves a tip, at most: the chord of the angle whose half has
-	// that tangent, on both axes.
+	// The farthest that a clump's lean and the slope move a tip: the chord of the angle whose half has that tangent, on both
+	// axes.
 	float blade_lean() const {
 		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
 	}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that is counted and measured of a field, for scripts and tests. Nothing that runs reads it.
+// All that is counted and measured of a field, for scripts and tests. The simulation does not read it.
 #pragma once
 
 #include "core/bodies/body_reads.h"
@@ -32,7 +32,7 @@ struct FieldStatistics {
 	int64_t builds = 0, makings = 0; // backends made; times that the field was made
 	int64_t unseen_ticks = 0; // ticks left out
 	int64_t wind_updates = 0; // frames in which the wind's clock went to the materials
-	int64_t instance_updates = 0; // times that the renderer was told anything of the node
+	int64_t instance_updates = 0; // changes of the node that went to the renderer
 
 	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field
 	// (the most that one frame had to do for it).

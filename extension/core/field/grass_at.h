@@ -11,7 +11,7 @@ namespace grass {
 double density_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers);
 // Of the grass, metres; 0 where none stands.
 double height_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers);
-// The grass as mowing, mending and bodies in it know it. Holds as long as the field is not set anew.
+// The grass as mowing, mending and bodies in it read it. Valid until the field is set anew.
 GrassKind kind_of(const Field &p_field);
 
 } // namespace grass

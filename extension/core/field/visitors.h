@@ -20,7 +20,7 @@ public:
 		std::vector<uint64_t> exited, entered; // owners, rising
 	};
 
-	// After a tick of p_tiles with p_colliders: who met grass now and not in the tick before, and the other way round.
+	// After a tick of p_tiles with p_colliders: returns who met grass now and not in the tick before, and the reverse.
 	Change update(const TileManager &p_tiles, std::span<const ColliderShape> p_colliders) {
 		std::vector<uint64_t> now;
 		for (size_t i = 0; i < p_colliders.size(); i++) {

@@ -84,7 +84,7 @@ private:
 		return (p_at.array() >= _area.min.array()).all() && (p_at.array() < _area.max.array()).all();
 	}
 
-	// The density that the rule gives a place: cheap questions first, and none once the answer is nothing.
+	// The density that the rule gives a place: cheap conditions first, and none after one that leaves nothing.
 	double ask(const Eigen::Vector2d &p_at, size_t p_texel) {
 		double share = _rule->get(FILL_DENSITY) * _rule->mask_share(p_at);
 		share *= _mesh_shares.empty() ? 1.0 : _mesh_shares[p_texel];
@@ -106,7 +106,7 @@ private:
 	const FillRule *_rule;
 	MapReader _ground, _normal, _density, _paint;
 	std::vector<const FillObstacle *> _obstacles;
-	std::vector<double> _mesh_shares; // empty: no mesh is asked
+	std::vector<double> _mesh_shares; // empty: the rule has no mesh
 	bool _asks_ground = false;
 };
 

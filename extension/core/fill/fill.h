@@ -22,13 +22,13 @@ struct FillSources {
 };
 
 struct FillResult : BrushResult { // its amount: square metres of full grass that came or, negative, went
-	int64_t cells = 0; // texels that the rule was asked about
+	int64_t cells = 0; // texels that the rule was evaluated for
 };
 
 // The chunks that hold an area, rising; none beyond the map's reach.
 std::vector<MapKey> chunks_in(const MapRegion &p_area);
 
-// Fills the texels of some chunks (rising) whose centres lie in p_area. p_rule null: back to the map's base density.
+// Fills the texels of some chunks (rising) whose centres lie in p_area. Without a p_rule they return to the map's base density.
 FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
 		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const MapChannelInfo &DENSITY_TEXELS = info_of(MAP_DENSITY);
 
-// A triangle seen from above: how much of each corner is in a place.
+// A triangle seen from above: the barycentric weights of a place.
 struct Flat {
 	Eigen::Vector2d corner, edge_b, edge_c;
 	double area;

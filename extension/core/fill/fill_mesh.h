@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh whose vertices say how densely grass grows below them, as a picture of each chunk.
+// A mesh whose vertices hold the density of the grass below them, rendered into each chunk.
 #pragma once
 
 #include "core/map/paint_map.h"

@@ -13,12 +13,12 @@ namespace grass {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-// Shapes that end this little below the ground are still seen as lying on it: floors flush with the ground. Metres.
+// A shape that ends no farther below the ground than this still lies on it: a floor flush with the ground. Metres.
 constexpr double SUNK = 0.25;
-// How often a third is cut from the column in which the nearest height is sought: to 1/400 of it.
+// Rounds of the search for the nearest height, each of which cuts a third off the column: to 1/400 of it.
 constexpr int SEARCH_STEPS = 15;
 
-// How far out of a box whose sides lie at these distances outwards a point is; negative inside.
+// Distance of a point from a box, by its distances from the sides; negative inside.
 template <int N> double out_of(const Eigen::Array<double, N, 1> &p_distances) {
 	return p_distances.max(0.0).matrix().norm() + std::min(p_distances.maxCoeff(), 0.0);
 }
@@ -173,8 +173,8 @@ double FillObstacle::outline_distance(const Eigen::Vector2d &p_at) const {
 }
 
 double FillObstacle::mesh_distance(const FillPlace &p_place) const {
-	const double reach = _distance + _fade;
-	const Eigen::Array2d near_min = p_place.at.array() - reach, near_max = p_place.at.array() + reach;
+	const double margin = _distance + _fade;
+	const Eigen::Array2d near_min = p_place.at.array() - margin, near_max = p_place.at.array() + margin;
 	double nearest = INFINITE;
 	for (size_t i = 0; i < _corners.size() && nearest > 0.0; i += 3) {
 		const Eigen::Vector3d *corner = &_corners[i];

@@ -19,21 +19,21 @@ class FillObstacle {
 public:
 	static constexpr double MAX_POSITION = 1e6; // metres; what lies farther away is nowhere
 
-	// p_pose: from the shape's space, may scale. p_height: grass grows below what begins higher above the ground, metres.
+	// p_pose: from the shape's space, may scale. p_height: grass grows under what begins higher than this above the ground, metres.
 	static FillObstacle solid(const ColliderShape &p_shape, const Eigen::Affine3d &p_pose, double p_height);
 	// The inside of an outline, convex or not, at any height.
 	static FillObstacle outline(std::vector<Eigen::Vector2d> p_corners);
 	// One point, or a line through several.
 	static FillObstacle line(std::vector<Eigen::Vector2d> p_points);
-	// Triangles, three corners each: the ground below them, where they are not higher than p_height above it, nor below it.
+	// Triangles, three corners each: the ground under them, where they lie above it and no higher than p_height.
 	static FillObstacle mesh(std::vector<Eigen::Vector3d> p_corners, double p_height);
 
-	// How far from it nothing grows, and how much farther away grass is whole again. Metres.
+	// Up to which distance nothing grows, and over which further distance grass returns to full. Metres.
 	void set_clearance(double p_distance, double p_fade);
 
 	// Share of the grass that stands: 0 within its distance .. 1.
 	double get_share(const FillPlace &p_place) const;
-	// Metres to it, seen from above for all but solid shapes; 0 or less within.
+	// Distance in metres, horizontal for all but solid shapes; 0 or less within.
 	double get_distance(const FillPlace &p_place) const;
 	// Beyond this rectangle it changes nothing; empty (min > max) if it is nowhere.
 	Eigen::Vector2d get_min() const { return _min.array() - (_distance + _fade); }

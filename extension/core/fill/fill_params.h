@@ -27,9 +27,9 @@ enum FillParamId {
 };
 
 inline constexpr std::array<Tunable, FILL_PARAM_COUNT> FILL_PARAMS = { {
-		// Where nothing speaks against it.
+		// Where no other condition reduces it.
 		{ "density", "", 0.0, 1.0, 0.01, 1.0 },
-		// The ground where grass grows, and how far beyond these limits the last of it stands. Normals are kept to about half
+		// The ground where grass grows, and how far beyond these limits it fades out. Normals are kept to about half
 		// a degree: fades below that are steps.
 		{ "slope_min", "\u00b0", 0.0, 90.0, 0.1, 0.0 },
 		{ "slope_max", "\u00b0", 0.0, 90.0, 0.1, 90.0 },
@@ -37,9 +37,9 @@ inline constexpr std::array<Tunable, FILL_PARAM_COUNT> FILL_PARAMS = { {
 		{ "height_min", "m", -16384.0, 16384.0, 0.1, -16384.0 },
 		{ "height_max", "m", -16384.0, 16384.0, 0.1, 16384.0 },
 		{ "height_fade", "m", 0.0, 1000.0, 0.1, 1.0 },
-		// Share of the ground that noise leaves grass on; 1: no noise.
+		// Share of the ground that the noise leaves grassy; 1: no noise.
 		{ "noise_cover", "", 0.0, 1.0, 0.01, 1.0 },
-		// From one patch to the next. Below 2 m patches fall between the map's texels.
+		// From one patch of noise to the next. Below 2 m these fall between the map's texels.
 		{ "noise_size", "m", 1.0, 1000.0, 0.1, 12.0 },
 		// 0: patches have hard borders, 1: density rises and falls all the way.
 		{ "noise_fade", "", 0.0, 1.0, 0.01, 0.3 },

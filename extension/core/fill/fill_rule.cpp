@@ -11,7 +11,7 @@ namespace grass {
 
 namespace {
 
-// A number of the lattice point's own, 0 <= h < 1. Without a period, so that fields of any size do not repeat.
+// The lattice point's random number, 0 <= h < 1. Without a period, so that fields of any size do not repeat.
 double lattice_number(int64_t p_x, int64_t p_z, uint32_t p_seed) {
 	return double(grass_tile_bits(uint32_t(p_x), uint32_t(p_z), p_seed)) / 4294967296.0;
 }
@@ -44,7 +44,7 @@ double fade_out(double p_value, double p_limit, double p_fade) {
 }
 
 // Three octaves of 4/7, 2/7 and 1/7. Of blended lattice numbers the variance is 1/12 (26/35)^2, of their sum (16 + 4 + 1)/49
-// of that; a sum of so many is nearly normal, so the normal distribution's own function spreads it evenly.
+// of that. The sum of so many is nearly normal, so the cumulative normal distribution spreads it evenly.
 double fill_noise(const Eigen::Vector2d &p_place, double p_size, uint32_t p_seed) {
 	const Eigen::Vector2d place = p_place / p_size;
 	const double sum =

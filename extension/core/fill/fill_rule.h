@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fill rule says about one place: the product of what slope, height, noise, mask and obstacles leave, 0..1 each.
+// The density by a fill rule at one place: the product of what slope, height, noise, mask and obstacles leave, 0..1 each.
 #pragma once
 
 #include "core/fill/fill_params.h"
@@ -12,7 +12,7 @@
 
 namespace grass {
 
-// A picture of where grass grows: 0 nowhere .. 255 fully.
+// An image of where grass grows: 0 not at all .. 255 fully.
 struct FillMask {
 	int width = 0, height = 0;
 	std::vector<uint8_t> texels; // row by row, the first row at the least z

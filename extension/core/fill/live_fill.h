@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keeps a map filled by a rule while rule, sources, ground and map change: knows which chunks wait to be filled again,
-// and fills a few at a time.
+// Keeps a map filled by a rule while rule, sources, ground and map change: queues the chunks to fill again, and fills a
+// few at a time.
 #pragma once
 
 #include "core/fill/fill.h"
@@ -11,15 +11,15 @@ namespace grass {
 
 class LiveFill {
 public:
-	// What shall be. Chunks that this does not concern stay as they are: call it as often as you like.
+	// Sets what the map shall be filled by. Queues only the chunks that this changes: call it as often as you like.
 	void set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area);
-	// Somebody else changed these chunks. p_replaced: anything in them may be another (a snapshot, a file); else only new
-	// ground counts, since what hands painted is respected already.
+	// Somebody else changed these chunks. p_replaced: anything in them may differ (a snapshot, a file). Otherwise only new
+	// ground counts, since the fill already respects what hands painted.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
 	void touch_all() { wait(_area); }
 	// Fills up to p_count of the chunks that wait; all, if negative.
 	FillResult work(PaintMap &r_map, int p_count, const ParallelFor &p_parallel_for = serial_for);
-	// Takes back what the rule filled: all of it to the map's base density. Then there is no rule.
+	// Removes the rule and what it filled: all of it returns to the map's base density.
 	FillResult remove(PaintMap &r_map, const ParallelFor &p_parallel_for = serial_for);
 
 	bool is_set() const { return _is_set; }
@@ -37,7 +37,7 @@ private:
 	FillSources _sources;
 	MapRegion _area;
 	std::set<MapKey> _waiting;
-	// The ground that each chunk was filled on. Holding the texels makes the map write new ones: the pointer tells.
+	// The ground that each chunk was filled on. While this holds the texels, a change makes the map copy them: a new pointer.
 	std::map<MapKey, Ground> _filled_on;
 };
 

@@ -18,7 +18,7 @@ void FieldMap::Changes::add(const Changes &p_changes) {
 
 void FieldMap::touch(const MapRegion &p_region) {
 	for (const MapKey &key : _layers.get_chunks(p_region)) {
-		const MapRegion here = p_region.shared(MapRegion::of_chunk(key).grown(MapLayers::REACH));
+		const MapRegion here = p_region.shared(MapRegion::of_chunk(key).grown(MapLayers::CHANGE_MARGIN));
 		const auto [entry, is_new] = _waiting.try_emplace({ key.z, key.x }, here);
 		if (!is_new) {
 			entry->second = entry->second.joined(here);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A map laid out on a field: its layers, and what each tile makes of them. Chunk by chunk, so that a large change may be spread over
+// A map laid out on a field: its layers, and the cover of each tile. Works chunk by chunk, so that a large change can be spread over
 // frames.
 #pragma once
 
@@ -15,16 +15,16 @@ public:
 	// p_tallest: metres, of the longest blade; p_follow: FOLLOW_SLOPE. The whole map waits to be laid out.
 	FieldMap(const TileGrid &p_grid, double p_tallest, float p_follow);
 
-	// What the map says about a region waits to be taken over.
+	// Queues a region whose texels changed.
 	void touch(const MapRegion &p_region);
 	struct Changes {
 		std::vector<int> layers; // that look different now, in no order
 		TileRange tiles; // that may have changed
 		void add(const Changes &p_changes);
 	};
-	// Takes over one chunk of those that wait, if there are any.
+	// Lays out one of the chunks that wait, if any.
 	Changes work(const PaintMap &p_map);
-	// Takes over a region, and all that waits, at once.
+	// Lays out a region, and all that waits, at once.
 	Changes update(const PaintMap &p_map, const MapRegion &p_region);
 
 	int get_waiting() const { return int(_waiting.size()); } // chunks

@@ -17,10 +17,10 @@ using Growth = glsl::GrassGrowth;
 static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GRASS_UNCUT));
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
 
-// How far blades follow the ground's slope. 0: they stand upright, as grass does; 1: at a right angle to it, as hair.
+// How far blades follow the ground's slope. 0: they stand upright, like grass; 1: at a right angle to it, like hair.
 inline constexpr Tunable FOLLOW_SLOPE{ "follow_slope", "", 0.0, 1.0, 0.01, 0.25 };
 
-// How far the tip of a blade of 1 m moves at most where it follows the slope, on ground of up to 60 degrees. Metres.
+// The farthest that following the slope moves the tip of a blade of 1 m, on ground of up to 60 degrees. Metres.
 inline float slope_lean(float p_follow) {
 	const float tilt = glsl::grass_ground_tilt(glsl::vec2(0.8660254f, 0.0f), p_follow).x; // tangent of half the angle
 	return 2.0f * tilt / std::sqrt(1.0f + tilt * tilt);

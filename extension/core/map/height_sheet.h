@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Heights of a surface that is made of triangles, at the centres of the texels of a map's ground: what lay_ground() asks
-// for, of terrain whose triangles are known.
+// Heights of a triangle mesh at the centres of the texels of a map's ground: what lay_ground() reads where the terrain's
+// triangles are known.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -14,8 +14,8 @@ public:
 	// For lay_ground() over p_region.
 	explicit HeightSheet(const MapRegion &p_region);
 
-	// Corners in field space, metres. Of triangles above each other the highest counts. Those that are not finite, and those
-	// that stand upright, add nothing.
+	// Corners in field space, metres. Where triangles overlap, the highest counts. Those that are vertical or not finite add
+	// nothing.
 	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
 
 	// Metres above the field; NaN where no triangle lies, and outside of the region.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a painted map knows about each place: its channels, how finely and in which codes each is kept. May include
+// What a painted map stores for each place: its channels, and the resolution and codes of each. May include
 // Eigen, never Godot.
 #pragma once
 

@@ -27,8 +27,8 @@ uint32_t get(std::span<const uint8_t> p_bytes, size_t p_at) {
 	return value;
 }
 
-// What a channel's texels differ by from the plane through their neighbours, or (p_back) the texels from that. Codes of
-// 4 bytes are split, lowest bytes first, so that the high ones, which rarely change, stand together.
+// Turns a channel's texels into their differences from the plane through their neighbours, or (p_back) these into texels.
+// Splits codes of 4 bytes, lowest bytes first, so that the high ones, which rarely change, lie together.
 template <typename Code> void filter(std::span<const uint8_t> p_from, std::span<uint8_t> r_to, const MapChannelInfo &p_info, bool p_back) {
 	const size_t side = size_t(p_info.side), components = size_t(p_info.components), plane = side * side;
 	std::vector<Code> texels(plane);
@@ -212,7 +212,7 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 		const uint32_t channels = get(p_bytes, entry + 8);
 		const auto packed = p_bytes.subspan(at, get(p_bytes, entry + 12));
 		at += packed.size();
-		if ((channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right: somebody meant it
+		if ((channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written on purpose
 			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
 				   "it";
 		}

@@ -9,8 +9,8 @@
 //      u32      checksum of all above
 //      n times  the chunk's bytes: its channels one after the other, filtered, then packed together by the codec
 //
-// The filter stores what a texel differs by from the plane through its neighbours before it (left + above - above left),
-// component after component, byte after byte of the codes: painted and smooth ground is nearly all zeros.
+// The filter stores how a texel differs from the plane through the neighbours before it (left + above - above left),
+// component after component, byte after byte of the codes: painted and smooth ground becomes nearly all zeros.
 #pragma once
 
 #include "core/map/paint_map.h"
@@ -20,23 +20,23 @@
 
 namespace grass {
 
-// Older versions are read. Whatever an older one cannot read makes a new version: a channel, a code that was out of range.
+// Older versions are readable. Whatever an older reader cannot read needs a new version: a channel, a code that was out of range.
 inline constexpr uint32_t MAP_FILE_VERSION = 2; // 1: the same, or without MAP_PAINT
 
 using MapBytes = std::vector<uint8_t>;
 
-// How a chunk's bytes are made small; the engine's compression in the extension.
+// Compresses a chunk's bytes; in the extension by the engine's compression.
 struct MapCodec {
 	std::function<MapBytes(std::span<const uint8_t> p_bytes)> pack;
-	// Fills r_bytes, whose size is that of what was packed. False if that cannot be.
+	// Fills r_bytes, whose size is that of the unpacked bytes. False if they do not fit it.
 	std::function<bool(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes)> unpack;
 };
 
 // The same bytes for the same map.
 MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
 
-// Replaces r_map by what the bytes hold and returns "". If anything is wrong: what, as the end of a sentence that begins
-// with the file's name, and r_map stays as it was.
+// Replaces r_map by what the bytes hold and returns "". If anything is wrong, leaves r_map as it was and returns what, as
+// the end of a sentence that begins with the file's name.
 std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
 
 // CRC-32 (ISO 3309) of some bytes.

@@ -75,7 +75,7 @@ private:
 		put(r_texel[3], to_byte(wear));
 	}
 
-	// At the middle of a fine texel, which lies a quarter of a coarse one from the middle of that and towards three others.
+	// At the centre of a fine texel, a quarter of a coarse texel from the centre of the one that it lies in, towards three others.
 	double height_at(int p_i, int p_j) {
 		static_assert(GRASS_FINE_TEXELS == 2 * GRASS_COARSE_TEXELS);
 		const int i = p_i >> 1, j = p_j >> 1, i_next = i + (p_i & 1) * 2 - 1, j_next = j + (p_j & 1) * 2 - 1;
@@ -88,7 +88,7 @@ private:
 		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
 		for (int c = 0; c < 4; c++) {
 			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? _lean.code(c, i, j) : _normal.code(c - 2, i, j)));
-			// By its strength, so that a colour that does not show has no part in what its neighbours blend to.
+			// Weighted by its strength, so that a colour that does not show contributes nothing to its neighbours' blend.
 			const double strength = c < 3 ? _tint.value(3, i, j) : 1.0;
 			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
 		}
@@ -171,7 +171,7 @@ int MapLayers::find(const MapKey &p_key) const {
 }
 
 std::vector<MapKey> MapLayers::get_chunks(const MapRegion &p_region) const {
-	const MapRegion region = p_region.grown(REACH);
+	const MapRegion region = p_region.grown(CHANGE_MARGIN);
 	const auto clip = [](double p_place, int p_first, int p_count) {
 		return int(std::clamp(std::floor(p_place / MAP_CHUNK_SIZE), double(p_first) - 1.0, double(p_first + p_count)));
 	};
@@ -210,7 +210,7 @@ int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegio
 		layer = add_layer(p_key);
 	}
 	const MapRegion region = is_new ? MapRegion::of_chunk(p_key) : p_region;
-	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * REACH), _layers[size_t(layer)]);
+	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * CHANGE_MARGIN), _layers[size_t(layer)]);
 	return differs || is_new ? layer : GRASS_NO_LAYER;
 }
 
@@ -236,7 +236,7 @@ MapLayers MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place)
 	there._pages.assign(_pages.size(), float(GRASS_NO_LAYER));
 	const Eigen::Vector2d place = p_place.cast<double>();
 	if (const MapKey key = key_at(place); there.has_chunk(key) && p_map.find(key) != nullptr) {
-		Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(REACH), there._layers[size_t(there.add_layer(key))]);
+		Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(CHANGE_MARGIN), there._layers[size_t(there.add_layer(key))]);
 	}
 	return there;
 }

@@ -42,7 +42,7 @@ public:
 	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
 	// Brings a chunk's layer up to date in p_region. Returns it if it changed, else GRASS_NO_LAYER. Chunks get layers as they come.
 	int update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
-	// All layers in p_region: which of them changed, rising.
+	// Updates all layers in p_region. Returns those that changed, rising.
 	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
 	// The same field's layers as p_map has them now, but around p_place only: field-space x, z in metres.
 	MapLayers read(const PaintMap &p_map, const Eigen::Vector2f &p_place) const;
@@ -61,8 +61,8 @@ public:
 	bool has_chunk(const MapKey &p_key) const; // under the field
 	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
 	std::vector<MapKey> get_chunks(const MapRegion &p_region) const; // under the field, in which a change of p_region shows; row by row
-	// A change shows so much farther: in the borders of layers, and where coarse texels blend into finer ones. Metres.
-	static constexpr double REACH = 2.0 * info_of(MAP_HEIGHT).texel_size();
+	// A change shows this much farther out: in the borders of layers, and where coarse texels blend into finer ones. Metres.
+	static constexpr double CHANGE_MARGIN = 2.0 * info_of(MAP_HEIGHT).texel_size();
 
 	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
 	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;

@@ -109,7 +109,7 @@ Eigen::Vector2d MapShape::get_nearest(const Eigen::Vector2d &p_place) const {
 	return inside ? p_place : nearest;
 }
 
-// Two convex sets: going to and fro between them ends at the points that are nearest to each other.
+// For two convex sets, projecting to and fro between them converges to their nearest points.
 double MapShape::get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const {
 	constexpr int ROUNDS = 8; // one does for a disc
 	if (_corners.empty() || get_distance(p_centre) > p_half * std::numbers::sqrt2) {

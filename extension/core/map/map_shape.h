@@ -24,8 +24,8 @@ public:
 	static constexpr double MAX_EXTENT = 4096.0; // metres from one end to the other
 
 	MapShape() = default; // nowhere
-	// p_softness: metres inside of the border in which the effect fades; 0: a hard border. What is not finite, negative or
-	// too large makes a shape that is nowhere.
+	// p_softness: metres inside of the border in which the effect fades; 0: a hard border. Values that are not finite,
+	// negative or too large make a shape that is nowhere.
 	MapShape(std::span<const Eigen::Vector2d> p_points, double p_radius, double p_softness = 0.0, Falloff p_falloff = Falloff::SMOOTH);
 	// p_hardness: share of the radius that feels the full effect, 0..1.
 	static MapShape stroke(

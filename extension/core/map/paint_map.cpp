@@ -10,7 +10,7 @@ namespace grass {
 
 namespace {
 
-// Which chunk holds a texel is a matter of bits.
+// A chunk's key is the texel's upper bits.
 static_assert(std::all_of(MAP_CHANNEL_INFO.begin(), MAP_CHANNEL_INFO.end(),
 		[](const MapChannelInfo &p_info) { return std::has_single_bit(unsigned(p_info.side)); }));
 
@@ -31,7 +31,7 @@ size_t index_of(const MapChannelInfo &p_info, const MapKey &p_key, int p_compone
 	return (row * size_t(p_info.side) + column) * size_t(p_info.components) + size_t(p_component);
 }
 
-// Whether two channels hold the same codes; null ones hold the initial codes, which sameness of all others decides by pointer.
+// Whether two channels hold the same codes. A null channel holds the initial codes.
 bool same(const std::shared_ptr<const MapTexels> &p_a, const std::shared_ptr<const MapTexels> &p_b) {
 	return p_a == p_b || (p_a && p_b && *p_a == *p_b);
 }
@@ -111,7 +111,7 @@ bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j,
 	return true;
 }
 
-// The chunk's texels, its own: made if they are not there, copied if a snapshot shares them. Null if the map is full.
+// The chunk's own texels: made if it has none, copied if a snapshot shares them. Null if the map is full.
 MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	if (_chunks.size() >= MAX_CHUNKS && find(p_key) == nullptr) {
 		return nullptr;

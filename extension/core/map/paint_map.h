@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The painted map: what grows where, and what happened to it. Places are x, z in metres from the map's origin, the field's
-// centre. Sparse: only chunks that hold something unusual take memory. Copies share their texels until one of them
+// centre. Sparse: only chunks that hold something unusual use memory. Copies share their texels until one of them
 // changes, so a snapshot for undo costs a pointer a channel.
 #pragma once
 

@@ -22,7 +22,7 @@ void TileCover::widen(const Tile &p_tile) {
 }
 
 TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region) {
-	const MapRegion region = p_region.grown(MapLayers::REACH);
+	const MapRegion region = p_region.grown(MapLayers::CHANGE_MARGIN);
 	const TileRange range = _grid.get_range(region.min.x(), region.max.x(), region.min.y(), region.max.y(), 0.0);
 	const std::vector<Stretch> columns = stretches(range.x_begin, range.x_end, _grid.get_tiles_x()),
 							   rows = stretches(range.z_begin, range.z_end, _grid.get_tiles_z());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the map says about each tile as a whole: whether anything stands there, and between which heights its ground lies.
-// Culling and the waking of tiles ask it; only fields with a map have one.
+// The map for whole tiles: whether anything stands on a tile, and between which heights its ground lies. Culling and the
+// waking of tiles read it; only fields with a map have one.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -18,7 +18,7 @@ public:
 
 	// All tiles, bare.
 	void reset(const TileGrid &p_grid);
-	// Asks the layers about the tiles that p_region concerns; returns those.
+	// Updates the tiles that p_region concerns from the layers. Returns these tiles.
 	TileRange update(const MapLayers &p_layers, const MapRegion &p_region);
 
 	const Tile &get(int p_x, int p_z) const { return _tiles[size_t(_grid.get_index(p_x, p_z))]; }
@@ -29,8 +29,8 @@ public:
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
-	// Along one axis: the chunks that a row or column of tiles lies in, and in each of them the texels of its layer that have a say in what
-	// is sampled within these tiles.
+	// Along one axis: the chunks that a row or column of tiles lies in, and in each of them the texels of its layer that
+	// contribute to samples within these tiles.
 	struct Stretch {
 		struct Texels {
 			int first = 0, last = 0;

@@ -16,7 +16,7 @@ namespace {
 
 using Codes = std::array<int32_t, 4>; // of a texel's components; of wear, the second is MAP_WEAR_REST
 
-// A number of the texel's own, 0 <= h < 1.
+// The texel's random number, 0 <= h < 1.
 double texel_hash(int p_i, int p_j) {
 	return double(grass_hash(uint32_t(p_i) ^ grass_hash(uint32_t(p_j)))) / 4294967296.0;
 }
@@ -85,7 +85,7 @@ public:
 		return codes;
 	}
 
-	// A boot leaves its full effect wherever it stands on the grid of texels: each feels its most trodden point.
+	// A boot has its full effect wherever it stands on the grid of texels: each texel counts its most trodden point.
 	double weight_at(const MapShape &p_shape, const Eigen::Vector2d &p_centre) const {
 		return _brush.tool == MapTool::FLATTEN ? p_shape.get_most_weight(p_centre, 0.5 * _info.texel_size()) : p_shape.get_weight(p_centre);
 	}
@@ -95,7 +95,7 @@ public:
 	HandPaint read_paint(int p_i, int p_j) {
 		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
 	}
-	// The hand holds what the brush did, and what it came upon and left as it is, too.
+	// The hand's channel keeps what the brush changed, and also what it found and left unchanged.
 	HandPaint painted(const HandPaint &p_paint, const Codes &p_now, int p_i, int p_j, double p_weight) {
 		return paints() ? p_paint.brushed(aim(p_now, 0, p_i, p_j), p_weight) : p_paint;
 	}
@@ -118,7 +118,7 @@ private:
 		}
 	}
 
-	// Of the 3 x 3 texels around, weighed 1 2 1 both ways.
+	// The mean of the 3 x 3 texels around, weighted 1 2 1 both ways.
 	int32_t mean(int p_component, int p_i, int p_j) {
 		double sum = 0.0;
 		for (int dj = -1; dj <= 1; dj++) {
@@ -190,7 +190,7 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 	MapReader ground(r_map, MAP_GROUND), normal(r_map, MAP_NORMAL);
 	const MapChannelInfo &info = info_of(dab.channel());
 	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
-	// Texels that the shape may hold; first all are read, then all written, so that their order does not matter.
+	// Texels that the shape may hold. All are read before any is written, so that their order does not matter.
 	const Eigen::Array2d low = (p_shape.get_min().array() / size).floor(), high = (p_shape.get_max().array() / size).ceil() - 1.0;
 	result.out_of_room = (low < -reach).any() || (high >= reach).any();
 	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();

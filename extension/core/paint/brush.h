@@ -46,7 +46,7 @@ struct Brush {
 struct BrushResult {
 	std::vector<MapKey> changed; // chunks, rising
 	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero(); // the rectangle that holds all of it, metres
-	// Sum over the texels of what their first component changed by, times their area: for density square metres of full
+	// Sum over the texels of the change of their first component times their area: for density, square metres of full
 	// grass, for height, cut and wear their own unit times m^2.
 	double amount = 0.0;
 	bool out_of_room = false; // some of it lay out of reach, or the map is full

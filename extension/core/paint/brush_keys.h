@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What held keys and turns of the wheel make of a brush.
+// How held keys and turns of the wheel change a brush.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -7,11 +7,11 @@
 
 namespace grass {
 
-// The brush that takes back what p_brush does: paint erases, cut regrows, and what brings a channel to a target brings it
-// to where nobody painted.
+// The brush that undoes what p_brush does: paint erases, cut regrows, and a tool that brings a channel to a target brings
+// it to its unpainted value.
 Brush opposite_of(const Brush &p_brush);
 
-// The brush that evens out what p_brush changes. Species have no middle between them: they are planted as before.
+// The brush that evens out what p_brush changes. Species cannot be averaged: they are planted as before.
 Brush smoothing_of(const Brush &p_brush);
 
 // A value after some notches of a wheel or strokes of a key, up or down: radii grow and shrink by a share of themselves,

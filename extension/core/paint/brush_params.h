@@ -27,7 +27,7 @@ inline constexpr std::array<Tunable, BRUSH_PARAM_COUNT> BRUSH_PARAMS = { {
 		{ "strength", "", 0.0, 1.0, 0.01, 0.5 },
 		// Share of the radius that feels the full effect.
 		{ "hardness", "", 0.0, 1.0, 0.01, 0.5 },
-		// What density, height, tint, lean or wear is brought to.
+		// The value that density, height, tint, lean or wear approaches.
 		{ "target", "", 0.0, 1.0, 0.01, 1.0 },
 		// Cutting leaves this much, regrowing adds it.
 		{ "cut_height", "m", 0.0, MAP_UNCUT, 0.01, 0.05 },

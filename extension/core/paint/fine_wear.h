@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wear in 256ths of a code. A thousand light steps add up to a path, and each of them is less than a code: MAP_WEAR_REST keeps what is
-// left over.
+// Wear in 256ths of a code. A thousand light steps add up to a path, though each is less than a code: MAP_WEAR_REST keeps the
+// remainder.
 #pragma once
 
 #include "core/map/map_channels.h"

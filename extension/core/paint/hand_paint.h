@@ -9,7 +9,7 @@
 
 namespace grass {
 
-// p_weight of the way from a code to another; at least one step of the way, so that a weak brush arrives, too.
+// p_weight of the way from one code to another, and at least one code, so that a weak brush arrives, too.
 inline int32_t toward(int32_t p_from, int32_t p_to, double p_weight) {
 	const double way = double(p_to) - p_from;
 	const double step = std::round(way * p_weight);
@@ -28,7 +28,7 @@ struct HandPaint {
 	// What grows where a rule fills p_rule.
 	int32_t over(int32_t p_rule) const { return (p_rule * (FULL - cover) + density * cover + FULL / 2) / FULL; }
 
-	// After a brush went p_weight of the way to density p_aim: over() then has gone as far, whatever the rule.
+	// The hand's paint after a brush went p_weight of the way to density p_aim: over() has then gone as far, whatever the rule.
 	HandPaint brushed(int32_t p_aim, double p_weight) const {
 		HandPaint after;
 		after.cover = toward(cover, FULL, p_weight);

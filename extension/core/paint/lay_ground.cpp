@@ -59,7 +59,7 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 		return result;
 	}
 	const Heights heights(first, last, p_height);
-	result.asked = heights.count();
+	result.sampled = heights.count();
 	std::set<MapKey> changed;
 	Eigen::Array2i low_edit = last + 1, high_edit = first;
 	for (int j = first.y(); j <= last.y(); j++) {

@@ -13,12 +13,12 @@ namespace grass {
 using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
 
 struct LaidGround : BrushResult { // amount: 0
-	int64_t asked = 0; // places
+	int64_t sampled = 0; // places
 	int64_t missing = 0; // texels for which there was no height; they stay as they were
 };
 
-// Every texel whose centre lies in p_region, and within the map's reach. p_height is asked once a texel, and once for each
-// texel around them.
+// Every texel whose centre lies in p_region and within the map's reach. p_height runs once a texel, and once for each
+// texel around the region.
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height);
 
 } // namespace grass

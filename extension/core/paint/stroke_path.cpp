@@ -19,7 +19,7 @@ std::vector<StrokeStep> StrokePath::move(const Eigen::Vector2d &p_place, double 
 		return steps;
 	}
 	const double length = std::max(SPACING * p_radius, distance / MAX_STEPS);
-	// A hair less than a whole step is one: the last of MAX_STEPS must not be lost to rounding.
+	// A hair less than a whole step counts as one: rounding must not lose the last of MAX_STEPS.
 	const int count = int(std::min(std::floor(distance / length + 1e-9), double(MAX_STEPS)));
 	for (int i = 0; i < count; i++) {
 		const Eigen::Vector2d next = _last + way * (length / distance);

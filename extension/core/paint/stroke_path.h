@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way of a brush over the ground, as steps of even length: what a stroke leaves does not depend on how fast the
-// cursor moves, nor on how often the editor hears of it.
+// The path of a brush over the ground, in steps of even length: what a stroke leaves depends neither on how fast the
+// cursor moves nor on how often the editor sees it move.
 #pragma once
 
 #include <Eigen/Core>

@@ -29,10 +29,10 @@ public:
 	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Knot p_knot of such a blade at rest, blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
-	// All blades of an awake tile, as the simulation takes them.
+	// All blades of an awake tile, as the simulation reads them.
 	SlotGrowth grow(const GrassSlot &p_slot) const;
-	// Whether the simulation must be told: else it finds out by itself.
-	bool is_told() const { return _species || _map; }
+	// Whether the simulation needs grow(); otherwise it works the blades out by itself.
+	bool needs_growth() const { return _species || _map; }
 
 private:
 	Eigen::Vector3f get_texel(int p_blade, int p_knot) const;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
 
-// The values that stand noise takes, rising, each as often as the others. Where its lattice lies makes no difference.
+// The quantiles of stand noise, rising. They are the same wherever the lattice lies.
 const std::vector<uint32_t> &noise_values() {
 	static const std::vector<uint32_t> values = [] {
 		constexpr uint32_t CELL = 8, SIDE = 64 * CELL; // 4096 cells, 64 places in each

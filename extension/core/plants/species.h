@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The species of a field: how much of it is which, and which one a blade is. shaders/plants/species.inc as C++, and the
-// numbers that its functions take. docs/species.md, [Eq P1] to [Eq P4].
+// The species of a field: the share of each, and which one a blade is. shaders/plants/species.inc as C++, and the numbers
+// that its functions read. docs/species.md, [Eq P1] to [Eq P4].
 #pragma once
 
 #include "core/base/hash.h"
@@ -44,14 +44,14 @@ struct SpeciesParams {
 	bool operator==(const SpeciesParams &) const = default;
 };
 
-// What grass_species_takes() wants to know of a species.
+// What grass_species_takes() reads of a species.
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
 };
 
 class SpeciesMix {
 public:
-	// No more than GRASS_MAX_SPECIES are taken. Where all shares are 0 the first species grows.
+	// Species beyond GRASS_MAX_SPECIES are ignored. Where all shares are 0 the first species grows.
 	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed);
 
 	int get_count() const { return _count; }

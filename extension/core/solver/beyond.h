@@ -9,7 +9,7 @@
 namespace grass {
 
 // What one solve found of the surfaces.
-template <class T> struct Contacts {
+template <class T> struct Touches {
 	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
 	T deepest; // of the touches of colliders, skins
 	T grip; // most that friction at colliders takes of the blade's motion, metres times the inertia that a mean knot has without drag
@@ -47,7 +47,7 @@ template <class T> struct Beyond {
 	Vec3<T> p, q;
 	Vec3<T> pull; // sum of the inertial forces, for the tension
 	T caution; // see Stage
-	Contacts<T> contacts;
+	Touches<T> touches;
 };
 
 // e x (each row), that is P E with E r = r x e.
@@ -68,8 +68,8 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Cha
 		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending, const T &p_own) {
 	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
-	r_beyond.contacts.depth = maximum(r_beyond.contacts.depth, p_touch.depth);
-	r_beyond.contacts.blow = maximum(r_beyond.contacts.blow, select(is_blow, p_touch.depth, T(0.0f)));
+	r_beyond.touches.depth = maximum(r_beyond.touches.depth, p_touch.depth);
+	r_beyond.touches.blow = maximum(r_beyond.touches.blow, select(is_blow, p_touch.depth, T(0.0f)));
 	const T hard = p_own *
 			(p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
@@ -95,9 +95,9 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Cha
 }
 
 // [Eq 36] Keeps what a collider's touch, with such a friction, says of how the blade is held.
-template <class T> GRASS_INLINE void keep_hold(Contacts<T> &r_contacts, const Touch<T> &p_touch, const T &p_length, const T &p_friction) {
-	r_contacts.grip = r_contacts.grip + p_friction;
-	r_contacts.deepest = maximum(r_contacts.deepest, p_touch.depth / maximum(p_length * T(SKIN), T(1e-12f)));
+template <class T> GRASS_INLINE void keep_hold(Touches<T> &r_touches, const Touch<T> &p_touch, const T &p_length, const T &p_friction) {
+	r_touches.grip = r_touches.grip + p_friction;
+	r_touches.deepest = maximum(r_touches.deepest, p_touch.depth / maximum(p_length * T(SKIN), T(1e-12f)));
 }
 
 // [Eq 26] A knot's inertia, and what touches it. p_touch: of the colliders.
@@ -118,7 +118,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 		return;
 	}
 	const T length = p_blade.lengths[p_knot - 1];
-	keep_hold(r_beyond.contacts, p_touch, length,
+	keep_hold(r_beyond.touches, p_touch, length,
 			add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, length, weight, p_bending * T(root_contact(p_knot)), T(1.0f)));
 }
 
@@ -141,7 +141,7 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	const T own = own_share(touch, p_first, p_second);
 	const T length = p_blade.lengths[p_knot - 1];
 	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
-	keep_hold(r_beyond.contacts, touch, length,
+	keep_hold(r_beyond.touches, touch, length,
 			add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, length, weight,
 					p_bending * T(root_contact(p_knot)), own));
 }

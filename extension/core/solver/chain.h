@@ -9,8 +9,8 @@ namespace grass {
 
 // p_bending: EI / (density area length^4), 1/s^2.
 template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
-	const T mean = p_blade.reach * T(1.0f / float(GRASS_SEGMENTS));
-	const T squared = p_blade.reach * p_blade.reach;
+	const T mean = p_blade.blade_length * T(1.0f / float(GRASS_SEGMENTS));
+	const T squared = p_blade.blade_length * p_blade.blade_length;
 	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
 }
 
@@ -64,7 +64,7 @@ template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, Joi
 
 // [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
 template <class T, class Mask>
-GRASS_INLINE Contacts<T> solve_chain(
+GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
 	measure_joints(r_blade, gains);
@@ -78,7 +78,7 @@ GRASS_INLINE Contacts<T> solve_chain(
 			continue;
 		}
 		const T stiffness = p_chain.bending * p_stage.span * p_stage.span /
-				maximum(joint_length(s, r_blade.reach, r_blade.lengths[s - 1], r_blade.lengths[s]), T(1e-12f));
+				maximum(joint_length(s, r_blade.blade_length, r_blade.lengths[s - 1], r_blade.lengths[s]), T(1e-12f));
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
@@ -103,7 +103,7 @@ GRASS_INLINE Contacts<T> solve_chain(
 		parent = knot;
 		r_blade.knots[s + 1] = select(p_active, knot + shift, knot);
 	}
-	return beyond.contacts;
+	return beyond.touches;
 }
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What colliders and the ground do to a blade: the deepest contact bends it, finish() leaves no knot inside. Twin of
+// What colliders and the ground do to a blade: the deepest correction bends it, finish() leaves no knot inside. Twin of
 // shaders/solver/contact.inc.
 #pragma once
 
@@ -8,16 +8,16 @@
 
 namespace grass {
 
-// The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
-template <class T> struct DeepestContact {
-	Contact<T> contact{ {}, T(0.0f) };
+// The deepest correction of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
+template <class T> struct DeepestCorrection {
+	Correction<T> correction{ {}, T(0.0f) };
 	Vec3<T> place{};
 	T knot = T(0.0f);
 };
 
-// The contact of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
+// The correction of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
 template <class T>
-GRASS_INLINE Contact<T> find_edge_contact(
+GRASS_INLINE Correction<T> find_edge_correction(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
@@ -32,34 +32,34 @@ GRASS_INLINE Contact<T> find_edge_contact(
 	const auto is_free = is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
 	edge.face.distance = select(is_free, edge.face.distance, T(0.0f));
 	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
-	return make_contact(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
+	return make_correction(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
 }
 
-template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	DeepestContact<T> deepest;
+template <class T> GRASS_INLINE DeepestCorrection<T> find_deepest_correction(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	DeepestCorrection<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
-		const auto is_near = comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		const auto is_near = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
 		if (!any(is_near)) {
 			continue;
 		}
 		for (int k = FIRST_BENDING_KNOT; k < GRASS_KNOTS; k++) {
-			const Contact<T> contact = find_contact(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
+			const Correction<T> correction = find_correction(collider, p_blade.root, p_blade.before[k], p_blade.knots[k], p_terms.friction);
 			const auto is_cut = is_near & cuts(collider, p_blade.lengths[k - 1]);
-			const auto is_edges = is_cut & (contact.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, contact.normal);
-			const auto is_deeper = is_near & (contact.depth > deepest.contact.depth) & !is_edges;
-			deepest.contact.direction = select(is_deeper, contact.direction, deepest.contact.direction);
-			deepest.contact.depth = select(is_deeper, contact.depth, deepest.contact.depth);
+			const auto is_edges = is_cut & (correction.depth < p_blade.lengths[k - 1]) & is_of_edge(p_blade, k, correction.normal);
+			const auto is_deeper = is_near & (correction.depth > deepest.correction.depth) & !is_edges;
+			deepest.correction.direction = select(is_deeper, correction.direction, deepest.correction.direction);
+			deepest.correction.depth = select(is_deeper, correction.depth, deepest.correction.depth);
 			deepest.place = select(is_deeper, p_blade.knots[k], deepest.place);
 			deepest.knot = select(is_deeper, T(float(k)), deepest.knot);
 			if (!any(is_cut)) {
 				continue;
 			}
 			T share(0.0f);
-			const Contact<T> edge_contact =
-					apart<T>([&]() GRASS_APART { return find_edge_contact(collider, p_blade, k, p_terms.friction, share); });
-			const auto is_edge = is_cut & (edge_contact.depth > deepest.contact.depth);
-			deepest.contact.direction = select(is_edge, edge_contact.direction, deepest.contact.direction);
-			deepest.contact.depth = select(is_edge, edge_contact.depth, deepest.contact.depth);
+			const Correction<T> edge_correction =
+					apart<T>([&]() GRASS_APART { return find_edge_correction(collider, p_blade, k, p_terms.friction, share); });
+			const auto is_edge = is_cut & (edge_correction.depth > deepest.correction.depth);
+			deepest.correction.direction = select(is_edge, edge_correction.direction, deepest.correction.direction);
+			deepest.correction.depth = select(is_edge, edge_correction.depth, deepest.correction.depth);
 			deepest.place = select(is_edge, p_blade.knots[k - 1] + segment(p_blade, k - 1) * share, deepest.place);
 			deepest.knot = select(is_edge, T(float(k)), deepest.knot);
 		}
@@ -67,15 +67,15 @@ template <class T> GRASS_INLINE DeepestContact<T> find_deepest_contact(const Bla
 	return deepest;
 }
 
-// What a force along the contact's direction turns at hinge p_knot: its moment there; none beyond the contact.
-template <class T> GRASS_INLINE Vec3<T> moment(const DeepestContact<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
-	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.contact.direction);
+// What a force along the correction turns at hinge p_knot: its moment there; none beyond the corrected place.
+template <class T> GRASS_INLINE Vec3<T> moment(const DeepestCorrection<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
+	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.correction.direction);
 	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
 }
 
-// [Eq 13] A contact bends the blade as a force there would: every hinge below it turns by the force's moment about that
-// hinge, so much in all that the knot comes out. Lengths stay; what is above the contact turns along.
-template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContact<T> &p_deepest) {
+// [Eq 13] A correction bends the blade as a force there would: every hinge below it turns by the force's moment about that
+// hinge, so much in all that the knot comes out. Lengths stay; what is above that place turns along.
+template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrection<T> &p_deepest) {
 	T stiffness(0.0f);
 	Vec3<T> sum{};
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
@@ -84,10 +84,10 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContac
 		sum = sum + turn;
 	}
 	// [Eq 14] No farther than until the lever points along the force, and at most by one radian.
-	const Vec3<T> lever = normalized(p_deepest.place - r_blade.knots[1], p_deepest.contact.direction);
-	const T sine = length(cross(lever, p_deepest.contact.direction));
-	const T most = select(dot(lever, p_deepest.contact.direction) > T(0.0f), sine, T(1.0f));
-	T strength = p_deepest.contact.depth / maximum(stiffness, T(TINY_SQUARED));
+	const Vec3<T> lever = normalized(p_deepest.place - r_blade.knots[1], p_deepest.correction.direction);
+	const T sine = length(cross(lever, p_deepest.correction.direction));
+	const T most = select(dot(lever, p_deepest.correction.direction) > T(0.0f), sine, T(1.0f));
+	T strength = p_deepest.correction.depth / maximum(stiffness, T(TINY_SQUARED));
 	strength = minimum(strength, most / maximum(length(sum), T(1e-12f)));
 
 	Vec3<T> angle{}, shift{};
@@ -124,8 +124,8 @@ template <class T>
 GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
 		const Vec3<T> &p_segment, const T &p_length) {
 	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
-	const T reach = T(p_collider.bound) + p_length * T(0.5f);
-	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < reach * reach);
+	const T radius = T(p_collider.bound) + p_length * T(0.5f);
+	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < radius * radius);
 	if (!any(is_near)) {
 		return p_segment;
 	}

@@ -18,7 +18,7 @@ template <class T> struct Start {
 
 template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, const StepTerms<T> &p_terms, T &r_fastest) {
 	Start<T> start;
-	const T limit = p_terms.max_move * p_blade.reach; // in the step before
+	const T limit = p_terms.max_move * p_blade.blade_length; // in the step before
 	const T per_second = p_terms.step_ratio / p_terms.seconds;
 	r_fastest = T(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -38,23 +38,23 @@ template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
 	return T(1.0f) / (T(1.0f) + T(RUB) * p_seconds);
 }
 
-// [Eq 32] What is too deep in a collider for a linear model is hit out of it: the deepest contact bends the blade as METHOD_PBD's
+// [Eq 32] What is too deep in a collider for a linear model is hit out of it: the deepest correction bends the blade as METHOD_PBD's
 // does, and its inertia comes along.
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
 	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
-	const T deep = r_blade.reach * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
+	const T deep = r_blade.blade_length * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
 	for (int round = 0; round < BLOWS; round++) {
-		DeepestContact<T> deepest = find_deepest_contact(r_blade, p_terms);
-		const auto is_blow = p_is_hit & (deepest.contact.depth > deep);
+		DeepestCorrection<T> deepest = find_deepest_correction(r_blade, p_terms);
+		const auto is_blow = p_is_hit & (deepest.correction.depth > deep);
 		if (!any(is_blow)) {
 			return;
 		}
-		deepest.contact.depth = select(is_blow, deepest.contact.depth, T(0.0f));
+		deepest.correction.depth = select(is_blow, deepest.correction.depth, T(0.0f));
 		bend(r_blade, deepest);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_stage.target[k] = select(is_blow, r_blade.knots[k], r_stage.target[k]);
@@ -63,11 +63,11 @@ GRASS_INLINE void take_blows(
 }
 
 // [Eq 36] Whether no collider that may touch the blade moves in this step; not known where there are more than the shared ones.
-template <class T> GRASS_INLINE auto is_all_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
-		if (!is_still(collider)) {
-			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		if (!stands_still(collider)) {
+			is_moved = is_moved | comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
 		}
 	}
 	return !is_moved;
@@ -85,7 +85,7 @@ template <class Mask> struct Hold {
 // and stick go back to where they were. p_is_slow: of r_hold.may_stick, the ones that nothing has hit.
 template <class T, class Mask>
 GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
-		const Mask &p_touches, const Contacts<T> &p_contacts, Hold<Mask> &r_hold) {
+		const Mask &p_touches, const Touches<T> &p_found, Hold<Mask> &r_hold) {
 	const Mask is_free = p_is_slow & !p_touches;
 	const T lost = T(RUB) * r_stage.span; // of what is left
 	const Vec3<T> load = p_terms.load * (r_stage.span * r_stage.span / r_stage.weight);
@@ -98,10 +98,10 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 		forced = maximum(forced, dot(changed, changed));
 		r_stage.target[k] = select(is_free, r_stage.target[k] + carried * lost, r_stage.target[k]);
 	}
-	const T limit = r_blade.reach * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const T force = r_blade.reach * (T(HOLD_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const T grip = minimum(p_contacts.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight), force);
-	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_contacts.deepest < T(INSIDE));
+	const T limit = r_blade.blade_length * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
+	const T force = r_blade.blade_length * (T(HOLD_FORCE) * p_terms.wild_move * p_terms.wild_move);
+	const T grip = minimum(p_found.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight), force);
+	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_found.deepest < T(INSIDE));
 	r_hold.sticks = p_is_slow & p_touches & ((farthest < limit * limit) | is_held);
 	r_hold.is_held = r_hold.sticks & is_held;
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -138,16 +138,16 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 		if (!any(is_active)) {
 			return;
 		}
-		const Contacts<T> contacts = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
-		const Mask touches = is_active & p_is_near & (contacts.depth > T(0.0f));
-		const Mask is_blow = is_active & p_is_near & (contacts.blow > T(0.0f));
+		const Touches<T> found = solve_chain(r_blade, p_terms, p_chain, r_stage, is_active);
+		const Mask touches = is_active & p_is_near & (found.depth > T(0.0f));
+		const Mask is_blow = is_active & p_is_near & (found.blow > T(0.0f));
 		is_hit = none;
 		if (i > 0) {
 			continue;
 		}
 		const Mask is_slow = r_hold.may_stick & !is_blow;
 		if (any(is_slow)) {
-			hold(r_blade, p_terms, p_start, r_stage, is_slow, touches, contacts, r_hold);
+			hold(r_blade, p_terms, p_start, r_stage, is_slow, touches, found, r_hold);
 		}
 		if (!any(is_blow)) {
 			continue;
@@ -167,7 +167,7 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
-	const Mask is_single = p_is_near | is_one | (fastest > r_blade.reach * p_terms.wild_move);
+	const Mask is_single = p_is_near | is_one | (fastest > r_blade.blade_length * p_terms.wild_move);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, select(is_one, p_terms.free_bending, p_terms.bending));
 	const T drag = select(is_one, p_terms.free_drag, p_terms.drag);
@@ -179,9 +179,10 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
 	const Mask none = is_single & !is_single;
 	Hold<Mask> hold{ none, none, none, none }, no_hold = hold;
-	hold.may_stick = p_is_near & (fastest < r_blade.reach * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
+	hold.may_stick = p_is_near & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
-		hold.may_be_held = hold.may_stick & (fastest < r_blade.reach * (seconds * T(HOLD_BELOW))) & is_all_still(r_blade, p_terms);
+		hold.may_be_held =
+				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}
 	const T kept = select(hold.may_stick, rubbed(seconds), T(1.0f));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {

@@ -32,10 +32,10 @@ GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p
 
 // [Eq 33] The deepest point of the edge between two points in the shape's own axes. How far a point is in front of a convex shape is
 // convex along the edge, and each face is a line below it: where the lines of both sides meet, the next face is asked, and the
-// mixture of both that is level along the edge is the answer. p_reach (metres): that far out it is enough to know that the edge
+// mixture of both that is level along the edge is the answer. p_cutoff (metres): that far out it is enough to know that the edge
 // is no nearer.
 template <class T>
-GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_reach) {
+GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff) {
 	const T zero(0.0f), one(1.0f);
 	const Vec3<T> along = p_b - p_a;
 	Face<T> low = find_face(p_collider, p_a), high = find_face(p_collider, p_b); // of the sides where it falls and rises
@@ -57,9 +57,9 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 		const T size = maximum(found_size, T(EDGE_FLAT));
 		const T bound = (low.distance + fall * share) / size;
 		edge.face.normal = select(is_open, normal * (one / size), edge.face.normal);
-		edge.face.distance = select(is_open, select(nearest < p_reach, bound, maximum(bound, p_reach)), edge.face.distance);
+		edge.face.distance = select(is_open, select(nearest < p_cutoff, bound, maximum(bound, p_cutoff)), edge.face.distance);
 		edge.share = select(is_open, select(found_size < T(EDGE_FLAT), zero, share), edge.share);
-		is_open = is_open & (bound < p_reach);
+		is_open = is_open & (bound < p_cutoff);
 		if (i == EDGE_ROUNDS || !any(is_open)) {
 			return edge;
 		}
@@ -82,8 +82,8 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 // [Eq 34] As sweep() for a knot: the face that an edge meets whose knots go along two paths, moved along to the paths' end. In each step
 // no point of the edge goes farther than the edge is away.
 template <class T>
-GRASS_INLINE Edge<T> sweep_edge(const TileCollider &p_collider, const Path<T> &p_a, const Path<T> &p_b, const T &p_reach) {
-	const Edge<T> last = find_edge(p_collider, p_a.to, p_b.to, p_reach);
+GRASS_INLINE Edge<T> sweep_edge(const TileCollider &p_collider, const Path<T> &p_a, const Path<T> &p_b, const T &p_cutoff) {
+	const Edge<T> last = find_edge(p_collider, p_a.to, p_b.to, p_cutoff);
 	const Vec3<T> way_a = p_a.to - p_a.from, way_b = p_b.to - p_b.from;
 	const T way = square_root(maximum(dot(way_a, way_a), dot(way_b, way_b)));
 	const auto may_cross = way > T(p_collider.thin);

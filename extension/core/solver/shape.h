@@ -16,7 +16,7 @@ template <class T> struct Blade {
 	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending settles within a step
 	Vec3<T> root; // from the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
-	T reach; // of the whole blade
+	T blade_length; // of the whole blade
 };
 
 // [Eq 39] One joint of a straight blade whose segments have length and mass 1. Turns are radians.
@@ -93,10 +93,10 @@ template <class T> GRASS_INLINE auto is_of_edge(const Blade<T> &p_blade, int p_k
 }
 
 template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
-	r_blade.reach = T(0.0f);
+	r_blade.blade_length = T(0.0f);
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		r_blade.lengths[k] = length(rest_segment(r_blade, k));
-		r_blade.reach = r_blade.reach + r_blade.lengths[k];
+		r_blade.blade_length = r_blade.blade_length + r_blade.lengths[k];
 	}
 }
 
@@ -121,7 +121,7 @@ template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, cons
 // [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
 // exactly as a damped oscillator about its rest place does, at any time step.
 template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
-	const T limit = p_terms.max_move * r_blade.reach;
+	const T limit = p_terms.max_move * r_blade.blade_length;
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
 		const Vec3<T> moved = knot - r_blade.before[k];

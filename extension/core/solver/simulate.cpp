@@ -51,16 +51,16 @@ Eigen::Vector3f bend_of(const TileState &p_state) {
 
 } // namespace
 
-CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots) :
+CpuPool::CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size) :
 		_patch(std::move(p_patch)),
-		_slots(size_t(std::max(p_slots, 0))),
+		_slots(size_t(std::max(p_pool_size, 0))),
 		_energy(_slots.size(), 0.0f),
 		_bends(_slots.size(), Eigen::Vector3f::Zero()) {}
 
 CpuPool::~CpuPool() = default;
 
-void CpuPool::set_slots(int p_slots) {
-	_slots.resize(size_t(std::max(p_slots, 0)));
+void CpuPool::set_pool_size(int p_pool_size) {
+	_slots.resize(size_t(std::max(p_pool_size, 0)));
 	_energy.assign(_slots.size(), 0.0f);
 	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
 }

@@ -26,13 +26,13 @@ enum class Precision {
 
 class CpuPool {
 public:
-	// p_slots: tiles that can be awake at once. Memory comes as slots are first used.
-	CpuPool(std::shared_ptr<const Patch> p_patch, int p_slots);
+	// p_pool_size: tiles that can be awake at once. Memory comes as slots are first used.
+	CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size);
 	~CpuPool();
 
 	// Other blades, another number of slots. Tiles that are awake must wake anew.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
-	void set_slots(int p_slots);
+	void set_pool_size(int p_pool_size);
 
 	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
 	// and of blades beyond the patch are left out.

@@ -24,9 +24,9 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
-		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]) * r_blade.reach);
+		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]) * r_blade.blade_length);
 	}
-	const auto is_broken = !(sum < r_blade.reach * T(MOST_AWAY));
+	const auto is_broken = !(sum < r_blade.blade_length * T(MOST_AWAY));
 	if (any(is_broken)) {
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.knots[k] = select(is_broken, r_blade.rest[k], r_blade.knots[k]);
@@ -76,7 +76,7 @@ template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const Step
 template <class T> GRASS_INLINE auto is_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	auto near = T(0.0f) > T(1.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
-		near = near | comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN));
+		near = near | comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
 	}
 	return near;
 }
@@ -88,8 +88,8 @@ template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms
 		straighten(r_blade, p_terms);
 		keep_lengths(r_blade);
 		if (!p_terms.colliders.empty()) {
-			const DeepestContact<T> deepest = find_deepest_contact(r_blade, p_terms);
-			if (any(deepest.contact.depth > T(0.0f))) {
+			const DeepestCorrection<T> deepest = find_deepest_correction(r_blade, p_terms);
+			if (any(deepest.correction.depth > T(0.0f))) {
 				bend(r_blade, deepest);
 			}
 		}

@@ -36,7 +36,7 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 	Touch<T> deepest;
 	for (const TileCollider &collider : p_terms.colliders) {
 		const auto is_clear = passes_by(collider, extent_of(from, from), extent_of(place, place), skin);
-		if (!any(comes_within(collider, p_blade.root, p_blade.reach * T(REACH_MARGIN)) & !is_clear)) {
+		if (!any(comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)) & !is_clear)) {
 			continue;
 		}
 		const Path<T> path = relative_path(collider, p_blade.root, p_from, to);

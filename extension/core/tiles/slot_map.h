@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tile -> its slot of the pool, for a bounded count of tiles whatever the field's size. Squares of 4 x 4 tiles lie in a line
-// of the cache each and are found by open addressing: an object asks for a few squares, not for each of its tiles.
+// of the cache each and are found by open addressing: a collider looks up a few squares, not each of its tiles.
 #pragma once
 
 #include "core/base/hash.h"
@@ -120,7 +120,7 @@ private:
 		return i;
 	}
 
-	// Whoever was pushed past the hole moves back into it, so that no search stops short of him.
+	// An entry that was pushed past the hole moves back into it, so that no search stops short of it.
 	void remove(uint32_t p_hole) {
 		for (uint32_t i = (p_hole + 1) & _mask; _entries[i].key != NO_KEY; i = (i + 1) & _mask) {
 			if (((i - home_of(_entries[i].key)) & _mask) >= ((i - p_hole) & _mask)) {
@@ -142,7 +142,7 @@ private:
 		}
 	}
 
-	std::vector<Entry> _entries = std::vector<Entry>(2); // as few as what it has held allows: they stay in the caches
+	std::vector<Entry> _entries = std::vector<Entry>(2); // as few as its contents so far allow, so that they stay in the caches
 	size_t _count = 0; // squares in use, at most half of the entries
 	std::vector<Square> _squares; // those in use come first: what a step needs lies close together
 	SlotSet _free;

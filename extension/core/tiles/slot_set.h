@@ -25,7 +25,7 @@ public:
 
 	void insert(int p_slot) { insert_if(p_slot, true); }
 
-	// Inserts it, or does nothing: without a jump, which could not be foreseen.
+	// Inserts it or does nothing, branch-free: the branch would be mispredicted.
 	void insert_if(int p_slot, bool p_condition) { _words[size_t(p_slot) / 64] |= uint64_t(p_condition) << (p_slot % 64); }
 
 	// Inserts it into a set that take_lowest() takes slots from.
@@ -48,7 +48,7 @@ public:
 		return count;
 	}
 
-	// Becomes what p_a has and p_b, of the same size, has not.
+	// Becomes the slots in p_a that are not in p_b, which has the same size.
 	void take_difference(const SlotSet &p_a, const SlotSet &p_b) {
 		_words.resize(p_a._words.size());
 		for (size_t i = 0; i < _words.size(); i++) {

@@ -63,7 +63,7 @@ void TileBounds::find_boxes() {
 	const float size = float(_grid.get_tile_size());
 	const double side = 0.5 * _grid.get_tile_size();
 	_boxes.clear();
-	_reach = _height = 0.0;
+	_overhang = _height = 0.0;
 	for (int start = 0; start < GRASS_START_COUNT; start++) {
 		const float huge = std::numeric_limits<float>::max();
 		Box all{ huge, -huge, huge, -huge, 0.0f };
@@ -75,7 +75,7 @@ void TileBounds::find_boxes() {
 				std::max(all.height, blade.box.height) };
 		}
 		_boxes.push_back(all);
-		_reach = std::max({ _reach, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
+		_overhang = std::max({ _overhang, all.max_x - side, all.max_z - side, -all.min_x - side, -all.min_z - side });
 		_height = std::max(_height, double(all.height));
 	}
 }
@@ -98,12 +98,12 @@ void TileBounds::prefetch() const {
 #endif
 }
 
-// Without jumps: whether a tile is met cannot be foreseen.
+// Branch-free: whether a tile is met is unpredictable.
 int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const {
 	if (_boxes.empty()) {
 		return 0;
 	}
-	const TileGrid grid = _grid; // copies: they are the same for all tiles, which r_tiles would have to prove
+	const TileGrid grid = _grid; // copies, so that the compiler knows that writing r_tiles does not change them
 	const TileCover *cover = _cover.get();
 	const Box *boxes = _boxes.data();
 	const uint32_t seed = _seed;
@@ -112,7 +112,7 @@ int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile 
 	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
 		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
 			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::Tile{ 0.0f, 0.0f };
-			// Rounded once, after the difference: a few nanometres, on any field.
+			// Rounded once, after the difference: exact to a few nanometres on any field.
 			const Eigen::Vector3d centre = grid.get_centre(x, z);
 			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
 				float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };

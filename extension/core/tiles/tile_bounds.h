@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box around a tile's blades at rest: what Algorithm 1 tests a body's box against. Much tighter than the longest
-// blade's reach on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
+// overhang on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
 #pragma once
 
 #include "core/blades/clump.h"
@@ -16,7 +16,7 @@ namespace grass {
 
 class TileBounds {
 public:
-	// Knows no blades: no tile is ever met.
+	// Without blades: no tile is ever met.
 	TileBounds() = default;
 	TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed);
 	// The same blades on another grid: much less work.
@@ -28,7 +28,7 @@ public:
 	};
 	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
-	// The same for all tiles of the range: writes those that are met, row by row, to r_tiles, which has room for all; how many.
+	// The same for all tiles of the range: writes those that are met, row by row, to r_tiles, which has room for all. Returns how many.
 	int find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const;
 	// The ground that the tiles stand on, and those that are bare; null: all stand on level ground. p_lean: metres by which
 	// blades lean farther on slopes.
@@ -37,10 +37,10 @@ public:
 		_lean = p_lean;
 	}
 	// Of all tiles: how far the blades lean out over the tile's square; their lowest ground and their highest tip. Metres.
-	double get_reach() const { return _reach + _lean; }
+	double get_overhang() const { return _overhang + _lean; }
 	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
 	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }
-	// Asks for what the next find_met() of many tiles reads, all at once: it lies in the order of a hash.
+	// Prefetches what the next find_met() of many tiles reads: it lies in the order of a hash.
 	void prefetch() const;
 	size_t get_memory_usage() const; // bytes
 
@@ -50,7 +50,7 @@ private:
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
 
-		// Without jumps: which of the sides decides cannot be foreseen.
+		// Branch-free: which of the sides decides is unpredictable.
 		bool meets(const Box &p_other, float p_other_bottom) const {
 			const float x = std::min(max_x - p_other.min_x, p_other.max_x - min_x),
 						z = std::min(max_z - p_other.min_z, p_other.max_z - min_z);
@@ -65,7 +65,7 @@ private:
 	uint32_t _seed = 0;
 	std::shared_ptr<const std::vector<Blade>> _blades; // of the patch
 	std::vector<Box> _boxes; // by start in the patch / GRASS_START_STRIDE
-	double _reach = 0.0, _height = 0.0;
+	double _overhang = 0.0, _height = 0.0;
 	double _lean = 0.0;
 	std::shared_ptr<const TileCover> _cover;
 };

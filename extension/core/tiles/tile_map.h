@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tile index -> number, by open addressing. As small as what it has held: what lies in it stays in the caches.
+// Tile index -> number, by open addressing. As small as its contents so far allow, so that it stays in the caches.
 #pragma once
 
 #include "core/base/hash.h"
@@ -36,7 +36,7 @@ public:
 			return;
 		}
 		_count--;
-		// Whoever was pushed past the hole moves back into it, so that no search stops short of him.
+		// An entry that was pushed past the hole moves back into it, so that no search stops short of it.
 		for (uint32_t i = (hole + 1) & mask(); _places[i].tile != NONE; i = (i + 1) & mask()) {
 			const uint32_t home = home_of(_places[i].tile);
 			if (((i - home) & mask()) >= ((i - hole) & mask())) {
@@ -57,7 +57,7 @@ private:
 		int value = NONE;
 	};
 
-	// Eight neighbours in a row share a line of the cache: bodies touch tiles row by row.
+	// Eight neighbours in a row share a line of the cache: colliders meet tiles row by row.
 	uint32_t home_of(int p_tile) const { return (grass_hash(uint32_t(p_tile) / ROW) * ROW + uint32_t(p_tile) % ROW) & mask(); }
 
 	// Where the tile is, or the empty place where it belongs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles wake. What touches them: tiles_touch.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
+// Which tiles wake. What meets them: tiles_meet.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
 // tiles_records.cpp.
 #include "core/tiles/tiles.h"
 
@@ -23,7 +23,7 @@ TileParams TileParams::sanitised() const {
 	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
 	params.still_delay = limit(still_delay, 3600.0, defaults.still_delay);
-	params.reach = limit(reach, 100.0, defaults.reach);
+	params.overhang = limit(overhang, 100.0, defaults.overhang);
 	params.low = std::isfinite(low) ? low : defaults.low;
 	params.height = std::isfinite(height) ? height : defaults.height;
 	params.segment = limit(segment, 100.0, defaults.segment);
@@ -58,12 +58,12 @@ void TileManager::reset() {
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_free.reset(_params.pool_size, true);
-	for (SlotSet *set : { &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen }) {
+	for (SlotSet *set : { &_used, &_settling, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		set->reset(_params.pool_size, false);
 	}
 	_slot_of_tile.reserve(_params.pool_size);
 	_place_of_tile.clear();
-	_touches.clear();
+	_meetings.clear();
 	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be given away and live on
 	_record_count = 0;
 	_colliders.clear();
@@ -78,17 +78,17 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	_time += delta;
 	_step_number++;
 	begin_step();
-	find_touched_tiles(p_colliders); // lines 1 to 9
+	find_met_tiles(p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
-	sign_touches(p_colliders);
+	sign_meetings(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25
-	count_touches(p_colliders);
+	count_meetings(p_colliders);
 	write_records();
 	write_list();
 }
 
 void TileManager::begin_step() {
-	_touches.clear();
+	_meetings.clear();
 	_to_activate.clear();
 	_yielding_known = false;
 	_record_count = 0;
@@ -119,7 +119,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	_motions[size_t(p_slot)] = {};
 	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
 	_fresh.insert(p_slot);
-	_touched.insert(p_slot); // deactivate_tiles() sets the timestamps
+	_met.insert(p_slot); // deactivate_tiles() sets the timestamps
 	_stirred.insert(p_slot);
 	_slot_of_tile.insert(x, z, p_slot);
 	_used.insert(p_slot);
@@ -157,12 +157,12 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	size_t sets = 0;
-	for (const SlotSet *set : { &_free, &_used, &_settling, &_touched, &_stirred, &_left, &_fresh, &_unseen }) {
+	for (const SlotSet *set : { &_free, &_used, &_settling, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		sets += set->get_memory_usage();
 	}
 	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
 			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) +
-			bytes(_has_met) + bytes(_touches) + bytes(_met) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
+			bytes(_has_met) + bytes(_meetings) + bytes(_met_in_range) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
 			_place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) +
 			bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps and the preallocated pool
-// of section 5.2. Sees objects and awake tiles only, never the field's other tiles.
+// of section 5.2. Sees colliders and awake tiles only, never the field's other tiles.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -20,7 +20,7 @@
 
 namespace grass {
 
-// SleepMode::TIMER: time from the last touch to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
+// SleepMode::TIMER: time from the last meeting to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
 // rest; above 5 s tiles are simulated that nothing moves in.
 inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
 // SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
@@ -29,9 +29,9 @@ inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1
 // Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
 inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
 
-// When a tile that no object touches goes to sleep.
+// When a tile that no collider meets goes to sleep.
 enum class SleepMode {
-	TIMER, // sleep_delay after the last touch: the paper's
+	TIMER, // sleep_delay after the last meeting: the paper's
 	ENERGY, // once its blades have been calm for a while
 };
 
@@ -46,7 +46,7 @@ struct TileParams {
 	// SleepMode::ENERGY: a tile on which nothing changed for so long is left as it is. Too short: blades stop while they still swing.
 	// Seconds.
 	double still_delay = SolverParams().calm_time();
-	double reach = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
+	double overhang = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
 	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
@@ -63,8 +63,8 @@ struct TileStatistics {
 	int simulated = 0; // now: those of them that this step moves
 	int settling = 0; // now: those of them that are on the way back to rest
 	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
-	int colliders = 0; // now: that touch an awake tile
-	int list_entries = 0; // now: sum over the simulated tiles of their objects
+	int colliders = 0; // now: that meet an awake tile
+	int list_entries = 0; // now: sum over the simulated tiles of their colliders
 	int high_water = 0; // most tiles ever awake at once
 	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
 	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
@@ -85,7 +85,7 @@ public:
 	// A new grid, another pool size or another seed puts every tile to rest at once, as reset() does.
 	void set_grid(const TileGrid &p_grid);
 	void set_params(const TileParams &p_params);
-	// The boxes around the tiles' blades; without them a tile's box is its square grown by TileParams' reach and height.
+	// The boxes around the tiles' blades; without them a tile's box is its square grown by TileParams' overhang and height.
 	void set_bounds(std::shared_ptr<const TileBounds> p_bounds) { _bounds = std::move(p_bounds); }
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
@@ -122,7 +122,7 @@ public:
 	int get_list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * _params.pool_size); }
 
 	// Decides who is calm: goes to sleep, or gives way in a full pool. Left out: what is not finite, and what was measured
-	// before the tile was last touched, thus also the energies of slots that were other tiles' then.
+	// before the tile was last met, thus also the energies of slots that were other tiles' then.
 	void report_energy(const EnergyReport &p_report);
 
 	// [Eq M5] Of an awake tile, as reported; zero of one at rest, and while nothing is known.
@@ -145,16 +145,16 @@ private:
 	// What is known of an awake tile, in parts: a step goes through all awake tiles, and what costs then is the memory that it has
 	// to fetch. When things happened, seconds on _time:
 	struct Times {
-		double touched = 0.0; // the last step in which an object was in the tile
-		double stirred = 0.0; // the last step in which an object moved in the tile, came or left
+		double met = 0.0; // the last step in which a collider was in the tile
+		double stirred = 0.0; // the last step in which a collider moved in the tile, came or left
 		double calm_since = NEVER;
 		double simulated = 0.0; // not when: for how long since it was stirred
 	};
 
 	// How calm it is.
 	struct Motion {
-		float energy = NO_ENERGY; // since the last touch
-		uint32_t touched_step = 0; // number of the step of Times::touched, its lower half
+		float energy = NO_ENERGY; // since the last meeting
+		uint32_t met_step = 0; // number of the step of Times::met, its lower half
 	};
 
 	// Where it is.
@@ -163,7 +163,7 @@ private:
 		uint32_t start = 0; // first blade in the patch
 	};
 
-	// What is seldom asked for.
+	// What is seldom read.
 	struct Life {
 		uint64_t woken_step = 0; // number of the step
 		double settle_left = 0.0; // seconds to rest, while settling
@@ -173,28 +173,28 @@ private:
 	// A frustum as tiles meet it: outside of a plane are those with x * first + z * second > third.
 	using TileFrustum = std::array<Eigen::Vector3f, 6>;
 
-	// An object in a tile: before activation by the tile's place in _to_activate, then by its slot.
-	struct Touch {
-		int slot; // ~place while the tile has none
+	// A collider whose box meets that of a tile's blades. The tile goes by its place in _to_activate until it has a slot.
+	struct Meeting {
+		int slot; // ~place until the tile has one
 		uint32_t collider;
 	};
 
 	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Settling tiles before others,
-	// then by energy where it was reported, then by who was touched longest ago, up to some minutes.
+	// then by energy where it was reported, then by who was met longest ago, up to some minutes.
 	using Calm = uint64_t;
 	static constexpr int SLOT_BITS = 14, AGE_BITS = 18; // and 31 of a positive float, and one
 	static_assert(TileParams::MAX_POOL_SIZE <= 1 << SLOT_BITS);
 
 	void begin_step();
-	void find_touched_tiles(std::span<ColliderShape> p_colliders);
+	void find_met_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
 	void add_ranges(const ColliderShape &p_collider, uint32_t p_index);
-	void touch_once(uint32_t p_collider);
+	void meet_once(uint32_t p_collider);
 	void find_squares(const TileRange &p_range);
-	bool touch_range(
+	bool meet_range(
 			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
 	int find_met(const TileRange &p_range, const Bounds &p_swept);
-	int touch_asleep(int p_tile);
+	int meet_asleep(int p_tile);
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
@@ -202,11 +202,11 @@ private:
 	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
 
-	void sign_touches(std::span<const ColliderShape> p_colliders);
+	void sign_meetings(std::span<const ColliderShape> p_colliders);
 	void deactivate_tiles(double p_delta);
 	void keep_awake(int p_slot, bool p_is_stirred);
 	bool is_calm(int p_slot) const;
-	bool is_idle(int p_slot) const;
+	bool is_unstirred(int p_slot) const;
 	bool is_still(int p_slot) const;
 	bool should_settle(int p_slot) const;
 	void settle(int p_slot, double p_delta);
@@ -217,7 +217,7 @@ private:
 	bool is_seen(const Place &p_place) const;
 	bool is_past(int p_slot) const;
 
-	void count_touches(std::span<const ColliderShape> p_colliders);
+	void count_meetings(std::span<const ColliderShape> p_colliders);
 	void pack_collider(const ColliderShape &p_collider);
 	void write_records();
 	void write_list();
@@ -238,11 +238,13 @@ private:
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
-	std::vector<uint32_t> _entries; // of this step: objects; then where in the collider list the next of them is written
+	std::vector<uint32_t> _entries; // of this step: colliders; then where in the collider list the next of them is written
 	SlotSet _free, _used, _settling;
-	// Of this step: touched by an object, by one that moves, comes or has left, by none; awake since; not simulated.
-	SlotSet _touched, _stirred, _left, _fresh, _unseen;
-	std::vector<uint64_t> _signatures, _signatures_before; // by slot: which objects stand where in its tile, in this step and the last one
+	// Of this step: met by a collider; by one that moves, comes or has left; by none; awake since; not simulated, since calm and out of
+	// view or since still; the others.
+	SlotSet _met, _stirred, _unmet, _fresh, _skipped, _simulated;
+	std::vector<uint64_t> _signatures,
+			_signatures_before; // by slot: which colliders stand where in its tile, in this step and the last one
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
@@ -253,9 +255,9 @@ private:
 	std::vector<Bounds> _swept;
 	std::vector<uint32_t> _range_colliders;
 	std::vector<uint8_t> _has_met; // of the colliders: grass
-	std::vector<TileBounds::Tile> _met; // of a range
+	std::vector<TileBounds::Tile> _met_in_range; // of a range
 	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other
-	std::vector<Touch> _touches;
+	std::vector<Meeting> _meetings;
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;
 	std::vector<Calm> _calm; // of all that may give way

@@ -8,26 +8,26 @@
 
 namespace grass {
 
-// Drops the touches of tiles that got no slot or are not simulated, counts the others by slot, and packs the objects in use.
-void TileManager::count_touches(std::span<const ColliderShape> p_colliders) {
+// Drops the meetings of tiles that got no slot or are not simulated, counts the others by slot, and packs the colliders in use.
+void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
 	_sharp.clear();
 	std::fill(_entries.begin(), _entries.end(), 0);
 	size_t kept = 0;
 	uint32_t last = std::numeric_limits<uint32_t>::max();
-	for (const Touch &touch : _touches) { // rising by collider
-		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
-		if (slot != SlotSet::NONE && !_unseen.has(slot)) {
-			if (touch.collider != last) {
-				last = touch.collider;
+	for (const Meeting &meeting : _meetings) { // rising by collider
+		const int slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
+		if (slot != SlotSet::NONE && !_skipped.has(slot)) {
+			if (meeting.collider != last) {
+				last = meeting.collider;
 				pack_collider(p_colliders[last]);
 			}
 			_entries[size_t(slot)]++;
-			_touches[kept++] = { slot, uint32_t(_colliders.size() - 1) };
+			_meetings[kept++] = { slot, uint32_t(_colliders.size() - 1) };
 		}
 	}
-	_touches.resize(kept);
+	_meetings.resize(kept);
 	_statistics.list_entries = int(kept);
 }
 
@@ -44,8 +44,8 @@ void TileManager::write_records() {
 	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
 	uint32_t entries = 0;
 	GrassSlot *record = _records.data() + _record_count;
-	_left.take_difference(_used, _unseen);
-	for (const int slot : _left) {
+	_simulated.take_difference(_used, _skipped);
+	for (const int slot : _simulated) {
 		const Place &place = _places[size_t(slot)];
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
@@ -55,22 +55,22 @@ void TileManager::write_records() {
 	}
 	_record_count = size_t(record - _records.data());
 	_statistics.awake = _used.count();
-	_statistics.simulated = _left.count();
+	_statistics.simulated = _simulated.count();
 	_statistics.settling = _settling.count();
 	_statistics.tile_steps += uint64_t(_statistics.simulated);
 	_statistics.unseen_steps += uint64_t(_statistics.awake - _statistics.simulated - _statistics.still);
 	_statistics.still_steps += uint64_t(_statistics.still);
 	_statistics.high_water = std::max(_statistics.high_water, _statistics.awake);
-	_touched.clear();
+	_met.clear();
 	_stirred.clear();
 	_fresh.clear();
 }
 
-// Each tile's objects, in the order in which they were given.
+// Each tile's colliders, in the order in which update() got them.
 void TileManager::write_list() {
-	_collider_list.resize(_touches.size());
-	for (const Touch &touch : _touches) {
-		_collider_list[_entries[size_t(touch.slot)]++] = touch.collider;
+	_collider_list.resize(_meetings.size());
+	for (const Meeting &meeting : _meetings) {
+		_collider_list[_entries[size_t(meeting.slot)]++] = meeting.collider;
 	}
 }
 

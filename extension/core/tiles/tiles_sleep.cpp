@@ -14,12 +14,12 @@ namespace {
 constexpr double CALM_TIME = 0.5;
 // A tile is no longer calm above this multiple of the energy up to which it becomes so: twice the motion.
 constexpr float CALM_ENDS = 4.0f;
-// Seconds on the way to rest of a tile that is calm, at most: nothing is to be seen on it.
+// Seconds that a calm tile takes to rest, at most: nobody sees it move.
 constexpr double CALM_SETTLE_TIME = 0.1;
-// Seconds after the last touch at which a tile settles that never calmed down. Very soft blades swing this long.
+// Seconds after the last meeting at which a tile that never calmed down settles. Very soft blades swing this long.
 constexpr double LONGEST_AWAKE = 10.0;
 
-// An object that stands elsewhere than by these steps, metres and shares of a turn, is another one.
+// A collider counts as another one once it has moved by these steps: metres, and shares of a turn.
 constexpr double PLACE_STEP = 1e-3, TURN_STEP = 5e-3;
 
 uint64_t mix(uint64_t p_signature, uint64_t p_word) {
@@ -42,7 +42,7 @@ uint64_t sign_of(const ColliderShape &p_shape) {
 
 void TileManager::report_energy(const EnergyReport &p_report) {
 	if (p_report.step == _reported_step) {
-		return; // nothing new, and who was touched since then is not in it
+		return; // nothing new, and it knows nothing of who was met since
 	}
 	_reported_step = p_report.step;
 	if (!p_report.bends.empty()) {
@@ -55,7 +55,7 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 		}
 		Motion &motion = _motions[size_t(slot)];
 		const float energy = p_report.energies[size_t(slot)];
-		const bool is_older = int32_t(uint32_t(p_report.step) - motion.touched_step) < 0;
+		const bool is_older = int32_t(uint32_t(p_report.step) - motion.met_step) < 0;
 		if (is_older || !std::isfinite(energy)) {
 			continue;
 		}
@@ -69,53 +69,53 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 	}
 }
 
-// Notes which objects stand where, so coarsely that trembling does not show but creeping does. Tiles whose objects are others than in the
-// last step are stirred.
-void TileManager::sign_touches(std::span<const ColliderShape> p_colliders) {
+// Notes which colliders stand where, so coarsely that trembling does not show but creeping does. A tile is stirred where these differ from
+// the last step's.
+void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 	std::swap(_signatures, _signatures_before);
 	std::fill(_signatures.begin(), _signatures.end(), 0);
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	uint64_t sign = 0;
 	_statistics.colliders = 0;
-	for (const Touch &touch : _touches) { // rising by collider
-		const int slot = touch.slot >= 0 ? touch.slot : _given_slots[size_t(~touch.slot)];
+	for (const Meeting &meeting : _meetings) { // rising by collider
+		const int slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
 		if (slot == SlotSet::NONE) {
 			continue;
 		}
-		if (touch.collider != last) {
-			last = touch.collider;
+		if (meeting.collider != last) {
+			last = meeting.collider;
 			_statistics.colliders++;
 			sign = sign_of(p_colliders[last]);
 		}
 		uint64_t &signature = _signatures[size_t(slot)];
 		signature = mix(signature, sign);
 	}
-	for (const int slot : _touched) {
+	for (const int slot : _met) {
 		_stirred.insert_if(slot, _signatures[size_t(slot)] != _signatures_before[size_t(slot)]);
 	}
 }
 
-// Those that are touched first, then the others: which of the two a slot is cannot be foreseen.
+// First the tiles that are met, then the others: a branch between the two in one loop would be mispredicted.
 void TileManager::deactivate_tiles(double p_delta) {
-	_unseen.clear();
-	_settling.take_difference(_settling, _touched);
+	_skipped.clear();
+	_settling.take_difference(_settling, _met);
 	_statistics.still = 0;
-	for (const int slot : _touched) {
+	for (const int slot : _met) {
 		keep_awake(slot, _stirred.has(slot));
 		const bool still = is_still(slot);
 		_statistics.still += still;
-		const bool unseen = still || (is_idle(slot) && !is_seen(_places[size_t(slot)]));
-		_unseen.insert_if(slot, unseen);
-		_times[size_t(slot)].simulated += unseen ? 0.0 : p_delta;
+		const bool is_skipped = still || (is_unstirred(slot) && !is_seen(_places[size_t(slot)]));
+		_skipped.insert_if(slot, is_skipped);
+		_times[size_t(slot)].simulated += is_skipped ? 0.0 : p_delta;
 	}
-	_left.take_difference(_used, _touched);
-	for (const int slot : _left) {
-		const bool is_unseen = is_idle(slot) && !is_seen(_places[size_t(slot)]);
+	_unmet.take_difference(_used, _met);
+	for (const int slot : _unmet) {
+		const bool is_unseen = is_unstirred(slot) && !is_seen(_places[size_t(slot)]);
 		if (blend_of(slot) >= 1.0f || ((is_unseen || _has_passed_unseen) && is_past(slot))) {
 			retire(slot, true);
 			_free.give_back(slot);
 		} else if (is_unseen) {
-			_unseen.insert(slot);
+			_skipped.insert(slot);
 		} else if (should_settle(slot)) {
 			settle(slot, p_delta);
 		}
@@ -129,13 +129,13 @@ void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
 	_motions[size_t(p_slot)] = { NO_ENERGY, uint32_t(_step_number) };
 }
 
-// No object has moved in it for a while.
-bool TileManager::is_idle(int p_slot) const {
+// No collider has moved in it for a while.
+bool TileManager::is_unstirred(int p_slot) const {
 	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
 }
 
-// Simulated for so long since then that its blades, whatever they do, are where they will be. Those that two bodies mash, or whose root is
-// in one, would tremble for ever.
+// Simulated for so long since it was stirred that its blades stand where they will stay. Those that two bodies mash, or whose root is
+// inside one, would tremble for ever.
 bool TileManager::is_still(int p_slot) const {
 	return _params.sleep_mode == SleepMode::ENERGY && _times[size_t(p_slot)].simulated >= _params.still_delay;
 }
@@ -145,9 +145,9 @@ bool TileManager::is_calm(int p_slot) const {
 			_time - _times[size_t(p_slot)].calm_since >= CALM_TIME;
 }
 
-// Would be at rest by now, for all that anybody can tell who did not see it.
+// Whether it would be at rest by now, as far as anybody who did not see it can tell.
 bool TileManager::is_past(int p_slot) const {
-	return _settling.has(p_slot) || is_calm(p_slot) || _time - _times[size_t(p_slot)].touched >= _params.sleep_delay + _params.settle_time;
+	return _settling.has(p_slot) || is_calm(p_slot) || _time - _times[size_t(p_slot)].met >= _params.sleep_delay + _params.settle_time;
 }
 
 bool TileManager::should_settle(int p_slot) const {
@@ -158,10 +158,10 @@ bool TileManager::should_settle(int p_slot) const {
 	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer holds where nothing is reported
 		delay = _motions[size_t(p_slot)].energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
 	}
-	return _time - _times[size_t(p_slot)].touched >= delay;
+	return _time - _times[size_t(p_slot)].met >= delay;
 }
 
-// Takes the share of what is left of the way that brings the tile to rest in time, at even pace.
+// Goes the share of the remaining way that brings the tile to rest in time, at an even pace.
 void TileManager::settle(int p_slot, double p_delta) {
 	Life &life = _lives[size_t(p_slot)];
 	if (!_settling.has(p_slot)) {
@@ -174,7 +174,7 @@ void TileManager::settle(int p_slot, double p_delta) {
 	life.settle_left -= p_delta;
 }
 
-// Announces that the slot's tile is at rest from now on. The slot is its caller's. p_is_at_rest: it was so before.
+// Announces that the slot's tile is at rest from now on, and leaves the slot to the caller. p_is_at_rest: the tile was at rest before.
 void TileManager::retire(int p_slot, bool p_is_at_rest) {
 	const Place &place = _places[size_t(p_slot)];
 	const int x = place.tile.x, z = place.tile.z;

@@ -16,7 +16,7 @@ bool TileManager::is_field_seen() const {
 	const float half_height = 0.5f * float(_params.height - _params.low);
 	const Eigen::Vector3f middle(0.0f, 0.5f * float(_params.height + _params.low), 0.0f);
 	const Eigen::Vector3f half(
-			float(0.5 * _grid.get_size_x() + _params.reach), half_height, float(0.5 * _grid.get_size_z() + _params.reach));
+			float(0.5 * _grid.get_size_x() + _params.overhang), half_height, float(0.5 * _grid.get_size_z() + _params.overhang));
 	return _sees_all || std::any_of(_frustums.begin(), _frustums.end(), [&](const Frustum &p_frustum) {
 		return grass_tile_visible(p_frustum, middle, half, _margin, Eigen::Vector3f::Zero());
 	});
@@ -25,8 +25,8 @@ bool TileManager::is_field_seen() const {
 // grass_tile_visible() of all tiles' boxes, which differ in x and z only.
 void TileManager::find_tile_frustums() {
 	const Eigen::Vector3d first = _grid.get_centre(0, 0) + Eigen::Vector3d(0.0, 0.5 * (_params.height + _params.low), 0.0);
-	const double side = _grid.get_tile_size(), reach = 0.5 * side + _params.reach;
-	const Eigen::Vector3d half(reach, 0.5 * (_params.height - _params.low), reach);
+	const double side = _grid.get_tile_size(), half_side = 0.5 * side + _params.overhang;
+	const Eigen::Vector3d half(half_side, 0.5 * (_params.height - _params.low), half_side);
 	_tile_frustums.resize(_frustums.size());
 	for (size_t i = 0; i < _frustums.size(); i++) {
 		for (size_t k = 0; k < _frustums[i].size(); k++) {

@@ -8,9 +8,8 @@
 
 namespace grass {
 
-// The slot of the calmest tile that no object touches in this step, retired; NONE if all are touched: two tiles under
-// objects would otherwise take the slot from each other in every step. p_wanted: how many slots are asked for in this
-// step from now on.
+// Retires the calmest tile that no collider meets in this step and returns its slot; NONE if all are met, for two tiles under
+// colliders would otherwise take the slot from each other in every step. p_wanted: how many slots this step still needs.
 int TileManager::take_calmest_slot(size_t p_wanted) {
 	if (!_yielding_known) {
 		_yielding_known = true;
@@ -28,7 +27,7 @@ int TileManager::take_calmest_slot(size_t p_wanted) {
 TileManager::Calm TileManager::calm_of(int p_slot) const {
 	const Motion &motion = _motions[size_t(p_slot)];
 	constexpr uint32_t OLDEST = (1u << AGE_BITS) - 1;
-	const uint32_t age = std::min(uint32_t(_step_number) - motion.touched_step, OLDEST); // steps since the last touch
+	const uint32_t age = std::min(uint32_t(_step_number) - motion.met_step, OLDEST); // steps since the last meeting
 	const Calm is_up = _settling.has(p_slot) ? 0 : 1;
 	return (((is_up << 31 | std::bit_cast<uint32_t>(motion.energy)) << AGE_BITS) | (OLDEST - age)) << SLOT_BITS | Calm(p_slot);
 }
@@ -39,11 +38,11 @@ void TileManager::find_yielding(size_t p_wanted) {
 	_calm.resize(size_t(_params.pool_size));
 	_yielding.resize(size_t(_params.pool_size));
 	size_t count = 0;
-	_left.take_difference(_used, _touched);
-	for (const int slot : _left) {
+	_unmet.take_difference(_used, _met);
+	for (const int slot : _unmet) {
 		_calm[count++] = calm_of(slot);
 	}
-	// Few of many are wanted: a sample tells about how calm they are, and all others are out without being sorted.
+	// Few of many are wanted: a sample shows roughly how calm those are, and the rest drop out unsorted.
 	Calm bound = ~Calm(0);
 	if (count > SAMPLES * 4) {
 		std::array<Calm, SAMPLES> samples;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a solid shape stands over the ground: what a mower's deck or a region that a game asks about covers.
+// Where a solid shape stands over the ground: what a mower's deck, or the region of a game's query, covers.
 #pragma once
 
 #include "core/bodies/body_shape.h"

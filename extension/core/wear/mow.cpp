@@ -196,7 +196,7 @@ BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const Grass
 			if (has_wear && wear > 0) {
 				const int32_t left = std::max(wear - codes(MAP_WEAR, p_wear(centre_of(p_i, p_j))), 0);
 				writer.write(MAP_WEAR, p_i, p_j, left);
-				if (left == 0) { // healed: a chunk without wear takes no memory
+				if (left == 0) { // healed: a chunk without wear uses no memory
 					writer.write(MAP_WEAR_REST, p_i, p_j, 0);
 				}
 			}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A game's tools on the map: cutting with a solid shape, how much of a region is mown, growing again.
+// A game's tools on the map: cutting with a solid shape, measuring how much of a region is mown, regrowing.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -36,13 +36,13 @@ struct MowRegion {
 // 0.5 m apart) cuts the texel below its middle.
 CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind);
 
-// Share of the region's grass, weighed by density, that stands lower than it would without cuts; 0 where nothing grows.
+// Share of the region's grass, weighted by density, that stands lower than it would without cuts; 0 where nothing grows.
 double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassKind &p_kind);
 
-// Lets cut grass in the region grow by p_height metres, and takes p_wear from its wear. Cuts that cut nothing any more are
-// forgotten. Looks only at chunks that hold cuts or wear. Its amount is the cuts': metres times m^2.
+// Grows cut grass in the region by p_height metres and reduces its wear by p_wear. Drops cuts that no longer cut anything.
+// Visits only chunks that hold cuts or wear. The result's amount is the cuts': metres times m^2.
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear);
-// The same with a wear that differs from place to place (metres). Only texels that are worn are asked for; null: none of it goes.
+// The same with a wear that differs from place to place (metres). It is read for worn texels only; null: no wear goes.
 using WearAt = std::function<double(const Eigen::Vector2d &p_place)>;
 BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear);
 

@@ -26,8 +26,8 @@ using SharesAt = std::function<std::array<float, GRASS_MAX_SPECIES>(const Eigen:
 
 class Recovery {
 public:
-	// Lets p_delta seconds pass, and brings the next chunk within p_region (metres) up to date. Every chunk is looked at in
-	// turn; what it missed in between is made up for. p_shares: null: one species.
+	// Lets p_delta seconds pass, and brings the next chunk within p_region (metres) up to date. Visits the chunks in turn;
+	// each makes up for the time since its last visit. p_shares: null: one species.
 	BrushResult step(PaintMap &r_map, const MapRegion &p_region, const GrassKind &p_kind, const RecoveryRates &p_rates, double p_delta,
 			const SharesAt &p_shares = nullptr);
 	void reset() { *this = Recovery(); }

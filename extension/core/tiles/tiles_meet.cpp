@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles objects touch: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
+// Which tiles colliders meet: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
 #include "core/tiles/tiles.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 
 } // namespace
 
-void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
+void TileManager::find_met_tiles(std::span<ColliderShape> p_colliders) {
 	_ranges.clear();
 	_swept.clear();
 	_range_colliders.clear();
@@ -73,19 +73,19 @@ void TileManager::find_touched_tiles(std::span<ColliderShape> p_colliders) {
 		const uint32_t collider = _range_colliders[i];
 		if (_ranges[i].count() > 0) {
 			const bool moves = p_colliders[collider].has_moved();
-			const bool meets = touch_range(_ranges[i], &_squares[square], _swept[i], collider, moves);
+			const bool meets = meet_range(_ranges[i], &_squares[square], _swept[i], collider, moves);
 			_has_met[collider] = _has_met[collider] != 0 || meets ? 1 : 0;
 			square += size_t(SlotMap::squares_of(_ranges[i]).count());
 		}
 		const bool ends = i + 1 == _ranges.size() || _range_colliders[i + 1] != collider;
 		if (ends && i > 0 && _range_colliders[i - 1] == collider) {
-			touch_once(collider);
+			meet_once(collider);
 		}
 	}
 }
 
-// The tiles that the collider may touch: those of the box around all of its way; where that are more than can be awake, of boxes around
-// pieces of it. What crosses the field aslant in one step is over few of the tiles between its ends.
+// The tiles that the collider may meet: those under the box around all of its way. Where these are more than can be awake, those under
+// boxes around pieces of it: what crosses the field aslant in one step passes over few of the tiles between its ends.
 void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) {
 	constexpr double MOST_PIECES = 256.0;
 	const auto add = [&](const Bounds &p_swept, const TileRange &p_range) {
@@ -111,16 +111,16 @@ void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) 
 	}
 }
 
-// Boxes of neighbouring pieces overlap.
-void TileManager::touch_once(uint32_t p_collider) {
-	const auto first = std::find_if(_touches.begin(), _touches.end(), [&](const Touch &p_touch) { return p_touch.collider == p_collider; });
-	std::sort(first, _touches.end(), [](const Touch &p_a, const Touch &p_b) { return p_a.slot < p_b.slot; });
-	const auto end = std::unique(first, _touches.end(), [](const Touch &p_a, const Touch &p_b) { return p_a.slot == p_b.slot; });
-	_touches.erase(end, _touches.end());
+// Drops the second meeting of a collider with a tile: boxes of neighbouring pieces overlap.
+void TileManager::meet_once(uint32_t p_collider) {
+	const auto first =
+			std::find_if(_meetings.begin(), _meetings.end(), [&](const Meeting &p_meeting) { return p_meeting.collider == p_collider; });
+	std::sort(first, _meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot < p_b.slot; });
+	const auto end = std::unique(first, _meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot == p_b.slot; });
+	_meetings.erase(end, _meetings.end());
 }
 
-// Those of the range, row by row. For all objects before anything is done with them: what has to be fetched from memory is then
-// fetched side by side.
+// Appends those of the range, row by row. Runs for all colliders before any of them is used, so that the memory is fetched side by side.
 void TileManager::find_squares(const TileRange &p_range) {
 	const TileRange squares = SlotMap::squares_of(p_range);
 	for (int z = squares.z_begin; z < squares.z_end; z++) {
@@ -130,52 +130,52 @@ void TileManager::find_squares(const TileRange &p_range) {
 	}
 }
 
-// Touches the tiles of the range, whose squares are p_squares, whose blades' box the collider's meets; whether there is any.
-bool TileManager::touch_range(
+// Notes the tiles of the range whose blades' box meets the collider's. p_squares: the range's. Returns whether there are any.
+bool TileManager::meet_range(
 		const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves) {
-	const size_t count = size_t(find_met(p_range, p_swept)), before = _touches.size();
+	const size_t count = size_t(find_met(p_range, p_swept)), before = _meetings.size();
 	const TileRange squares = SlotMap::squares_of(p_range);
 	const int width = squares.width();
-	_touches.resize(before + count);
+	_meetings.resize(before + count);
 	for (size_t n = 0; n < count; n++) {
-		const int x = _met[n].x, z = _met[n].z;
+		const int x = _met_in_range[n].x, z = _met_in_range[n].z;
 		int slot = p_squares[(z / SlotMap::SIDE - squares.z_begin) * width + x / SlotMap::SIDE - squares.x_begin]->at(x, z);
 		if (slot != SlotMap::NONE) {
-			_touched.insert(slot);
+			_met.insert(slot);
 			_stirred.insert_if(slot, p_moves);
 		} else {
-			slot = touch_asleep(_grid.get_index(x, z));
+			slot = meet_asleep(_grid.get_index(x, z));
 		}
-		_touches[before + n] = { slot, p_collider };
+		_meetings[before + n] = { slot, p_collider };
 	}
 	return count > 0;
 }
 
-// Writes those tiles of the range to _met whose blades' box the collider's meets; how many.
+// Writes to _met_in_range the tiles of the range whose blades' box meets the collider's. Returns how many.
 int TileManager::find_met(const TileRange &p_range, const Bounds &p_swept) {
-	_met.resize(std::max(_met.size(), size_t(p_range.count())));
+	_met_in_range.resize(std::max(_met_in_range.size(), size_t(p_range.count())));
 	if (_bounds) {
-		return _bounds->find_met(p_range, p_swept, _met.data());
+		return _bounds->find_met(p_range, p_swept, _met_in_range.data());
 	}
 	int count = 0;
 	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
 		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
-			_met[size_t(count++)] = { uint16_t(x), uint16_t(z) };
+			_met_in_range[size_t(count++)] = { uint16_t(x), uint16_t(z) };
 		}
 	}
 	return count;
 }
 
-// The tiles whose box could meet the collider's: squares grown by the farthest reach, lowest ground to highest tip.
+// The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.
 TileRange TileManager::find_range(const Bounds &p_swept) const {
 	if (p_swept.max.y() < _params.low || p_swept.min.y() > _params.height) {
 		return {};
 	}
-	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.reach);
+	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.overhang);
 }
 
-// What stands for the slot in Touch.
-int TileManager::touch_asleep(int p_tile) {
+// Queues a tile for activation. Returns what Meeting::slot holds until then.
+int TileManager::meet_asleep(int p_tile) {
 	int place = _place_of_tile.find(p_tile);
 	if (place == TileMap::NONE) {
 		place = int(_to_activate.size());
