@@ -134,10 +134,12 @@ vec3 rest_of(int p_knot) {
 	return rest;
 }
 
+#include "base/lanes.inc"
 #include "base/vector.inc"
+#include "base/matrix.inc"
 #include "bodies/constants.inc"
-#include "bodies/collider.inc"
 #include "solver/constants.inc"
+#include "bodies/collider.inc"
 #include "solver/leaves.inc"
 #include "solver/edge.inc"
 
@@ -146,7 +148,6 @@ vec3 rest_of(int p_knot) {
 #include "solver/near.inc"
 #include "solver/contact.inc"
 #include "solver/touch.inc"
-#include "base/matrix.inc"
 #include "solver/joint.inc"
 #include "solver/beyond.inc"
 #include "solver/chain.inc"

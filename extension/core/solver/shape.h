@@ -100,24 +100,6 @@ template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	}
 }
 
-// [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
-// about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.
-// A knot opposite to its rest place, where every arc is as long as the other, takes a fixed one.
-template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
-	const Vec3<T> across = cross(p_lever, p_rest);
-	const T squared = dot(p_lever, p_lever);
-	const T size = square_root(squared * dot(p_rest, p_rest));
-	const T product = size + dot(p_lever, p_rest);
-	const T outwards = dot(across, across) / maximum(product * squared, T(TINY_SQUARED));
-	const Vec3<T> way = (p_rest - p_lever) + p_lever * outwards;
-	const auto is_opposite = product < size * T(OPPOSITE);
-	if (!any(is_opposite)) {
-		return way;
-	}
-	const Vec3<T> aside = perpendicular(normalized(p_rest, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
-	return select(is_opposite, aside * (length(p_rest) * T(WAY_ASIDE)), way);
-}
-
 // [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
 // exactly as a damped oscillator about its rest place does, at any time step.
 template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
@@ -132,18 +114,6 @@ template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerm
 		r_blade.before[k] = knot;
 		r_blade.knots[k] = knot + (moved * keep + way * pull + p_terms.load);
 	}
-}
-
-// [Eq 5] A segment's error. One that is folded back on the segment before it is drawn aside: along itself nothing would unfold it.
-template <class T> GRASS_INLINE Vec3<T> shape_error(const Vec3<T> &p_wanted, const Vec3<T> &p_found) {
-	const Vec3<T> error = p_wanted - p_found;
-	const T squared = dot(p_wanted, p_wanted), along = dot(p_wanted, p_found);
-	const auto is_opposite = (along < T(0.0f)) & (along * along > squared * dot(p_found, p_found) * T(1.0f - 2.0f * OPPOSITE));
-	if (!any(is_opposite)) {
-		return error;
-	}
-	const Vec3<T> aside = perpendicular(normalized(p_wanted, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
-	return select(is_opposite, aside * square_root(squared), error);
 }
 
 // [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is drawn to where the segment before it, by its
@@ -169,12 +139,7 @@ template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTer
 // [Eq 7] Length constraints, root to tip: both ends of a segment share what it is too long or too short by.
 template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
-		const Vec3<T> found = segment(r_blade, k);
-		const T rest_length = r_blade.lengths[k];
-		const T squared = dot(found, found);
-		const auto is_long = squared > T(TINY_SQUARED);
-		const T found_length = square_root(select(is_long, squared, T(1.0f)));
-		const Vec3<T> change = select(is_long, found * ((rest_length - found_length) / found_length), Vec3<T>{});
+		const Vec3<T> change = way_to_length(segment(r_blade, k), r_blade.lengths[k], Vec3<T>{});
 		if (k == 1) {
 			r_blade.knots[k + 1] = r_blade.knots[k + 1] + change;
 		} else {
