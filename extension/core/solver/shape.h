@@ -3,8 +3,7 @@
 // shaders/solver/shape.inc.
 #pragma once
 
-#include "core/bodies/collider.h"
-#include "core/solver/leaves.h"
+#include "core/solver/quick_joint.h"
 
 namespace grass {
 
@@ -17,14 +16,6 @@ template <class T> struct Blade {
 	Vec3<T> root; // from the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 	T reach; // of the whole blade
-};
-
-// [Eq 39] One joint of a straight blade whose segments have length and mass 1. Turns are radians.
-template <class T> struct QuickJoint {
-	T pass; // share of a moment, and of a turn, that goes on to the next joint
-	T shift; // what a shift of the knot takes of the turn
-	T soft; // turn by a moment
-	T stiffness;
 };
 
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
@@ -44,23 +35,10 @@ template <class T> struct StepTerms {
 
 // [Eq 39] From the terms of free motion.
 template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
-	constexpr float COUNT = float(GRASS_SEGMENTS), FREE = COUNT - 1.0f, REST = COUNT - 1.5f, FOURTH = COUNT * COUNT * COUNT * COUNT;
-	constexpr float FIRST = 4.0f * FREE * FREE * FREE / (FOURTH - REST * REST * REST * REST);
-	const T stiffness =
-			r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
-	T P(0.0f), Q(0.0f), S(0.0f);
+	const T stiffness = quick_stiffness(r_terms.free_bending, r_terms.free_drag, r_terms.seconds);
+	QuickBeyond<T> beyond{ T(0.0f), T(0.0f), T(0.0f) };
 	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
-		const T own = s == 1 ? stiffness * T(FIRST) : stiffness;
-		P = P + T(s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f);
-		S = S + Q;
-		Q = Q + P;
-		S = S + Q;
-		const T soft = T(1.0f) / (S + own);
-		const T shift = Q * soft;
-		r_terms.quick[s] = { own * soft, shift, soft, own };
-		P = P - shift * Q;
-		Q = shift * own;
-		S = own - own * own * soft;
+		r_terms.quick[s] = make_quick_joint(beyond, s, stiffness);
 	}
 }
 
