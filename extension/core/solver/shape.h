@@ -20,11 +20,11 @@ template <class T> struct Blade {
 
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
 template <class T> struct StepTerms {
-	T keep, pull, pull_root, straighten;
+	T keep, pull, pull_root, straighten; // GrassStep.pbd_motion
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
-	T free_bending, free_drag, free_solves, free_quick; // GrassStep.motion of METHOD_DIRECT
+	T free_bending, free_drag, free_solves, free_quick; // GrassStep.free_motion
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
 	int iterations;
@@ -43,10 +43,10 @@ template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
 }
 
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
-	StepTerms<T> terms{ T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
+	StepTerms<T> terms{ T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
-		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.free_motion.x), T(p_step.free_motion.y),
+		T(p_step.free_motion.z), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
 		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
 	if (terms.is_direct) {
 		make_quick_joints(terms);
