@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a knot stands to a collider: surface, entry point of a path, contact. Twin of shaders/bodies/collider.inc.
+// Where a knot stands to a collider: surface, entry point of a path, contact. shaders/bodies/leaves.inc as C++, and the twin of
+// shaders/bodies/collider.inc.
 // Every shape is convex, and a face is a supporting plane: what is outside of the plane is outside of the shape.
 #pragma once
 

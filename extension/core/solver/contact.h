@@ -8,6 +8,12 @@
 
 namespace grass {
 
+#include "core/base/lane_words.h"
+
+#include "solver/push.inc"
+
+#include "core/base/lane_words_end.h"
+
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestContact {
 	Contact<T> contact{};
@@ -83,12 +89,8 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContac
 		stiffness = stiffness + dot(turn, turn);
 		sum = sum + turn;
 	}
-	// [Eq 14] No farther than until the lever points along the force, and at most by one radian.
-	const Vec3<T> lever = normalized(p_deepest.place - r_blade.knots[1], p_deepest.contact.direction);
-	const T sine = length(cross(lever, p_deepest.contact.direction));
-	const T most = select(dot(lever, p_deepest.contact.direction) > T(0.0f), sine, T(1.0f));
-	T strength = p_deepest.contact.depth / maximum(stiffness, T(TINY_SQUARED));
-	strength = minimum(strength, most / maximum(length(sum), T(1e-12f)));
+	const Contact<T> &contact = p_deepest.contact;
+	const T strength = bend_strength(contact.direction, contact.depth, p_deepest.place - r_blade.knots[1], sum, stiffness);
 
 	Vec3<T> angle{}, shift{};
 	Vec3<T> hinge = r_blade.knots[1];
@@ -99,28 +101,6 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestContac
 		r_blade.knots[k + 1] = next + shift;
 		hinge = next;
 	}
-}
-
-// [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
-template <class T>
-GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
-		const Vec3<T> &p_segment, const T &p_length) {
-	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
-	const T reach = T(p_collider.bound) + p_length * T(0.5f);
-	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < reach * reach);
-	if (!any(is_near)) {
-		return p_segment;
-	}
-	const Turn<T> back = inverse_of(p_turn);
-	const Edge<T> edge = find_edge(p_collider, turned(back, p_offset), turned(back, p_offset + p_segment), T(0.0f));
-	const auto is_in = is_near & is_between_knots(edge) & (edge.face.distance < T(0.0f)) &
-			!is_blocked(edge.face, ground_under(p_collider, p_parent.y + p_segment.y * edge.share));
-	if (!any(is_in)) {
-		return p_segment;
-	}
-	const Vec3<T> normal = turned(p_turn, edge.face.normal);
-	const T ahead = dot(p_segment, normal) - edge.face.distance / maximum(edge.share, T(EDGE_END));
-	return select(is_in, place_before_plane(p_segment, normal, ahead, p_length), p_segment);
 }
 
 // [Eq 16] Turns a knot about its parent until it is outside of every collider. p_gap: its least height.
@@ -145,7 +125,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 				segment = select(face.distance < T(0.0f), placed, segment);
 			}
 		}
-		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
+		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, p_parent, parent, segment, p_length); });
 	}
 	return segment;
 }
