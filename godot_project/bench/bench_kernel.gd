@@ -128,13 +128,12 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 	var h := 1.0 / RATE
 	var pull := w * w * h * h
 	var bending := pow(w / 3.516, 2.0)
-	var motion: Array[float] = [0.9, pull, pull, 0.5]
-	if p_method == DIRECT:
-		motion = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
+	var pbd_motion: Array[float] = [0.9, pull, pull, 0.5]
+	var free_motion: Array[float] = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
 	return (
 		PackedFloat32Array(
 			(
-				motion
+				pbd_motion
 				+ [
 					p_load.x * (1.0 if p_method == DIRECT else h * h),
 					p_load.y,
@@ -161,6 +160,7 @@ func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray
 					0.0,
 					0.0,  # clump
 				]
+				+ free_motion
 			)
 		)
 		. to_byte_array()

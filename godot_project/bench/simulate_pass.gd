@@ -237,13 +237,12 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
-	var motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0]  # DIRECT: one quick solve where nothing is near
-	if p_method != 0:
-		motion = [0.9, pull, pull, 0.5]
+	var pbd_motion: Array[float] = [0.9, pull, pull, 0.5]
+	var free_motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0]  # one quick solve where nothing is near
 	return (
 		PackedFloat32Array(
 			(
-				motion
+				pbd_motion
 				+ [
 					load.x,
 					load.y,
@@ -270,6 +269,7 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 					0.0,
 					0.0,  # clump
 				]
+				+ free_motion
 			)
 		)
 		. to_byte_array()

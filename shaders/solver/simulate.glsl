@@ -134,10 +134,12 @@ vec3 rest_of(int p_knot) {
 	return rest;
 }
 
+#include "base/lanes.inc"
 #include "base/vector.inc"
+#include "base/matrix.inc"
 #include "bodies/constants.inc"
-#include "bodies/collider.inc"
 #include "solver/constants.inc"
+#include "bodies/collider.inc"
 #include "solver/leaves.inc"
 #include "solver/edge.inc"
 
@@ -146,7 +148,6 @@ vec3 rest_of(int p_knot) {
 #include "solver/near.inc"
 #include "solver/contact.inc"
 #include "solver/touch.inc"
-#include "base/matrix.inc"
 #include "solver/joint.inc"
 #include "solver/beyond.inc"
 #include "solver/chain.inc"
@@ -166,12 +167,12 @@ const float BEND_UNITS = 65536.0;
 void share_quick_joints(uint p_thread) {
 #ifdef GRASS_SPECIES
 	if (p_thread < GRASS_MAX_SPECIES) { // more than there are: nobody reads those
-		vec4 motion = species_steps[p_thread].motion;
+		vec4 motion = species_steps[p_thread].free_motion;
 		make_quick_joints(int(p_thread), motion.x, motion.y, step.chain.x);
 	}
 #else
 	if (p_thread == 0u) {
-		make_quick_joints(0, step.motion.x, step.motion.y, step.chain.x);
+		make_quick_joints(0, step.free_motion.x, step.free_motion.y, step.chain.x);
 	}
 #endif
 }
@@ -183,7 +184,8 @@ int find_species(uint p_blade) {
 	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + p_blade;
 	uint species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
 	GrassStep own = species_steps[species];
-	step.motion = own.motion;
+	step.pbd_motion = own.pbd_motion;
+	step.free_motion = own.free_motion;
 	step.load = own.load;
 	step.chain = own.chain;
 	step.energy = own.energy;

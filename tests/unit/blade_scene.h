@@ -171,7 +171,7 @@ struct BladeScene {
 		const Eigen::Vector3f place = knot(p_blade, p_knot);
 		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
 		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
-		return -find_face(p_collider, turned(inverse(p_collider.turn), offset)).distance;
+		return -find_face(p_collider, turned(inverse_of(p_collider.turn), offset)).distance;
 	}
 	// How deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
 	float edge_depth() const {
@@ -184,7 +184,7 @@ struct BladeScene {
 					const Eigen::Vector3f place =
 							knot(b, p_segment) + (knot(b, p_segment + 1) - knot(b, p_segment)) * (float(p_point) / POINTS);
 					const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - collider.centre);
-					return -find_face(collider, turned(inverse(collider.turn), offset)).distance;
+					return -find_face(collider, turned(inverse_of(collider.turn), offset)).distance;
 				};
 				bool is_covered = false;
 				for (int i = 0; i <= POINTS; i++) {

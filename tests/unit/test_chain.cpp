@@ -88,7 +88,7 @@ double order_of(int p_iterations, double p_push) {
 constexpr std::pair<double, double> ONE_SOLVE[] = { { 0.6, 30.0 }, { 0.9, 30.0 }, { 1.2, 60.0 }, { 1.9, 60.0 }, { 2.5, 144.0 },
 	{ 4.5, 144.0 } };
 bool takes_one_solve(const SolverParams &p_params, double p_rate) {
-	return StepClock().advance(p_params, 1.0 / p_rate).motion.z == 1.0f;
+	return StepClock().advance(p_params, 1.0 / p_rate).free_motion.z == 1.0f;
 }
 
 // How far an energy rises above its least so far in p_steps steps, shares of p_first. p_next: takes a step and tells the energy.

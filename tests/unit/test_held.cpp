@@ -136,8 +136,8 @@ bool is_held(const BladeScene &p_scene, int p_blade) {
 	const TileCollider collider = p_scene.tile_colliders()[0];
 	const Vec3<float> root = Vec3<float>{} - collider.centre;
 	const Eigen::Vector3f clamp = p_scene.knot(p_blade, 1);
-	const Edge<float> edge = find_edge(collider, turned(inverse(collider.turn), root),
-			turned(inverse(collider.turn), root + Vec3<float>{ clamp.x(), clamp.y(), clamp.z() }), 1.0f);
+	const Edge<float> edge = find_edge(collider, turned(inverse_of(collider.turn), root),
+			turned(inverse_of(collider.turn), root + Vec3<float>{ clamp.x(), clamp.y(), clamp.z() }), 1.0f);
 	float deepest = -1.0f;
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		deepest = std::max(deepest, p_scene.depth_in(collider, p_blade, k));

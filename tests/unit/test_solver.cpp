@@ -68,10 +68,10 @@ TEST_CASE("METHOD_PBD's two-step coefficients, and METHOD_DIRECT's one solve, fo
 				const double delta = is_steady ? 1.0 / 60.0 : std::uniform_real_distribution<double>(1.0 / 144.0, 1.0 / 30.0)(random);
 				const GrassStep step = clock.advance(params, delta);
 				if (i > 0) {
-					const double h = double(step.chain.x), drag = 1.0 + h * double(step.motion.y);
-					const double stiffness = 3.5160152685 * 3.5160152685 * double(step.motion.x);
+					const double h = double(step.chain.x), drag = 1.0 + h * double(step.free_motion.y);
+					const double stiffness = 3.5160152685 * 3.5160152685 * double(step.free_motion.x);
 					const double next = method == Method::PBD
-							? now + double(step.motion.x) * (now - before) - double(step.motion.y) * now
+							? now + double(step.pbd_motion.x) * (now - before) - double(step.pbd_motion.y) * now
 							: (drag * now + double(step.chain.y) * (now - before)) / (drag + h * h * stiffness); // implicit Euler
 					before = now;
 					now = next;

@@ -141,6 +141,18 @@ template <int N> GRASS_INLINE bool any(const LaneMask<N> &p_mask) {
 #endif
 }
 
+// As logical operators, which lanes do not have.
+template <class Mask> GRASS_INLINE Mask both(const Mask &p_a, const Mask &p_b) {
+	return p_a & p_b;
+}
+template <class Mask> GRASS_INLINE Mask either(const Mask &p_a, const Mask &p_b) {
+	return p_a | p_b;
+}
+// select() behind a branch that any true mask takes: a single blade is there only if its own is true, and has nothing to select.
+template <class Mask, class Value> GRASS_INLINE Value in_lanes(const Mask &p_mask, const Value &p_a, const Value &p_b) {
+	return select(p_mask, p_a, p_b);
+}
+
 GRASS_INLINE float square_root(float p_a) {
 	return std::sqrt(p_a);
 }

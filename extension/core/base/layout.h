@@ -43,15 +43,16 @@ static_assert(offsetof(GrassCollider, position_before) == 48);
 static_assert(offsetof(GrassCollider, rotation_before) == 64);
 static_assert(offsetof(GrassCollider, size) == 80);
 
-static_assert(sizeof(GrassStep) == 112 && std::is_trivially_copyable_v<GrassStep>);
+static_assert(sizeof(GrassStep) == 128 && std::is_trivially_copyable_v<GrassStep>);
 static_assert(sizeof(GrassStep) <= 128, "a push constant may be no larger everywhere");
-static_assert(offsetof(GrassStep, motion) == 0);
+static_assert(offsetof(GrassStep, pbd_motion) == 0);
 static_assert(offsetof(GrassStep, load) == 16);
 static_assert(offsetof(GrassStep, contact) == 32);
 static_assert(offsetof(GrassStep, chain) == 48);
 static_assert(offsetof(GrassStep, energy) == 64);
 static_assert(offsetof(GrassStep, field) == 80);
 static_assert(offsetof(GrassStep, clump) == 96);
+static_assert(offsetof(GrassStep, free_motion) == 112);
 
 static_assert(sizeof(GrassCamera) == 128 && std::is_trivially_copyable_v<GrassCamera>);
 static_assert(offsetof(GrassCamera, planes) == 0);

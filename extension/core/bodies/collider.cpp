@@ -18,38 +18,6 @@ float total(const vec4 &p_a) {
 	return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w);
 }
 
-// Radius of a sphere about the shape's centre, half extents of a box in its own axes, the least thickness, and the longest edge that
-// knots stand for.
-void measure(int p_shape, const Vec3<float> &p_size, float &r_bound, Vec3<float> &r_box, float &r_thin, float &r_blunt) {
-	r_box = { p_size.x, p_size.x, p_size.x };
-	r_blunt = 0.0f; // corners
-	switch (p_shape) {
-		case GRASS_CAPSULE:
-			r_bound = p_size.x + p_size.y;
-			r_box.y = r_bound;
-			r_thin = p_size.x;
-			r_blunt = BLUNT * p_size.x;
-			break;
-		case GRASS_BOX:
-			r_bound = length(p_size);
-			r_box = p_size;
-			r_thin = std::min({ p_size.x, p_size.y, p_size.z });
-			break;
-		case GRASS_CYLINDER:
-			r_bound = std::sqrt(p_size.x * p_size.x + p_size.y * p_size.y);
-			r_box.y = p_size.y;
-			r_thin = std::min(p_size.x, p_size.y);
-			break;
-		case GRASS_HULL: // its least thickness is told by its planes
-			r_bound = r_thin = p_size.x;
-			break;
-		default:
-			r_bound = p_size.x;
-			r_thin = p_size.x;
-			r_blunt = BLUNT * p_size.x;
-	}
-}
-
 // How far the nearest of a hull's planes is from its centre, metres.
 float least_plane(const TileCollider &p_collider) {
 	float least = p_collider.bound;

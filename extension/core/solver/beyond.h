@@ -25,14 +25,6 @@ template <class T> struct Stage {
 	Vec3<T> target[GRASS_KNOTS]; // metres
 };
 
-// What the sweep from tip to root leaves for the way back: the turn of segment s is
-// turn + spring * (turn of segment s - 1) - G^T (shift of knot s).
-template <class T> struct JointGain {
-	Vec3<T> turn;
-	Symmetric<T> spring;
-	Rows<T> shift;
-};
-
 // What does not change during a step.
 template <class T> struct ChainTerms {
 	T bending; // EI / (density area mean length), m^3/s^2
@@ -49,16 +41,6 @@ template <class T> struct Beyond {
 	T caution; // see Stage
 	Touches<T> touches;
 };
-
-// e x (each row), that is P E with E r = r x e.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Symmetric<T> &p_a) {
-	return { cross(p_e, Vec3<T>{ p_a.xx, p_a.xy, p_a.xz }), cross(p_e, Vec3<T>{ p_a.xy, p_a.yy, p_a.yz }),
-		cross(p_e, Vec3<T>{ p_a.xz, p_a.yz, p_a.zz }) };
-}
-// E^T Q.
-template <class T> GRASS_INLINE Rows<T> crossed(const Vec3<T> &p_e, const Rows<T> &p_a) {
-	return { p_a.z * p_e.y - p_a.y * p_e.z, p_a.x * p_e.z - p_a.z * p_e.x, p_a.y * p_e.x - p_a.x * p_e.y };
-}
 
 // [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
 // the lever moves along. p_weight: the knot's inertia, p_own: the share of the push that is this point's. Returns the most that friction
@@ -87,9 +69,9 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Cha
 	r_beyond.p = r_beyond.p + force;
 	add(r_beyond.P, P);
 	const Rows<T> Q = crossed(p_lever, P);
-	r_beyond.Q = { r_beyond.Q.x + Q.x, r_beyond.Q.y + Q.y, r_beyond.Q.z + Q.z };
+	add(r_beyond.Q, Q);
 	const Rows<T> S = crossed(p_lever, Q);
-	add(r_beyond.S, Symmetric<T>{ S.x.x, S.y.y, S.z.z, S.y.x, S.x.z, S.y.z });
+	add(r_beyond.S, Symmetric<T>{ { S.x.x, S.y.y, S.z.z }, { S.y.x, S.x.z, S.y.z } });
 	r_beyond.q = r_beyond.q + cross(p_lever, force);
 	return friction;
 }
@@ -109,7 +91,8 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	r_beyond.pull = r_beyond.pull + force;
 	r_beyond.p = r_beyond.p + force;
 	add_identity(r_beyond.P, weight);
-	Touch<T> ground = find_ground_touch(p_blade, p_terms, p_stage.base[p_knot], p_knot);
+	Touch<T> ground = find_ground_touch(p_stage.base[p_knot], p_blade.knots[p_knot], p_blade.lengths[p_knot - 1], p_terms.ground_gap,
+			p_blade.rest[p_knot].y, p_terms.friction);
 	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
 	if (any(ground.depth > T(0.0f))) {
 		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
@@ -146,50 +129,10 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 					p_bending * T(root_contact(p_knot)), own));
 }
 
-// [Eq 27] From the end of a segment to its base: the end's shift is the base's plus turn x segment.
-template <class T> GRASS_INLINE void carry_to_base(Beyond<T> &r_beyond, const Vec3<T> &p_e) {
-	const Rows<T> before = crossed(p_e, r_beyond.Q);
-	const Rows<T> moved = crossed(p_e, r_beyond.P);
-	r_beyond.Q = { r_beyond.Q.x + moved.x, r_beyond.Q.y + moved.y, r_beyond.Q.z + moved.z };
-	const Rows<T> after = crossed(p_e, r_beyond.Q);
-	r_beyond.S.xx = r_beyond.S.xx + (before.x.x + after.x.x);
-	r_beyond.S.yy = r_beyond.S.yy + (before.y.y + after.y.y);
-	r_beyond.S.zz = r_beyond.S.zz + (before.z.z + after.z.z);
-	r_beyond.S.xy = r_beyond.S.xy + (before.y.x + after.x.y);
-	r_beyond.S.xz = r_beyond.S.xz + (before.z.x + after.x.z);
-	r_beyond.S.yz = r_beyond.S.yz + (before.z.y + after.y.z);
-	r_beyond.q = r_beyond.q + cross(p_e, r_beyond.p);
-	// [Eq 28] A segment under tension resists being turned.
-	const T tension = maximum(dot(r_beyond.pull, p_e), T(0.0f));
-	const T squared = maximum(dot(p_e, p_e), T(TINY_SQUARED));
-	add_identity(r_beyond.S, tension);
-	add_outer(r_beyond.S, p_e, -tension / squared);
-}
+#include "core/base/lane_words.h"
 
-// [Eq 29] The joint takes the turn that costs least; what it would be, for any shift and turn before it, is the gain.
-template <class T>
-GRASS_INLINE void eliminate_joint(Beyond<T> &r_beyond, JointGain<T> &r_gain, const Vec3<T> &p_moment, const T &p_stiffness) {
-	Symmetric<T> D = r_beyond.S;
-	add_identity(D, p_stiffness);
-	const Symmetric<T> inverted = inverse(D);
-	const Rows<T> Q = r_beyond.Q;
-	const Rows<T> G = { inverted * Q.x, inverted * Q.y, inverted * Q.z };
-	const Vec3<T> turn = inverted * (r_beyond.q - p_moment);
+#include "solver/elimination.inc"
 
-	r_beyond.P.xx = r_beyond.P.xx - dot(G.x, Q.x);
-	r_beyond.P.yy = r_beyond.P.yy - dot(G.y, Q.y);
-	r_beyond.P.zz = r_beyond.P.zz - dot(G.z, Q.z);
-	r_beyond.P.xy = r_beyond.P.xy - dot(G.x, Q.y);
-	r_beyond.P.xz = r_beyond.P.xz - dot(G.x, Q.z);
-	r_beyond.P.yz = r_beyond.P.yz - dot(G.y, Q.z);
-	r_beyond.p = r_beyond.p - Vec3<T>{ dot(Q.x, turn), dot(Q.y, turn), dot(Q.z, turn) };
-	r_beyond.q = turn * p_stiffness + p_moment;
-	r_beyond.Q = { G.x * p_stiffness, G.y * p_stiffness, G.z * p_stiffness };
-	const Symmetric<T> spring = { inverted.xx * p_stiffness, inverted.yy * p_stiffness, inverted.zz * p_stiffness,
-		inverted.xy * p_stiffness, inverted.xz * p_stiffness, inverted.yz * p_stiffness };
-	r_beyond.S = { p_stiffness - spring.xx * p_stiffness, p_stiffness - spring.yy * p_stiffness, p_stiffness - spring.zz * p_stiffness,
-		-spring.xy * p_stiffness, -spring.xz * p_stiffness, -spring.yz * p_stiffness };
-	r_gain = { turn, spring, G };
-}
+#include "core/base/lane_words_end.h"
 
 } // namespace grass

@@ -32,21 +32,9 @@ template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Sta
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> guess = p_stage.target[k] - p_lacks;
 		const Vec3<T> found = (guess + carry) - r_blade.knots[k - 1];
-		const T squared = dot(found, found);
-		const auto is_long = squared > T(TINY_SQUARED);
-		const T found_length = square_root(select(is_long, squared, T(1.0f)));
-		const Vec3<T> change =
-				select(is_long, found * ((r_blade.lengths[k - 1] - found_length) / found_length), rest_segment(r_blade, k - 1) - found);
-		carry = carry + change;
+		carry = carry + way_to_length(found, r_blade.lengths[k - 1], rest_segment(r_blade, k - 1) - found);
 		r_blade.knots[k] = guess + carry;
 	}
-}
-
-// [Eq 25] The rotation vector (radians) of a turn: 4 atan(|q| / (1 + w)) about its axis, by Pade's quotient for atan.
-template <class T> GRASS_INLINE Vec3<T> rotation_vector(const Turn<T> &p_turn) {
-	const T quarter = T(1.0f) / (T(1.0f) + p_turn.w);
-	const T z = dot(p_turn.axis, p_turn.axis) * quarter * quarter;
-	return p_turn.axis * (T(4.0f) * quarter * (T(15.0f) + T(4.0f) * z) / (T(15.0f) + T(9.0f) * z));
 }
 
 // [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted.
@@ -83,14 +71,14 @@ GRASS_INLINE Touches<T> solve_chain(
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
 		touch = first;
-		eliminate_joint(beyond, gains[s], gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
+		gains[s] = eliminate_joint(beyond, gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
 	}
 	Vec3<T> shift{}, turn{};
 	T twist_before(0.0f);
 	Vec3<T> parent = r_blade.knots[1];
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const JointGain<T> &gain = gains[s];
-		turn = gain.turn + gain.spring * turn - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
+		turn = gain.turn + product_of(gain.spring, turn) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
 		const Vec3<T> knot = r_blade.knots[s + 1];
 		const Vec3<T> e = knot - parent;
 		// The part about the segment itself is twist; it would spoil the turn, being much larger.

@@ -8,9 +8,15 @@
 
 namespace grass {
 
-// The deepest correction of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
+#include "core/base/lane_words.h"
+
+#include "solver/push.inc"
+
+#include "core/base/lane_words_end.h"
+
+// The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
 template <class T> struct DeepestCorrection {
-	Correction<T> correction{ {}, T(0.0f) };
+	Correction<T> correction{};
 	Vec3<T> place{};
 	T knot = T(0.0f);
 };
@@ -22,7 +28,7 @@ GRASS_INLINE Correction<T> find_edge_correction(
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
 	if (!any(!is_edge_clear(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
-		return { {}, T(0.0f) };
+		return no_correction(T(0.0f));
 	}
 	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
 	const Path<T> path_b = relative_path(p_collider, p_blade.root, from_b, to_b);
@@ -83,12 +89,8 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrec
 		stiffness = stiffness + dot(turn, turn);
 		sum = sum + turn;
 	}
-	// [Eq 14] No farther than until the lever points along the force, and at most by one radian.
-	const Vec3<T> lever = normalized(p_deepest.place - r_blade.knots[1], p_deepest.correction.direction);
-	const T sine = length(cross(lever, p_deepest.correction.direction));
-	const T most = select(dot(lever, p_deepest.correction.direction) > T(0.0f), sine, T(1.0f));
-	T strength = p_deepest.correction.depth / maximum(stiffness, T(TINY_SQUARED));
-	strength = minimum(strength, most / maximum(length(sum), T(1e-12f)));
+	const Correction<T> &correction = p_deepest.correction;
+	const T strength = bend_strength(correction.direction, correction.depth, p_deepest.place - r_blade.knots[1], sum, stiffness);
 
 	Vec3<T> angle{}, shift{};
 	Vec3<T> hinge = r_blade.knots[1];
@@ -99,46 +101,6 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrec
 		r_blade.knots[k + 1] = next + shift;
 		hinge = next;
 	}
-}
-
-// [Eq 15] A knot that must stand p_ahead in front of its parent along p_normal, at the distance p_length from it: turned
-// towards the normal no farther than needed, and where even the normal does not reach, along it.
-template <class T>
-GRASS_INLINE Vec3<T> place_before_plane(const Vec3<T> &p_segment, const Vec3<T> &p_normal, const T &p_ahead, const T &p_length) {
-	const T along = dot(p_segment, p_normal);
-	if (!any(along < p_ahead)) {
-		return p_segment;
-	}
-	const T wanted = minimum(p_ahead, p_length);
-	// Of a segment along the normal only rounding errors are left across it, in any direction: taken out twice, or no side.
-	const Vec3<T> rough = p_segment - p_normal * along;
-	const Vec3<T> across = rough - p_normal * dot(rough, p_normal);
-	const auto has_side = dot(across, across) > p_length * p_length * T(LEAST_SIDE * LEAST_SIDE);
-	const Vec3<T> side = normalized(select(has_side, across, Vec3<T>{}), perpendicular(p_normal));
-	const Vec3<T> placed = p_normal * wanted + side * square_root(maximum(p_length * p_length - wanted * wanted, T(0.0f)));
-	return select(along < p_ahead, placed, p_segment);
-}
-
-// [Eq 35] Turns a segment about p_parent until no point of it is in the collider. p_offset: of the parent from the collider's centre.
-template <class T>
-GRASS_INLINE Vec3<T> push_edge_out(const TileCollider &p_collider, const Turn<T> &p_turn, const Vec3<T> &p_parent, const Vec3<T> &p_offset,
-		const Vec3<T> &p_segment, const T &p_length) {
-	const Vec3<T> middle = p_offset + p_segment * T(0.5f);
-	const T radius = T(p_collider.bound) + p_length * T(0.5f);
-	const auto is_near = cuts(p_collider, p_length) & (dot(middle, middle) < radius * radius);
-	if (!any(is_near)) {
-		return p_segment;
-	}
-	const Turn<T> back = inverse(p_turn);
-	const Edge<T> edge = find_edge(p_collider, turned(back, p_offset), turned(back, p_offset + p_segment), T(0.0f));
-	const auto is_in = is_near & is_between_knots(edge) & (edge.face.distance < T(0.0f)) &
-			!is_blocked(edge.face, ground_under(p_collider, p_parent.y + p_segment.y * edge.share));
-	if (!any(is_in)) {
-		return p_segment;
-	}
-	const Vec3<T> normal = turned(p_turn, edge.face.normal);
-	const T ahead = dot(p_segment, normal) - edge.face.distance / maximum(edge.share, T(EDGE_END));
-	return select(is_in, place_before_plane(p_segment, normal, ahead, p_length), p_segment);
 }
 
 // [Eq 16] Turns a knot about its parent until it is outside of every collider. p_gap: its least height.
@@ -156,14 +118,14 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 		const Turn<T> turn = widened<T>(collider.turn);
 		if (any(dot(offset, offset) < T(collider.bound * collider.bound))) {
 			const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
-			const Face<T> face = find_face(collider, turned(inverse(turn), offset), ground);
+			const Face<T> face = find_face(collider, turned(inverse_of(turn), offset), ground);
 			if (any(face.distance < T(0.0f))) {
 				const Vec3<T> normal = turned(turn, face.normal);
 				const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
 				segment = select(face.distance < T(0.0f), placed, segment);
 			}
 		}
-		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, turn, p_parent, parent, segment, p_length); });
+		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, p_parent, parent, segment, p_length); });
 	}
 	return segment;
 }
@@ -180,10 +142,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 		const T rest_length = r_blade.lengths[k - 1];
 		Vec3<T> knot = r_blade.knots[k] + carry;
 		const Vec3<T> found = knot - parent;
-		const T squared = dot(found, found);
-		const auto is_long = squared > T(TINY_SQUARED);
-		const T found_length = square_root(select(is_long, squared, T(1.0f)));
-		knot = knot + select(is_long, found * ((rest_length - found_length) / found_length), rest - found);
+		knot = knot + way_to_length(found, rest_length, rest - found);
 
 		const Vec3<T> straight = knot - parent;
 		Vec3<T> segment = straight;

@@ -3,25 +3,9 @@
 // shaders/solver/edge.inc.
 #pragma once
 
-#include "core/bodies/collider.h"
-#include "core/solver/constants.h"
+#include "core/solver/leaves.h"
 
 namespace grass {
-
-// The deepest point of an edge, and the face there.
-template <class T> struct Edge {
-	Face<T> face;
-	T share; // of the way from the edge's first knot to its second
-};
-
-// Whether knots this far apart (metres) do not show all that the shape may cut.
-template <class T> GRASS_INLINE auto cuts(const TileCollider &p_collider, const T &p_length) {
-	return p_length > T(p_collider.blunt);
-}
-
-template <class T> GRASS_INLINE auto is_between_knots(const Edge<T> &p_edge) {
-	return (p_edge.share > T(EDGE_END)) & (p_edge.share < T(1.0f - EDGE_END));
-}
 
 // Whether an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
 template <class T>

@@ -3,8 +3,7 @@
 // shaders/solver/shape.inc.
 #pragma once
 
-#include "core/bodies/collider.h"
-#include "core/solver/leaves.h"
+#include "core/solver/quick_joint.h"
 
 namespace grass {
 
@@ -19,21 +18,13 @@ template <class T> struct Blade {
 	T blade_length; // of the whole blade
 };
 
-// [Eq 39] One joint of a straight blade whose segments have length and mass 1. Turns are radians.
-template <class T> struct QuickJoint {
-	T pass; // share of a moment, and of a turn, that goes on to the next joint
-	T shift; // what a shift of the knot takes of the turn
-	T soft; // turn by a moment
-	T stiffness;
-};
-
 // The coefficients of a GrassStep, and what else is the same for all blades of a tile.
 template <class T> struct StepTerms {
-	T keep, pull, pull_root, straighten;
+	T keep, pull, pull_root, straighten; // GrassStep.pbd_motion
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
-	T free_bending, free_drag, free_solves, free_quick; // GrassStep.motion of METHOD_DIRECT
+	T free_bending, free_drag, free_solves, free_quick; // GrassStep.free_motion
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
 	int iterations;
@@ -44,31 +35,18 @@ template <class T> struct StepTerms {
 
 // [Eq 39] From the terms of free motion.
 template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
-	constexpr float COUNT = float(GRASS_SEGMENTS), FREE = COUNT - 1.0f, REST = COUNT - 1.5f, FOURTH = COUNT * COUNT * COUNT * COUNT;
-	constexpr float FIRST = 4.0f * FREE * FREE * FREE / (FOURTH - REST * REST * REST * REST);
-	const T stiffness =
-			r_terms.free_bending * r_terms.seconds * r_terms.seconds * T(FOURTH) / (T(1.0f) + r_terms.free_drag * r_terms.seconds);
-	T P(0.0f), Q(0.0f), S(0.0f);
+	const T stiffness = quick_stiffness(r_terms.free_bending, r_terms.free_drag, r_terms.seconds);
+	QuickBeyond<T> beyond{ T(0.0f), T(0.0f), T(0.0f) };
 	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
-		const T own = s == 1 ? stiffness * T(FIRST) : stiffness;
-		P = P + T(s == GRASS_SEGMENTS - 1 ? 0.5f : 1.0f);
-		S = S + Q;
-		Q = Q + P;
-		S = S + Q;
-		const T soft = T(1.0f) / (S + own);
-		const T shift = Q * soft;
-		r_terms.quick[s] = { own * soft, shift, soft, own };
-		P = P - shift * Q;
-		Q = shift * own;
-		S = own - own * own * soft;
+		r_terms.quick[s] = make_quick_joint(beyond, s, stiffness);
 	}
 }
 
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
-	StepTerms<T> terms{ T(p_step.motion.x), T(p_step.motion.y), T(p_step.motion.z), T(p_step.motion.w),
+	StepTerms<T> terms{ T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.motion.x), T(p_step.motion.y),
-		T(p_step.motion.z), T(p_step.motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.free_motion.x), T(p_step.free_motion.y),
+		T(p_step.free_motion.z), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
 		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
 	if (terms.is_direct) {
 		make_quick_joints(terms);
@@ -100,24 +78,6 @@ template <class T> GRASS_INLINE void measure_lengths(Blade<T> &r_blade) {
 	}
 }
 
-// [Eq 20] The way back to the rest place, for a knot at p_lever and a rest place at p_rest from the clamp: along the arc
-// about the clamp, not along the chord, which would squeeze a blade that is held down into a zigzag.
-// A knot opposite to its rest place, where every arc is as long as the other, takes a fixed one.
-template <class T> GRASS_INLINE Vec3<T> way_to_rest(const Vec3<T> &p_lever, const Vec3<T> &p_rest) {
-	const Vec3<T> across = cross(p_lever, p_rest);
-	const T squared = dot(p_lever, p_lever);
-	const T size = square_root(squared * dot(p_rest, p_rest));
-	const T product = size + dot(p_lever, p_rest);
-	const T outwards = dot(across, across) / maximum(product * squared, T(TINY_SQUARED));
-	const Vec3<T> way = (p_rest - p_lever) + p_lever * outwards;
-	const auto is_opposite = product < size * T(OPPOSITE);
-	if (!any(is_opposite)) {
-		return way;
-	}
-	const Vec3<T> aside = perpendicular(normalized(p_rest, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
-	return select(is_opposite, aside * (length(p_rest) * T(WAY_ASIDE)), way);
-}
-
 // [Eq 4] Verlet integration and the global shape constraint in one: with the coefficients of StepClock, each knot moves
 // exactly as a damped oscillator about its rest place does, at any time step.
 template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
@@ -132,18 +92,6 @@ template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerm
 		r_blade.before[k] = knot;
 		r_blade.knots[k] = knot + (moved * keep + way * pull + p_terms.load);
 	}
-}
-
-// [Eq 5] A segment's error. One that is folded back on the segment before it is drawn aside: along itself nothing would unfold it.
-template <class T> GRASS_INLINE Vec3<T> shape_error(const Vec3<T> &p_wanted, const Vec3<T> &p_found) {
-	const Vec3<T> error = p_wanted - p_found;
-	const T squared = dot(p_wanted, p_wanted), along = dot(p_wanted, p_found);
-	const auto is_opposite = (along < T(0.0f)) & (along * along > squared * dot(p_found, p_found) * T(1.0f - 2.0f * OPPOSITE));
-	if (!any(is_opposite)) {
-		return error;
-	}
-	const Vec3<T> aside = perpendicular(normalized(p_wanted, Vec3<T>{ T(0.0f), T(1.0f), T(0.0f) }));
-	return select(is_opposite, aside * square_root(squared), error);
 }
 
 // [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is drawn to where the segment before it, by its
@@ -169,12 +117,7 @@ template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTer
 // [Eq 7] Length constraints, root to tip: both ends of a segment share what it is too long or too short by.
 template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
-		const Vec3<T> found = segment(r_blade, k);
-		const T rest_length = r_blade.lengths[k];
-		const T squared = dot(found, found);
-		const auto is_long = squared > T(TINY_SQUARED);
-		const T found_length = square_root(select(is_long, squared, T(1.0f)));
-		const Vec3<T> change = select(is_long, found * ((rest_length - found_length) / found_length), Vec3<T>{});
+		const Vec3<T> change = way_to_length(segment(r_blade, k), r_blade.lengths[k], Vec3<T>{});
 		if (k == 1) {
 			r_blade.knots[k + 1] = r_blade.knots[k + 1] + change;
 		} else {

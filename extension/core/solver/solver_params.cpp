@@ -70,18 +70,18 @@ EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
 
 constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
-// GrassStep::motion and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
+// GrassStep::free_motion, and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
 void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
 	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
 	const double turn = swing * std::max(p_h, p_g);
 	const int solves = p_params.iterations >= 4 ? p_params.iterations / 2 : turn <= ONE_SOLVE_TURN ? 1 : 2;
 	const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, p_h, p_g) : EulerSwing{ swing * swing, 2.0 * damping };
 	const bool is_quick = solves == 1 && turn >= QUICK_TURN;
-	r_step.motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
+	r_step.free_motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
 }
 
-// The same for METHOD_PBD.
+// GrassStep::pbd_motion, and load.xyz for METHOD_PBD.
 void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
 	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
 	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
@@ -90,7 +90,7 @@ void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h,
 	const TwoStep at_tip = two_step(tip, p_h, p_g), at_root = two_step(root, p_h, p_h);
 	// [Eq 9] One minus the share that is left after all iterations, by iteration.
 	const double bend = RADIANS_PER_CYCLE * p_params.bend_stiffness * p_h;
-	r_step.motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
+	r_step.pbd_motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
 		float(-std::expm1(-bend * bend / p_params.iterations)) };
 	const double weight = at_tip.pull / (tip.w * tip.w);
 	r_step.load = { float(p_params.load[0] * weight), float(p_params.load[1] * weight), float(p_params.load[2] * weight), 0.0f };

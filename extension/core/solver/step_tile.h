@@ -71,16 +71,16 @@ GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_s
 // What species differ in.
 template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::span<const GrassStep> p_steps, const uint8_t *p_species) {
 	const auto own = [&](vec4 GrassStep::*p_of, float vec4::*p_part) { return own_number<T>(p_steps, p_species, p_part, p_of); };
-	r_terms.keep = own(&GrassStep::motion, &vec4::x);
-	r_terms.pull = own(&GrassStep::motion, &vec4::y);
-	r_terms.pull_root = own(&GrassStep::motion, &vec4::z);
+	r_terms.keep = own(&GrassStep::pbd_motion, &vec4::x);
+	r_terms.pull = own(&GrassStep::pbd_motion, &vec4::y);
+	r_terms.pull_root = own(&GrassStep::pbd_motion, &vec4::z);
 	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
 	r_terms.bending = own(&GrassStep::chain, &vec4::z);
 	r_terms.drag = own(&GrassStep::chain, &vec4::w);
-	r_terms.free_bending = r_terms.keep;
-	r_terms.free_drag = r_terms.pull;
-	r_terms.free_solves = r_terms.pull_root;
-	r_terms.free_quick = own(&GrassStep::motion, &vec4::w);
+	r_terms.free_bending = own(&GrassStep::free_motion, &vec4::x);
+	r_terms.free_drag = own(&GrassStep::free_motion, &vec4::y);
+	r_terms.free_solves = own(&GrassStep::free_motion, &vec4::z);
+	r_terms.free_quick = own(&GrassStep::free_motion, &vec4::w);
 	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
 	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
 	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Ends what lane_words.h began.
+#undef GRASS_LANES
+#undef GRASS_RECORD
+#undef VEC3
+#undef TURN
+#undef FACE
+#undef MASK
+#undef OF_T
+#undef MADE
+#undef IN
+#undef INOUT
+#undef TO_T
+#undef precise
