@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, engine, links, machine, one_text, paper, paper_page, prose, settle, snippets
+from tools import bench_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.testing import Tally, in_engine
 
@@ -149,6 +149,10 @@ def run(only):
 		found, wrong = commands(path)
 		if found and only in (name := f"docs/{page} commands"):
 			noted(tally, name, wrong)
+	for path in formatting.sources("pages"):
+		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
+			wide = ", ".join(map(str, prose.too_wide(path)))
+			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
 	if only in (name := "docs/numbers stand once"):  # as architecture.md says
 		noted(tally, name, one_text.stated_twice())
 	blocks = snippets.find()
