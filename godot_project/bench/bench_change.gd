@@ -31,7 +31,7 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 		"another map, painted": func() -> void: _field.map = _painted,
 		"another map, painted, again": func() -> void: _field.map = _painted.duplicate(),
 		"no map": func() -> void: _field.map = null,
-		"the first species": func() -> void: _field.species = [GrassSpecies.new()],
+		"the first species": func() -> void: _field.species = [GrassSpecies.new(), GrassSpecies.new()],
 		"two species with patches": func() -> void: _field.species = [_species(0.5), _species(0.7)],
 		"blades of one of them": func() -> void: _field.species[0].patch.length_max = 0.9,
 		"a map, too": func() -> void: _field.map = _painted,

@@ -59,7 +59,7 @@ func test_a_field_goes_on_until_another_method_s_passes_are_there() -> void:
 
 
 func test_another_method_is_asked_for_at_rest() -> void:
-	var species: Array[GrassSpecies] = [GrassSpecies.new()]
+	var species: Array[GrassSpecies] = [GrassSpecies.new(), GrassSpecies.new()]  # passes that no test before compiled
 	gpu = add_field({species = species})
 	await ticks(5)
 	await compiled(gpu)

@@ -67,7 +67,7 @@ func test_rebuilds_leave_nothing() -> void:
 			field.seed = i
 			field.pool_tiles = 64 + 64 * (i % 2)
 			field.map = full_map() if i % 3 == 0 else null
-			field.species = [GrassSpecies.new()] if i % 4 == 0 else []
+			field.species = [GrassSpecies.new(), GrassSpecies.new()] if i % 4 == 0 else []
 			await frames(3)
 			if i % 2:
 				await grown(field)
