@@ -45,7 +45,7 @@ static func warm_up(to: Node) -> Dictionary:
 				ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size()
 			}
 	first_field.steps_after = field.get_statistics().steps
-	field.species = [GrassSpecies.new()]
+	field.species = [GrassSpecies.new(), GrassSpecies.new()]
 	deadline = Time.get_ticks_msec() + PATIENCE * 1000
 	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
 		await to.get_tree().process_frame
