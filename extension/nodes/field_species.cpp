@@ -47,8 +47,10 @@ TypedArray<GrassSpecies> FieldSpecies::get() const {
 
 Ref<GrassSpecies> FieldSpecies::make_first(const Callable &p_changed) {
 	if (_list.empty()) {
+		Ref<GrassSpecies> species;
+		species.instantiate();
 		TypedArray<GrassSpecies> one;
-		one.push_back(memnew(GrassSpecies));
+		one.push_back(species);
 		set(one, p_changed);
 	}
 	return _list.front();
