@@ -15,8 +15,6 @@ const KNOTS := 16
 const FREE_KNOTS := 14
 const PATCH_BLADES := 16384
 const LENGTH := 0.5  # of a blade, metres
-const FREQUENCY := 1.2  # Hz
-const RATE := 60.0  # steps a second
 const STEPS := 200
 const WARM_UP := 20
 const WAKING := 400  # milliseconds: a card that idled while its driver compiled, or this made buffers, begins at a low clock
@@ -75,8 +73,8 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	var colliders := int(p_scene) if p_scene.is_valid_int() else 1
 	for phase in 8:  # the colliders go to and fro
 		sets.append(_uniform_set(shared, p_tiles, p_scene, colliders, phase))
-	var bend := _push(p_method, p_iterations, Vector3(25.0, 0.0, 10.0))
-	var free := _push(p_method, p_iterations, Vector3.ZERO)
+	var bend := SimulatePass.push(p_method, KNOTS, TILE_SIZE, 128, Vector3(25.0, 0.0, 10.0), p_iterations)
+	var free := SimulatePass.push(p_method, KNOTS, TILE_SIZE, 128, Vector3.ZERO, p_iterations)
 	if colliders == 1:
 		bend = free  # what no body touches stands at rest
 	_run(sets, bend, p_tiles, WARM_UP)  # a strong wind bends all blades
@@ -121,50 +119,6 @@ func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: in
 	_device.capture_timestamp("to")
 	_device.submit()
 	_device.sync()
-
-
-func _push(p_method: int, p_iterations: int, p_load: Vector3) -> PackedByteArray:
-	var w := TAU * FREQUENCY
-	var h := 1.0 / RATE
-	var pull := w * w * h * h
-	var bending := pow(w / 3.516, 2.0)
-	var pbd_motion: Array[float] = [0.9, pull, pull, 0.5]
-	var free_motion: Array[float] = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
-	return (
-		PackedFloat32Array(
-			(
-				pbd_motion
-				+ [
-					p_load.x * (1.0 if p_method == DIRECT else h * h),
-					p_load.y,
-					p_load.z * (1.0 if p_method == DIRECT else h * h),
-					20.0 * h,
-					p_iterations,
-					1.0,
-					0.02,
-					p_method,  # contact
-					h,
-					1.0,
-					bending,
-					0.2 * w,  # chain
-					RATE * RATE,
-					w * w,
-					w * w,
-					0.0,  # energy
-					TILE_SIZE,
-					128.0,
-					128.0,
-					KNOTS,  # field
-					1.6,
-					0.0,
-					0.0,
-					0.0,  # clump
-				]
-				+ free_motion
-			)
-		)
-		. to_byte_array()
-	)
 
 
 ## Slots (all fresh), knots now and before, which half is which, patch, its sampler, pool texture, energy and bend, tile table, growth (no

@@ -230,15 +230,16 @@ static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: i
 	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0]
 
 
-## The push constant of a step at 60 Hz with two iterations. p_load: m/s^2.
-static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, p_load: Vector3) -> PackedByteArray:
+## The push constant of a step at 60 Hz. p_load: m/s^2.
+static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, p_load: Vector3, p_iterations := 2) -> PackedByteArray:
 	var w := TAU * FREQUENCY
 	var h := 1.0 / 60.0
 	var pull := w * w * h * h
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
 	var pbd_motion: Array[float] = [0.9, pull, pull, 0.5]
-	var free_motion: Array[float] = [bending, 0.2 * w, 1.0, 1.0]  # one quick solve where nothing is near
+	# Where nothing is near one quick solve, with four iterations or more as many whole ones in either stage.
+	var free_motion: Array[float] = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
 	return (
 		PackedFloat32Array(
 			(
@@ -248,7 +249,7 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 					load.y,
 					load.z,
 					20.0 * h,
-					2.0,
+					p_iterations,
 					1.0,
 					0.02,
 					p_method,  # contact
