@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+## No blade shows a colour that it does not have. A triangle smaller than a pixel covers few of its samples; what is
+## interpolated at the pixel's middle is then extrapolated, far beyond what any of its corners has.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(720, 720)
+const HEIGHT := 60.0  # metres
+const PIXELS_A_METRE := 11.7  # of a full HD picture from there
+
+
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	camera.fov = rad_to_deg(2.0 * atan(0.5 * SIZE.y / PIXELS_A_METRE / HEIGHT))
+	look(Vector3(0, HEIGHT, 0.1), Vector3.ZERO)
+
+
+func test_from_above_no_pixel_is_brighter_than_a_blade() -> void:
+	add_seen_field({size = Vector2(64, 64), density = 256.0})
+	await drawn()
+	viewport.msaa_3d = Viewport.MSAA_DISABLED
+	var plain := brightest(await picture())
+	viewport.msaa_3d = Viewport.MSAA_4X
+	var sampled := brightest(await picture())
+	print("    brightest without MSAA %.3f, with it %.3f" % [plain, sampled])
+	assert_less(sampled, plain + 0.03)  # white, where something is extrapolated
+
+
+func brightest(image: Image) -> float:
+	var most := 0.0
+	for y in image.get_height():
+		for x in image.get_width():
+			most = maxf(most, image.get_pixel(x, y).get_luminance())
+	return most
