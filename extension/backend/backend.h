@@ -27,6 +27,14 @@ public:
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
+	// Before follow(), in each frame that is drawn. p_is_read: whether somebody reads motion vectors; p_has_blown: whether the wind's clock
+	// ran since the last frame. The engine calls vertex() once more with the MODEL_MATRIX of the frame before, and nothing else lets a
+	// shader know which call it is: so in frames in which blades move the instance of the picture turns y over, or back, and the
+	// shader turns it back. Without vectors (default): blades blur where they move.
+	virtual void show_motion(bool p_is_read, bool p_has_blown) {
+		(void)p_is_read;
+		(void)p_has_blown;
+	}
 	// Follows the node's transform (orthonormal), world, visibility, layers, shadows.
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
 	// For fields with a map: the cover of the tiles. Those in p_changed may differ from the last call.

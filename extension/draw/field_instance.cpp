@@ -34,14 +34,18 @@ void FieldInstance::reserve(int p_capacity) {
 			_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
 }
 
-void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, bool p_is_flipped) {
 	if (!is_created()) {
 		return;
 	}
 	const GeometryInstance3D::ShadowCastingSetting setting = p_node->get_cast_shadows_setting();
 	const bool unwanted = _role == Role::PICTURE ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
 												 : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
-	_follower.follow(_instance, p_node, p_transform, !unwanted);
+	Transform3D transform = p_transform;
+	if (p_is_flipped) {
+		transform.basis.scale_local(Vector3(1, -1, 1));
+	}
+	_follower.follow(_instance, p_node, transform, !unwanted);
 }
 
 void FieldInstance::set_bounds(const AABB &p_bounds) {

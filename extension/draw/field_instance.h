@@ -27,7 +27,8 @@ public:
 	// Makes room for more instances, where the CPU writes them. Their contents are lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
-	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// p_is_flipped: y turned over, see Backend::show_motion().
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_flipped = false);
 	void set_bounds(const godot::AABB &p_bounds);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
 	void free();

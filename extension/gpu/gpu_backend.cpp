@@ -10,6 +10,9 @@
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
@@ -70,19 +73,22 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_report(std::make_shared<GpuReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
+	_pool_before_texture.instantiate();
+	_bounds = field_bounds(_setup);
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true,
-			field_bounds(_setup), Role::PICTURE);
-	_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, field_bounds(_setup),
-			Role::SHADOWS);
+	_picture.create(
+			make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, _bounds, Role::PICTURE);
+	_shadows.create(
+			make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, _bounds, Role::SHADOWS);
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
 }
 
 GpuBackend::~GpuBackend() {
+	_materials.set("pool_knots_before", Variant());
 	_materials.set("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
@@ -137,8 +143,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	}
 	_next_patch_texture.unref();
 	_next_patch.reset();
-	_picture.set_bounds(field_bounds(_setup));
-	_shadows.set_bounds(field_bounds(_setup));
+	set_bounds(field_bounds(_setup));
 	{
 		std::lock_guard lock(_report->mutex);
 		_report->can_simulate = _report->can_simulate && !has_other_passes;
@@ -171,6 +176,7 @@ bool GpuBackend::is_complete() const {
 }
 
 void GpuBackend::step(const StepInput &p_input) {
+	_has_stepped = true;
 	RenderQueue::get_singleton()->post(
 			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
 }
@@ -180,15 +186,41 @@ void GpuBackend::draw(const FieldView &p_view) {
 											   measure = _measure] { field->draw(records, multimeshes, measure); });
 }
 
+void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
+	if (_has_motion != p_is_read) {
+		_has_motion = p_is_read;
+		RenderQueue::get_singleton()->post(
+				[field = _field, texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()] { field->set_motion(texture); });
+		_materials.set("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
+		set_bounds(_bounds);
+	}
+	const bool flip = _has_motion && (p_has_blown || _has_stepped) ? !_is_flipped : _has_motion && _is_flipped;
+	if (_is_flipped != flip) {
+		_is_flipped = flip;
+		_materials.set("is_flipped", _is_flipped);
+	}
+	_has_stepped = false;
+}
+
+void GpuBackend::set_bounds(const AABB &p_bounds) {
+	_bounds = p_bounds;
+	AABB picture = p_bounds;
+	if (_has_motion) { // upright and turned over
+		const real_t most = std::max(std::abs(p_bounds.position.y), std::abs(p_bounds.position.y + p_bounds.size.y));
+		picture.position.y = -most;
+		picture.size.y = 2 * most;
+	}
+	_picture.set_bounds(picture);
+	_shadows.set_bounds(p_bounds);
+}
+
 void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	_picture.follow(p_node, p_transform);
+	_picture.follow(p_node, p_transform, _is_flipped);
 	_shadows.follow(p_node, p_transform);
 }
 
 void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
-	const AABB bounds = field_bounds(_setup, p_cover.get());
-	_picture.set_bounds(bounds);
-	_shadows.set_bounds(bounds);
+	set_bounds(field_bounds(_setup, p_cover.get()));
 	if (p_changed.count() > 0) { // whole rows: one copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));

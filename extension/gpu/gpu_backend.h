@@ -33,6 +33,7 @@ public:
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
+	void show_motion(bool p_is_read, bool p_has_blown) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
@@ -48,6 +49,7 @@ private:
 	FieldMultiMeshes multimeshes() const;
 	Prepared prepare_passes(const PassKind &p_kind);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
+	void set_bounds(const godot::AABB &p_bounds);
 
 	FieldSetup _setup;
 	bool _measure = false;
@@ -56,9 +58,13 @@ private:
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
 	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;
-	godot::Ref<godot::Texture2DRD> _pool_texture;
+	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second one for motion vectors
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
+	godot::AABB _bounds; // of the blades
+	bool _has_motion = false; // somebody reads motion vectors
+	bool _is_flipped = false; // the picture's instance, see show_motion()
+	bool _has_stepped = false; // since the last frame
 	std::shared_ptr<GpuReport> _report;
 	uint64_t _energy_step = 0; // after which `_energy` and `_bends` were read
 	std::vector<float> _energy;

@@ -41,6 +41,26 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method) };
 }
 
+// RGBA16F, a row for each slot.
+RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_usage) {
+	Ref<RDTextureFormat> format;
+	format.instantiate();
+	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
+	format->set_width(POOL_TEXTURE_WIDTH);
+	format->set_height(uint32_t(std::max<int64_t>(p_slots, 1))); // no texture is empty
+	format->set_usage_bits(p_usage);
+	Ref<RDTextureView> view;
+	view.instantiate();
+	return main_device()->texture_create(format, view);
+}
+
+void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
+	p_shown->set_texture_rd_rid(p_new); // it held a view of what is freed next
+	if (p_old.is_valid()) {
+		main_device()->free_rid(p_old);
+	}
+}
+
 } // namespace
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
@@ -128,19 +148,37 @@ void GpuField::fit_tables() {
 }
 
 void GpuField::make_pool_texture() {
-	RenderingDevice *device = main_device();
-	Ref<RDTextureFormat> format;
-	format.instantiate();
-	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
-	format->set_width(POOL_TEXTURE_WIDTH);
-	format->set_height(uint32_t(std::max<int64_t>(_pool_size, 1))); // no texture is empty
-	format->set_usage_bits(RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT);
-	Ref<RDTextureView> view;
-	view.instantiate();
-	const RID before = std::exchange(_pool_texture, device->texture_create(format, view));
-	_pool->set_texture_rd_rid(_pool_texture); // it held a view of what is freed next
-	if (before.is_valid()) {
-		device->free_rid(before);
+	const RID old = std::exchange(_pool_texture,
+			make_texture(_pool_size,
+					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
+							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT));
+	replace_texture(_pool, old, _pool_texture);
+	make_before_texture();
+}
+
+void GpuField::make_before_texture() {
+	if (_before.is_valid()) {
+		const RID old = std::exchange(_before_texture,
+				make_texture(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
+		replace_texture(_before, old, _before_texture);
+		_has_moved = true;
+	}
+}
+
+void GpuField::set_motion(const Ref<Texture2DRD> &p_before) {
+	if (_before.is_valid() && p_before.is_null()) {
+		replace_texture(_before, std::exchange(_before_texture, RID()), RID());
+	}
+	_before = p_before;
+	make_before_texture();
+}
+
+// What the last frame showed, for the motion vectors of the next one.
+void GpuField::keep_pool() {
+	if (_before.is_valid() && _has_moved && _used_rows > 0) {
+		main_device()->texture_copy(
+				_pool_texture, _before_texture, Vector3(), Vector3(), Vector3(POOL_TEXTURE_WIDTH, real_t(_used_rows), 1), 0, 0, 0, 0);
+		_has_moved = false;
 	}
 }
 
@@ -165,6 +203,7 @@ std::array<GpuBuffer *, 16> GpuField::buffers() {
 void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
+	set_motion(Ref<Texture2DRD>());
 	if (_pool.is_valid()) { // the texture resource first: it holds a view of what is freed next
 		_pool->set_texture_rd_rid(RID());
 		_pool.unref();
@@ -195,7 +234,7 @@ void GpuField::report_times() {
 
 // The report's mutex is held.
 void GpuField::report_memory() {
-	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8;
+	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8 * (_before.is_valid() ? 2 : 1);
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

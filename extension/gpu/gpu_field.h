@@ -88,6 +88,8 @@ public:
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
+	// p_before: gets a texture of where the last drawn frame showed the pool's blades; null: nobody reads motion vectors.
+	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
 	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
 	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count);
@@ -104,6 +106,8 @@ private:
 	std::array<GpuBuffer *, 16> buffers();
 	void fit_tables();
 	void make_pool_texture();
+	void make_before_texture();
+	void keep_pool();
 	void make_simulate();
 	void bind_simulate();
 	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
@@ -139,6 +143,12 @@ private:
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler, _patch; // the patch texture is the renderer's
 	godot::Ref<godot::Texture2DRD> _pool;
+	// A copy of it, as long as motion vectors are read: written before the first step of a frame, read by the blade shader.
+	godot::RID _before_texture;
+	godot::Ref<godot::Texture2DRD> _before; // null: nobody reads them
+	int _used_rows = 0; // of the pool's texture
+	bool _has_kept = false; // since the last frame
+	bool _has_moved = false; // blades, since the copy was made
 	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
 };
 

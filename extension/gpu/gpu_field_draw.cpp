@@ -40,6 +40,10 @@ bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 }
 
 void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
+	if (!_has_kept) {
+		keep_pool();
+	}
+	_has_kept = false;
 	if (!_cull.is_ready()) {
 		return;
 	}

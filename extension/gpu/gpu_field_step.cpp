@@ -60,6 +60,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (p_measure) {
 		report_times();
 	}
+	if (!_has_kept) {
+		keep_pool();
+	}
 	int64_t uploaded = 0;
 	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once
 	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;
@@ -100,6 +103,10 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 			_simulate_edges.dispatch(list, constants, slots);
 		}
 		device->compute_list_end();
+	}
+	_has_kept = _has_moved = true;
+	for (const GrassSlot &slot : p_records.slots) {
+		_used_rows = std::max(_used_rows, slot.tile.w + 1);
 	}
 	const double upload_ms = clock.lap();
 	const auto is_retired = [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_RETIRED) != 0; };

@@ -4,6 +4,7 @@
 #include "draw/patch_texture.h"
 
 #include <cmath>
+#include <utility>
 
 using namespace godot;
 
@@ -35,8 +36,17 @@ void FieldUniforms::set_wind(const FieldProperties &p_properties, const Set &p_s
 	p_set("gust", Vector2(real_t(p_properties.param(PARAM_GUST_SIZE)), real_t(p_properties.param(PARAM_GUST_STRENGTH))));
 }
 
-void FieldUniforms::set_wind_clock(const Set &p_set) const {
-	p_set("grass_time", Vector2(real_t(_wind.sway), real_t(_wind.roll)));
+void FieldUniforms::set_wind_clock(const Set &p_set) {
+	_clock = Vector2(real_t(_wind.sway), real_t(_wind.roll));
+	p_set("grass_time", _clock);
+}
+
+bool FieldUniforms::keep_wind_clock(const Set &p_set) {
+	if (_clock_before != _drawn_clock) {
+		_clock_before = _drawn_clock;
+		p_set("grass_time_before", _clock_before);
+	}
+	return std::exchange(_drawn_clock, _clock) != _clock;
 }
 
 bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta) {

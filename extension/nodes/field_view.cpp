@@ -4,6 +4,8 @@
 #include "convert.h"
 #include "nodes/scene_watch.h"
 
+#include <godot_cpp/classes/compositor.hpp>
+#include <godot_cpp/classes/compositor_effect.hpp>
 #include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/classes/sub_viewport_container.hpp>
 #include <godot_cpp/classes/viewport_texture.hpp>
@@ -68,20 +70,59 @@ ViewCamera view_camera(const Camera3D *p_camera, Viewport *p_viewport, const Eig
 	return view;
 }
 
+bool has_motion_effect(const Ref<Compositor> &p_compositor) {
+	if (p_compositor.is_null()) {
+		return false;
+	}
+	const TypedArray<CompositorEffect> effects = p_compositor->get_compositor_effects();
+	for (int64_t i = 0; i < effects.size(); i++) {
+		const CompositorEffect *effect = Object::cast_to<CompositorEffect>(effects[i]);
+		if (effect != nullptr && effect->get_enabled() && effect->get_needs_motion_vectors()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// Whether the picture of a viewport is made with motion vectors.
+bool has_motion(const Camera3D *p_camera, Viewport *p_viewport) {
+	const Viewport::Scaling3DMode scaling = p_viewport->get_scaling_3d_mode();
+	return p_viewport->is_using_taa() || scaling == Viewport::SCALING_3D_MODE_FSR2 ||
+			scaling == Viewport::SCALING_3D_MODE_METALFX_TEMPORAL || p_viewport->get_debug_draw() == Viewport::DEBUG_DRAW_MOTION_VECTORS ||
+			has_motion_effect(p_camera->get_compositor());
+}
+
+// Whether this frame shows what the camera sees of the node's world. Not by is_current(), which the editor's cameras and those of the
+// edited scene return differently.
+bool is_seeing(const Camera3D *p_camera, const Node3D *p_node) {
+	Viewport *viewport = p_camera->get_viewport();
+	return viewport != nullptr && viewport->get_camera_3d() == p_camera && p_camera->get_world_3d() == p_node->get_world_3d() &&
+			is_drawn(viewport);
+}
+
 } // namespace
 
 std::vector<ViewCamera> find_cameras(Node3D *p_node, const Eigen::Affine3d &p_field) {
 	SceneWatch::get_singleton()->start(p_node);
 	std::vector<ViewCamera> views;
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
-		Viewport *viewport = camera->get_viewport();
-		// Not is_current(), which the editor's cameras and those of the edited scene return differently.
-		if (viewport != nullptr && viewport->get_camera_3d() == camera && camera->get_world_3d() == p_node->get_world_3d() &&
-				is_drawn(viewport)) {
-			views.push_back(view_camera(camera, viewport, p_field));
+		if (is_seeing(camera, p_node)) {
+			views.push_back(view_camera(camera, camera->get_viewport(), p_field));
 		}
 	}
 	return views;
+}
+
+bool are_motion_vectors_read(Node3D *p_node) {
+	SceneWatch::get_singleton()->start(p_node);
+	const SceneWatch &scene = *SceneWatch::get_singleton();
+	const bool in_world = std::ranges::any_of(scene.get_environments(), [p_node](const WorldEnvironment *p_environment) {
+		return p_environment->get_viewport() != nullptr && p_environment->get_viewport()->find_world_3d() == p_node->get_world_3d() &&
+				has_motion_effect(p_environment->get_compositor());
+	});
+	return in_world || std::ranges::any_of(scene.get_cameras(), [p_node](const Camera3D *p_camera) {
+		return is_seeing(p_camera, p_node) && has_motion(p_camera, p_camera->get_viewport());
+	});
 }
 
 std::vector<Eigen::Vector3f> find_falls(Node3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {

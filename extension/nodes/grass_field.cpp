@@ -188,10 +188,11 @@ void GrassField::_before_draw() {
 	}
 	CpuClock clock;
 	update_map();
-	follow();
 	const bool was_seen = _field.is_seen();
 	const FieldView view = find_view();
 	_field.see(view, is_visible_in_tree());
+	_backend->show_motion(view.has_motion, view.has_motion && _uniforms.keep_wind_clock(uniform_setter(false)));
+	follow();
 	if (!view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(view);
 		watch_room();
@@ -236,6 +237,7 @@ FieldView GrassField::find_view() {
 		return view;
 	}
 	view.lod = _properties.lod();
+	view.has_motion = are_motion_vectors_read(this);
 	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
 		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
 		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));

@@ -55,9 +55,10 @@ void SceneWatch::start(Node *p_inside) {
 	_tree = tree->get_instance_id();
 	_cameras.clear();
 	_suns.clear();
+	_environments.clear();
 	tree->connect("node_added", callable_mp(this, &SceneWatch::_added));
 	tree->connect("node_removed", callable_mp(this, &SceneWatch::_removed));
-	for (const char *type : { "Camera3D", "DirectionalLight3D" }) {
+	for (const char *type : { "Camera3D", "DirectionalLight3D", "WorldEnvironment" }) {
 		const TypedArray<Node> found = tree->get_root()->find_children("*", type, true, false);
 		for (int64_t i = 0; i < found.size(); i++) {
 			_added(Object::cast_to<Node>(found[i]));
@@ -68,11 +69,13 @@ void SceneWatch::start(Node *p_inside) {
 void SceneWatch::_added(Node *p_node) {
 	add_node(p_node, _cameras);
 	add_node(p_node, _suns);
+	add_node(p_node, _environments);
 }
 
 void SceneWatch::_removed(Node *p_node) {
 	remove_node(p_node, _cameras);
 	remove_node(p_node, _suns);
+	remove_node(p_node, _environments);
 }
 
 } // namespace grass

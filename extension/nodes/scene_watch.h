@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cameras and directional lights in the scene tree. The tree's signals keep the lists, once for all fields: a search in
+// The cameras, directional lights and environments in the scene tree. The tree's signals keep the lists, once for all fields: a search in
 // every frame would cost with the number of nodes.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/directional_light3d.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/classes/world_environment.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,7 @@ public:
 	// All in the tree, in the order in which they came.
 	const std::vector<godot::Camera3D *> &get_cameras() const { return _cameras; }
 	const std::vector<godot::DirectionalLight3D *> &get_suns() const { return _suns; }
+	const std::vector<godot::WorldEnvironment *> &get_environments() const { return _environments; }
 
 protected:
 	static void _bind_methods() {}
@@ -39,6 +41,7 @@ private:
 	uint64_t _tree = 0; // instance id of the tree that is watched
 	std::vector<godot::Camera3D *> _cameras;
 	std::vector<godot::DirectionalLight3D *> _suns;
+	std::vector<godot::WorldEnvironment *> _environments;
 };
 
 } // namespace grass

@@ -28,6 +28,7 @@ struct FieldView {
 	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
 	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
 	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
+	bool has_motion = false; // somebody reads the picture's motion vectors
 
 	bool operator==(const FieldView &) const = default;
 };
