@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Random parameters, bodies and time steps, in bulk: whatever comes, blades stay finite, keep their lengths and come back.
+#include "random_scene.h"
 #include "stress.h"
 
 #include <doctest/doctest.h>
@@ -58,4 +59,9 @@ TEST_CASE("stress: a thousand shapes in one place, for a second") {
 		}
 		return calm_down(scene);
 	});
+}
+
+TEST_CASE("stress: all lane widths compute what one float does, bit for bit") {
+	check_each(sized(300, 20000),
+			[](int p_number) { return find_difference(1000 + uint32_t(p_number), p_number % 2 ? Range::WILD : Range::EVERYDAY, 60); });
 }

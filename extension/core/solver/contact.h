@@ -27,7 +27,8 @@ GRASS_INLINE Correction<T> find_edge_correction(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
 	const Vec3<T> from_a = p_blade.before[p_knot - 1], from_b = p_blade.before[p_knot];
 	const Vec3<T> to_a = p_blade.knots[p_knot - 1], to_b = p_blade.knots[p_knot];
-	if (!any(!is_edge_clear(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f)))) {
+	const auto may_meet = !is_edge_clear(p_collider, p_blade.root, from_a, from_b, to_a, to_b, T(0.0f));
+	if (!any(may_meet)) {
 		return no_correction(T(0.0f));
 	}
 	const Path<T> path_a = relative_path(p_collider, p_blade.root, from_a, to_a);
@@ -35,7 +36,7 @@ GRASS_INLINE Correction<T> find_edge_correction(
 	Edge<T> edge = sweep_edge(p_collider, path_a, path_b, T(0.0f));
 	r_share = edge.share;
 	const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
-	const auto is_free = is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
+	const auto is_free = may_meet & is_between_knots(edge) & !is_blocked(edge.face, ground_under(p_collider, height));
 	edge.face.distance = select(is_free, edge.face.distance, T(0.0f));
 	const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
 	return make_correction(p_collider, edge.face, way_a + (way_b - way_a) * edge.share, p_friction);
@@ -112,20 +113,24 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 		const Vec3<T> parent = p_parent + (p_blade.root - widened<T>(collider.centre));
 		const Vec3<T> offset = parent + segment;
 		const Vec3<T> nearest = maximum(minimum(parent, offset), Vec3<T>{} - maximum(parent, offset));
-		if (!any(!(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)))) {
-			continue; // the whole segment is outside
+		const auto may_meet = !(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)); // else the whole segment is outside
+		if (!any(may_meet)) {
+			continue;
 		}
 		const Turn<T> turn = widened<T>(collider.turn);
-		if (any(dot(offset, offset) < T(collider.bound * collider.bound))) {
+		const auto is_near = may_meet & (dot(offset, offset) < T(collider.bound * collider.bound));
+		if (any(is_near)) {
 			const Ground<T> ground = ground_under(collider, p_parent.y + segment.y - p_gap);
 			const Face<T> face = find_face(collider, turned(inverse_of(turn), offset), ground);
-			if (any(face.distance < T(0.0f))) {
+			const auto is_behind = is_near & (face.distance < T(0.0f));
+			if (any(is_behind)) {
 				const Vec3<T> normal = turned(turn, face.normal);
 				const Vec3<T> placed = place_before_plane(segment, normal, dot(segment, normal) - face.distance, p_length);
-				segment = select(face.distance < T(0.0f), placed, segment);
+				segment = select(is_behind, placed, segment);
 			}
 		}
-		segment = apart<T>([&]() GRASS_APART { return push_edge_out(collider, p_parent, parent, segment, p_length); });
+		const Vec3<T> pushed = apart<T>([&]() GRASS_APART { return push_edge_out(collider, p_parent, parent, segment, p_length); });
+		segment = select(may_meet, pushed, segment);
 	}
 	return segment;
 }
@@ -151,8 +156,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 			const Vec3<T> start = segment;
 			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
 			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
-			const Vec3<T> turned_by = segment - start;
-			if (!any(dot(turned_by, turned_by) > zero)) {
+			if (!any(sum_of(segment - start) > zero)) { // no squares, which would lose the smallest turns
 				break;
 			}
 		}

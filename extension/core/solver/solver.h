@@ -24,7 +24,7 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> knot = r_blade.knots[k];
-		sum = sum + (absolute(knot.x) + absolute(knot.y) + absolute(knot.z) + absolute(r_blade.twist[k - 1]) * r_blade.blade_length);
+		sum = sum + (sum_of(knot) + absolute(r_blade.twist[k - 1]) * r_blade.blade_length);
 	}
 	const auto is_broken = !(sum < r_blade.blade_length * T(MOST_AWAY));
 	if (any(is_broken)) {
@@ -49,27 +49,35 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 }
 
 // Whether the blade stands at rest with no load on it and nothing can touch it there: a step would not change a bit of it.
-template <class T> GRASS_INLINE bool is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	T sum = absolute(p_terms.load.x) + absolute(p_terms.load.y) + absolute(p_terms.load.z);
+template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T sum = sum_of(p_terms.load);
 	T longest(0.0f);
 	Extent<T> extent = extent_of(p_blade.rest[1], p_blade.rest[1]);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> away = p_blade.knots[k] - p_blade.rest[k];
 		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
-		sum = sum + (dot(away, away) + dot(moved, moved));
+		sum = sum + (sum_of(away) + sum_of(moved) + absolute(p_blade.twist[k - 1]));
 		extent = { minimum(extent.low, p_blade.rest[k]), maximum(extent.high, p_blade.rest[k]) };
 		longest = maximum(longest, p_blade.lengths[k - 1]);
 	}
-	if (any(!(sum <= T(0.0f)))) {
-		return false;
+	auto is_resting = sum <= T(0.0f);
+	if (!any(is_resting)) {
+		return is_resting;
 	}
 	extent = { extent.low + p_blade.root, extent.high + p_blade.root };
 	for (const TileCollider &collider : p_terms.colliders) {
-		if (any(!passes_by(collider, extent, extent, longest * T(SKIN)))) {
-			return false;
-		}
+		is_resting = is_resting & passes_by(collider, extent, extent, longest * T(SKIN));
 	}
-	return true;
+	return is_resting;
+}
+
+// Leaves idle blades as they were, whatever rounding did to them beside others that move.
+template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, const Mask &p_is_idle) {
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		r_blade.knots[k] = select(p_is_idle, r_blade.rest[k], r_blade.knots[k]);
+		r_blade.before[k] = select(p_is_idle, r_blade.rest[k], r_blade.before[k]);
+		r_blade.twist[k - 1] = select(p_is_idle, T(0.0f), r_blade.twist[k - 1]);
+	}
 }
 
 // Whether something may touch the blade in this step.
@@ -102,7 +110,8 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 		return;
 	}
 	measure_lengths(r_blade);
-	if (is_idle(r_blade, p_terms)) {
+	const auto idle = is_idle(r_blade, p_terms);
+	if (!any(!idle)) {
 		return;
 	}
 	auto is_held = T(0.0f) > T(1.0f);
@@ -118,6 +127,9 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	mend(r_blade);
 	finish(r_blade, p_terms, is_held);
 	mend(r_blade); // what a body of absurd size did in finish()
+	if (any(idle)) {
+		keep_idle(r_blade, idle);
+	}
 }
 
 } // namespace grass

@@ -24,14 +24,16 @@ template <class T> GRASS_INLINE T load(const float *p_from) {
 	}
 }
 
+// A zero has no sign here: that depends on whether a branch that adds nothing was taken, for the sake of another lane.
 GRASS_INLINE void store(float p_value, float *r_to) {
-	*r_to = p_value;
+	*r_to = p_value + 0.0f;
 }
 GRASS_INLINE void store(double p_value, float *r_to) {
-	*r_to = float(p_value);
+	*r_to = float(p_value + 0.0);
 }
 template <class T> GRASS_INLINE void store(const T &p_value, float *r_to) {
-	std::memcpy(r_to, &p_value.values, sizeof(p_value.values));
+	const T without_sign = p_value + T(0.0f);
+	std::memcpy(r_to, &without_sign.values, sizeof(without_sign.values));
 }
 
 template <class T, int N> GRASS_INLINE Vec3<T> load_knot(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
@@ -51,8 +53,8 @@ GRASS_INLINE float largest(double p_value) {
 	return float(p_value);
 }
 template <class T> GRASS_INLINE float largest(const T &p_value) {
-	float most = p_value[0];
-	for (int lane = 1; lane < T::COUNT; lane++) {
+	float most = 0.0f; // so one lane without a number does not hide the others
+	for (int lane = 0; lane < T::COUNT; lane++) {
 		most = std::max(most, p_value[lane]);
 	}
 	return most;

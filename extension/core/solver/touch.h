@@ -17,13 +17,14 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 	Touch<T> deepest{};
 	for (const TileCollider &collider : p_terms.colliders) {
 		const auto is_clear = passes_by(collider, extent_of(from, from), extent_of(place, place), skin);
-		if (!any(comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)) & !is_clear)) {
+		const auto may_touch = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)) & !is_clear;
+		if (!any(may_touch)) {
 			continue;
 		}
 		const Path<T> path = relative_path(collider, p_blade.root, p_from, to);
 		const Face<T> face = sweep(collider, path, ground_under(collider, to.y));
 		const T depth = skin - face.distance;
-		auto is_deeper = depth > deepest.depth;
+		auto is_deeper = may_touch & (depth > deepest.depth);
 		if (any(is_deeper)) {
 			const Touch<T> touch = make_touch(collider, face, path.to - path.from, skin, p_terms.friction);
 			is_deeper = is_deeper & !(cuts(collider, l) & is_of_edge(p_blade, p_knot, touch.normal));
@@ -43,7 +44,8 @@ GRASS_INLINE Touch<T> find_edge_touch(
 	const T skin = l * T(SKIN);
 	Touch<T> deepest{};
 	for (const TileCollider &collider : p_terms.colliders) {
-		if (!any(cuts(collider, l) & !is_edge_clear(collider, p_blade.root, p_from_a, p_from_b, to_a, to_b, skin))) {
+		const auto may_touch = cuts(collider, l) & !is_edge_clear(collider, p_blade.root, p_from_a, p_from_b, to_a, to_b, skin);
+		if (!any(may_touch)) {
 			continue;
 		}
 		const Path<T> path_a = relative_path(collider, p_blade.root, p_from_a, to_a);
@@ -51,8 +53,8 @@ GRASS_INLINE Touch<T> find_edge_touch(
 		const Edge<T> edge = sweep_edge(collider, path_a, path_b, skin);
 		const T depth = skin - edge.face.distance;
 		const T height = to_a.y + (to_b.y - to_a.y) * edge.share;
-		const auto is_deeper = cuts(collider, l) & is_between_knots(edge) & (depth > deepest.depth) &
-				!is_blocked(edge.face, ground_under(collider, height));
+		const auto is_deeper =
+				may_touch & is_between_knots(edge) & (depth > deepest.depth) & !is_blocked(edge.face, ground_under(collider, height));
 		if (any(is_deeper)) {
 			const Vec3<T> way_a = path_a.to - path_a.from, way_b = path_b.to - path_b.from;
 			const Vec3<T> way = way_a + (way_b - way_a) * edge.share;

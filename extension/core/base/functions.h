@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Functions whose last bit differs between C libraries and processors, for what decides how blades stand and move: by operations that round
+// alike everywhere. Each is right to some 1e-15.
+#pragma once
+
+#include <cmath>
+
+namespace grass {
+
+// Of an angle in radians. To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
+inline double sine(double p_angle) {
+	constexpr double PI = 3.14159265358979323846;
+	const double half_turns = std::floor(p_angle / PI + 0.5);
+	const double x = p_angle - half_turns * PI;
+	const double square = x * x;
+	double term = x;
+	double sum = x;
+	for (int n = 2; n <= 20; n += 2) {
+		term *= -square / double(n * (n + 1));
+		sum += term;
+	}
+	const bool odd = half_turns - 2.0 * std::floor(half_turns * 0.5) > 0.5;
+	return odd ? -sum : sum;
+}
+inline double cosine(double p_angle) {
+	return sine(p_angle + 1.57079632679489661923);
+}
+
+// To the nearest power of two, then the series: exp(x + n log 2) = 2^n exp(x).
+inline double exponential(double p_power) {
+	constexpr double LOG_2 = 0.69314718055994530942;
+	const double twos = std::floor(p_power / LOG_2 + 0.5);
+	const double x = p_power - twos * LOG_2;
+	double term = 1.0;
+	double sum = 1.0;
+	for (int n = 1; n <= 18; n++) {
+		term *= x / double(n);
+		sum += term;
+	}
+	return std::ldexp(sum, int(std::fmax(std::fmin(twos, 2000.0), -2000.0)));
+}
+inline double hyperbolic_cosine(double p_x) {
+	return 0.5 * (exponential(p_x) + exponential(-p_x));
+}
+inline double hyperbolic_sine(double p_x) {
+	if (!(std::fabs(p_x) < 1.0)) {
+		return 0.5 * (exponential(p_x) - exponential(-p_x));
+	}
+	double term = p_x; // the difference would lose what is small
+	double sum = p_x;
+	for (int n = 2; n <= 16; n += 2) {
+		term *= p_x * p_x / double(n * (n + 1));
+		sum += term;
+	}
+	return sum;
+}
+
+} // namespace grass
