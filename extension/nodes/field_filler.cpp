@@ -4,6 +4,7 @@
 #include "backend/parallel.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/watch_resource.h"
 
 #include <godot_cpp/core/memory.hpp>
 
@@ -37,13 +38,8 @@ template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map,
 }
 
 void FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
-	if (_rule.is_valid()) {
-		_rule->disconnect("changed", p_changed);
-	}
-	_rule = p_rule;
-	if (_rule.is_valid()) {
-		_rule->connect("changed", p_changed);
-	} else if (p_map.is_valid() && _state.is_set()) {
+	watch_instead(_rule, p_rule, p_changed);
+	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
 		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, on_all_threads); });
 	}
 }
@@ -123,6 +119,11 @@ void FieldFiller::warn(const Ref<GrassMap> &p_map, PackedStringArray &r_warnings
 				"height. Bake the ground.");
 	}
 	r_warnings.append_array(_rule->find_warnings());
+}
+
+void FieldFiller::add_to(FieldStatistics &r_statistics) const {
+	r_statistics.fill_cells = _cells;
+	r_statistics.fill_waiting = _state.get_waiting();
 }
 
 } // namespace grass
