@@ -31,7 +31,7 @@ void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 // The field's own changes to the map do not concern the rule.
 template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map, F &&p_change) {
 	_is_filling = true;
-	const FillResult result = p_map.ptr()->change(p_change);
+	FillResult result = p_map.ptr()->change(p_change);
 	_is_filling = false;
 	_cells += result.cells;
 	return result;
