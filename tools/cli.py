@@ -15,7 +15,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass format   formats every source
-  ./grass tidy     looks for mistakes in the C++ sources that changed
+  ./grass tidy     looks for mistakes in the C++ sources
   ./grass debug    opens the tests in gdb, with a library that can be debugged
   ./grass editor   opens that project in the engine's editor
   ./grass bench    runs the benchmarks, of the core and in the engine
@@ -69,7 +69,7 @@ def parser():
 
 	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
 	tidy = commands.add_parser("tidy", help="clang-tidy over C++ sources")
-	tidy.add_argument("files", nargs="*", metavar="FILE", help="which (default: those that differ from the last commit)")
+	tidy.add_argument("files", nargs="*", metavar="FILE", help="which (default: those of the extension, room by room)")
 	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")
 	debug.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	debug.add_argument("--trace", action="store_true", help="run at once, print a backtrace where it stops, and end")

@@ -181,6 +181,12 @@ def formatted(only):
 	return formatting.layer(only, Tally())
 
 
+def tidied(only):
+	from tools import tidy  # clang-tidy is looked for only where it runs
+
+	return tidy.layer(only, Tally())
+
+
 def binding(only):
 	passed, failed = binding_tests.run(only)
 	return Tally(len(passed), failed)
@@ -258,6 +264,7 @@ class Layer:
 # In the order in which they run.
 LAYERS = {
 	"format": Layer(lambda only, _: formatted(only), None),
+	"tidy": Layer(lambda only, _: tidied(only)),  # reads headers that the build makes
 	"binding": Layer(lambda only, _: binding(only), None),
 	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
 	"stress": Layer(lambda only, _: core("stress", only), "stress"),

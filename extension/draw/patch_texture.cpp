@@ -6,6 +6,8 @@
 
 #include <godot_cpp/classes/image.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
@@ -37,7 +39,7 @@ Ref<ImageTexture> make_lattice_texture() {
 		for (int x = 0; x < GRASS_LATTICE_CELLS; x++) {
 			const glsl::vec4 numbers = glsl::grass_lattice(glsl::ivec2(x, y));
 			for (const float number : { numbers.x, numbers.y, numbers.z, numbers.w }) {
-				texels.push_back(uint8_t(number * 255.0f + 0.5f));
+				texels.push_back(uint8_t(std::lround(number * 255.0f)));
 			}
 		}
 	}

@@ -35,7 +35,7 @@ Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
 	if (found.is_null() || found->is_empty()) {
 		return {};
 	}
-	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
+	Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
 	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
 			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
 	image->clear_mipmaps();

@@ -4,6 +4,7 @@
 #include "backend/parallel.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/watch_resource.h"
 
 #include <godot_cpp/core/memory.hpp>
 
@@ -30,20 +31,15 @@ void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 // The field's own changes to the map do not concern the rule.
 template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map, F &&p_change) {
 	_is_filling = true;
-	const FillResult result = p_map.ptr()->change(p_change);
+	FillResult result = p_map.ptr()->change(p_change);
 	_is_filling = false;
 	_cells += result.cells;
 	return result;
 }
 
 void FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
-	if (_rule.is_valid()) {
-		_rule->disconnect("changed", p_changed);
-	}
-	_rule = p_rule;
-	if (_rule.is_valid()) {
-		_rule->connect("changed", p_changed);
-	} else if (p_map.is_valid() && _state.is_set()) {
+	watch_instead(_rule, p_rule, p_changed);
+	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
 		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, on_all_threads); });
 	}
 }
@@ -123,6 +119,11 @@ void FieldFiller::warn(const Ref<GrassMap> &p_map, PackedStringArray &r_warnings
 				"height. Bake the ground.");
 	}
 	r_warnings.append_array(_rule->find_warnings());
+}
+
+void FieldFiller::add_to(FieldStatistics &r_statistics) const {
+	r_statistics.fill_cells = _cells;
+	r_statistics.fill_waiting = _state.get_waiting();
 }
 
 } // namespace grass

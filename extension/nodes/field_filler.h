@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/tile_grid.h"
+#include "core/field/field_statistics.h"
 #include "core/fill/live_fill.h"
 #include "nodes/fill_gatherer.h"
 #include "nodes/grass_map.h"
@@ -43,8 +44,7 @@ public:
 
 	void warn(const godot::Ref<GrassMap> &p_map, godot::PackedStringArray &r_warnings) const;
 
-	int64_t get_cells() const { return _cells; } // texels on which rules ran, in all
-	int get_waiting() const { return _state.get_waiting(); } // chunks
+	void add_to(FieldStatistics &r_statistics) const;
 
 private:
 	void look(const Place &p_place);
@@ -61,7 +61,7 @@ private:
 	uint64_t _replacements = 0; // of the map's contents, as far as known
 	double _base_density = 0.0; // of the map, as far as known
 	int _frames_to_look = 0;
-	int64_t _cells = 0;
+	int64_t _cells = 0; // texels on which rules ran, in all
 };
 
 } // namespace grass

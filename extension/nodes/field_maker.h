@@ -6,6 +6,7 @@
 
 #include "backend/backend.h"
 #include "core/field/field.h"
+#include "core/field/field_statistics.h"
 #include "nodes/field_properties.h"
 #include "nodes/shown_map.h"
 
@@ -38,8 +39,7 @@ public:
 	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
 	// Milliseconds that the making took in one frame, at most, since request().
 	void add_time(double p_ms);
-	double get_time() const { return _most_ms; }
-	int64_t get_makings() const { return _makings; } // so far
+	void add_to(FieldStatistics &r_statistics) const;
 
 private:
 	WantedField find_wanted(const FieldProperties &p_properties, Method p_method) const;
@@ -47,8 +47,8 @@ private:
 
 	bool _is_waiting = false;
 	std::optional<WantedField> _wanted; // once it is known what the properties make
-	double _most_ms = 0.0;
-	int64_t _makings = 0;
+	double _most_ms = 0.0; // of add_time()
+	int64_t _makings = 0; // so far
 };
 
 } // namespace grass

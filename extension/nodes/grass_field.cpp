@@ -63,7 +63,8 @@ void GrassField::enter() {
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		_tracker.start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
+		_bodies.get_tracker().start(
+				get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
 	}
 	if (!_properties.is_on_cpu) {
 		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method);
@@ -76,66 +77,49 @@ void GrassField::leave() {
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	set_process_internal(false);
 	set_physics_process_internal(false);
-	_tracker.stop();
-	_backend.reset();
-	_ground.free();
+	_bodies.get_tracker().stop();
+	_standing.drop_backend();
 	emit_leaving();
-	_field.forget_map();
-	_map.reset();
+	_standing.clear();
 	_maker.forget();
-	_field.rest();
 }
 
 void GrassField::physics_tick(double p_delta) {
 	build();
-	if (!_backend || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
+	if (!_standing.stands() || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
 	recover(p_delta);
-	if (!_backend) { // a listener of the map did that
+	if (!_standing.stands()) { // a listener of the map did that
 		return;
 	}
-	if (!_field.begin_tick(*_backend, _properties.method, is_listened_to(), p_delta)) {
-		_tracker.forget_left();
+	if (!_standing.begin_tick(is_listened_to(), p_delta)) {
+		_bodies.get_tracker().forget_left();
 		return;
 	}
 	CpuClock clock;
-	if (_field.resume()) {
-		_tracker.forget_motion();
-		_node_colliders.forget_motion();
+	if (_standing.resume()) {
+		_bodies.forget_motion();
 	}
 	update_map();
-	collect_bodies(p_delta);
+	_bodies.collect(_standing.get_field(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	_gather_ms = clock.lap();
-	_field.set_params(_properties.field_params(_species));
-	if (_field.tick(*_backend, _colliders, p_delta)) {
-		request_draw();
-	}
+	_standing.tick(_bodies.get_colliders(), p_delta);
 	emit_visits();
-}
-
-void GrassField::collect_bodies(double p_delta) {
-	const Transform3D transform = field_transform();
-	const double height = _field.get_setup().blade_length();
-	const Vector3 half(real_t(0.5 * _field.get_grid().get_size_x() + height), real_t(height + _field.ground_relief()),
-			real_t(0.5 * _field.get_grid().get_size_z() + height));
-	const MotionTick tick{ .delta = p_delta, .teleport_speed = param(PARAM_TELEPORT_SPEED) };
-	_tracker.set_box(transform, half, p_delta);
-	_tracker.collect(transform, tick, _colliders);
-	_node_colliders.collect(transform, tick, _colliders);
 }
 
 // What time heals in a tick.
 void GrassField::recover(double p_delta) {
-	const RecoveryRates rates = _properties.recovery_rates(_species);
+	const RecoveryRates rates = _properties.recovery_rates(_standing.get_species());
 	const Ref<GrassMap> &map = _properties.map;
 	if (map.is_valid() && map->is_readable() && !rates.is_none()) {
-		const SharesAt shares = [this](const Eigen::Vector2d &p_place) {
-			return _field.get_setup().species->get_shares_at(p_place.cast<float>(), _field.get_layers());
+		const Field &field = _standing.get_field();
+		const SharesAt shares = [&field](const Eigen::Vector2d &p_place) {
+			return field.get_setup().species->get_shares_at(p_place.cast<float>(), field.get_layers());
 		};
-		const MapRegion region = MapRegion::of_grid(_field.get_grid());
+		const MapRegion region = MapRegion::of_grid(field.get_grid());
 		map.ptr()->change([&](PaintMap &r_map) {
-			return _recovery.step(r_map, region, kind_of(_field), rates, p_delta, _field.get_setup().species ? shares : nullptr);
+			return _recovery.step(r_map, region, kind_of(field), rates, p_delta, field.get_setup().species ? shares : nullptr);
 		});
 	}
 }
@@ -143,14 +127,14 @@ void GrassField::recover(double p_delta) {
 // Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Last in a tick: who listens may
 // change the field.
 void GrassField::emit_visits() {
-	const Visitors::Change change = _visitors.update(_field.get_tiles(), _colliders);
+	const Visitors::Change change = _bodies.update_visitors(_standing.get_field().get_tiles());
 	emit_for_each("body_exited_grass", change.exited);
 	emit_for_each("body_entered_grass", change.entered);
 }
 
 // Where the grass goes, nobody is in it any more.
 void GrassField::emit_leaving() {
-	emit_for_each("body_exited_grass", _visitors.leave());
+	emit_for_each("body_exited_grass", _bodies.leave());
 }
 
 void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies) {
@@ -164,60 +148,29 @@ void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 void GrassField::frame(double p_delta) {
 	build();
 	update_fill();
-	if (!_backend) {
-		return;
+	if (_standing.stands()) {
+		_standing.blow(p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
 	}
-	// Before drawing begins: what is set in _before_draw() draws no further frame.
-	if (_uniforms.blow(_properties, p_delta) && _field.is_seen()) {
-		set_wind_clock();
-		_wind_updates++;
-	}
-}
-
-void GrassField::follow() {
-	const Transform3D transform = field_transform();
-	_backend->follow(this, transform);
-	_ground.follow(this, transform, _properties.has_ground && _field.ground_relief() == 0.0); // it is flat
 }
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
 	build(); // also where the tree is paused from the first frame on
-	if (!_backend) {
+	if (!_standing.stands()) {
 		return;
 	}
 	CpuClock clock;
 	update_map();
-	const bool was_seen = _field.is_seen();
 	const FieldView view = find_view();
-	_field.see(view, is_visible_in_tree());
-	_backend->show_motion(view.has_motion, view.has_motion && _uniforms.keep_wind_clock(uniform_setter(false)));
-	follow();
-	if (!view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
-		_backend->draw(view);
-		watch_room();
-	}
-	if (_field.is_seen() && !was_seen && param(PARAM_WIND_SPEED) > 0.0) {
-		set_wind_clock();
-		_wind_updates++;
-	}
-	_frame_ms = clock.lap();
-}
-
-// Says once, as soon as it is known, that more tiles are seen than have room.
-void GrassField::watch_room() {
-	const FieldSetup &setup = _field.get_setup();
-	if (_is_crowded || int(setup.grid.get_tile_count()) <= std::min(setup.instance_capacity(), setup.shadow_capacity())) {
-		return;
-	}
-	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
-	if (picture + shadows > 0) {
-		_is_crowded = true;
+	_standing.show_motion(view.has_motion);
+	_standing.follow(this, field_transform());
+	if (_standing.draw(view, is_visible_in_tree())) {
 		update_configuration_warnings();
 		if (!Engine::get_singleton()->is_editor_hint()) { // there it stands beside the node
-			WARN_PRINT(vformat("%s: %s", label(), crowded_warning()));
+			WARN_PRINT(vformat("%s: %s", label(), _standing.crowded_warning()));
 		}
 	}
+	_frame_ms = clock.lap();
 }
 
 // Whether a script wants to know of bodies in the grass, seen or not.
@@ -239,9 +192,11 @@ FieldView GrassField::find_view() {
 	view.lod = _properties.lod();
 	view.has_motion = are_motion_vectors_read(this);
 	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
-		view.shadow_distance = float(param(PARAM_SHADOW_DISTANCE));
-		view.shadow_margin = float(param(PARAM_SHADOW_MARGIN));
-		view.falls = find_falls(this, field, _field.get_setup().blade_height() + _field.ground_range(), param(PARAM_SHADOW_DISTANCE));
+		const double distance = _properties.param(PARAM_SHADOW_DISTANCE);
+		view.shadow_distance = float(distance);
+		view.shadow_margin = float(_properties.param(PARAM_SHADOW_MARGIN));
+		view.falls =
+				find_falls(this, field, _standing.get_field().get_setup().blade_height() + _standing.get_field().ground_range(), distance);
 	}
 	return view;
 }
@@ -249,7 +204,11 @@ FieldView GrassField::find_view() {
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
 	(void)p_body_shape; // see BodyTracker::body_changed()
 	(void)p_area_shape; // the area has one shape
-	_tracker.body_changed(p_status, p_body, p_instance_id);
+	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
+}
+
+AABB GrassField::_get_aabb() const {
+	return _standing.get_bounds();
 }
 
 Transform3D GrassField::field_transform() const {

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
-// GrassField: the node. Holds properties and wires the parts: bodies -> field -> backend in a physics tick, camera -> backend in a frame,
-// properties -> maker -> field when they change. No maths here.
+// GrassField: the node. Holds properties and wires the parts: bodies -> standing field in a physics tick, cameras -> standing field in a
+// frame, properties -> maker -> standing field when they change. No maths here.
 #pragma once
 
-#include "backend/backend.h"
-#include "core/field/field.h"
-#include "core/field/field_statistics.h"
-#include "core/field/visitors.h"
-#include "draw/ground.h"
-#include "nodes/body_tracker.h"
+#include "nodes/field_bodies.h"
 #include "nodes/field_filler.h"
+#include "nodes/field_host.h"
 #include "nodes/field_maker.h"
 #include "nodes/field_monitors.h"
+#include "nodes/field_places.h"
 #include "nodes/field_properties.h"
-#include "nodes/field_uniforms.h"
+#include "nodes/field_work.h"
 #include "nodes/ground_rays.h"
-#include "nodes/node_colliders.h"
+#include "nodes/standing_field.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
@@ -23,14 +20,11 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace grass {
 
-class GrassField : public godot::GeometryInstance3D {
+class GrassField : public godot::GeometryInstance3D, private FieldHost {
 	GDCLASS(GrassField, godot::GeometryInstance3D)
 
 public:
@@ -92,30 +86,29 @@ public:
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 
+	// grass_field_methods.cpp: what scripts ask of the grass and do to it. Places are global.
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;
 	godot::Vector2i get_tiles() const; // how many along x and z
 	double get_tile_size() const; // metres
 	godot::Vector2i get_tile_at(const godot::Vector3 &p_global_position) const; // (-1, -1) outside of the field
-	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const; // global
+	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const;
 	bool is_tile_awake(const godot::Vector2i &p_tile) const;
 	int64_t get_awake_tile_count() const;
-	// Global positions of a blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
+	// A blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
 	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile) const;
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
-	int64_t get_body_count() const { return _tracker.body_count(); }
+	int64_t get_body_count() const { return _bodies.get_count(); }
 	int64_t get_memory_usage() const; // bytes
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
-	godot::Transform3D field_transform() const; // global, without scale
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
+	godot::Transform3D field_transform() const override; // global, without scale
 
-	// grass_field_game.cpp: what a game asks of the grass and does to it. Places are global.
 	bool is_grass_at(const godot::Vector3 &p_global_position);
-	double density_at(const godot::Vector3 &p_global_position); // share of the blades that stand, 0..1
-	double height_at(const godot::Vector3 &p_global_position); // of the grass at rest, metres
-	// How far the tips around are from rest, on average: global axes, shares of the blades' lengths.
+	double density_at(const godot::Vector3 &p_global_position);
+	double height_at(const godot::Vector3 &p_global_position);
 	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
 	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
@@ -124,9 +117,6 @@ public:
 	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
-
-	// Reads the shape of the ground into the map, over a rectangle of places (field space, x and z in
-	// metres) or, where that is empty, over the whole field. At how many places, one a metre, there is ground.
 	int64_t bake_ground(const godot::Rect2 &p_region = godot::Rect2(), int64_t p_mask = GroundRays::ALL_LAYERS);
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
@@ -146,12 +136,9 @@ private:
 	bool belongs_here() const;
 	void leave();
 	void physics_tick(double p_delta);
-	void collect_bodies(double p_delta);
 	void frame(double p_delta);
-	void follow();
 	void _before_draw();
 	FieldView find_view();
-	void watch_room();
 	bool is_listened_to() const;
 	void emit_visits();
 	void emit_leaving();
@@ -159,75 +146,45 @@ private:
 	void recover(double p_delta);
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 
-	// grass_field_making.cpp: from properties to a field, from a map to what is shown of it
+	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
 	void request_rebuild();
-	void build();
-	void make();
-	void make_backend();
-	void report_warnings();
-	void show_map();
+	void build() override;
 	void update_map();
 	bool is_map_bare() const;
 	void watch_bare_map();
 	void start_fill();
 	void update_fill();
 	FieldFiller::Place fill_place() const;
-	void update_tiles();
-	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
-	FieldUniforms::Set uniform_setter(bool p_ground);
-	void set_wind_clock();
-	void request_draw();
+	void report_warnings();
 	void _species_changed();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	void _fill_rule_changed();
 	void _fill_pressed();
 
-	// grass_field_game.cpp
+	// grass_field_methods.cpp
+	const godot::Node3D &as_node() const override { return *this; }
+	GrassMap *need_map(const char *p_method) override;
 	void make_map();
-	bool find_place(const godot::Vector3 &p_global, Eigen::Vector3d &r_place);
-	const MapLayers *layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const;
-	GrassMap *find_map(const char *p_method);
-	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
-			std::optional<Footprint> &r_footprint) const;
-	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
-	MapRegion bake_region(const godot::Rect2 &p_region) const;
-	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height);
-
-	// grass_field_queries.cpp
+	bool prepare_places();
+	FieldPlaces places() const { return FieldPlaces(_standing, field_transform()); }
 	bool has_blades() const;
-	TileGrid find_grid() const;
-	godot::PackedVector3Array find_knots(const godot::Vector2i &p_tile, int p_first, int p_count) const; // in the world
+	bool has_tile(const godot::Vector2i &p_tile) const;
 	FieldStatistics find_statistics() const;
-	std::array<ShownMap *, 2> shown_maps() const { return { _map.get(), _maker.get_map() }; }
 	godot::String label() const; // of this node, for messages
-	godot::String message(const godot::String &p_text) const; // with what a report needs, the first time
-	godot::String crowded_warning() const;
-	double param(FieldParamId p_param) const { return _properties.param(p_param); }
+	godot::String message(const godot::String &p_text) const override;
 
 	FieldProperties _properties;
 	FieldMaker _maker;
-	Field _field; // reads no property: what that says may differ until the field is made again
-	std::vector<SpeciesParams> _mix; // of the field, as it was made
-	std::vector<GrownSpecies> _species;
-	std::unique_ptr<ShownMap> _map;
-	std::unique_ptr<Backend> _backend; // null: no field stands
-	Ground _ground;
-	FieldUniforms _uniforms;
+	StandingField _standing{ _properties };
 	FieldFiller _filler;
-	BodyTracker _tracker;
-	NodeColliders _node_colliders;
-	std::vector<ColliderShape> _colliders; // of this tick
-	Visitors _visitors;
+	FieldBodies _bodies;
+	FieldWork _work{ *this, _standing, _properties };
 	Recovery _recovery;
 
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as far as the editor was told
-	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
-	bool _is_watched = false; // somebody reads the monitors of times
-	int64_t _builds = 0; // backends made
-	int64_t _wind_updates = 0; // frames in which the wind's clock went to the materials
 	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time of reading bodies in the last tick; of the last frame
 };
 

@@ -45,8 +45,7 @@ void GrassField::set_backend(BackendMode p_mode) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
 	if (get_backend() != p_mode) {
 		_properties.is_on_cpu = p_mode == BACKEND_CPU;
-		_backend.reset();
-		_field.rest(); // its blades went with it
+		_standing.drop_backend();
 		request_rebuild();
 	}
 }
@@ -55,17 +54,14 @@ void GrassField::set_method(SolverMethod p_method) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	_properties.method = Method(p_method);
-	if (_backend) {
-		_field.choose_method(*_backend, _properties.method);
-	}
-	update_tiles();
+	_standing.update_method();
 }
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
 	_properties.sleep_mode = grass::SleepMode(p_mode);
-	update_tiles();
+	_standing.update_params();
 }
 
 void GrassField::set_pool_tiles(int64_t p_tiles) {
@@ -77,7 +73,7 @@ void GrassField::set_pool_tiles(int64_t p_tiles) {
 void GrassField::set_collision_mask(int64_t p_mask) {
 	GRASS_MAIN_THREAD_ONLY();
 	_properties.collision_mask = int64_t(uint32_t(p_mask));
-	_tracker.set_mask(uint32_t(_properties.collision_mask));
+	_bodies.get_tracker().set_mask(uint32_t(_properties.collision_mask));
 	update_configuration_warnings();
 }
 
@@ -85,15 +81,13 @@ void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
 	_properties.debug_view = p_view;
-	set_uniform("debug_view", int64_t(p_view));
+	_standing.set_uniform("debug_view", int64_t(p_view));
 }
 
 void GrassField::set_measure_time(bool p_measure) {
 	GRASS_MAIN_THREAD_ONLY();
 	_properties.measure_time = p_measure;
-	if (_backend) {
-		_backend->set_measure_time(p_measure || _is_watched);
-	}
+	_standing.update_measuring();
 }
 
 void GrassField::set_param(int64_t p_param, double p_value) {
@@ -106,16 +100,16 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 			request_rebuild();
 			break;
 		case Effect::STEP:
-			update_tiles();
+			_standing.update_params();
 			break;
 		case Effect::UNIFORM:
-			set_uniform(info.tunable.name, _properties.params[size_t(p_param)]);
+			_standing.set_uniform(info.tunable.name, _properties.params[size_t(p_param)]);
 			break;
 		case Effect::WIND:
-			_uniforms.set_wind(_properties, uniform_setter(true));
+			_standing.update_wind();
 			break;
 		case Effect::VIEW:
-			request_draw();
+			_standing.request_draw();
 			break;
 	}
 }
@@ -129,7 +123,7 @@ void GrassField::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
 	_properties.colors[size_t(p_index)] = p_color;
-	set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
+	_standing.set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
 }
 
 Color GrassField::get_color(int64_t p_index) const {

@@ -22,9 +22,9 @@ public:
 	bool work();
 
 	const FieldMap &get_field() const { return _field; }
-	MapTextures &get_textures() { return _textures; }
 	const MapTextures &get_textures() const { return _textures; }
 	const godot::Ref<GrassMap> &get_map() const { return _map; }
+	int64_t get_memory_usage() const { return int64_t(_field.get_memory_usage()) + _textures.get_memory_usage(); } // bytes
 	// Sets the shaders' uniforms, where they changed.
 	void set_uniforms(const MapTextures::SetUniform &p_set);
 

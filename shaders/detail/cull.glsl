@@ -65,6 +65,14 @@ layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer 
 shared uint group_tiles[GRASS_ALL_LEVELS];
 shared uint group_first[GRASS_ALL_LEVELS];
 shared uint group_blades[2];
+// A thread's tile.
+struct Tile {
+	uint index;
+	bool exists; // the last workgroup has more threads than there are tiles left
+	ivec2 at; // column along x, row along z
+	vec3 centre; // at the field's height, field space
+	float hash;
+};
 // How a tile is drawn, or casts its shadow.
 struct Choice {
 	int level; // of GRASS_ALL_LEVELS; -1: not at all
@@ -74,6 +82,19 @@ struct Choice {
 };
 
 #include "detail/room.inc"
+
+Tile find_tile() {
+	Tile tile;
+	// Fields of millions of tiles take more workgroups than fit in one row.
+	tile.index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GRASS_CULL_GROUP);
+	tile.exists = tile.index < phase.y;
+	ivec2 tiles = ivec2(view.field.xy);
+	tile.at = ivec2(int(tile.index) % tiles.x, int(tile.index) / tiles.x);
+	vec2 place = (vec2(tile.at) + 0.5 - 0.5 * view.field.xy) * view.field.z;
+	tile.centre = vec3(place.x, 0.0, place.y);
+	tile.hash = grass_tile_hash(uint(tile.at.x), uint(tile.at.y), view.counts.z);
+	return tile;
+}
 
 // What a tile needs: blades, and segments of each (core/detail/lod.h: LodNeed).
 void add_need(inout vec2 r_need, GrassCamera p_camera, float p_distance, float p_coarseness) {
@@ -107,15 +128,20 @@ bool casts_into(GrassCamera p_camera, vec3 p_middle, vec3 p_half) {
 }
 
 // What the cameras need of a tile, for the picture (xy) and for shadows (zw).
-vec4 find_needs(vec3 p_middle, vec3 p_half) {
+vec4 find_needs(Tile p_tile) {
+	vec2 ground = p_tile.exists && view.counts.w == 1u ? cover[p_tile.index] : vec2(0.0);
+	uint watching = p_tile.exists && ground.x <= ground.y ? view.counts.x : 0u; // nobody needs a bare one
+	float side = 0.5 * view.field.z + view.blades.x;
+	vec3 half_extents = vec3(side, 0.5 * (view.field.w + ground.y - ground.x), side);
+	vec3 middle = p_tile.centre + vec3(0.0, ground.x + half_extents.y, 0.0);
 	vec2 seen = vec2(0.0), casting = vec2(0.0);
-	for (uint i = 0u; i < view.counts.x; i++) {
-		float eye_distance = max(distance(cameras[i].eye.xyz, p_middle), cameras[i].eye.w);
+	for (uint i = 0u; i < watching; i++) {
+		float eye_distance = max(distance(cameras[i].eye.xyz, middle), cameras[i].eye.w);
 		float lod_distance = cameras[i].pixel.y > 0.0 ? eye_distance : cameras[i].eye.w; // an orthogonal camera sees all alike
-		if (grass_tile_visible(cameras[i].planes, p_middle, p_half, 0.0, vec3(0.0))) {
+		if (grass_tile_visible(cameras[i].planes, middle, half_extents, 0.0, vec3(0.0))) {
 			add_need(seen, cameras[i], lod_distance, 1.0);
 		}
-		if (eye_distance < view.shadow.y && casts_into(cameras[i], p_middle, p_half)) {
+		if (eye_distance < view.shadow.y && casts_into(cameras[i], middle, half_extents)) {
 			add_need(casting, cameras[i], lod_distance, view.lod.w);
 		}
 	}
@@ -130,16 +156,16 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
-float[GRASS_INSTANCE_FLOATS] make_instance(ivec2 p_tile, vec3 p_centre, Choice p_choice, float p_hash, int p_slot) {
+float[GRASS_INSTANCE_FLOATS] make_instance(Tile p_tile, Choice p_choice, int p_slot) {
 	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
 	int high = p_slot == GRASS_NO_SLOT ? 0 : p_slot / GRASS_SLOT_HALF;
-	uint start = grass_tile_start(uint(p_tile.x), uint(p_tile.y), view.counts.z);
+	uint start = grass_tile_start(uint(p_tile.at.x), uint(p_tile.at.y), view.counts.z);
 	return float[GRASS_INSTANCE_FLOATS](
-			1.0, 0.0, 0.0, p_centre.x,
-			0.0, 1.0, 0.0, p_centre.y,
-			0.0, 0.0, 1.0, p_centre.z,
-			float(p_tile.x), float(p_tile.y), p_choice.blades, p_choice.morph,
-			float(start / uint(GRASS_START_STRIDE)), float(low), p_hash, float(high));
+			1.0, 0.0, 0.0, p_tile.centre.x,
+			0.0, 1.0, 0.0, p_tile.centre.y,
+			0.0, 0.0, 1.0, p_tile.centre.z,
+			float(p_tile.at.x), float(p_tile.at.y), p_choice.blades, p_choice.morph,
+			float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash, float(high));
 }
 
 void write_command(int p_level) {
@@ -155,6 +181,53 @@ void write_command(int p_level) {
 	}
 }
 
+// A workgroup's counts, before its tiles are added.
+void clear_group(int p_thread) {
+	if (p_thread < GRASS_ALL_LEVELS) {
+		group_tiles[p_thread] = 0u;
+	}
+	if (p_thread < 2) {
+		group_blades[p_thread] = 0u;
+	}
+}
+
+// GRASS_CULL_COUNT: adds the workgroup's tiles to those of all.
+void count_tiles_of_group(int p_thread) {
+	if (p_thread < GRASS_ALL_LEVELS && group_tiles[p_thread] > 0u) {
+		atomicAdd(counted[p_thread], group_tiles[p_thread]);
+	}
+}
+
+// GRASS_CULL_WRITE: takes a stretch of each level for the workgroup's tiles.
+void take_stretches(int p_thread) {
+	if (p_thread < 2 && group_blades[p_thread] > 0u) {
+		atomicAdd(blades_written[p_thread], group_blades[p_thread]);
+	}
+	if (p_thread < GRASS_ALL_LEVELS) {
+		if (group_tiles[p_thread] > 0u) {
+			group_first[p_thread] = first_instance(p_thread) + atomicAdd(written[p_thread], group_tiles[p_thread]);
+		}
+		if (gl_WorkGroupID.x + gl_WorkGroupID.y == 0u) {
+			write_command(p_thread);
+		}
+	}
+}
+
+// p_list: 0 of the picture, 1 of shadows.
+void write_instance(int p_list, Tile p_tile, Choice p_choice, int p_slot) {
+	if (p_choice.level >= 0 && group_first[p_choice.level] + p_choice.place < (p_list == 0 ? phase.z : phase.w)) {
+		float values[GRASS_INSTANCE_FLOATS] = make_instance(p_tile, p_choice, p_slot);
+		uint at = (group_first[p_choice.level] + p_choice.place) * uint(GRASS_INSTANCE_FLOATS);
+		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
+			if (p_list == 0) {
+				instances[at + uint(i)] = values[i];
+			} else {
+				shadow_instances[at + uint(i)] = values[i];
+			}
+		}
+	}
+}
+
 void main() {
 	int thread = int(gl_LocalInvocationID.x);
 	if (phase.x == uint(GRASS_CULL_TURNS) || phase.x == uint(GRASS_CULL_FIT)) {
@@ -166,30 +239,13 @@ void main() {
 			return;
 		}
 	}
-	if (thread < GRASS_ALL_LEVELS) {
-		group_tiles[thread] = 0u;
-	}
-	if (thread < 2) {
-		group_blades[thread] = 0u;
-	}
+	clear_group(thread);
 	barrier();
-
-	// Fields of millions of tiles take more workgroups than fit in one row.
-	uint tile_index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GRASS_CULL_GROUP);
-	bool exists = tile_index < phase.y;
-	ivec2 tiles = ivec2(view.field.xy);
-	ivec2 tile = ivec2(int(tile_index) % tiles.x, int(tile_index) / tiles.x);
-	vec2 place = (vec2(tile) + 0.5 - 0.5 * view.field.xy) * view.field.z;
-	vec3 centre = vec3(place.x, 0.0, place.y);
-	float side = 0.5 * view.field.z + view.blades.x;
-	vec2 ground = exists && view.counts.w == 1u ? cover[tile_index] : vec2(0.0);
-	vec3 half_extents = vec3(side, 0.5 * (view.field.w + ground.y - ground.x), side);
-	bool stands = exists && ground.x <= ground.y; // else it is bare
-	vec4 needs = stands ? find_needs(centre + vec3(0.0, ground.x + half_extents.y, 0.0), half_extents) : vec4(0.0);
-	float hash = grass_tile_hash(uint(tile.x), uint(tile.y), view.counts.z);
-	Choice drawn = choose(needs.xy, hash, 0, GRASS_LOD_LEVELS);
-	Choice casting = choose(needs.zw, hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
-	uint turn = grass_tile_turn(uint(tile.x), uint(tile.y), view.counts.z);
+	Tile tile = find_tile();
+	vec4 needs = find_needs(tile);
+	Choice drawn = choose(needs.xy, tile.hash, 0, GRASS_LOD_LEVELS);
+	Choice casting = choose(needs.zw, tile.hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
+	uint turn = grass_tile_turn(uint(tile.at.x), uint(tile.at.y), view.counts.z);
 	if (phase.x == uint(GRASS_CULL_TURNS)) {
 		count_turn(drawn.level, turn);
 		count_turn(casting.level, turn);
@@ -200,38 +256,13 @@ void main() {
 	enlist(drawn, 0);
 	enlist(casting, 1);
 	barrier();
-
 	if (phase.x == uint(GRASS_CULL_COUNT)) {
-		if (thread < GRASS_ALL_LEVELS && group_tiles[thread] > 0u) {
-			atomicAdd(counted[thread], group_tiles[thread]);
-		}
+		count_tiles_of_group(thread);
 		return;
 	}
-	if (thread < 2 && group_blades[thread] > 0u) {
-		atomicAdd(blades_written[thread], group_blades[thread]);
-	}
-	if (thread < GRASS_ALL_LEVELS) {
-		if (group_tiles[thread] > 0u) {
-			group_first[thread] = first_instance(thread) + atomicAdd(written[thread], group_tiles[thread]);
-		}
-		if (gl_WorkGroupID.x + gl_WorkGroupID.y == 0u) {
-			write_command(thread);
-		}
-	}
+	take_stretches(thread);
 	barrier();
-	int slot = exists ? table[tile_index] - 1 : GRASS_NO_SLOT;
-	if (drawn.level >= 0 && group_first[drawn.level] + drawn.place < phase.z) {
-		float values[GRASS_INSTANCE_FLOATS] = make_instance(tile, centre, drawn, hash, slot);
-		uint at = (group_first[drawn.level] + drawn.place) * uint(GRASS_INSTANCE_FLOATS);
-		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
-			instances[at + uint(i)] = values[i];
-		}
-	}
-	if (casting.level >= 0 && group_first[casting.level] + casting.place < phase.w) {
-		float values[GRASS_INSTANCE_FLOATS] = make_instance(tile, centre, casting, hash, slot);
-		uint at = (group_first[casting.level] + casting.place) * uint(GRASS_INSTANCE_FLOATS);
-		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
-			shadow_instances[at + uint(i)] = values[i];
-		}
-	}
+	int slot = tile.exists ? table[tile.index] - 1 : GRASS_NO_SLOT;
+	write_instance(0, tile, drawn, slot);
+	write_instance(1, tile, casting, slot);
 }

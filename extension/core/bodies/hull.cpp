@@ -143,7 +143,7 @@ std::vector<Plane> find_faces(const Points &p_points, double p_size) {
 std::vector<Plane> make_bound(const Points &p_points) {
 	std::vector<Plane> planes;
 	for (int i = 0; i < 27; i++) {
-		const Eigen::Vector3d direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+		const Eigen::Vector3d direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
 		if (i != 13) { // not the cube's own middle
 			planes.push_back({ direction.normalized(), get_support(p_points, direction.normalized()) });
 		}

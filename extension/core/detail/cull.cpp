@@ -72,11 +72,12 @@ void TileCull::add_tile(
 	const int slot = p_slot_of(p_field.grid.get_index(p_x, p_z));
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
+	const auto start = grass_tile_start(x, z, p_field.seed) / GRASS_START_STRIDE; // no remainder
 	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
 		0.0f, 1.0f, 0.0f, centre.y(), //
 		0.0f, 0.0f, 1.0f, centre.z(), //
 		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
-		float(grass_tile_start(x, z, p_field.seed) / GRASS_START_STRIDE), float(low), hash, float(high) };
+		float(start), float(low), hash, float(high) };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
 }
 

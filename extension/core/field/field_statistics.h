@@ -18,6 +18,7 @@ struct FieldStatistics {
 	int64_t tiles = 0, blades = 0, pool_tiles = 0, bare_tiles = 0;
 	int64_t memory = 0; // bytes
 	int64_t awake_tiles = 0;
+	bool is_seen = false; // or a shadow of it
 	int64_t bodies = 0;
 	BodyReads reads;
 	TileStatistics tile_work;

@@ -23,7 +23,7 @@ TexelRange texels_in(const MapRegion &p_region, const MapKey &p_key, int p_side)
 }
 
 uint8_t to_byte(double p_share) {
-	return uint8_t(std::clamp(p_share, 0.0, 1.0) * 255.0 + 0.5);
+	return uint8_t(std::clamp(p_share, 0.0, 1.0) * 255.0 + 0.5); // NOLINT(bugprone-incorrect-roundings): never negative
 }
 
 // Puts one layer together.

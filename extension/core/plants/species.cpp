@@ -50,14 +50,16 @@ int32_t find_limit(double p_share, int32_t p_strength) {
 	if (p_strength == 0) {
 		return int32_t(std::lround(p_share * LIMIT));
 	}
+	constexpr size_t STRIDE = 16; // rising, so that every sixteenth says the same
+	const size_t count = noise.size() / STRIDE;
 	int32_t low = 0, high = int32_t(LIMIT);
 	while (high - low > 16) {
 		const int32_t middle = low + (high - low) / 2;
 		double share = 0.0;
-		for (size_t i = 0; i < noise.size(); i += 16) { // rising, so that every sixteenth says the same
+		for (size_t i = 0; i < noise.size(); i += STRIDE) {
 			share += share_below(middle, noise[i], p_strength);
 		}
-		(share / double(noise.size() / 16) < p_share ? low : high) = middle;
+		(share / double(count) < p_share ? low : high) = middle;
 	}
 	return high;
 }

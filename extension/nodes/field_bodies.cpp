@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_bodies.h"
+
+using namespace godot;
+
+namespace grass {
+
+void FieldBodies::collect(const Field &p_field, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
+	const TileGrid &grid = p_field.get_grid();
+	const double height = p_field.get_setup().blade_length();
+	const Vector3 half(
+			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
+	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
+	_tracker.set_box(p_transform, half, p_delta);
+	_tracker.collect(p_transform, tick, _colliders);
+	_registered.collect(p_transform, tick, _colliders);
+}
+
+void FieldBodies::forget_motion() {
+	_tracker.forget_motion();
+	_registered.forget_motion();
+}
+
+void FieldBodies::add_to(FieldStatistics &r_statistics) const {
+	r_statistics.bodies = get_count();
+	r_statistics.reads = _tracker.get_reads();
+}
+
+} // namespace grass

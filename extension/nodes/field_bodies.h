@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What bends a field's grass: bodies of the physics server and nodes that a game registered, as the colliders of a tick; and which of
+// them stand in the grass.
+#pragma once
+
+#include "core/field/field.h"
+#include "core/field/field_statistics.h"
+#include "core/field/visitors.h"
+#include "nodes/body_tracker.h"
+#include "nodes/node_colliders.h"
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class FieldBodies {
+public:
+	BodyTracker &get_tracker() { return _tracker; }
+	NodeColliders &get_registered() { return _registered; }
+
+	// Poses every collider for a tick of p_delta seconds of p_field, which stands at p_transform (orthonormal).
+	void collect(const Field &p_field, const godot::Transform3D &p_transform, double p_teleport_speed, double p_delta);
+	std::span<ColliderShape> get_colliders() { return _colliders; }
+	// Time has passed without collect(): the way from where bodies were last is no motion.
+	void forget_motion();
+
+	// After the tick. Returns who met grass now and not in the tick before, and the reverse.
+	Visitors::Change update_visitors(const TileManager &p_tiles) { return _visitors.update(p_tiles, _colliders); }
+	// The grass goes. Returns who stood in it.
+	std::vector<uint64_t> leave() { return _visitors.leave(); }
+
+	int64_t get_count() const { return _tracker.body_count(); } // of the physics server
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	BodyTracker _tracker;
+	NodeColliders _registered;
+	std::vector<ColliderShape> _colliders; // of this tick
+	Visitors _visitors;
+};
+
+} // namespace grass

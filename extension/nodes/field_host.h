@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a part of a GrassField may ask of its node.
+#pragma once
+
+#include "nodes/grass_map.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+
+namespace grass {
+
+class FieldHost {
+public:
+	virtual ~FieldHost() = default;
+
+	virtual const godot::Node3D &as_node() const = 0;
+	virtual godot::Transform3D field_transform() const = 0; // global, without scale
+	// Makes the field, if it waits to be made.
+	virtual void build() = 0;
+	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that
+	// names p_method, outside of the tree.
+	virtual GrassMap *need_map(const char *p_method) = 0;
+	// p_text with the node's name, for an error; the first time with what a report of it needs, too.
+	virtual godot::String message(const godot::String &p_text) const = 0;
+};
+
+} // namespace grass

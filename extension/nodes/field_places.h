@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What stands where in a field: from global places to tiles and grass, and back. Made for one call.
+#pragma once
+
+#include "convert.h"
+#include "nodes/standing_field.h"
+
+#include <godot_cpp/variant/packed_vector3_array.hpp>
+
+namespace grass {
+
+class FieldPlaces {
+public:
+	// p_transform: of the field; global, without scale.
+	FieldPlaces(const StandingField &p_standing, const godot::Transform3D &p_transform) :
+			_standing(p_standing), _to_world(to_eigen(p_transform)) {}
+
+	godot::Vector2i get_tile_at(const godot::Vector3 &p_global) const; // (-1, -1) outside of the field
+	godot::Vector3 get_tile_centre(const godot::Vector2i &p_tile) const; // global
+	// Of the field that stands. Knots: global, without wind; of an awake tile on the GPU: waits for it.
+	godot::PackedVector3Array find_knots(const godot::Vector2i &p_tile, int p_first, int p_count) const;
+	double density_at(const godot::Vector3 &p_global) const; // share of the blades that stand, 0..1
+	double height_at(const godot::Vector3 &p_global) const; // of the grass at rest, metres
+	// How far the tips around are from rest, on average: global axes, shares of the blades' lengths.
+	godot::Vector3 bend_at(const godot::Vector3 &p_global) const;
+
+private:
+	Eigen::Vector3d from_global(const godot::Vector3 &p_global) const { return _to_world.inverse(Eigen::Isometry) * to_eigen(p_global); }
+	template <typename F> double read_at(const godot::Vector3 &p_global, F &&p_read) const;
+
+	const StandingField &_standing;
+	Eigen::Affine3d _to_world;
+};
+
+} // namespace grass

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// What a change of properties, species, map or fill rule sets going.
+#include "nodes/grass_field.h"
+
+#include "convert.h"
+#include "core/base/cpu_clock.h"
+#include "nodes/editor_hooks.h"
+#include "nodes/main_thread.h"
+#include "nodes/watch_resource.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+void GrassField::request_rebuild() {
+	_maker.request();
+	update_gizmos();
+	update_configuration_warnings();
+}
+
+void GrassField::build() {
+	if (!_maker.is_waiting() || !is_inside_tree()) {
+		return;
+	}
+	CpuClock clock;
+	start_fill();
+	if (_maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
+		_standing.make(_maker.take(), this, field_transform());
+		report_warnings();
+	}
+	_maker.add_time(clock.lap());
+}
+
+// Once each, in the console; in the editor beside the node.
+void GrassField::report_warnings() {
+	if (Engine::get_singleton()->is_editor_hint()) {
+		update_configuration_warnings();
+		return;
+	}
+	const PackedStringArray warnings = _get_configuration_warnings();
+	for (const String &warning : warnings) {
+		if (!_warned_of.has(warning)) {
+			WARN_PRINT(vformat("%s: %s", label(), warning));
+		}
+	}
+	_warned_of = warnings;
+}
+
+void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
+	GRASS_MAIN_THREAD_ONLY();
+	_properties.species.set(p_species, callable_mp(this, &GrassField::_species_changed));
+	_has_own_species = false;
+	request_rebuild();
+}
+
+// Colours and frequencies take effect at once; what changes blades makes the field anew.
+void GrassField::_species_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_species_changed).call_deferred();
+		return;
+	}
+	if (_maker.is_waiting() || !_standing.update_species()) {
+		request_rebuild();
+	}
+}
+
+void GrassField::set_map(const Ref<GrassMap> &p_map) {
+	GRASS_MAIN_THREAD_ONLY();
+	watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed");
+	_recovery.reset();
+	_filler.forget_map();
+	_is_map_bare = is_map_bare();
+	request_rebuild();
+}
+
+// Nothing grows on it, nor will by a rule.
+bool GrassField::is_map_bare() const {
+	const Ref<GrassMap> &map = _properties.map;
+	return map.is_valid() && map->is_readable() && !_filler.is_active() && map->get_base_density() == 0.0 &&
+			!map->get_map().uses(MAP_DENSITY);
+}
+
+// The editor reads a node's warnings only when it is notified, and then draws its whole tree of nodes anew.
+void GrassField::watch_bare_map() {
+	if (_is_map_bare != is_map_bare()) {
+		_is_map_bare = !_is_map_bare;
+		update_configuration_warnings();
+	}
+}
+
+// However often the map changes, it is read once, at the next tick or frame.
+void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
+	_filler.touch(_properties.map, p_chunks);
+	watch_bare_map();
+	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	for (ShownMap *map : { _standing.get_map(), _maker.get_map() }) {
+		if (map != nullptr && map->get_map() == _properties.map) {
+			map->touch(region);
+		}
+	}
+	_standing.request_draw();
+}
+
+void GrassField::update_map() {
+	if (!_standing.update_map()) {
+		WARN_PRINT_ONCE(vformat(
+				"%s: `map` has more painted chunks under the field than it can show (%d, about 8 km\u00b2); the rest stays bare. Use "
+				"several smaller fields.",
+				label(), GRASS_MAX_LAYERS));
+	}
+}
+
+void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY();
+	_filler.set_rule(p_rule, callable_mp(this, &GrassField::_fill_rule_changed), _properties.map);
+	_fill_rule_changed();
+	notify_property_list_changed();
+}
+
+void GrassField::set_fill_live(bool p_live) {
+	GRASS_MAIN_THREAD_ONLY();
+	_filler.set_live(p_live, _properties.map);
+	update_configuration_warnings();
+	notify_property_list_changed();
+}
+
+void GrassField::_fill_rule_changed() {
+	if (!is_main_thread()) { // a part of the resource changed on another one
+		callable_mp(this, &GrassField::_fill_rule_changed).call_deferred();
+		return;
+	}
+	_filler.rule_changed();
+	update_configuration_warnings();
+}
+
+FieldFiller::Place GrassField::fill_place() const {
+	return { const_cast<GrassField *>(this), field_transform(), MapRegion::of_grid(_properties.grid()) };
+}
+
+// A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
+void GrassField::start_fill() {
+	if (!_filler.is_active() || _filler.is_set()) {
+		return;
+	}
+	if (_properties.map.is_null()) {
+		make_map();
+	}
+	_filler.start(_properties.map, fill_place(), !_standing.stands());
+}
+
+void GrassField::update_fill() {
+	start_fill();
+	if (_filler.is_set() && _filler.update(_properties.map, fill_place())) {
+		emit_signal("fill_finished"); // last: who listens may change the field
+	}
+}
+
+// The inspector's button.
+void GrassField::_fill_pressed() {
+	if (_filler.get_rule().is_valid() && is_inside_tree() && editor_hooks.fill != nullptr) {
+		editor_hooks.fill(*this);
+	}
+}
+
+Callable GrassField::get_fill_button() const {
+	return callable_mp(const_cast<GrassField *>(this), &GrassField::_fill_pressed);
+}
+
+PackedStringArray GrassField::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	_properties.warn_of_blades(warnings);
+	if (is_map_bare() && Engine::get_singleton()->is_editor_hint()) { // a game may begin with bare ground
+		warnings.push_back("`map` has nothing painted and `base_density` 0, so no grass grows. Paint with the brush, or set the map's "
+						   "`base_density` to 1.");
+	}
+	if (is_inside_tree()) {
+		const Transform3D transform = get_global_transform();
+		if (!transform.is_finite()) {
+			warnings.push_back("The node's transform is not a number. Set its position and rotation again.");
+		} else if (!transform.basis.get_scale().is_equal_approx(Vector3(1, 1, 1))) {
+			warnings.push_back("The node's scale is ignored. Use `size` for the field, and the patch's lengths and widths for the blades.");
+		}
+	}
+	_properties.warn_of_tiles(warnings);
+	if (_standing.is_crowded()) {
+		warnings.push_back(_standing.crowded_warning());
+	}
+	_filler.warn(_properties.map, warnings);
+	return warnings;
+}
+
+} // namespace grass

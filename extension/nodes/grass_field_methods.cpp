@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// What scripts ask of a GrassField and do to it: each method checks what it is given and passes it on.
+#include "nodes/grass_field.h"
+
+#include "nodes/build_info.h"
+#include "nodes/main_thread.h"
+#include "nodes/statistics_dictionary.h"
+
+using namespace godot;
+
+namespace grass {
+
+String GrassField::label() const {
+	return vformat("GrassField '%s'", get_name());
+}
+
+String GrassField::message(const String &p_text) const {
+	// On another thread the renderer answers only once the main thread is free, which may be waiting for this one.
+	if (_has_reported || !is_main_thread()) {
+		return vformat("%s: %s", label(), p_text);
+	}
+	_has_reported = true;
+	PackedStringArray build;
+	build.push_back("GrassField " + get_version());
+	build.push_back(_standing.stands() ? vformat("%s backend", _standing.get_backend()->get_name()) : String("no backend"));
+	if (const String device = get_device(); !device.is_empty()) {
+		build.push_back(device);
+		build.push_back(get_driver());
+	}
+	return vformat("%s: %s (%s)", label(), p_text, String(", ").join(build));
+}
+
+// Whether grass stands, or will as soon as the field is made.
+bool GrassField::has_blades() const {
+	return _standing.stands() ||
+			(is_inside_tree() && _maker.is_waiting() && !(_properties.species.prepare_patches() && _properties.species.join()->is_empty()));
+}
+
+int64_t GrassField::get_blade_count() const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return has_blades() ? int64_t(_standing.get_grid().get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
+}
+
+Vector2i GrassField::get_tiles() const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i());
+	const TileGrid grid = _standing.get_grid();
+	return has_blades() ? Vector2i(grid.get_tiles_x(), grid.get_tiles_z()) : Vector2i();
+}
+
+double GrassField::get_tile_size() const {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return _standing.get_grid().get_tile_size();
+}
+
+Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i(-1, -1));
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector2i(-1, -1), message("add the node to the scene tree before asking for tiles."));
+	return places().get_tile_at(p_global_position);
+}
+
+Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
+	return places().get_tile_centre(p_tile);
+}
+
+bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	const Field &field = _standing.get_field();
+	return _standing.stands() && field.get_grid().has_tile(p_tile.x, p_tile.y) &&
+			field.get_tiles().is_awake(field.get_grid().get_index(p_tile.x, p_tile.y));
+}
+
+int64_t GrassField::get_awake_tile_count() const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return _standing.stands() ? _standing.get_field().get_tiles().get_statistics().awake : 0;
+}
+
+// With an error where it is false.
+bool GrassField::has_tile(const Vector2i &p_tile) const {
+	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	ERR_FAIL_COND_V_MSG(!_standing.get_grid().has_tile(p_tile.x, p_tile.y), false,
+			message("there is no such tile. get_tiles() tells how many there are."));
+	return true;
+}
+
+PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), PackedVector3Array(), message("a tile has 64 blades, 0 to 63."));
+	return has_tile(p_tile) ? places().find_knots(p_tile, int(p_blade), 1) : PackedVector3Array();
+}
+
+PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_tile(p_tile) ? places().find_knots(p_tile, 0, GRASS_BLADES_PER_TILE) : PackedVector3Array();
+}
+
+int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	if (!has_tile(p_tile)) {
+		return 0;
+	}
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), 0, message("a tile has 64 blades, 0 to 63."));
+	return _standing.get_field().get_blades().get_pose(p_tile.x, p_tile.y, int(p_blade)).species;
+}
+
+int64_t GrassField::get_memory_usage() const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return find_statistics().memory;
+}
+
+String GrassField::get_version() {
+	return grass::get_version();
+}
+
+FieldStatistics GrassField::find_statistics() const {
+	FieldStatistics statistics;
+	_standing.add_to(statistics);
+	_maker.add_to(statistics);
+	_bodies.add_to(statistics);
+	_filler.add_to(statistics);
+	statistics.blades = get_blade_count();
+	statistics.gather_ms = _gather_ms;
+	statistics.frame_ms = _frame_ms;
+	return statistics;
+}
+
+Dictionary GrassField::get_statistics() const {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
+	return to_dictionary(find_statistics());
+}
+
+double GrassField::get_monitor(FieldMonitor p_monitor) {
+	if (!_standing.stands()) {
+		return 0.0;
+	}
+	if (p_monitor == MONITOR_SIMULATE || p_monitor == MONITOR_CULL) {
+		_standing.measure_time();
+	}
+	return monitor_of(find_statistics(), p_monitor);
+}
+
+// Makes the field and takes over its map. False where there are no places to ask for.
+bool GrassField::prepare_places() {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
+	build();
+	update_map();
+	return _standing.stands();
+}
+
+bool GrassField::is_grass_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	return density_at(p_global_position) > 0.0;
+}
+
+double GrassField::density_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return prepare_places() ? places().density_at(p_global_position) : 0.0;
+}
+
+double GrassField::height_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return prepare_places() ? places().height_at(p_global_position) : 0.0;
+}
+
+Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
+	return prepare_places() ? places().bend_at(p_global_position) : Vector3();
+}
+
+GrassMap *GrassField::need_map(const char *p_method) {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), nullptr, message("add the node to the scene tree first.") + String(" (") + p_method + ")");
+	if (_properties.map.is_null()) {
+		make_map();
+	}
+	build();
+	return _properties.map.ptr();
+}
+
+void GrassField::make_map() {
+	Ref<GrassMap> map;
+	map.instantiate();
+	map->set_base_density(1.0);
+	set_map(map);
+}
+
+Dictionary GrassField::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(to_dictionary(CutResult()));
+	return to_dictionary(_work.cut(p_shape, p_transform));
+}
+
+double GrassField::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return _work.get_mown_share(p_shape, p_transform);
+}
+
+void GrassField::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY();
+	_work.regrow(p_height, p_wear, p_shape, p_transform);
+}
+
+double GrassField::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return _work.paint(p_brush, p_from, p_to);
+}
+
+double GrassField::trample(const Vector3 &p_global_position, double p_radius, double p_amount) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return _work.trample(p_global_position, p_radius, p_amount);
+}
+
+int64_t GrassField::bake_ground(const Rect2 &p_region, int64_t p_mask) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return _work.bake_ground(p_region, p_mask);
+}
+
+int64_t GrassField::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return _work.bake_ground_from(p_shape, p_transform);
+}
+
+double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	ERR_FAIL_COND_V_MSG(p_rule.is_null(), 0.0, message("fill() needs a GrassFillRule."));
+	if (need_map("fill") == nullptr) {
+		return 0.0;
+	}
+	if (_filler.is_set()) {
+		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
+	}
+	return _filler.fill(_properties.map, p_rule, { this, field_transform(), MapRegion::of_grid(_standing.get_field().get_grid()) });
+}
+
+void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(p_node == nullptr || p_shape.is_null(), message("register_collider() needs a node and its shape."));
+	if (_bodies.get_registered().add(p_node, p_shape)) {
+		return;
+	}
+	const String what = vformat("the %s registered for '%s'", p_shape->get_class(), p_node->get_name());
+	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
+	ERR_FAIL_COND_MSG(is_polygon,
+			message(vformat(
+					"%s encloses no volume. Give it points that do, before it is registered: four at least, not all in a plane.", what)));
+	ERR_FAIL_MSG(message(vformat("%s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", what)));
+}
+
+void GrassField::unregister_collider(Node3D *p_node) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs the node."));
+	_bodies.get_registered().remove(p_node);
+}
+
+} // namespace grass

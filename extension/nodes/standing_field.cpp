@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/standing_field.h"
+
+#include "backend/cpu_backend.h"
+#include "draw/blade_mesh.h"
+#include "draw/frame_share.h"
+#include "draw/patch_texture.h"
+#include "gpu/gpu_backend.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Chunks of the map (64 m) that may change without waiting for anything: less than 1 ms each. More: frames stutter when a large brush is
+// used. Less: what is painted with it comes in pieces.
+constexpr int CHUNKS_AT_ONCE = 4;
+
+DrawnStatistics count_drawn(const BackendStatistics &p_backend, const FieldSetup &p_setup) {
+	DrawnStatistics drawn;
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
+		const int64_t count = p_backend.drawn_tiles[size_t(level)];
+		drawn.tiles[list] += count;
+		drawn.triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, p_setup.card_size > 0.0f);
+	}
+	return drawn;
+}
+
+} // namespace
+
+void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	_is_crowded = false;
+	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),
+			_properties.field_params(p_wanted.species));
+	_mix = std::move(p_wanted.mix);
+	_species = std::move(p_wanted.species);
+	_map = std::move(p_wanted.map);
+	_ground.free();
+	const FieldSetup &setup = _field.get_setup();
+	if (setup.patch->is_empty() || !_backend || !_backend->set_field(setup)) {
+		make_backend();
+	}
+	if (_backend) {
+		_ground.create(setup.grid, setup.is_mapped);
+		follow(p_node, p_transform);
+		_uniforms.set_all(_properties, setup, uniform_setter(true));
+		set_wind_clock();
+		set_species_uniforms();
+		show_map();
+	}
+}
+
+void StandingField::make_backend() {
+	_backend.reset();
+	const FieldSetup &setup = _field.get_setup();
+	if (setup.patch->is_empty()) {
+		return;
+	}
+	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
+	if (has_device && !_properties.is_on_cpu) {
+		_backend = std::make_unique<GpuBackend>(setup);
+	} else {
+		_backend = std::make_unique<CpuBackend>(setup);
+	}
+	update_measuring();
+	_builds++;
+}
+
+void StandingField::drop_backend() {
+	_backend.reset();
+	_ground.free();
+	_field.rest(); // its blades went with it
+}
+
+void StandingField::clear() {
+	drop_backend();
+	_field.forget_map();
+	_map.reset();
+}
+
+void StandingField::update_params() {
+	if (_backend) { // else make() will
+		_field.set_params(_properties.field_params(_species));
+		_field.stir();
+	}
+}
+
+void StandingField::update_method() {
+	if (_backend) {
+		_field.choose_method(*_backend, _properties.method);
+	}
+	update_params();
+}
+
+void StandingField::update_measuring() {
+	if (_backend) {
+		_backend->set_measure_time(_properties.measure_time || _is_measured);
+	}
+}
+
+void StandingField::measure_time() {
+	if (!_is_measured) {
+		_is_measured = true;
+		update_measuring();
+	}
+}
+
+bool StandingField::update_species() {
+	const FieldSpecies &species = _properties.species;
+	const FieldSetup &setup = _field.get_setup();
+	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
+			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size) {
+		return false;
+	}
+	set_species_uniforms();
+	update_params();
+	return true;
+}
+
+void StandingField::set_uniform(const StringName &p_name, const Variant &p_value) {
+	if (_backend) {
+		_backend->set_uniform(p_name, p_value);
+		_ground.set_uniform(p_name, p_value);
+	}
+}
+
+// p_ground: of the ground, too, not of the blades alone.
+FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
+	return [this, p_ground](const char *p_name, const Variant &p_value) {
+		if (p_ground) {
+			set_uniform(p_name, p_value);
+		} else {
+			_backend->set_uniform(p_name, p_value);
+		}
+	};
+}
+
+// The ground has no wind.
+void StandingField::set_wind_clock() {
+	_uniforms.set_wind_clock(uniform_setter(false));
+}
+
+// All of it, to a backend that has not seen it yet.
+void StandingField::show_map() {
+	if (!_map) {
+		MapTextures::clear_uniforms(uniform_setter(true));
+		return;
+	}
+	_map->set_uniforms(uniform_setter(true));
+	const TileGrid &grid = _field.get_grid();
+	_backend->set_cover(_map->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
+}
+
+bool StandingField::update_map() {
+	if (!_backend || !_map || _map->get_waiting() == 0) {
+		return true;
+	}
+	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE;
+	const FieldMap::Changes changes = _map->update([are_few] { return are_few || FrameShare::has_time(); });
+	if (changes.tiles.count() == 0) {
+		return true;
+	}
+	_map->set_uniforms(uniform_setter(true));
+	_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+	_field.regrow(changes.tiles);
+	return !_field.get_layers()->is_full();
+}
+
+const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const {
+	if (_properties.map.is_null()) {
+		return nullptr;
+	}
+	if (_map && _map->get_map() == _properties.map && !_map->get_field().is_waiting_at(p_place)) {
+		return _field.get_layers();
+	}
+	r_own.reset(_field.get_setup().grid, _field.get_setup().blade_length());
+	r_own = r_own.read(_properties.map->get_map(), p_place);
+	return &r_own;
+}
+
+bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
+	return _field.begin_tick(*_backend, _properties.method, p_is_listened, p_delta);
+}
+
+void StandingField::tick(std::span<ColliderShape> p_colliders, double p_delta) {
+	_field.set_params(_properties.field_params(_species));
+	if (_field.tick(*_backend, p_colliders, p_delta)) {
+		request_draw();
+	}
+}
+
+void StandingField::blow(double p_delta) {
+	if (_uniforms.blow(_properties, p_delta) && _field.is_seen()) {
+		set_wind_clock();
+		_wind_updates++;
+	}
+}
+
+void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	_backend->follow(p_node, p_transform);
+	_ground.follow(p_node, p_transform, _properties.has_ground && _field.ground_relief() == 0.0); // it is flat
+}
+
+bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
+	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
+	_field.see(p_view, p_is_visible);
+	if (!p_view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
+		_backend->draw(p_view);
+		_is_crowded = _is_crowded || leaves_tiles_out();
+	}
+	if (_field.is_seen() && !was_seen && _properties.param(PARAM_WIND_SPEED) > 0.0) {
+		set_wind_clock();
+		_wind_updates++;
+	}
+	return _is_crowded && !was_crowded;
+}
+
+bool StandingField::leaves_tiles_out() const {
+	const FieldSetup &setup = _field.get_setup();
+	if (int(setup.grid.get_tile_count()) <= std::min(setup.instance_capacity(), setup.shadow_capacity())) {
+		return false; // all of them have room
+	}
+	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
+	return picture + shadows > 0;
+}
+
+String StandingField::crowded_warning() const {
+	return vformat(
+			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
+			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
+			"nearer.",
+			_field.get_setup().instance_capacity(), _field.get_setup().shadow_capacity());
+}
+
+AABB StandingField::get_bounds() const {
+	FieldSetup setup;
+	setup.grid = _properties.grid();
+	setup.patch = _backend ? _field.get_setup().patch : _properties.species.join();
+	return field_bounds(setup, _field.get_cover());
+}
+
+int64_t StandingField::get_memory_usage() const {
+	const TileBounds *bounds = _field.get_bounds();
+	const size_t tiles = _field.get_tiles().get_memory_usage() + (bounds != nullptr ? bounds->get_memory_usage() : 0);
+	return int64_t(tiles) + (_map ? _map->get_memory_usage() : 0) + _uniforms.get_cards_memory() +
+			(_backend ? _backend->get_memory_usage() : 0);
+}
+
+void StandingField::add_to(FieldStatistics &r_statistics) const {
+	if (_backend) {
+		r_statistics.backend = _backend->get_name();
+		r_statistics.backend_work = _backend->get_statistics();
+		r_statistics.tiles = _field.get_grid().get_tile_count();
+		r_statistics.pool_tiles = _field.get_setup().pool_size;
+		r_statistics.awake_tiles = _field.get_tiles().get_statistics().awake;
+	}
+	if (_map) {
+		r_statistics.bare_tiles = _map->get_field().get_cover()->get_bare_count();
+		r_statistics.map_bytes = _map->get_textures().get_uploaded_bytes();
+		r_statistics.map_waiting += _map->get_waiting();
+	}
+	r_statistics.drawn = count_drawn(r_statistics.backend_work, _field.get_setup());
+	r_statistics.is_seen = _field.is_seen();
+	r_statistics.tile_work = _field.get_tiles().get_statistics();
+	r_statistics.instance_updates = r_statistics.backend_work.instance_updates + _ground.get_updates();
+	r_statistics.memory += get_memory_usage();
+	r_statistics.builds = _builds;
+	r_statistics.unseen_ticks = _field.get_unseen_ticks();
+	r_statistics.wind_updates = _wind_updates;
+	r_statistics.tiles_ms = _field.get_tiles_ms();
+}
+
+} // namespace grass

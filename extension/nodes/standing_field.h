@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// The field that stands: its blades, the map that it shows, its backend, its ground and what the shaders read. nodes/field_maker.h
+// prepares the next one. Prints nothing: what a user should know is returned, and the node says it.
+#pragma once
+
+#include "backend/backend.h"
+#include "core/field/field.h"
+#include "core/field/field_statistics.h"
+#include "draw/ground.h"
+#include "nodes/field_maker.h"
+#include "nodes/field_properties.h"
+#include "nodes/field_uniforms.h"
+#include "nodes/shown_map.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class StandingField {
+public:
+	// p_properties: the node's. What they say may differ from this field until it is made again.
+	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
+
+	// Becomes this field, all of it at rest, in the buffers, MultiMeshes and materials that it has where they serve.
+	void make(WantedField &&p_wanted, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// Nothing is simulated or drawn any more, until it is made again.
+	void drop_backend();
+	// Nor is anything kept of its map.
+	void clear();
+	bool stands() const { return _backend != nullptr; }
+
+	// What a field that goes on as it is reads from the properties.
+	void update_params();
+	void update_method();
+	void update_measuring();
+	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
+	// Colours and frequencies of the species. False if they changed what needs another field.
+	bool update_species();
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
+	// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.
+	void request_draw() { set_uniform("tile_size", _field.get_grid().get_tile_size()); }
+
+	// Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time. False if the
+	// map has more painted chunks under the field than it can show.
+	bool update_map();
+	ShownMap *get_map() const { return _map.get(); } // null: none
+	// What the map says about a place, as it is now: what the field shows of it, or r_own, where that waits to change. Null without a map.
+	const MapLayers *layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const;
+
+	// A tick: begins it, then takes what the bodies do. See Field.
+	bool begin_tick(bool p_is_listened, double p_delta);
+	bool resume() { return _field.resume(); }
+	void tick(std::span<ColliderShape> p_colliders, double p_delta);
+	// A frame, before drawing begins: the wind blows.
+	void blow(double p_delta);
+	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
+	void show_motion(bool p_is_read) {
+		_backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false)));
+	}
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// True once after the field was made: as soon as it is known that more tiles are seen than it has room for.
+	bool draw(const FieldView &p_view, bool p_is_visible);
+	bool is_crowded() const { return _is_crowded; }
+	godot::String crowded_warning() const;
+
+	const Field &get_field() const { return _field; }
+	Backend *get_backend() const { return _backend.get(); } // null: no field stands
+	const std::vector<GrownSpecies> &get_species() const { return _species; }
+	// Before a field stands: of the one that the properties describe.
+	TileGrid get_grid() const { return stands() ? _field.get_grid() : _properties.grid(); }
+	godot::AABB get_bounds() const;
+	void measure_time(); // from now on, whatever the property says
+	int64_t get_memory_usage() const; // bytes
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	void make_backend();
+	void show_map();
+	void set_wind_clock();
+	void set_species_uniforms() { _uniforms.set_species(_field.get_setup(), _species, uniform_setter(true), uniform_setter(false)); }
+	FieldUniforms::Set uniform_setter(bool p_ground);
+	bool leaves_tiles_out() const;
+
+	const FieldProperties &_properties;
+	Field _field;
+	std::vector<SpeciesParams> _mix; // as it was made
+	std::vector<GrownSpecies> _species;
+	std::unique_ptr<ShownMap> _map;
+	std::unique_ptr<Backend> _backend;
+	Ground _ground;
+	FieldUniforms _uniforms;
+	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
+	bool _is_measured = false; // somebody reads the monitors of times
+	int64_t _builds = 0; // backends made
+	int64_t _wind_updates = 0; // frames in which the wind's clock went to the materials
+};
+
+} // namespace grass
