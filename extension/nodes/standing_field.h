@@ -56,9 +56,7 @@ public:
 	// A frame, before drawing begins: the wind blows.
 	void blow(double p_delta);
 	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
-	void show_motion(bool p_is_read) {
-		_backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false)));
-	}
+	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// True once after the field was made: as soon as it is known that more tiles are seen than it has room for.
 	bool draw(const FieldView &p_view, bool p_is_visible);
