@@ -2,6 +2,7 @@
 // A tile of blades, colliders and time, for the tests of the solver: no patch, no pool, shapes set by hand.
 #pragma once
 
+#include "core/base/functions.h"
 #include "core/solver/solver_params.h"
 #include "core/solver/tile_state.h"
 
@@ -30,6 +31,14 @@ struct Pbd {
 inline constexpr int SHAPES[] = { GRASS_SPHERE, GRASS_CAPSULE, GRASS_BOX, GRASS_CYLINDER, GRASS_HULL };
 inline constexpr float NOT_A_NUMBER = std::numeric_limits<float>::quiet_NaN();
 
+// The same on every platform.
+inline float sin_of(float p_angle) {
+	return float(sine(double(p_angle)));
+}
+inline float cos_of(float p_angle) {
+	return float(cosine(double(p_angle)));
+}
+
 struct BladeScene {
 	std::unique_ptr<TileState> tile = std::make_unique<TileState>();
 	SolverParams params;
@@ -52,7 +61,7 @@ struct BladeScene {
 				set_rest(b, k, knot);
 				const float angle = curve * float(k) / float(GRASS_SEGMENTS);
 				knot += length / GRASS_SEGMENTS *
-						Eigen::Vector3f(std::sin(angle) * std::cos(heading), std::cos(angle), std::sin(angle) * std::sin(heading));
+						Eigen::Vector3f(sin_of(angle) * cos_of(heading), cos_of(angle), sin_of(angle) * sin_of(heading));
 			}
 		}
 	}
@@ -87,7 +96,7 @@ struct BladeScene {
 			Eigen::Vector3f place = rest(b, 1);
 			for (int k = 1; k < GRASS_SEGMENTS; k++) {
 				const float angle = p_angle * float(k) / float(GRASS_SEGMENTS - 1);
-				place += (rest(b, k + 1) - rest(b, k)).norm() * Eigen::Vector3f(std::sin(angle), std::cos(angle), 0.0f);
+				place += (rest(b, k + 1) - rest(b, k)).norm() * Eigen::Vector3f(sin_of(angle), cos_of(angle), 0.0f);
 				set_knot(b, k + 1, place);
 			}
 		}

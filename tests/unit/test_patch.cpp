@@ -260,14 +260,6 @@ TEST_CASE("patch: bad parameters are brought within their ranges") {
 	CHECK(generate_patch(params).max_length == doctest::Approx(0.01).epsilon(0.01));
 }
 
-TEST_CASE("blade types: sine and cosine are right without the C library") {
-	double worst = 0.0;
-	for (double angle = -40.0; angle < 40.0; angle += 0.0137) {
-		worst = std::max({ worst, std::abs(sine(angle) - std::sin(angle)), std::abs(cosine(angle) - std::cos(angle)) });
-	}
-	CHECK(worst < 1e-12);
-}
-
 TEST_CASE("blade types: curves have length 1, start at the origin, and bend by the given factor") {
 	for (const BladeType &type : BLADE_TYPES) {
 		const BladeCurve curve = blade_curve(type, 1.0, 1.0);

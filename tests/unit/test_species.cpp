@@ -337,7 +337,7 @@ TEST_CASE("species: the tip of each species swings at its own frequency, whateve
 	const double shares[] = { 0.5, 0.5 };
 	const auto patch = std::make_shared<const Patch>(join_patches(patches, shares));
 	const FieldBlades blades(GRID, patch, ClumpParams{ 1.6f, 0.0f, 0.0f, 0.0f }, 0, mix, nullptr);
-	for (const Precision precision : { Precision::LANES, Precision::SCALAR_DOUBLE }) {
+	for (const TileStep tile_step : { step_lanes, step_scalar_double }) {
 		CpuPool pool(patch, 1);
 		GrassSlot slot = slot_of(12, 12);
 		const SlotGrowth growth = blades.grow(slot);
@@ -360,7 +360,7 @@ TEST_CASE("species: the tip of each species swings at its own frequency, whateve
 			if (slot.list.w & GRASS_SLOT_FRESH) {
 				input.growth = { &growth, 1 };
 			}
-			pool.step(input, serial_for, precision);
+			pool.step(input, serial_for, tile_step);
 			slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);
 		};
 		const auto tip = [&](int p_blade) {

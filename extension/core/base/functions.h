@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Functions whose last bit differs between C libraries and processors, for what decides how blades stand and move: by operations that round
-// alike everywhere. Each is right to some 1e-15.
+// alike everywhere.
 #pragma once
 
 #include <cmath>
 
 namespace grass {
 
-// Of an angle in radians. To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
+// Of an angle in radians up to about 1e6. To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
 inline double sine(double p_angle) {
 	constexpr double PI = 3.14159265358979323846;
 	const double half_turns = std::floor(p_angle / PI + 0.5);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/blades/blade_types.h"
 
+#include "core/base/functions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,25 +28,6 @@ double control_at(const Controls &p_controls, double p_along) {
 }
 
 } // namespace
-
-double sine(double p_angle) {
-	// To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
-	const double half_turns = std::floor(p_angle / PI + 0.5);
-	const double x = p_angle - half_turns * PI;
-	const double square = x * x;
-	double term = x;
-	double sum = x;
-	for (int n = 2; n <= 20; n += 2) {
-		term *= -square / double(n * (n + 1));
-		sum += term;
-	}
-	const bool odd = half_turns - 2.0 * std::floor(half_turns * 0.5) > 0.5;
-	return odd ? -sum : sum;
-}
-
-double cosine(double p_angle) {
-	return sine(p_angle + 0.5 * PI);
-}
 
 BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist) {
 	BladeCurve curve;

@@ -36,9 +36,4 @@ struct BladeCurve {
 // p_type resampled to knots. p_bend multiplies the inclination (1 = as drawn by hand), p_twist the twist.
 BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist);
 
-// Sine and cosine from nothing but + and *: the C library's differ from machine to machine in the last bit,
-// and the patch must not. Any angle in radians up to about 1e6; error below 1e-12.
-double sine(double p_angle);
-double cosine(double p_angle);
-
 } // namespace grass

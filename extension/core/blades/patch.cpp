@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/blades/patch.h"
 
+#include "core/base/functions.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -4,7 +4,6 @@
 #include "core/base/half.h"
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
-#include "core/solver/tile_state.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,18 +13,6 @@ namespace grass {
 namespace {
 
 constexpr int BLADES = GRASS_BLADES_PER_TILE;
-
-float step_state(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders,
-		Precision p_precision) {
-	switch (p_precision) {
-		case Precision::SCALAR_FLOAT:
-			return step_scalar_float(r_state, p_steps, p_blend, p_colliders);
-		case Precision::SCALAR_DOUBLE:
-			return step_scalar_double(r_state, p_steps, p_blend, p_colliders);
-		default:
-			return step_lanes(r_state, p_steps, p_blend, p_colliders);
-	}
-}
 
 Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	Eigen::Vector3f knot;
@@ -65,7 +52,7 @@ void CpuPool::set_pool_size(int p_pool_size) {
 	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
 }
 
-void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, Precision p_precision) {
+void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
 	std::vector<const GrassSlot *> awake;
 	for (const GrassSlot &slot : p_input.slots) {
 		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
@@ -83,7 +70,7 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 		}
 		awake.push_back(&slot);
 	}
-	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_precision); });
+	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_step); });
 	_simulated_blades += int64_t(awake.size()) * BLADES;
 }
 
@@ -152,7 +139,7 @@ void CpuPool::wake(const GrassSlot &p_slot) {
 	std::memset(state.twist, 0, sizeof(state.twist));
 }
 
-void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision) {
+void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileStep p_step) {
 	const auto growth = std::find_if(
 			p_input.growth.begin(), p_input.growth.end(), [&](const SlotGrowth &p_growth) { return p_growth.slot == p_slot.tile.w; });
 	const bool is_fresh = p_slot.list.w & GRASS_SLOT_FRESH;
@@ -178,7 +165,7 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, Preci
 	const size_t slot = size_t(p_slot.tile.w);
 	const std::span<const GrassStep> steps =
 			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
-	_energy[slot] = step_state(*_slots[slot], steps, blend, colliders, p_precision);
+	_energy[slot] = p_step(*_slots[slot], steps, blend, colliders);
 	_bends[slot] = bend_of(*_slots[slot]);
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/parallel_for.h"
 #include "core/blades/patch.h"
 #include "core/solver/step.h"
+#include "core/solver/tile_state.h"
 
 #include <Eigen/Core>
 
@@ -14,15 +15,6 @@
 #include <vector>
 
 namespace grass {
-
-struct TileState;
-
-// What the blades of a tile are stepped with. The double one is the oracle: slow, state kept as float.
-enum class Precision {
-	LANES, // four, eight or sixteen floats at a time
-	SCALAR_FLOAT,
-	SCALAR_DOUBLE,
-};
 
 class CpuPool {
 public:
@@ -35,8 +27,9 @@ public:
 	void set_pool_size(int p_pool_size);
 
 	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
-	// and of blades beyond the patch are left out.
-	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, Precision p_precision = Precision::LANES);
+	// and of blades beyond the patch are left out. p_step: one of those in tile_state.h; step_scalar_double() is the oracle: slow, state kept
+	// as float.
+	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
 	// Knots of a blade, blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or there is no such blade.
 	std::vector<Eigen::Vector3f> get_knots(int p_slot, int p_blade) const;
@@ -62,7 +55,7 @@ private:
 	void find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth);
 	void wake(const GrassSlot &p_slot);
 	void keep_shapes(const GrassSlot &p_slot);
-	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, Precision p_precision);
+	void step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileStep p_step);
 
 	std::shared_ptr<const Patch> _patch;
 	std::vector<std::unique_ptr<TileState>> _slots;

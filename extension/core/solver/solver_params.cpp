@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/solver/solver_params.h"
 
+#include "core/base/functions.h"
 #include "core/solver/constants.h"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ struct Oscillator {
 	// exp(-a t) times what the position at 0 (cosine) and the speed at 0 (sine) give to the position at t.
 	double cosine(double p_t) const {
 		const double q = w * w - a * a;
-		return q >= 0.0 ? std::cos(std::sqrt(q) * p_t) : std::cosh(std::sqrt(-q) * p_t);
+		return q >= 0.0 ? grass::cosine(std::sqrt(q) * p_t) : hyperbolic_cosine(std::sqrt(-q) * p_t);
 	}
 	double sine(double p_t) const {
 		const double q = w * w - a * a;
 		if (std::abs(q) * p_t * p_t < 1e-12) {
 			return p_t;
 		}
-		return q >= 0.0 ? std::sin(std::sqrt(q) * p_t) / std::sqrt(q) : std::sinh(std::sqrt(-q) * p_t) / std::sqrt(-q);
+		return q >= 0.0 ? grass::sine(std::sqrt(q) * p_t) / std::sqrt(q) : hyperbolic_sine(std::sqrt(-q) * p_t) / std::sqrt(-q);
 	}
 };
 
@@ -49,8 +50,8 @@ struct TwoStep {
 TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	// Beyond a quarter of a swing two places no longer tell a speed.
 	const double ratio = p_swing.sine(p_h) / p_swing.sine(p_g);
-	const double keep = std::exp(-p_swing.a * (p_h + p_g)) * ratio;
-	const double stay = std::exp(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
+	const double keep = exponential(-p_swing.a * (p_h + p_g)) * ratio;
+	const double stay = exponential(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
 	return { keep, 1.0 + keep - stay };
 }
 
@@ -91,7 +92,7 @@ void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h,
 	// [Eq 9] One minus the share that is left after all iterations, by iteration.
 	const double bend = RADIANS_PER_CYCLE * p_params.bend_stiffness * p_h;
 	r_step.pbd_motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
-		float(-std::expm1(-bend * bend / p_params.iterations)) };
+		float(1.0 - exponential(-bend * bend / p_params.iterations)) };
 	const double weight = at_tip.pull / (tip.w * tip.w);
 	r_step.load = { float(p_params.load[0] * weight), float(p_params.load[1] * weight), float(p_params.load[2] * weight), 0.0f };
 }
