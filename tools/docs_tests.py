@@ -11,7 +11,7 @@ import subprocess
 
 from tools import bench_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
-from tools.testing import Tally, in_engine
+from tools.test_runs import Tally, in_engine
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
 COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re.MULTILINE)

@@ -10,7 +10,7 @@ import re
 import shutil
 import subprocess
 
-from tools import build, engine, machine, testing
+from tools import build, engine, machine, test_runs
 from tools.places import BUILD, PROJECT
 from tools.say import Failure, say
 
@@ -48,9 +48,9 @@ def of_core(program, option, only):
 	"""Tests of the core, with the sanitizers of `option`."""
 	folder = f"{'stress' if program == 'stress' else 'unit'}-{option.removeprefix('sanitize=').replace(',', '-')}"
 	said = []
-	went = testing.core(program, only, [str(BUILD / folder / f"{program}_tests")], OPTIONS, said=said, slow=True)
+	went = test_runs.core(program, only, [str(BUILD / folder / f"{program}_tests")], OPTIONS, said=said, slow=True)
 	failed, skipped = ([f"sanitize, {text}" for text in texts] for texts in (went.failed, went.skipped))
-	return testing.Tally(went.passed, [*failures(program, said), *failed], skipped)
+	return test_runs.Tally(went.passed, [*failures(program, said), *failed], skipped)
 
 
 def copy_project():
@@ -85,7 +85,7 @@ def in_engine(layer, started, only, may_be_none):
 	command, environment = started
 	said, title = [], f"sanitize, {layer}"
 	environment = {**environment, **OPTIONS, **preload(), "ASAN_OPTIONS": IN_ENGINE}
-	tally = testing.in_engine(layer, command, environment, only, may_be_none, title, project=COPY, said=said)
+	tally = test_runs.in_engine(layer, command, environment, only, may_be_none, title, project=COPY, said=said)
 	tally.failed += failures(layer, said)
 	return tally
 
@@ -103,7 +103,7 @@ def run(only):
 	build.scons("threads", RACES)
 	build.scons("extension", "plain_dlopen", MEMORY)
 	copy_project()
-	total = testing.Tally()
+	total = test_runs.Tally()
 
 	def add(what, tally):
 		say(f"sanitize, {what}: {tally.line()}")

@@ -12,6 +12,7 @@ from tools import build, engine, machine, toolchains
 from tools.packages import ENGINE_ARM64, GLIBC
 from tools.places import ADDON_BIN, BUILD
 from tools.say import Failure, progress
+from tools.test_runs import Tally, core, in_engine
 
 LAYERS = ("platforms", "windows", "arm64")
 WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
@@ -152,9 +153,8 @@ def prepare(layers):
 			build.scons("extension", "host", "unit", *(["stress"] if layer == "windows" else []), *options)
 
 
-def run_layer(layer, only, testing):
-	"""`testing`: the module that runs the other layers."""
-	tally = testing.Tally()
+def run_layer(layer, only):
+	tally = Tally()
 	if layer == "platforms":
 		if toolchains.can_link_old_glibc(*toolchains.HERE):
 			check(tally, only, checks(toolchains.HERE, False))
@@ -168,19 +168,17 @@ def run_layer(layer, only, testing):
 	command, additions = runner(target)
 	for name in ("unit", "stress") if target == WINDOWS else ("unit",):
 		tally.add(
-			testing.core(
-				name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}", slow=target == ARM64
-			)
+			core(name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}", slow=target == ARM64)
 		)
 	if target == ARM64:
-		tally.add(in_arm64_engine(only, testing))
+		tally.add(in_arm64_engine(only))
 	return tally
 
 
-def in_arm64_engine(only, testing):
+def in_arm64_engine(only):
 	"""A few of the headless tests, in Debian's arm64 engine."""
 	engine.import_project()
 	command = [toolchains.tool("qemu-aarch64-static"), "-L", str(ENGINE_ARM64.place), str(engine_arm64()), "--headless"]
 	with progress("Running the engine for arm64"):
 		tests = only or ",".join(ARM64_HEADLESS)
-		return testing.in_engine("headless", command, {}, tests, bool(only), "arm64 headless", more=("--limit=1200",))
+		return in_engine("headless", command, {}, tests, bool(only), "arm64 headless", more=("--limit=1200",))

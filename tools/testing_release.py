@@ -18,7 +18,7 @@ import zipfile
 from tools import engine, export, machine, release, settle, toolchains
 from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS, UNPACKED
 from tools.say import Failure, progress
-from tools.testing import Tally
+from tools.test_runs import Tally
 
 WORK = BUILD / "package"
 EMPTY = ROOT / "tests/release/project"  # a project with a field that knows nothing of this one

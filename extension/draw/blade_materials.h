@@ -16,7 +16,7 @@ class BladeMaterials {
 public:
 	explicit BladeMaterials(int p_features); // ShaderFeature
 
-	// Makes one of the shaders that materials with p_features have, if it is not there. Whether all were.
+	// Makes one missing shader of the materials with p_features. Returns whether none was missing.
 	static bool prepare(int p_features);
 	void set_features(int p_features);
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }

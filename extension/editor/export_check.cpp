@@ -61,7 +61,7 @@ PackedStringArray architectures_of(const PackedStringArray &p_features) {
 	return architectures;
 }
 
-// As the engine chooses: of the libraries all of whose tags are features of the export, that with the most tags. "": none is named.
+// Chooses as the engine does: of the libraries all of whose tags are features of the export, that with the most tags. "": none is named.
 String find_library(
 		const ConfigFile &p_extension, const String &p_folder, const PackedStringArray &p_features, const String &p_architecture) {
 	String found;

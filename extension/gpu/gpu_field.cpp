@@ -133,7 +133,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	report_memory();
 }
 
-// What each tile has. With room to spare, so that a field that grows mostly finds it.
+// The buffers by tile, with room to spare, so that a field that grows mostly keeps them.
 void GpuField::fit_tables() {
 	_table_changed = true;
 	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles))), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;

@@ -23,11 +23,11 @@ constexpr double FIELD_JUMP = 2.0;
 // up to this speed is in it at least once on its way, however small the field. Metres per second. Slower: faster bodies
 // fly through small fields unseen. Faster: more bodies to look at.
 constexpr double FASTEST = 600.0;
-// It reaches this far at least, for bodies are reported a tick late. Metres.
+// It reaches this far at least, since bodies are reported a tick late. Metres.
 constexpr double APPROACH_MIN = 3.0;
 // Ticks after which a static body that moved is ground again.
 constexpr int STILL_TICKS = 120;
-// Ticks after a jump of the field in which bodies are kept that the server says have left: kinematic ones follow late.
+// For so many ticks after a jump of the field, bodies that the server reports as gone are kept: kinematic ones follow late.
 constexpr int JUMP_TICKS = 6;
 
 } // namespace

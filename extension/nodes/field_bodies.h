@@ -27,7 +27,7 @@ public:
 
 	// After the tick. Returns who met grass now and not in the tick before, and the reverse.
 	Visitors::Change update_visitors(const TileManager &p_tiles) { return _visitors.update(p_tiles, _colliders); }
-	// The grass goes. Returns who stood in it.
+	// The field goes. Returns the bodies that stood in its grass.
 	std::vector<uint64_t> leave() { return _visitors.leave(); }
 
 	int64_t get_count() const { return _tracker.body_count(); } // of the physics server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a part of a GrassField may ask of its node.
+// What the parts of a GrassField need of their node.
 #pragma once
 
 #include "nodes/grass_map.h"
@@ -21,7 +21,7 @@ public:
 	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that
 	// names p_method, outside of the tree.
 	virtual GrassMap *need_map(const char *p_method) = 0;
-	// p_text with the node's name, for an error; the first time with what a report of it needs, too.
+	// Returns p_text with the node's name before it, for an error; the first time also with what a bug report needs.
 	virtual godot::String message(const godot::String &p_text) const = 0;
 };
 

@@ -47,7 +47,7 @@ public:
 	godot::Ref<GrassSpecies> make_first(const godot::Callable &p_changed);
 	std::vector<SpeciesParams> find_mix() const;
 	std::vector<GrownSpecies> find_grown() const;
-	// Of the largest flower or seed head, from its tip, metres; a card on a thinned tile is drawn larger.
+	// Radius of the largest flower or seed head around its tip, metres; a card on a thinned tile is drawn larger.
 	float find_card_size() const;
 	bool is_joined() const; // the patch of join() is of the species as they are
 	// All species' blades as one patch, the same one until they change.

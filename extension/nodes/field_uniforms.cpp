@@ -57,7 +57,7 @@ bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta) {
 	return speed > 0.0;
 }
 
-// Of the ground, and of blades that are all of one species: the mean of the species by their shares.
+// Colours of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.
 void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set) {
 	double shares = 0.0;
 	for (const GrownSpecies &grown : p_species) {

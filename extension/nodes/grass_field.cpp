@@ -90,7 +90,7 @@ void GrassField::physics_tick(double p_delta) {
 		return;
 	}
 	recover(p_delta);
-	if (!_standing.stands()) { // a listener of the map did that
+	if (!_standing.stands()) { // a listener of the map removed it
 		return;
 	}
 	if (!_standing.begin_tick(is_listened_to(), p_delta)) {
@@ -108,7 +108,7 @@ void GrassField::physics_tick(double p_delta) {
 	emit_visits();
 }
 
-// What time heals in a tick.
+// Grass that was worn or cut recovers.
 void GrassField::recover(double p_delta) {
 	const RecoveryRates rates = _properties.recovery_rates(_standing.get_species());
 	const Ref<GrassMap> &map = _properties.map;
@@ -124,15 +124,15 @@ void GrassField::recover(double p_delta) {
 	}
 }
 
-// Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Last in a tick: who listens may
-// change the field.
+// Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Emitted last in
+// a tick, since a listener may change the field.
 void GrassField::emit_visits() {
 	const Visitors::Change change = _bodies.update_visitors(_standing.get_field().get_tiles());
 	emit_for_each("body_exited_grass", change.exited);
 	emit_for_each("body_entered_grass", change.entered);
 }
 
-// Where the grass goes, nobody is in it any more.
+// When the field goes, every body in its grass has left it.
 void GrassField::emit_leaving() {
 	emit_for_each("body_exited_grass", _bodies.leave());
 }
@@ -173,7 +173,7 @@ void GrassField::_before_draw() {
 	_frame_ms = clock.lap();
 }
 
-// Whether a script wants to know of bodies in the grass, seen or not.
+// Whether a script listens for bodies in the grass, seen or not.
 bool GrassField::is_listened_to() const {
 	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
 }

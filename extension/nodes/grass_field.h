@@ -86,7 +86,7 @@ public:
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 
-	// grass_field_methods.cpp: what scripts ask of the grass and do to it. Places are global.
+	// grass_field_methods.cpp: the methods that scripts call. Places are global.
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;
 	godot::Vector2i get_tiles() const; // how many along x and z
@@ -184,7 +184,7 @@ private:
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
-	bool _is_map_bare = false; // as far as the editor was told
+	bool _is_map_bare = false; // as the editor last knew it
 	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time of reading bodies in the last tick; of the last frame
 };
 

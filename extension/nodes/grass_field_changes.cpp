@@ -83,7 +83,7 @@ bool GrassField::is_map_bare() const {
 			!map->get_map().uses(MAP_DENSITY);
 }
 
-// The editor reads a node's warnings only when it is notified, and then draws its whole tree of nodes anew.
+// The editor reads a node's warnings only when it is notified, and then redraws the whole scene tree.
 void GrassField::watch_bare_map() {
 	if (_is_map_bare != is_map_bare()) {
 		_is_map_bare = !_is_map_bare;
@@ -154,7 +154,7 @@ void GrassField::start_fill() {
 void GrassField::update_fill() {
 	start_fill();
 	if (_filler.is_set() && _filler.update(_properties.map, fill_place())) {
-		emit_signal("fill_finished"); // last: who listens may change the field
+		emit_signal("fill_finished"); // last: a listener may change the field
 	}
 }
 

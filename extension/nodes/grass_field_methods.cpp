@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts ask of a GrassField and do to it: each method checks what it is given and passes it on.
+// The methods that scripts call: each checks its arguments and passes them on.
 #include "nodes/grass_field.h"
 
 #include "nodes/build_info.h"
@@ -140,7 +140,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 	return monitor_of(find_statistics(), p_monitor);
 }
 
-// Makes the field and takes over its map. False where there are no places to ask for.
+// Before a query: makes the field, and brings its map up to date. False where no field stands.
 bool GrassField::prepare_places() {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
 	build();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassField's properties: each setter brings its value within limits, says so if it had to, and passes it on.
+// GrassField's properties: each setter clamps its value, warns if it had to, and passes it on.
 #include "nodes/grass_field.h"
 
 #include "nodes/bind_property.h"

@@ -51,7 +51,7 @@ private:
 	godot::Ref<GrassPatch> _patch;
 	godot::Ref<godot::Gradient> _gradient;
 	godot::Ref<godot::Texture2D> _card;
-	godot::Ref<godot::Image> _card_image; // of _card, once it was asked for
+	godot::Ref<godot::Image> _card_image; // of _card, read on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The field that stands: its blades, the map that it shows, its backend, its ground and what the shaders read. nodes/field_maker.h
-// prepares the next one. Prints nothing: what a user should know is returned, and the node says it.
+// prepares the next one. Prints nothing: returns what the node must report.
 #pragma once
 
 #include "backend/backend.h"
@@ -23,11 +23,11 @@ public:
 	// p_properties: the node's. What they say may differ from this field until it is made again.
 	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
 
-	// Becomes this field, all of it at rest, in the buffers, MultiMeshes and materials that it has where they serve.
+	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit.
 	void make(WantedField &&p_wanted, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Nothing is simulated or drawn any more, until it is made again.
 	void drop_backend();
-	// Nor is anything kept of its map.
+	// The same, and forgets its map.
 	void clear();
 	bool stands() const { return _backend != nullptr; }
 
@@ -36,7 +36,7 @@ public:
 	void update_method();
 	void update_measuring();
 	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
-	// Colours and frequencies of the species. False if they changed what needs another field.
+	// Colours and frequencies of the species. False if their change needs another field.
 	bool update_species();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
 	// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.

@@ -3,6 +3,7 @@
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
+const Scenery := preload("res://bench/scenery.gd")
 const FILE := "draw.csv"
 const FRAMES := 24  # measured, after as many to warm up
 
@@ -12,15 +13,11 @@ var _sun: DirectionalLight3D
 
 
 func run(p_software: bool) -> Array[PackedStringArray]:
-	_camera = Camera3D.new()
-	_camera.far = 600.0
-	_sun = DirectionalLight3D.new()
-	_sun.rotation_degrees = Vector3(-50.0, 40.0, 0.0)
+	_camera = Scenery.add_camera(self)
+	_sun = Scenery.add_sun(self, false)
 	_field = GrassField.new()
 	_field.measure_time = true
-	for node: Node in [_camera, _sun, _field]:
-		add_child(node)
-	_camera.current = true
+	add_child(_field)
 	get_viewport().msaa_3d = Viewport.MSAA_DISABLED
 	RenderingServer.viewport_set_measure_render_time(get_viewport().get_viewport_rid(), true)
 	var rows: Array[PackedStringArray] = [["blades", "view", "shadows", "msaa", "drawn_blades", "drawn_triangles", "gpu_ms", "cull_ms"]]

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 ## The simulation pass alone, without field, physics and frames: tiles of swinging blades, each with its own colliders. Wall time of many
 ## dispatches, checked against the GPU's own timestamps.
-##   0, 4: so many balls that move through each tile;  lid: a wide flat box that rises and falls in the tips;
-##   bodies: one of a ball, crate, capsule, drum and stone lies in every 25 tiles;  rolling: the same, turning to and fro.
 ##   bench.tscn -- --only kernel --spirv DIR [--out DIR]
 extends Node
 
+const KernelScenes := preload("res://bench/kernel_scenes.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 
 const FILE := "kernel.csv"
@@ -22,12 +21,7 @@ const FLOOR_BYTES := 3 * 3 * FREE_KNOTS * 4 + KNOTS * 8  # a blade and step: pla
 const TWIST_BYTES := 2 * FREE_KNOTS * 4 + 4  # METHOD_DIRECT: twists read and written; length
 enum { DIRECT, PBD }
 const NAMES: Array[String] = ["DIRECT", "PBD"]
-enum { SPHERE, CAPSULE, BOX, CYLINDER, HULL }
-const SCENES: Array[String] = ["0", "4", "lid", "bodies", "rolling"]
 const MOST_TILES := 4096  # with a lid or bodies
-const HULL_PLANES := 22
-const BODY := 0.42  # metres
-const GROUP := 5  # tiles along the square of a body
 
 var _device: RenderingDevice
 var _made: Array[RID] = []
@@ -54,7 +48,7 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 			)
 			# The largest first, so that the clock has risen before the short ones.
 			for tiles: int in [64] if p_software else [16384, 4096, 1024]:
-				for scene in SCENES if variant != "_free" else ["0"]:
+				for scene in KernelScenes.ALL if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
 					for iterations: int in [2, 4] if method == DIRECT and scene == "0" else [2]:  # free blades: one solve, two stages
@@ -193,25 +187,12 @@ func _patch_texels() -> PackedByteArray:
 
 func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_colliders: int, p_phase: int) -> RID:
 	var lists := PackedInt32Array(range(maxi(1, p_tiles * p_colliders)))
-	var all := PackedByteArray()
-	var across := _across(p_tiles)
-	for tile in p_tiles:
-		var at := Vector2i(tile % across, tile / across)
-		for entry in p_colliders:
-			var record := _lid(p_phase) if p_scene == "lid" else _ball(entry, p_phase)
-			if p_scene in ["bodies", "rolling"]:
-				at = at / GROUP * GROUP + Vector2i.ONE * (GROUP / 2)
-				record = _body((at.x + 3 * at.y) / GROUP % 5, p_phase, p_scene == "rolling")
-			record.encode_s32(0, at.x)
-			record.encode_s32(4, at.y)
-			all.append_array(record)
-	if all.is_empty():
-		all.resize(96)
+	var colliders := KernelScenes.colliders(p_scene, p_tiles, _across(p_tiles), p_colliders, p_phase)
 	var own := _keep(
 		[
-			_device.storage_buffer_create(all.size(), all),
+			_device.storage_buffer_create(colliders.size(), colliders),
 			_device.storage_buffer_create(lists.size() * 4, lists.to_byte_array()),
-			_device.storage_buffer_create(16 * HULL_PLANES, _stone()),
+			_device.storage_buffer_create(16 * KernelScenes.HULL_PLANES, KernelScenes.stone()),
 		]
 	)
 	var uniforms: Array[RDUniform] = []
@@ -223,101 +204,6 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 	for i in 4:
 		uniforms.append(_uniform([8, 9, 10, 13][i], RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
 	return _device.uniform_set_create(uniforms, _shader, 0)
-
-
-func _record(
-	p_shape: int, p_size: Vector3, p_now: Vector3, p_before: Vector3, p_turn := Quaternion.IDENTITY, p_turn_before := Quaternion.IDENTITY
-) -> PackedByteArray:
-	var record := (
-		PackedFloat32Array(
-			[
-				0,
-				0,
-				0,
-				0,
-				p_now.x,
-				p_now.y,
-				p_now.z,
-				0.5,
-				p_turn.x,
-				p_turn.y,
-				p_turn.z,
-				p_turn.w,
-				p_before.x,
-				p_before.y,
-				p_before.z,
-				HULL_PLANES if p_shape == HULL else 0,
-				p_turn_before.x,
-				p_turn_before.y,
-				p_turn_before.z,
-				p_turn_before.w,
-				p_size.x,
-				p_size.y,
-				p_size.z,
-				0
-			]
-		)
-		. to_byte_array()
-	)
-	record.encode_s32(8, p_shape)
-	return record
-
-
-## Balls of 8 cm, one in each quarter of the tile, that go to and fro by 1 cm a step.
-func _ball(p_entry: int, p_phase: int) -> PackedByteArray:
-	var place := Vector3(0.125 if p_entry & 1 else -0.125, 0.2, 0.125 if p_entry & 2 else -0.125)
-	return _record(
-		SPHERE,
-		Vector3(0.08, 0, 0),
-		place + Vector3(0.01 * absi(p_phase - 4), 0, 0),
-		place + Vector3(0.01 * absi((p_phase + 7) % 8 - 4), 0, 0)
-	)
-
-
-## 32 metres wide, by 0.4 mm a step.
-func _lid(p_phase: int) -> PackedByteArray:
-	return _record(
-		BOX,
-		Vector3(16, 0.1, 16),
-		Vector3(0, 0.45 + 0.0004 * absi(p_phase - 4), 0),
-		Vector3(0, 0.45 + 0.0004 * absi((p_phase + 7) % 8 - 4), 0)
-	)
-
-
-## On the ground; rolling by 1 cm a step, a stone at 25 mrad.
-func _body(p_shape: int, p_phase: int, p_moves: bool) -> PackedByteArray:
-	var size := BODY * Vector3(0.5, 0.3, 0.4)
-	var height := size.y
-	var turn := Quaternion(Vector3.UP, 0.7)
-	match p_shape:
-		SPHERE:
-			height = size.x
-		CAPSULE:
-			size = BODY * Vector3(0.3, 0.5, 0)
-			height = size.x
-			turn = Quaternion(Vector3(1, 0, 0.3).normalized(), 0.5 * PI)
-		CYLINDER:
-			size = BODY * Vector3(0.45, 0.35, 0)
-			height = size.y
-		HULL:
-			size = BODY * Vector3(0.65, 0, 0)
-			height = 0.45 * BODY
-	var places: Array[Vector3] = []
-	var turns: Array[Quaternion] = []
-	for phase: int in [p_phase, (p_phase + 7) % 8] if p_moves else [4, 4]:
-		places.append(Vector3(0.01 * absi(phase - 4), height, 0))
-		turns.append(Quaternion(Vector3.BACK, 0.025 * absi(phase - 4)) * turn)
-	return _record(p_shape, size, places[0], places[1], turns[0], turns[1])
-
-
-## The planes of a stone.
-func _stone() -> PackedByteArray:
-	var planes := PackedFloat32Array()
-	for i in HULL_PLANES:
-		var y := 1.0 - (2.0 * i + 1.0) / HULL_PLANES
-		var across := sqrt(1.0 - y * y)
-		planes.append_array([across * cos(2.4 * i), y, across * sin(2.4 * i), BODY * (0.42 + 0.06 * fmod(0.618 * i, 1.0))])
-	return planes.to_byte_array()
 
 
 func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array[RID]) -> RDUniform:

@@ -46,14 +46,10 @@ func _field(p_species: int, p_side: float) -> GrassField:
 
 
 func _draw(p_species: int, p_shadows: bool, p_software: bool) -> float:
-	var camera := Camera3D.new()
-	camera.far = 600.0
-	add_child(camera)
-	camera.current = true
+	var camera := Scenery.add_camera(self)
 	var sun := Scenery.add_sun(self, p_shadows)
 	var side := 8.0 if p_software else SIDE
-	var timer := FrameTimer.new(get_viewport())
-	timer.frames = 1 if p_software else 24
+	var timer := FrameTimer.new(get_viewport(), p_software)
 	FrameTimer.look(camera, "eye", side)
 	var field := _field(p_species, side)
 	for i in 4:

@@ -12,8 +12,11 @@ var seconds := 1.5  ## after so long no more, and half as long to warm up, at mo
 var _viewport: Viewport
 
 
-func _init(p_viewport: Viewport) -> void:
+## On software Vulkan as few frames as tell anything.
+func _init(p_viewport: Viewport, p_software: bool) -> void:
 	_viewport = p_viewport
+	if p_software:
+		frames = 1
 	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
 
 

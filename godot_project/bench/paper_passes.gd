@@ -2,7 +2,6 @@
 ## The paper's table 2: GPU time of a frame by passes, 4 million blades, 128 thrown bodies, 4x MSAA.
 extends Node3D
 
-const Bodies := preload("res://demo/bodies.gd")
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
@@ -17,13 +16,9 @@ const TO := 8.0
 func run(r_table: Table, p_software: bool) -> void:
 	r_table.columns(["pass", "gpu_ms", "blades", "awake_blades", "outcome"])
 	var side := 8.0 if p_software else SIDE
-	var timer := FrameTimer.new(get_viewport())
-	timer.frames = 1 if p_software else 24
+	var timer := FrameTimer.new(get_viewport(), p_software)
 	get_viewport().msaa_3d = Viewport.MSAA_4X
-	var camera := Camera3D.new()
-	camera.far = 600.0
-	add_child(camera)
-	camera.current = true
+	var camera := Scenery.add_camera(self)
 	FrameTimer.look(camera, "eye", side)
 	Scenery.add_ground(self)
 	Scenery.add_sun(self, false)

@@ -15,13 +15,9 @@ const KINDS: Array[String] = ["field", "tiles", "multimesh 7", "multimesh 15"]
 
 func run(p_pictures: String, r_table: Table, p_software: bool) -> void:
 	r_table.columns(["kind", "blades", "view", "shadows", "gpu_ms", "cull_ms", "wall_ms", "outcome"])
-	var timer := FrameTimer.new(get_viewport())
-	timer.frames = 1 if p_software else 24
+	var timer := FrameTimer.new(get_viewport(), p_software)
 	get_viewport().msaa_3d = Viewport.MSAA_DISABLED
-	var camera := Camera3D.new()
-	camera.far = 600.0
-	add_child(camera)
-	camera.current = true
+	var camera := Scenery.add_camera(self)
 	var sun := Scenery.add_sun(self, false)
 	var ground := MeshInstance3D.new()  # the field draws its own
 	ground.mesh = PlaneMesh.new()

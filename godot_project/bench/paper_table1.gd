@@ -4,6 +4,7 @@
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
+const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
 const FILE := "paper_table1.csv"
@@ -22,20 +23,13 @@ const LODS: Dictionary[String, Dictionary] = {
 
 
 func run(r_table: Table, p_software: bool) -> void:
-	var timer := FrameTimer.new(get_viewport())
-	var camera := Camera3D.new()
-	camera.far = 600.0
-	var sun := DirectionalLight3D.new()
-	sun.rotation_degrees = Vector3(-50.0, 40.0, 0.0)
-	add_child(camera)
-	add_child(sun)
-	camera.current = true
+	var timer := FrameTimer.new(get_viewport(), p_software)
+	var camera := Scenery.add_camera(self)
+	Scenery.add_sun(self, false)
 	get_viewport().msaa_3d = Viewport.MSAA_4X
 	r_table.columns(
 		["tiles", "blades_a_tile", "blades", "view", "lod", "gpu_ms", "wall_ms", "cull_ms", "drawn_blades", "drawn_triangles", "outcome"]
 	)
-	if p_software:
-		timer.frames = 1
 	for tiles: String in ["2K"] if p_software else TILES.keys():
 		for blades: int in [64, 128] if p_software else BLADES:
 			for view: String in ["above"] if p_software else ["above", "eye"]:

@@ -13,6 +13,15 @@ static func add_ground(p_to: Node3D) -> void:
 	p_to.add_child(ground)
 
 
+## The one that draws, until another one is made current.
+static func add_camera(p_to: Node3D) -> Camera3D:
+	var camera := Camera3D.new()
+	camera.far = 600.0
+	p_to.add_child(camera)
+	camera.current = true
+	return camera
+
+
 static func add_sun(p_to: Node3D, p_shadows: bool) -> DirectionalLight3D:
 	var sun := DirectionalLight3D.new()
 	sun.rotation_degrees = Vector3(-50.0, 40.0, 0.0)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // For a long time, and again and again: nothing drifts, and what happens again happens alike, bit for bit.
+#include "grown_tile.h"
 #include "stress.h"
 
 #include "core/solver/simulate.h"
@@ -14,11 +15,6 @@ namespace {
 
 constexpr double DELTA = 1.0 / 64.0; // seconds; sums of it are exact
 constexpr int CYCLE = 24; // steps from one waking to the next
-
-std::shared_ptr<const Patch> shared_patch() {
-	static const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-	return patch;
-}
 
 // One tile, which a ball wakes in every cycle and leaves to sleep, with all that a GrassField does in a tick.
 struct Sleeper {

@@ -2,6 +2,8 @@
 // Whole ticks without an engine: bodies in, blades out.
 #include "core/field/field.h"
 
+#include "grown_tile.h"
+
 #include "core/field/grass_at.h"
 #include "core/field/visitors.h"
 #include "core/solver/simulate.h"
@@ -12,15 +14,11 @@
 #include <limits>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
 constexpr double TICK = 1.0 / 60.0;
-
-std::shared_ptr<const Patch> shared_patch() {
-	static const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-	return patch;
-}
 
 // Simulates as the CPU backend does, unless a test forbids it.
 class PoolSimulator : public Simulator {

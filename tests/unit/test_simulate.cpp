@@ -4,11 +4,7 @@
 
 #include "blade_scene.h"
 #include "on_threads.h"
-
-#include "core/base/half.h"
-#include "core/blades/blade.h"
-#include "core/solver/simulate.h"
-#include "core/solver/solver_params.h"
+#include "pool_scene.h"
 
 #include <cmath>
 #include <cstring>
@@ -16,62 +12,6 @@
 
 using namespace grass;
 using namespace grass::test;
-
-namespace {
-
-constexpr float TILE_SIZE = 0.5f;
-
-std::shared_ptr<const Patch> shared_patch() {
-	static const std::shared_ptr<const Patch> patch = std::make_shared<const Patch>(generate_patch(PatchParams()));
-	return patch;
-}
-
-// A pool, and a ball that rolls over its tiles (x = 0 ..., z = 0).
-struct PoolScene {
-	CpuPool pool;
-	SolverParams params;
-	StepClock clock;
-	std::vector<GrassSlot> slots;
-	std::vector<GrassCollider> colliders{ 1 };
-	std::vector<uint32_t> list{ 0 };
-	GrassStep step_record;
-	int time = 0;
-
-	explicit PoolScene(int p_slots, Method p_method = Method::DIRECT) : pool(shared_patch(), p_slots) {
-		params.method = p_method;
-		for (int i = 0; i < p_slots; i++) {
-			GrassSlot slot;
-			slot.tile = { i, 0, i, i };
-			slot.list = { uint32_t(i * 64), 0, 1, GRASS_SLOT_FRESH };
-			slots.push_back(slot);
-		}
-		colliders[0].rotation = colliders[0].rotation_before = { 0, 0, 0, 1 };
-		colliders[0].size.x = 0.15f;
-	}
-	void step(const ParallelFor &p_parallel_for = serial_for, double p_delta = 1.0 / 60.0) {
-		step_record = clock.advance(params, p_delta);
-		step_record.field = { TILE_SIZE, 64, 64, 0 };
-		step_record.clump = { 1.6f, 1, 1, 1 };
-		colliders[0].position_before = { -0.5f + 0.05f * float(time), 0.15f, 0.03f, 0.0f };
-		colliders[0].position = { -0.45f + 0.05f * float(time), 0.15f, 0.03f, 0.5f };
-		time++;
-		pool.step({ slots, colliders, list, {}, step_record }, p_parallel_for);
-		for (GrassSlot &slot : slots) {
-			slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);
-		}
-	}
-	Eigen::Vector3f rest(int p_slot, int p_blade, int p_knot) const {
-		const auto texel = [&](int p_k) {
-			const uint16_t *halves = &shared_patch()->texels[Patch::texel_index(int(slots[size_t(p_slot)].list.x) + p_blade, p_k)];
-			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
-		};
-		const ivec4 tile = slots[size_t(p_slot)].tile;
-		const Eigen::Vector2f place = root_place({ float(tile.x), float(tile.y) }, texel(0).head<2>(), { 64.0f, 64.0f }, TILE_SIZE);
-		return rest_knot(texel(p_knot), p_knot, clump_at(place, { 1.6f, 1, 1, 1 }));
-	}
-};
-
-} // namespace
 
 TEST_CASE("A tile wakes at rest, exactly where it is drawn at rest") {
 	PoolScene scene(3);
@@ -189,68 +129,6 @@ TEST_CASE_TEMPLATE("A step of no time leaves everything where it is, but wakes w
 	const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(0, 3);
 	scene.step(serial_for, std::numeric_limits<double>::quiet_NaN());
 	CHECK(scene.pool.get_knots(0, 3) == knots);
-}
-
-TEST_CASE("A row of the pool texture holds how far the knots are from rest, as halves") {
-	PoolScene scene(2);
-	for (int i = 0; i < 12; i++) {
-		scene.step();
-	}
-	std::vector<uint16_t> row(GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4, 7);
-	scene.pool.pack_row(1, row);
-	PoolScene untouched(2);
-	untouched.colliders.clear();
-	for (GrassSlot &slot : untouched.slots) {
-		slot.list.z = 0;
-	}
-	untouched.step();
-	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-		const std::vector<Eigen::Vector3f> knots = scene.pool.get_knots(1, b);
-		for (int k = 1; k < GRASS_KNOTS; k++) {
-			const uint16_t *texel = &row[size_t((GRASS_POOL_BLADES_PER_ROW * k + b) * 4)];
-			for (int c = 0; c < 3; c++) {
-				CHECK(texel[c] == float_to_half(knots[size_t(k)][c] - untouched.pool.get_knots(1, b)[size_t(k)][c]));
-			}
-		}
-	}
-	scene.pool.pack_row(5, row);
-	CHECK(row[100] == 0);
-}
-
-TEST_CASE("Memory comes with the slots that are used") {
-	PoolScene scene(64);
-	const int64_t empty = scene.pool.get_memory_usage();
-	CHECK(empty < 4096);
-	scene.slots.resize(2);
-	scene.step();
-	const int64_t two = scene.pool.get_memory_usage();
-	scene.step();
-	CHECK(scene.pool.get_memory_usage() == two);
-	CHECK((two - empty) / 2 > 3 * (GRASS_KNOTS + 2 * GRASS_FREE_KNOTS) * GRASS_BLADES_PER_TILE * 4 - 1);
-	CHECK((two - empty) / 2 < 40000);
-}
-
-TEST_CASE("Memory of slots that are given back comes again, fresh, and the others keep their blades") {
-	PoolScene scene(64), other(64);
-	scene.slots.resize(2);
-	scene.step();
-	const int64_t one_and_two = scene.pool.get_memory_usage();
-	const std::vector<Eigen::Vector3f> first = scene.pool.get_knots(scene.slots[0].tile.w, 5);
-	scene.pool.trim(scene.slots[1].tile.w);
-	CHECK(scene.pool.get_memory_usage() < one_and_two);
-	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5).empty());
-	CHECK(scene.pool.get_energy()[size_t(scene.slots[1].tile.w)] == 0.0f);
-	CHECK(scene.pool.get_knots(scene.slots[0].tile.w, 5) == first);
-	scene.slots[1].list.w |= GRASS_SLOT_FRESH;
-	scene.time = 0; // under the same ball
-	scene.step();
-	other.slots.resize(2);
-	other.step();
-	CHECK(scene.pool.get_memory_usage() == one_and_two);
-	CHECK(scene.pool.get_knots(scene.slots[1].tile.w, 5) == other.pool.get_knots(other.slots[1].tile.w, 5));
-	scene.pool.trim(-1);
-	scene.pool.trim(1000);
-	CHECK(scene.pool.get_memory_usage() < one_and_two);
 }
 
 TEST_CASE("Records of slots, blades, list entries and tiles that do not exist are left out") {

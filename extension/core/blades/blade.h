@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where a blade stands, and its shape at rest. shaders/blades/blade.inc as C++.
+// Where a blade stands, and its shape at rest (shaders/blades/blade.inc).
 #pragma once
 
 #include "core/blades/clump.h"
 
 namespace grass {
-
-namespace glsl {
-#define GRASS_FUNCTION inline
-#include "blades/blade.inc"
-#undef GRASS_FUNCTION
-} // namespace glsl
 
 // Field-space x, z (metres) of a root: see grass_root_place().
 inline Eigen::Vector2f root_place(

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Clumps: low-frequency noise of the place in the field that makes neighbouring blades alike in height, lean
-// and colour. shaders/blades/clump.inc as C++.
+// and colour (shaders/blades/clump.inc).
 #pragma once
 
-#include "core/base/glsl.h"
 #include "core/base/tunable.h"
+#include "core/blades/glsl_texts.h"
 
 namespace grass {
 
-namespace glsl {
-#define GRASS_FUNCTION inline
-#include "blades/clump.inc"
-#undef GRASS_FUNCTION
-} // namespace glsl
 using Clump = glsl::GrassClump;
 inline constexpr Clump NO_CLUMP{ 1.0f, glsl::vec2(0.0f), 0.0f };
 

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Wind (paper 4.3): a function of place and time alone, added by the drawing to whatever pose a blade has, at
-// rest or simulated. shaders/blades/wind.inc as C++, and the clock that it reads.
+// rest or simulated (shaders/blades/wind.inc); and the clock that it reads.
 #pragma once
 
-#include "core/blades/blade.h"
+#include "core/base/tunable.h"
+#include "core/blades/glsl_texts.h"
 
 namespace grass {
-
-namespace glsl {
-#define GRASS_FUNCTION inline
-#include "blades/wind.inc"
-#undef GRASS_FUNCTION
-} // namespace glsl
 
 // A light breeze moves leaves at 2 m/s, a gale bends trees at 17; 0 is calm, and skips the wind code.
 inline constexpr Tunable WIND_SPEED{ "wind_speed", "m/s", 0.0, 40.0, 0.1, 3.0 };

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What shaders/blades/ says of clumps, rest poses and wind, as C++.
+#pragma once
+
+#include "core/base/glsl.h"
+
+namespace grass::glsl {
+
+#define GRASS_FUNCTION inline
+#include "blades/clump.inc" // before the others, which want it
+
+#include "blades/blade.inc"
+#include "blades/wind.inc"
+#undef GRASS_FUNCTION
+
+} // namespace grass::glsl
