@@ -238,8 +238,7 @@ static func push(p_method: int, p_knots: int, p_tile_size: float, p_tiles: int, 
 	var load := p_load if p_method == 0 else p_load * h * h
 	var bending := pow(w / 3.516, 2.0)
 	var pbd_motion: Array[float] = [0.9, pull, pull, 0.5]
-	# Where nothing is near one quick solve, with four iterations or more as many whole ones in either stage.
-	var free_motion: Array[float] = [bending, 0.2 * w, 1.0 if p_iterations < 4 else p_iterations / 2.0, 1.0]
+	var free_motion: Array[float] = [h * tan(0.5 * w * h) / (0.5 * w * h), 0.0, 0.0, 0.0]
 	return (
 		PackedFloat32Array(
 			(

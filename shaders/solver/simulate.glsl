@@ -35,7 +35,6 @@ layout(push_constant, std430) uniform StepBlock {
 };
 #ifdef GRASS_SPECIES
 GrassStep step; // this thread's: as its blade's species takes it
-int own_species; // whose quick joints are this thread's
 #endif
 
 #ifdef GRASS_FREE
@@ -151,9 +150,7 @@ vec3 rest_of(int p_knot) {
 #include "solver/joint.inc"
 #include "solver/beyond.inc"
 #include "solver/chain.inc"
-#ifdef GRASS_FREE
-#include "solver/quick.inc"
-#endif
+#include "solver/free.inc"
 #include "solver/finish.inc"
 #include "solver/direct.inc"
 #include "solver/solve.inc"
@@ -161,22 +158,6 @@ vec3 rest_of(int p_knot) {
 shared uint liveliest; // the bits of a float that is not negative order as the float does
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
-
-#ifdef GRASS_FREE
-// Before the barriers of share_colliders().
-void share_quick_joints(uint p_thread) {
-#ifdef GRASS_SPECIES
-	if (p_thread < GRASS_MAX_SPECIES) { // more than there are: nobody reads those
-		vec4 motion = species_steps[p_thread].free_motion;
-		make_quick_joints(int(p_thread), motion.x, motion.y, step.chain.x);
-	}
-#else
-	if (p_thread == 0u) {
-		make_quick_joints(0, step.free_motion.x, step.free_motion.y, step.chain.x);
-	}
-#endif
-}
-#endif
 
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
@@ -189,8 +170,7 @@ int find_species(uint p_blade) {
 	step.load = own.load;
 	step.chain = own.chain;
 	step.energy = own.energy;
-	own_species = int(species);
-	return own_species;
+	return int(species);
 }
 #endif
 
@@ -262,9 +242,6 @@ void main() {
 	uint kept = pool_half[slot.tile.w];
 	half_now = kept & 1u;
 	uint unasked = is_fresh ? 0u : kept >> 1u;
-#ifdef GRASS_FREE
-	share_quick_joints(thread);
-#endif
 	share_colliders(thread);
 	find_blade(thread);
 	uint count = uint(GRASS_BLADES_PER_TILE);

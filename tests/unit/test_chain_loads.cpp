@@ -43,7 +43,7 @@ void stand(ElasticBlade &r_blade, const std::function<Forces(const ElasticBlade 
 		const Forces forces = p_forces(r_blade);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3d load = forces[size_t(k)] / knot_mass(blade, k, chain);
-			set_target(stage, k, blade.knots[k], Vec3<double>{}, Vec3<double>{ load.x(), load.y(), load.z() });
+			set_target(stage, k, blade.knots[k], Vec3<double>{ load.x(), load.y(), load.z() } * (stage.span * stage.span));
 		}
 		solve_chain(blade, terms, chain, stage, true);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) { // a solve keeps lengths to the second order

@@ -41,16 +41,11 @@ TEST_CASE_TEMPLATE("A blade at rest keeps every bit whatever the parameters and 
 	}
 }
 
-TEST_CASE("METHOD_PBD's two-step coefficients, and METHOD_DIRECT's one solve, follow a damped oscillator exactly, also where the time step "
-		  "changes") {
-	for (const auto &[method, damping] :
-			{ std::pair(Method::PBD, 0.0), std::pair(Method::PBD, 2.0), std::pair(Method::PBD, 5.0), std::pair(Method::PBD, 12.0),
-					std::pair(Method::DIRECT, 0.5), std::pair(Method::DIRECT, 4.0), std::pair(Method::DIRECT, 8.0) }) {
+TEST_CASE("METHOD_PBD's two-step coefficients follow a damped oscillator exactly, also where the time step changes") {
+	for (const double damping : { 0.0, 2.0, 5.0, 12.0 }) {
 		for (const bool is_steady : { true, false }) {
 			SolverParams params;
-			params.method = method;
-			params.natural_frequency =
-					method == Method::PBD ? params.natural_frequency : 0.9; // slow enough for one solve in all of the steps
+			params.method = Method::PBD;
 			params.damping_ratio = damping / (2.0 * 3.14159265358979 * params.natural_frequency);
 			StepClock clock;
 			std::mt19937 random(7);
@@ -68,11 +63,7 @@ TEST_CASE("METHOD_PBD's two-step coefficients, and METHOD_DIRECT's one solve, fo
 				const double delta = is_steady ? 1.0 / 60.0 : std::uniform_real_distribution<double>(1.0 / 144.0, 1.0 / 30.0)(random);
 				const GrassStep step = clock.advance(params, delta);
 				if (i > 0) {
-					const double h = double(step.chain.x), drag = 1.0 + h * double(step.free_motion.y);
-					const double stiffness = 3.5160152685 * 3.5160152685 * double(step.free_motion.x);
-					const double next = method == Method::PBD
-							? now + double(step.pbd_motion.x) * (now - before) - double(step.pbd_motion.y) * now
-							: (drag * now + double(step.chain.y) * (now - before)) / (drag + h * h * stiffness); // implicit Euler
+					const double next = now + double(step.pbd_motion.x) * (now - before) - double(step.pbd_motion.y) * now;
 					before = now;
 					now = next;
 				} else {

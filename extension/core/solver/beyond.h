@@ -16,11 +16,11 @@ template <class T> struct Touches {
 	T blow; // of the deepest touch that the solve had to leave out, metres; 0: there was none
 };
 
-// An implicit step of `span` seconds from a base place and speed; the step's target is where the knots would go alone.
+// An implicit step of `span` seconds from a base place; the step's target is where the knots would go alone.
 template <class T> struct Stage {
 	T span; // seconds
 	T caution; // resistance of the joints to one solve, shares of their stiffness
-	T weight; // of a knot's inertia: 1 + drag
+	T weight; // of a knot's inertia: 1 + drag; of a free blade, whose forces are asked for at a mean, over the weight of its end there
 	Vec3<T> base[GRASS_KNOTS]; // metres
 	Vec3<T> target[GRASS_KNOTS]; // metres
 };

@@ -19,11 +19,10 @@ template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot,
 	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
 }
 
-// [Eq 24] Where the knots would go without springs and contact: with their speed, drag and load.
-template <class T>
-GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_speed, const Vec3<T> &p_load) {
+// [Eq 24] Where the knots would go without springs and contact: p_way from p_base.
+template <class T> GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_way) {
 	r_stage.base[p_knot] = p_base;
-	r_stage.target[p_knot] = p_base + (p_speed * r_stage.span + p_load * (r_stage.span * r_stage.span)) * (T(1.0f) / r_stage.weight);
+	r_stage.target[p_knot] = p_base + p_way;
 }
 
 // [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths. p_lacks: what it leaves out of them, metres.

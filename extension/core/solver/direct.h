@@ -1,37 +1,12 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT over time: one implicit step of a chain, or two of the second order. Twin of shaders/solver/direct.inc.
+// METHOD_DIRECT over time: one implicit step of a chain, of the second order where nothing is near. Twin of shaders/solver/direct.inc.
 #pragma once
 
-#include "core/solver/contact.h"
-#include "core/solver/quick.h"
+#include "core/solver/free.h"
 
 #include <algorithm>
 
 namespace grass {
-
-// A blade's places and speeds at the start of the step.
-template <class T> struct Start {
-	Vec3<T> place[GRASS_KNOTS]; // metres
-	Vec3<T> speed[GRASS_KNOTS]; // m/s
-	T twist[GRASS_SEGMENTS]; // radians
-};
-
-template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, const StepTerms<T> &p_terms, T &r_fastest) {
-	Start<T> start;
-	const T limit = p_terms.max_move * p_blade.blade_length; // in the step before
-	const T per_second = p_terms.step_ratio / p_terms.seconds;
-	r_fastest = T(0.0f);
-	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
-		const T size = length(moved);
-		const T keep = select(size > limit, limit / maximum(size, T(1e-12f)), T(1.0f));
-		start.place[k] = p_blade.knots[k];
-		start.twist[k - 1] = p_blade.twist[k - 1];
-		start.speed[k] = moved * (keep * per_second);
-		r_fastest = maximum(r_fastest, size * keep * p_terms.step_ratio);
-	}
-	return start;
-}
 
 // [Eq 36] What rubbing leaves of a speed.
 template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
@@ -110,20 +85,17 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 }
 
-// Which blades take the i-th solve of a stage: those that something is near `iterations`, others all of theirs where they take the step
-// in one stage, else half of them in each of two.
-template <class T, class Mask>
-GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_single, const Mask &p_is_near) {
-	const Mask by_solves =
-			(p_is_single & (T(float(p_i)) < p_terms.free_solves)) | ((!p_is_single) & (T(float(2 * p_i)) < p_terms.free_solves));
-	return p_i < p_terms.iterations ? p_is_near | by_solves : (!p_is_near) & by_solves;
+// Which blades take the i-th solve of a step: those that something is near `iterations`, others one.
+template <class T, class Mask> GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_near) {
+	const Mask is_first = T(float(p_i)) < T(1.0f);
+	return p_i < p_terms.iterations ? p_is_near | is_first : (!p_is_near) & is_first;
 }
 
-// [Eq 30] The solves of a stage of p_takes_part. Blades that the first one shows to be hit go on from the blow, with one solve at least.
+// [Eq 30] The solves of a step. Blades that the first one shows to be hit go on from the blow, with one solve at least.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
-		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_single, const Mask &p_is_near, Hold<Mask> &r_hold) {
-	const Mask none = p_is_single & !p_is_single;
+		Stage<T> &r_stage, const Mask &p_is_near, Hold<Mask> &r_hold) {
+	const Mask none = p_is_near & !p_is_near;
 	Vec3<T> guess[GRASS_KNOTS];
 	T twist[GRASS_SEGMENTS];
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -133,7 +105,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	Mask is_hit = none;
 	r_hold.sticks = r_hold.is_held = none;
 	for (int i = 0;; i++) {
-		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_single, p_is_near);
+		const Mask by_count = wants_solve(p_terms, i, p_is_near);
 		const Mask is_active = is_hit | (by_count & !r_hold.sticks);
 		if (!any(is_active)) {
 			return;
@@ -161,68 +133,45 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step; else two stages with half of its solves
-// each, or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
+// [Eq 22] p_is_near: whether something may touch the blade. Then it takes an implicit Euler step; else one of the second order. Returns
+// which blades are held, [Eq 36].
 template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
-	const Mask is_single = p_is_near | is_one | (fastest > r_blade.blade_length * p_terms.wild_move);
 	const T seconds = p_terms.seconds;
-	const ChainTerms<T> chain = make_chain_terms(r_blade, select(is_one, p_terms.free_bending, p_terms.bending));
-	const T drag = select(is_one, p_terms.free_drag, p_terms.drag);
-	const Vec3<T> load = p_terms.load * select(is_one, p_terms.free_bending / p_terms.bending, T(1.0f)); // bends the blade as much as ever
+	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms.bending);
+	const FreeStep<T> free = make_free_step(r_blade, p_terms, start);
+	const T euler_weight = T(1.0f) + p_terms.drag * seconds;
 
 	Stage<T> stage;
-	stage.span = select(is_single, seconds, seconds * T(STAGE_SHARE));
-	stage.weight = T(1.0f) + drag * stage.span;
+	stage.span = select(p_is_near, seconds, p_terms.free_span);
+	stage.weight = select(p_is_near, euler_weight, free.weight / free.ahead);
 	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
-	const Mask none = is_single & !is_single;
-	Hold<Mask> hold{ none, none, none, none }, no_hold = hold;
+	const Mask none = p_is_near & !p_is_near;
+	Hold<Mask> hold{ none, none, none, none };
 	hold.may_stick = p_is_near & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}
 	const T kept = select(hold.may_stick, rubbed(seconds), T(1.0f));
+	const T carries = select(p_is_near, kept / euler_weight, free.carries);
+	const T loaded = stage.span * stage.span / select(p_is_near, euler_weight, free.weight);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		set_target(stage, k, start.place[k], start.speed[k] * kept, load);
+		set_target(stage, k, start.place[k], start.moved[k] * carries + p_terms.load * loaded);
 	}
-	const T lacks = select(is_one, stage.span * stage.span / stage.weight, T(0.0f)); // [Eq 38]
-	follow_targets(r_blade, stage, load * lacks);
-	// The GPU asks for a list of no colliders instead, good or bad, and takes whole solves as long as it compiles.
-	Mask is_quick = is_one & (p_terms.free_quick > T(p_terms.colliders.empty() ? 0.0f : 1.0f));
-	if (any(is_quick)) {
-		is_quick = is_quick & is_simple(r_blade, p_terms, chain);
+	follow_targets(r_blade, stage, p_terms.load * select(p_is_near, T(0.0f), loaded));
+	Middle<T> middle;
+	const bool has_free = any(!p_is_near);
+	if (has_free) {
+		go_to_middle(r_blade, stage, start, free, !p_is_near, middle);
 	}
-	if (any(is_quick)) {
-		solve_quick(r_blade, p_terms, chain, stage, is_quick);
+	solve_stage(r_blade, p_terms, chain, start, stage, p_is_near, hold);
+	if (has_free) {
+		leave_middle(r_blade, free, !p_is_near, middle);
 	}
-	solve_stage(r_blade, p_terms, chain, start, stage, !is_quick, is_single, p_is_near, hold);
-
-	if (any(!is_single)) {
-		const T rest = seconds * T(1.0f - STAGE_SHARE);
-		Vec3<T> first[GRASS_KNOTS];
-		stage.span = seconds * T(STAGE_SHARE);
-		stage.weight = T(1.0f) + drag * stage.span;
-		const T per_second = T(1.0f) / stage.span;
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-			first[k] = r_blade.knots[k];
-			const Vec3<T> speed = (r_blade.knots[k] - start.place[k]) * per_second;
-			const Vec3<T> gain = (speed - start.speed[k]) * (T((1.0f - STAGE_SHARE) / STAGE_SHARE));
-			set_target(stage, k, start.place[k] + speed * rest, start.speed[k] + gain, load);
-		}
-		follow_targets(r_blade, stage, Vec3<T>{});
-		solve_stage(r_blade, p_terms, chain, start, stage, !is_single, is_single, none, no_hold);
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-			const Vec3<T> speed = (r_blade.knots[k] - stage.base[k]) * per_second;
-			r_blade.knots[k] = select(is_single, first[k], r_blade.knots[k]);
-			r_blade.before[k] = select(is_single, start.place[k], r_blade.knots[k] - speed * seconds);
-		}
-	} else {
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-			r_blade.before[k] = start.place[k];
-		}
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		r_blade.before[k] = start.place[k];
 	}
 	return hold.is_held;
 }

@@ -3,7 +3,7 @@
 // shaders/solver/shape.inc.
 #pragma once
 
-#include "core/solver/quick_joint.h"
+#include "core/solver/leaves.h"
 
 namespace grass {
 
@@ -24,34 +24,19 @@ template <class T> struct StepTerms {
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
-	T free_bending, free_drag, free_solves, free_quick; // GrassStep.free_motion
+	T free_span; // GrassStep.free_motion
 	T wild_move;
 	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
 	int iterations;
 	bool is_direct;
 	std::span<const TileCollider> colliders;
-	QuickJoint<T> quick[GRASS_SEGMENTS]; // METHOD_DIRECT
 };
 
-// [Eq 39] From the terms of free motion.
-template <class T> void make_quick_joints(StepTerms<T> &r_terms) {
-	const T stiffness = quick_stiffness(r_terms.free_bending, r_terms.free_drag, r_terms.seconds);
-	QuickBeyond<T> beyond{ T(0.0f), T(0.0f), T(0.0f) };
-	for (int s = GRASS_SEGMENTS - 1; s >= 1; s--) {
-		r_terms.quick[s] = make_quick_joint(beyond, s, stiffness);
-	}
-}
-
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
-	StepTerms<T> terms{ T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
+	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.free_motion.x), T(p_step.free_motion.y),
-		T(p_step.free_motion.z), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
-		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders, {} };
-	if (terms.is_direct) {
-		make_quick_joints(terms);
-	}
-	return terms;
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.free_motion.x), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.energy.y), T(p_step.energy.z), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
 }
 
 template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {

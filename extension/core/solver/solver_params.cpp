@@ -35,12 +35,8 @@ constexpr double MOST_TURN = 2.5;
 // Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
 constexpr double FIRST_MODE = 3.5160152685;
 static_assert(WILD > FIRST_MODE - 1e-3 && WILD < FIRST_MODE + 1e-3);
-// Of the first mode in a step, radians: below it one solve is enough.
-constexpr double ONE_SOLVE_TURN = 0.2;
-// And from this on a quick one is, too: what it leaves is less than what so long a step errs by.
-constexpr double QUICK_TURN = 0.04;
-// A chain of so many knots swings slower: by less than this share of the frequency's square.
-constexpr double CHAIN_SLOWER = 1.3 / (GRASS_KNOTS * GRASS_KNOTS);
+// Of the first mode in a step, radians: up to here its frequency is exact.
+constexpr double EXACT_TURN = 1.0;
 
 // [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
 struct TwoStep {
@@ -55,30 +51,13 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 	return { keep, 1.0 + keep - stay };
 }
 
-// [Eq 38] Stiffness (square of a frequency, 1/s^2) and drag (1/s) with which an implicit Euler step of h goes where the oscillator goes;
-// g the step before.
-struct EulerSwing {
-	double stiffness, drag;
-};
-
-EulerSwing euler_swing(const Oscillator &p_swing, double p_h, double p_g) {
-	const TwoStep exact = two_step(p_swing, p_h, p_g);
-	const double ratio = p_h / p_g, weight = ratio / exact.keep;
-	const double drag = (1.0 + exact.keep - exact.pull) * weight - 1.0 - ratio, pull = weight - 1.0 - drag;
-	// Without damping drag is negative: it gives back what the step takes. A swing slower than this one would gain.
-	return { pull / (p_h * p_h), std::max(drag, (CHAIN_SLOWER - 1.0) * pull) / p_h };
-}
-
 constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
 // GrassStep::free_motion, and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
 void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
-	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
-	const double turn = swing * std::max(p_h, p_g);
-	const int solves = p_params.iterations >= 4 ? p_params.iterations / 2 : turn <= ONE_SOLVE_TURN ? 1 : 2;
-	const EulerSwing free = solves == 1 ? euler_swing({ swing, damping }, p_h, p_g) : EulerSwing{ swing * swing, 2.0 * damping };
-	const bool is_quick = solves == 1 && turn >= QUICK_TURN;
-	r_step.free_motion = { float(free.stiffness / (FIRST_MODE * FIRST_MODE)), float(free.drag), float(solves), is_quick ? 1.0f : 0.0f };
+	// [Eq 39] Two places tell the speed in the middle of the step before: from there on forces act until the middle of this one.
+	const double half_turn = 0.5 * std::min(RADIANS_PER_CYCLE * p_params.natural_frequency * p_h, EXACT_TURN);
+	r_step.free_motion.x = float(std::sqrt(0.5 * p_h * (p_h + p_g)) * std::tan(half_turn) / half_turn);
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
 }
 

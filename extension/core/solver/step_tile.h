@@ -79,16 +79,10 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
 	r_terms.bending = own(&GrassStep::chain, &vec4::z);
 	r_terms.drag = own(&GrassStep::chain, &vec4::w);
-	r_terms.free_bending = own(&GrassStep::free_motion, &vec4::x);
-	r_terms.free_drag = own(&GrassStep::free_motion, &vec4::y);
-	r_terms.free_solves = own(&GrassStep::free_motion, &vec4::z);
-	r_terms.free_quick = own(&GrassStep::free_motion, &vec4::w);
+	r_terms.free_span = own(&GrassStep::free_motion, &vec4::x);
 	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
 	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
 	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);
-	if (r_terms.is_direct) {
-		make_quick_joints(r_terms);
-	}
 }
 
 template <class T>
