@@ -150,7 +150,8 @@ TEST_CASE("METHOD_DIRECT: a blade swings at its natural frequency within 3 % at 
 	}
 }
 
-TEST_CASE("METHOD_DIRECT: the error falls with the step by the second order, as long as it is bent slightly, and is small where it is not") {
+TEST_CASE(
+		"METHOD_DIRECT: the error falls with the step by the second order, as long as it is bent slightly, and is small where it is not") {
 	constexpr double SLIGHT = 0.05, STRONG = 5.0; // m/s^2: to 2 mm and to 18 cm
 	CHECK(order_of(SLIGHT) >= 1.7);
 	CHECK(order_of(STRONG) >= 1.7);

@@ -202,7 +202,8 @@ TEST_CASE("METHOD_DIRECT: a slight kick dies down, whatever the blade's shape at
 TEST_CASE("METHOD_DIRECT: the energy of a blade that is let go from a violent pose is never above its start") {
 	const Shape poses[] = { { "arc of 180 degrees", [](double p_share) { return leaning(180.0 * DEGREE * p_share, 0.0); } }, ARC_300,
 		{ "arc across", [](double p_share) { return leaning(180.0 * DEGREE * p_share, 0.5 * std::numbers::pi); } },
-		{ "S of 90 degrees", [](double p_share) { return leaning(90.0 * DEGREE * std::sin(2.0 * std::numbers::pi * p_share / 0.7), 0.0); } },
+		{ "S of 90 degrees",
+				[](double p_share) { return leaning(90.0 * DEGREE * std::sin(2.0 * std::numbers::pi * p_share / 0.7), 0.0); } },
 		{ "helix of 60 degrees", [](double p_share) { return leaning(60.0 * DEGREE, 360.0 * DEGREE * p_share); } } };
 	for (const Shape &shape : { STRAIGHT, ARC_90, HELIX, WIDE_HELIX, S_40, ARC_300 }) {
 		for (const Shape &from : poses) {

@@ -3,8 +3,8 @@
 // docs/solver.md derives it.
 #pragma once
 
-#include "core/solver/contact.h"
 #include "core/solver/chain.h"
+#include "core/solver/contact.h"
 
 namespace grass {
 
@@ -40,8 +40,7 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 #include "core/base/lane_words_end.h"
 
 // [Eq 22] By how lively the blade was in the step before.
-template <class T>
-GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Start<T> &p_start) {
+template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Start<T> &p_start) {
 	Liveliness<T> lively = begin_liveliness<T>();
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		add_to_liveliness(lively, p_start.place[s + 1] - p_start.place[s], p_start.moved[s + 1] - p_start.moved[s], p_blade.lengths[s]);

@@ -4,6 +4,7 @@
 #include "core/base/half.h"
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
+#include "core/solver/tile_state.h"
 
 #include <algorithm>
 #include <cstring>

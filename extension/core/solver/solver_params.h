@@ -19,9 +19,8 @@ inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1
 inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
 // Factor on the friction of bodies. 0: blades slide freely.
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
-// METHOD_DIRECT: solves in one step of a blade that something is near, 1 lets it tremble; others take one, or two where a step is a large
-// part of a swing, and from 4 iterations on half as many as these. METHOD_PBD: rounds of local shape and contact; the paper found two or
-// three enough, 1 lets knots rest on each other's contacts.
+// METHOD_DIRECT: solves in one step of a blade that something is near, 1 lets it tremble; others take one. METHOD_PBD: rounds of local
+// shape and contact; the paper found two or three enough, 1 lets knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0 };
 // Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
