@@ -51,10 +51,9 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 				for scene in KernelScenes.ALL if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
-					for iterations: int in [2, 4] if method == DIRECT and scene == "0" else [2]:  # free blades: one solve, two stages
-						var row := _measure(method, iterations, tiles, scene, 4 if p_software else STEPS)
-						row.insert(4, "simulate" + variant)
-						rows.append(row)
+					var row := _measure(method, 2, tiles, scene, 4 if p_software else STEPS)
+					row.insert(4, "simulate" + variant)
+					rows.append(row)
 			_device.free_rid(_pipeline)
 		_device.free_rid(_shader)
 	_device.free()
