@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/solver/contact.h"
+#include "core/solver/near.h"
 #include "core/solver/quick.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
 	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
-	const T deep = r_blade.blade_length * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
+	const T deep = r_stage.most_depth - r_blade.blade_length * T(2.0f * SKIN / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
@@ -161,25 +162,92 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 22] p_is_near: whether something may touch the blade. Then it takes one implicit Euler step; else two stages with half of its solves
-// each, or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
-template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
+// [Eq 24] The targets and the first guess of the part of the step that starts at the knots as they are. p_most_move: as far as their speed
+// may carry them in a part, metres.
+template <class T>
+GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const Vec3<T> &p_load, const T &p_most_move, bool p_is_first,
+		Start<T> &r_part, Stage<T> &r_stage) {
+	const T per_second = T(1.0f) / r_stage.span;
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> moved = r_blade.knots[k] - r_part.place[k];
+		const T keep = minimum(T(1.0f), p_most_move / maximum(length(moved), T(1e-12f)));
+		r_part.speed[k] = p_is_first ? p_start.speed[k] : moved * (keep * per_second);
+		r_part.place[k] = r_blade.knots[k];
+		set_target(r_stage, k, r_part.place[k], r_part.speed[k], p_load);
+	}
+	follow_targets(r_blade, r_stage, Vec3<T>{});
+}
+
+// [Eq 43] Steps of blades that something moves far beside: in parts of one solve each, with the colliders where they are meanwhile.
+// r_blade is at the start of the step, and those that take no part stay there. p_parts: of each blade; p_thin: see Near.
+template <class T>
+GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
+		const T &p_parts, const T &p_thin) {
+	using Mask = MaskOf<T>;
+	StepTerms<T> terms = p_terms;
+	terms.iterations = 1;
+	const T most_move = p_terms.max_move * p_terms.step_ratio * r_blade.blade_length;
+	Start<T> part;
+	Stage<T> stage;
+	for (int parts = 2; parts <= most_parts(p_terms.iterations); parts *= 2) {
+		const Mask takes_part = (p_parts > T(float(parts) - 0.5f)) & (p_parts < T(float(parts) + 0.5f));
+		if (!any(takes_part)) {
+			continue;
+		}
+		const float share = 1.0f / float(parts);
+		const Blade<T> before = r_blade;
+		stage.span = terms.seconds * T(share);
+		stage.weight = T(1.0f) + terms.drag * stage.span;
+		stage.caution = T(CAUTION);
+		stage.is_part = true;
+		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
+		for (int i = 0; i < parts; i++) {
+			terms.colliders = colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share);
+			begin_part(r_blade, p_start, terms.load, most_move * T(share), i == 0, part, stage);
+			const Mask none = takes_part & !takes_part;
+			Hold<Mask> no_hold{ none, none, none, none };
+			solve_stage(r_blade, terms, p_chain, part, stage, takes_part, takes_part, takes_part, no_hold);
+		}
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			const Vec3<T> knot = r_blade.knots[k];
+			r_blade.knots[k] = select(takes_part, knot, before.knots[k]);
+			r_blade.before[k] = select(takes_part, knot - (knot - part.place[k]) * T(float(parts)), before.before[k]);
+			r_blade.twist[k - 1] = select(takes_part, r_blade.twist[k - 1], before.twist[k - 1]);
+		}
+	}
+}
+
+// [Eq 22] A blade that something may touch takes one implicit Euler step, or several; another one two stages with half of its solves each,
+// or, where it has one only, that of [Eq 38]. Returns which blades are held, [Eq 36].
+template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	using Mask = MaskOf<T>;
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
-	const Mask is_one = (!p_is_near) & (p_terms.free_solves < T(2.0f));
-	const Mask is_single = p_is_near | is_one | (fastest > r_blade.blade_length * p_terms.wild_move);
+	const Near<T> near = find_near(r_blade, p_terms);
+	const T parts = count_parts(r_blade, p_terms, near, fastest);
+	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near;
+	const Mask is_one = (!near.is_reached) & (p_terms.free_solves < T(2.0f));
+	const Mask is_single = is_near | is_one | (fastest > r_blade.blade_length * p_terms.wild_move);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, select(is_one, p_terms.free_bending, p_terms.bending));
+	Blade<T> parted;
+	if (any(is_in_parts)) {
+		parted = r_blade;
+		step_in_parts(parted, p_terms, chain, start, parts, near.thin);
+	}
 	const T drag = select(is_one, p_terms.free_drag, p_terms.drag);
 	const Vec3<T> load = p_terms.load * select(is_one, p_terms.free_bending / p_terms.bending, T(1.0f)); // bends the blade as much as ever
 
 	Stage<T> stage;
 	stage.span = select(is_single, seconds, seconds * T(STAGE_SHARE));
 	stage.weight = T(1.0f) + drag * stage.span;
-	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
+	stage.caution = select(is_near, T(CAUTION), T(0.0f));
+	stage.is_part = false;
+	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
 	const Mask none = is_single & !is_single;
 	Hold<Mask> hold{ none, none, none, none }, no_hold = hold;
-	hold.may_stick = p_is_near & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
+	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
+			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
@@ -198,7 +266,8 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	if (any(is_quick)) {
 		solve_quick(r_blade, p_terms, chain, stage, is_quick);
 	}
-	solve_stage(r_blade, p_terms, chain, start, stage, !is_quick, is_single, p_is_near, hold);
+	const Mask takes_part = (!is_quick) & (!is_in_parts);
+	solve_stage(r_blade, p_terms, chain, start, stage, takes_part, is_single, is_near, hold);
 
 	if (any(!is_single)) {
 		const T rest = seconds * T(1.0f - STAGE_SHARE);
@@ -222,6 +291,13 @@ template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, 
 	} else {
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			r_blade.before[k] = start.place[k];
+		}
+	}
+	if (any(is_in_parts)) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			r_blade.knots[k] = select(is_in_parts, parted.knots[k], r_blade.knots[k]);
+			r_blade.before[k] = select(is_in_parts, parted.before[k], r_blade.before[k]);
+			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);
 		}
 	}
 	return hold.is_held;
