@@ -27,6 +27,10 @@ ERRORS = {
 	"amplitude_lost": "Amplitude lost in a period, undamped (share)",
 	"transient": "Way of all knots in a second after release, against the converged rod (RMS, blade lengths)",
 	"sphere_sweep": "Way of all knots under a ball at 5 m/s, against the converged rod (RMS, blade lengths)",
+	"slow_pass": "Way of all knots beside a ball at 1 m/s, without friction, against the converged rod (RMS, blade lengths)",
+	"fast_pass": "Way of all knots beside a ball at 5 m/s, without friction, against the converged rod (RMS, blade lengths)",
+	"plate": "How far blades stay off a plate that holds them down (mean, blade lengths)",
+	"post": "How far blades stay off a post that leans on them (mean, blade lengths)",
 }
 COLORS = {"DIRECT": "#1b7f4b", "PBD": "#c2571a"}
 LEAST = 1e-5  # errors below this are drawn here: a logarithm knows no zero

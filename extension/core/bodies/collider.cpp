@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace grass {
 
@@ -25,6 +26,15 @@ float least_plane(const TileCollider &p_collider) {
 		least = std::min(least, plane.w());
 	}
 	return std::max(least, 0.0f);
+}
+
+Turn<float> turn_between(const Turn<float> &p_before, const Turn<float> &p_now, float p_share) {
+	const float cosine = dot(p_before.axis, p_now.axis) + p_before.w * p_now.w;
+	const float share = cosine < 0.0f ? -p_share : p_share;
+	const Vec3<float> axis = p_before.axis * (1.0f - p_share) + p_now.axis * share;
+	const float w = p_before.w * (1.0f - p_share) + p_now.w * share;
+	const float scale = 1.0f / std::sqrt(std::max(dot(axis, axis) + w * w, TINY_SQUARED));
+	return { axis * scale, w * scale };
 }
 
 } // namespace
@@ -66,6 +76,8 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 	r_collider.spin = 2.0f * std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
 	Vec3<float> box;
 	measure(r_collider.shape, r_collider.size, r_collider.bound, box, r_collider.thin, r_collider.blunt);
+	const Vec3<float> way = r_collider.centre - r_collider.centre_before;
+	r_collider.moved = std::sqrt(dot(way, way)) + (r_collider.shape == GRASS_SPHERE ? 0.0f : r_collider.spin * r_collider.bound);
 	r_collider.shortfall = SHORTFALL;
 	if (r_collider.shape == GRASS_HULL) {
 		r_collider.thin = least_plane(r_collider);
@@ -78,6 +90,26 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 		std::min((std::abs(x.y) + std::abs(y.y) + std::abs(z.y)) * BOX_MARGIN, bound),
 		std::min((std::abs(x.z) + std::abs(y.z) + std::abs(z.z)) * BOX_MARGIN, bound) };
 	return true;
+}
+
+std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to) {
+	thread_local std::vector<TileCollider> between;
+	between.assign(p_colliders.begin(), p_colliders.end());
+	for (TileCollider &collider : between) {
+		const Vec3<float> way = collider.centre - collider.centre_before;
+		const Vec3<float> before = collider.centre_before;
+		const Turn<float> turn_before = collider.turn_before, turn = collider.turn;
+		collider.centre_before = before + way * p_from;
+		collider.turn_before = turn_between(turn_before, turn, p_from);
+		if (p_to < 1.0f) {
+			collider.centre = before + way * p_to;
+			collider.turn = turn_between(turn_before, turn, p_to);
+		}
+		collider.spin = collider.spin * (p_to - p_from) * SPIN_MARGIN;
+		const float bound = collider.bound * BOX_MARGIN;
+		collider.box = collider.spin > 0.0f ? Vec3<float>{ bound, bound, bound } : collider.box;
+	}
+	return between;
 }
 
 } // namespace grass

@@ -45,6 +45,7 @@ struct TileCollider {
 	Vec3<float> box; // half extents of a box about the centre, the field's axes, at the end of the step, metres
 	float shortfall = 0.0f; // how many times farther away than a face in front of a point the shape can be
 	float spin = 0.0f; // how far its turn during the step moves a point, shares of the distance from the centre
+	float moved = 0.0f; // how far the step takes a point of it that a blade may meet, at most, metres
 	float thin = 0.0f; // no path shorter than this can cross the shape, metres
 	float blunt = 0.0f; // what knots no farther apart than this show is all that edges cut, metres
 	std::span<const Eigen::Vector4f> planes; // hulls
@@ -56,6 +57,9 @@ bool is_sharp(const GrassCollider &p_collider, float p_segment);
 // p_collider for the tile at (p_tile_x, p_tile_z). False if a number in it is not finite or a plane is missing.
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
+
+// The colliders as they are on the way from share p_from to share p_to of the step. What it returns holds until the thread calls it again.
+std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to);
 
 #include "core/base/lane_words.h"
 

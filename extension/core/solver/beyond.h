@@ -19,6 +19,8 @@ template <class T> struct Touches {
 // An implicit step of `span` seconds from a base place; the step's target is where the knots would go alone.
 template <class T> struct Stage {
 	T span; // seconds
+	bool is_part; // one of those that a step among what moves far is taken in
+	T most_depth; // of a contact that a solve can take back, metres; what is deeper is a blow
 	T caution; // resistance of the joints to one solve, shares of their stiffness
 	T weight; // of a knot's inertia: 1 + drag; of a free blade, whose forces are asked for at a mean, over the weight of its end there
 	Vec3<T> base[GRASS_KNOTS]; // metres
@@ -46,18 +48,18 @@ template <class T> struct Beyond {
 // the lever moves along. p_weight: the knot's inertia, p_own: the share of the push that is this point's. Returns the most that friction
 // pulls with.
 template <class T>
-GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const ChainTerms<T> &p_chain, const Stage<T> &p_stage,
-		const Vec3<T> &p_lever, const T &p_length, const T &p_weight, const T &p_bending, const T &p_own) {
-	const auto is_blow = p_touch.depth > p_chain.mean_length * T(MOST_DEPTH);
+GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Stage<T> &p_stage, const Vec3<T> &p_lever, const T &p_length,
+		const T &p_weight, const T &p_bending, const T &p_own) {
+	const auto is_blow = p_touch.depth > p_stage.most_depth;
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
 	r_beyond.touches.depth = maximum(r_beyond.touches.depth, p_touch.depth);
 	r_beyond.touches.blow = maximum(r_beyond.touches.blow, select(is_blow, p_touch.depth, T(0.0f)));
 	const T hard = p_own *
 			(p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));
-	const T in_skin = minimum(maximum(depth, T(0.0f)) / skin, T(1.0f));
-	const T stiffness = hard * in_skin;
-	const T push = push_at(hard, depth, skin);
+	const T at = p_stage.is_part ? first_depth(depth, p_touch.held, skin) : depth;
+	const T stiffness = hard * minimum(maximum(at, T(0.0f)) / skin, T(1.0f));
+	const T push = push_at(hard, at, skin) + stiffness * (depth - at);
 	const T held = select(is_blow, T(0.0f), minimum(p_touch.held, depth));
 	const T friction = p_touch.friction * push_at(hard, held, skin);
 	const T grip = minimum(hard * T(FRICTION_OVER_CONTACT), friction / maximum(length(p_touch.slip), T(1e-12f)));
@@ -95,14 +97,14 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 			p_blade.rest[p_knot].y, p_terms.friction);
 	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
 	if (any(ground.depth > T(0.0f))) {
-		add_touch(r_beyond, ground, p_chain, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
+		add_touch(r_beyond, ground, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 	}
 	if (!any(p_touch.depth > T(0.0f))) {
 		return;
 	}
 	const T length = p_blade.lengths[p_knot - 1];
 	keep_hold(r_beyond.touches, p_touch, length,
-			add_touch(r_beyond, p_touch, p_chain, p_stage, Vec3<T>{}, length, weight, p_bending * T(root_contact(p_knot)), T(1.0f)));
+			add_touch(r_beyond, p_touch, p_stage, Vec3<T>{}, length, weight, p_bending * T(root_contact(p_knot)), T(1.0f)));
 }
 
 // What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: what touches these
@@ -125,8 +127,8 @@ GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	const T length = p_blade.lengths[p_knot - 1];
 	const T weight = knot_mass(p_blade, p_knot, p_chain) * p_stage.weight;
 	keep_hold(r_beyond.touches, touch, length,
-			add_touch(r_beyond, touch, p_chain, p_stage, segment(p_blade, p_knot - 1) * share, length, weight,
-					p_bending * T(root_contact(p_knot)), own));
+			add_touch(r_beyond, touch, p_stage, segment(p_blade, p_knot - 1) * share, length, weight, p_bending * T(root_contact(p_knot)),
+					own));
 }
 
 #include "core/base/lane_words.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/solver/free.h"
+#include "core/solver/near.h"
 
 #include <algorithm>
 
@@ -19,7 +20,7 @@ template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
 	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
-	const T deep = r_blade.blade_length * T((MOST_DEPTH - 2.0f * SKIN) / float(GRASS_SEGMENTS));
+	const T deep = r_stage.most_depth - r_blade.blade_length * T(2.0f * SKIN / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
 	}
@@ -91,10 +92,11 @@ template <class T, class Mask> GRASS_INLINE Mask wants_solve(const StepTerms<T> 
 	return p_i < p_terms.iterations ? p_is_near | is_first : (!p_is_near) & is_first;
 }
 
-// [Eq 30] The solves of a step. Blades that the first one shows to be hit go on from the blow, with one solve at least.
+// [Eq 30] The solves of a step, or a part of it, of p_takes_part. Blades that the first one shows to be hit go on from the blow, with one
+// solve at least.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
-		Stage<T> &r_stage, const Mask &p_is_near, Hold<Mask> &r_hold) {
+		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_near, Hold<Mask> &r_hold) {
 	const Mask none = p_is_near & !p_is_near;
 	Vec3<T> guess[GRASS_KNOTS];
 	T twist[GRASS_SEGMENTS];
@@ -105,7 +107,7 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	Mask is_hit = none;
 	r_hold.sticks = r_hold.is_held = none;
 	for (int i = 0;; i++) {
-		const Mask by_count = wants_solve(p_terms, i, p_is_near);
+		const Mask by_count = p_takes_part & wants_solve(p_terms, i, p_is_near);
 		const Mask is_active = is_hit | (by_count & !r_hold.sticks);
 		if (!any(is_active)) {
 			return;
@@ -133,45 +135,120 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 22] p_is_near: whether something may touch the blade. Then it takes an implicit Euler step; else one of the second order. Returns
-// which blades are held, [Eq 36].
-template <class T, class Mask> GRASS_INLINE Mask step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_near) {
+// [Eq 24] The targets and the first guess of the part of the step that starts at the knots as they are. p_most_move: as far as their speed
+// may carry them in a part, metres; p_share: of the step.
+template <class T>
+GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const Vec3<T> &p_load, const T &p_most_move, const T &p_share,
+		bool p_is_first, Start<T> &r_part, Stage<T> &r_stage) {
+	const T per_weight = T(1.0f) / r_stage.weight;
+	const Vec3<T> load = p_load * (r_stage.span * r_stage.span);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		const Vec3<T> moved = r_blade.knots[k] - r_part.place[k];
+		const T keep = minimum(T(1.0f), p_most_move / maximum(length(moved), T(1e-12f)));
+		r_part.moved[k] = p_is_first ? p_start.moved[k] * p_share : moved * keep;
+		r_part.place[k] = r_blade.knots[k];
+		set_target(r_stage, k, r_part.place[k], (r_part.moved[k] + load) * per_weight);
+	}
+	follow_targets(r_blade, r_stage, Vec3<T>{});
+}
+
+// [Eq 43] Steps of blades that something moves far beside: in parts of one solve each, with the colliders where they are meanwhile.
+// r_blade is at the start of the step, and those that take no part stay there. p_parts: of each blade; p_thin: see Near.
+template <class T>
+GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
+		const T &p_parts, const T &p_thin) {
+	using Mask = MaskOf<T>;
+	StepTerms<T> terms = p_terms;
+	terms.iterations = 1;
+	const T most_move = p_terms.max_move * p_terms.step_ratio * r_blade.blade_length;
+	Start<T> part;
+	Stage<T> stage;
+	for (int parts = 2; parts <= most_parts(p_terms.iterations); parts *= 2) {
+		const Mask takes_part = (p_parts > T(float(parts) - 0.5f)) & (p_parts < T(float(parts) + 0.5f));
+		if (!any(takes_part)) {
+			continue;
+		}
+		const float share = 1.0f / float(parts);
+		const Blade<T> before = r_blade;
+		stage.span = terms.seconds * T(share);
+		stage.weight = T(1.0f) + terms.drag * stage.span;
+		stage.caution = T(CAUTION);
+		stage.is_part = true;
+		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
+		for (int i = 0; i < parts; i++) {
+			terms.colliders = colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share);
+			begin_part(r_blade, p_start, terms.load, most_move * T(share), T(share), i == 0, part, stage);
+			const Mask none = takes_part & !takes_part;
+			Hold<Mask> no_hold{ none, none, none, none };
+			solve_stage(r_blade, terms, p_chain, part, stage, takes_part, takes_part, no_hold);
+		}
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			const Vec3<T> knot = r_blade.knots[k];
+			r_blade.knots[k] = select(takes_part, knot, before.knots[k]);
+			r_blade.before[k] = select(takes_part, knot - (knot - part.place[k]) * T(float(parts)), before.before[k]);
+			r_blade.twist[k - 1] = select(takes_part, r_blade.twist[k - 1], before.twist[k - 1]);
+		}
+	}
+}
+
+// [Eq 22] A blade that something may touch takes an implicit Euler step, or several [Eq 43]; another one a step of the second order.
+// Returns which blades are held, [Eq 36].
+template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	using Mask = MaskOf<T>;
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
+	const Near<T> near = find_near(r_blade, p_terms);
+	const T parts = count_parts(r_blade, p_terms, near, fastest);
+	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near, is_free = !(is_near | is_in_parts);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms.bending);
+	Blade<T> parted;
+	if (any(is_in_parts)) {
+		parted = r_blade;
+		step_in_parts(parted, p_terms, chain, start, parts, near.thin);
+	}
 	const FreeStep<T> free = make_free_step(r_blade, p_terms, start);
 	const T euler_weight = T(1.0f) + p_terms.drag * seconds;
 
 	Stage<T> stage;
-	stage.span = select(p_is_near, seconds, p_terms.free_span);
-	stage.weight = select(p_is_near, euler_weight, free.weight / free.ahead);
-	stage.caution = select(p_is_near, T(CAUTION), T(0.0f));
-	const Mask none = p_is_near & !p_is_near;
+	stage.span = select(is_free, p_terms.free_span, seconds);
+	stage.weight = select(is_free, free.weight / free.ahead, euler_weight);
+	stage.caution = select(is_free, T(0.0f), T(CAUTION));
+	stage.is_part = false;
+	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
+	const Mask none = is_near & !is_near;
 	Hold<Mask> hold{ none, none, none, none };
-	hold.may_stick = p_is_near & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) & (T(float(p_terms.iterations)) > T(1.0f));
+	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
+			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}
 	const T kept = select(hold.may_stick, rubbed(seconds), T(1.0f));
-	const T carries = select(p_is_near, kept / euler_weight, free.carries);
-	const T loaded = stage.span * stage.span / select(p_is_near, euler_weight, free.weight);
+	const T carries = select(is_free, free.carries, kept / euler_weight);
+	const T loaded = stage.span * stage.span / select(is_free, free.weight, euler_weight);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		set_target(stage, k, start.place[k], start.moved[k] * carries + p_terms.load * loaded);
 	}
-	follow_targets(r_blade, stage, p_terms.load * select(p_is_near, T(0.0f), loaded));
+	follow_targets(r_blade, stage, p_terms.load * select(is_free, loaded, T(0.0f)));
 	Middle<T> middle;
-	const bool has_free = any(!p_is_near);
+	const bool has_free = any(is_free);
 	if (has_free) {
-		go_to_middle(r_blade, stage, start, free, !p_is_near, middle);
+		go_to_middle(r_blade, stage, start, free, is_free, middle);
 	}
-	solve_stage(r_blade, p_terms, chain, start, stage, p_is_near, hold);
+	solve_stage(r_blade, p_terms, chain, start, stage, !is_in_parts, is_near, hold);
 	if (has_free) {
-		leave_middle(r_blade, free, !p_is_near, middle);
+		leave_middle(r_blade, free, is_free, middle);
 	}
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = start.place[k];
+	}
+	if (any(is_in_parts)) {
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			r_blade.knots[k] = select(is_in_parts, parted.knots[k], r_blade.knots[k]);
+			r_blade.before[k] = select(is_in_parts, parted.before[k], r_blade.before[k]);
+			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);
+		}
 	}
 	return hold.is_held;
 }

@@ -80,15 +80,6 @@ template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, co
 	}
 }
 
-// Whether something may touch the blade in this step.
-template <class T> GRASS_INLINE auto is_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	auto near = T(0.0f) > T(1.0f);
-	for (const TileCollider &collider : p_terms.colliders) {
-		near = near | comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
-	}
-	return near;
-}
-
 // The method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
 template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	integrate(r_blade, p_terms);
@@ -116,7 +107,7 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	}
 	auto is_held = T(0.0f) > T(1.0f);
 	if (p_terms.is_direct) {
-		is_held = step_direct(r_blade, p_terms, is_near(r_blade, p_terms));
+		is_held = step_direct(r_blade, p_terms);
 	} else {
 		step_pbd(r_blade, p_terms);
 	}

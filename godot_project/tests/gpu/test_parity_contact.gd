@@ -10,7 +10,7 @@ const CREEPING := 0.002  # metres a tick
 const THIN := 0.005  # metres, half of what is thinner than a segment
 const HALF_STICK := 0.6  # metres
 const UNDER_A_BALL := 1e-3  # of a blade's length, after ten steps
-const SKIN := 0.005  # metres, more than knots feel a surface from
+const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 
 func every_tile(field: GrassField) -> Array[Vector2i]:

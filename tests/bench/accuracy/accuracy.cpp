@@ -134,6 +134,66 @@ double difference(const Track &p_a, const Track &p_b) {
 	return std::sqrt(sum / double(p_a.size())) / 0.5;
 }
 
+// A ball without friction rolls past the blades' root at p_speed, 9 cm aside, for p_frames.
+Track pass_by(const Config &p_config, float p_speed, int p_frames) {
+	BladeScene scene = make_scene(p_config, Keep::KNOTS, p_config.substeps, 0.5);
+	scene.params.friction = 0.0;
+	scene.add(GRASS_SPHERE, {}, { 0.15f, 0.0f, 0.0f });
+	const double delta = FRAME / p_config.substeps;
+	const auto place = [&](int p_step) { return Eigen::Vector3f(-0.5f + p_speed * float(p_step * delta), 0.15f, 0.09f); };
+	Track path;
+	for (int i = 0; i < p_frames * p_config.substeps; i++) {
+		BladeScene::place(scene.colliders[0], place(i), place(i + 1));
+		scene.step(delta);
+		if ((i + 1) % p_config.substeps == 0) {
+			append_knots(scene, path);
+		}
+	}
+	return path;
+}
+Track slow_pass(const Config &p_config) {
+	return pass_by(p_config, 1.0f, 90);
+}
+Track fast_pass(const Config &p_config) {
+	return pass_by(p_config, 5.0f, 48);
+}
+
+// How far from a body's surface it holds the blades that it has moved to p_to in two seconds: the mean, blade lengths. No knot of a blade
+// that it holds should be farther.
+double standoff(
+		const Config &p_config, int p_shape, const Eigen::Vector3f &p_size, const Eigen::Vector3f &p_from, const Eigen::Vector3f &p_to) {
+	constexpr int MOVE = 120, FRAMES = 240;
+	BladeScene scene = make_scene(p_config, Keep::KNOTS, FRAMES * p_config.substeps, 1.0);
+	scene.params.friction = 0.0;
+	scene.add(p_shape, p_from, p_size);
+	const double half = std::sqrt(0.5);
+	if (p_shape == GRASS_CAPSULE) { // lying across
+		scene.colliders[0].rotation = scene.colliders[0].rotation_before = { float(half), 0.0f, 0.0f, float(half) };
+	}
+	const int moves = MOVE * p_config.substeps;
+	const auto place = [&](int p_step) {
+		return Eigen::Vector3f(p_from + (p_to - p_from) * (float(std::min(p_step, moves)) / float(moves)));
+	};
+	for (int i = 0; i < FRAMES * p_config.substeps; i++) {
+		BladeScene::place(scene.colliders[0], place(i), place(i + 1));
+		scene.step(FRAME / p_config.substeps);
+	}
+	const TileCollider body = scene.tile_colliders()[0];
+	double sum = 0.0;
+	int held = 0;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		float gap = 1.0f; // metres
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			gap = std::min(gap, std::abs(scene.depth_in(body, b, k)));
+		}
+		if (gap < scene.length / GRASS_SEGMENTS) {
+			sum += double(gap / scene.length);
+			held++;
+		}
+	}
+	return sum / std::max(held, 1);
+}
+
 // Milliseconds that a frame of 65,536 swinging blades takes: on one core, or on the GPU.
 double time_frame(const Config &p_config) {
 	BladeScene scene = make_scene(p_config, Keep::TIME, 1, 0.05);
@@ -152,12 +212,12 @@ double time_frame(const Config &p_config) {
 }
 
 struct References {
-	Track transient, sweep;
+	Track transient, sweep, slow_pass, fast_pass;
 };
 
 struct Row {
 	double ms;
-	std::pair<const char *, double> errors[6];
+	std::pair<const char *, double> errors[10];
 };
 
 // Solves every problem with one configuration.
@@ -169,7 +229,11 @@ Row measure(const Config &p_config, const References &p_references) {
 	return { ms,
 		{ { "static_1", static_1 }, { "static_5", static_5 }, { "frequency", frequency }, { "amplitude_lost", std::max(1.0 - kept, 0.0) },
 				{ "transient", difference(transient(p_config), p_references.transient) },
-				{ "sphere_sweep", difference(sphere_sweep(p_config), p_references.sweep) } } };
+				{ "sphere_sweep", difference(sphere_sweep(p_config), p_references.sweep) },
+				{ "slow_pass", difference(slow_pass(p_config), p_references.slow_pass) },
+				{ "fast_pass", difference(fast_pass(p_config), p_references.fast_pass) },
+				{ "plate", standoff(p_config, GRASS_BOX, { 2.0f, 0.05f, 2.0f }, { 0.0f, 0.6f, 0.0f }, { 0.0f, 0.25f, 0.0f }) },
+				{ "post", standoff(p_config, GRASS_CAPSULE, { 0.03f, 1.0f, 0.0f }, { -0.04f, 0.3f, 0.0f }, { 0.05f, 0.3f, 0.0f }) } } };
 }
 
 const char *name_of(Method p_method) {
@@ -200,7 +264,8 @@ void print_rows(const char *p_precision, const Config &p_config, const Row &p_ro
 
 References solve_references() {
 	const Config converged{ Method::DIRECT, step_scalar_double, 8, 8 };
-	return { transient(converged), sphere_sweep(converged) };
+	const Config fine{ Method::DIRECT, step_lanes, 32, 8 }; // contact is of first order
+	return { transient(converged), sphere_sweep(fine), slow_pass(fine), fast_pass(fine) };
 }
 
 void measure_cpu(bool p_is_quick) {
@@ -221,7 +286,7 @@ std::string file_of(const std::string &p_folder, Method p_method, const char *p_
 
 void record(const std::string &p_folder, bool p_is_quick) {
 	const Config any{ Method::DIRECT, step_lanes, 1, 1 }; // tracks of the right length: nothing is compared yet
-	const References references{ transient(any), sphere_sweep(any) };
+	const References references{ transient(any), sphere_sweep(any), slow_pass(any), fast_pass(any) };
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		Recorder recorder;
 		tape = &recorder;

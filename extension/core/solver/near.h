@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of find_near() in shaders/solver/near.inc.
+#pragma once
+
+#include "core/solver/shape.h"
+
+namespace grass {
+
+template <class T> using MaskOf = decltype(T() < T());
+
+// What is near a blade.
+template <class T> struct Near {
+	MaskOf<T> is_reached; // a collider could be touched, however the blade stood
+	MaskOf<T> is_near; // one may be touched in this step
+	T moved; // how far the step takes such a one, at most, metres
+	T thin; // least thickness of such a one, metres
+};
+
+// [Eq 37] By where the blade's speed would carry its segments in this step.
+template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	const MaskOf<T> none = T(0.0f) > T(1.0f);
+	Near<T> near{ none, none, T(0.0f), p_blade.blade_length };
+	const T limit = p_terms.max_move * p_blade.blade_length;
+	const Vec3<T> load = p_terms.load * (p_terms.seconds * p_terms.seconds);
+	for (const TileCollider &collider : p_terms.colliders) {
+		const auto is_reached = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
+		if (!any(is_reached)) {
+			continue;
+		}
+		near.is_reached = near.is_reached | is_reached;
+		auto is_near = none;
+		Vec3<T> from = p_blade.rest[GRASS_CLAMPED_KNOTS - 1] + p_blade.root, to = from;
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
+			const T keep = minimum(T(1.0f), limit / maximum(length(moved), T(1e-12f))) * p_terms.step_ratio;
+			const Vec3<T> end_from = p_blade.knots[k] + p_blade.root, end_to = end_from + moved * keep + load;
+			const T margin = p_blade.lengths[k - 1] * T(NEAR_MARGIN);
+			is_near = is_near | !passes_by(collider, extent_of(from, end_from), extent_of(to, end_to), margin);
+			from = end_from;
+			to = end_to;
+		}
+		is_near = is_near & is_reached;
+		near.is_near = near.is_near | is_near;
+		near.moved = maximum(near.moved, select(is_near, T(collider.moved), T(0.0f)));
+		near.thin = minimum(near.thin, select(is_near, T(collider.thin), near.thin));
+	}
+	return near;
+}
+
+// [Eq 43] In how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far the step takes its fastest knot,
+// metres.
+template <class T>
+GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest) {
+	const MaskOf<T> is_asked = p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move));
+	const T moved = maximum(p_near.moved, p_fastest * T(PART_OF_KNOT));
+	const T wanted = moved * T(float(p_terms.iterations)) / (p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
+	T parts(1.0f);
+	for (int i = 2; i <= most_parts(p_terms.iterations); i *= 2) {
+		parts = select(is_asked & (wanted > parts), T(float(i)), parts);
+	}
+	return parts;
+}
+
+} // namespace grass

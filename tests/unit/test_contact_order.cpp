@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// How near METHOD_DIRECT among colliders comes to what it converges to, and what a collider that nothing touches changes.
+#include <doctest/doctest.h>
+
+#include "blade_scene.h"
+
+using namespace grass;
+using namespace grass::test;
+
+namespace {
+
+constexpr float RADIUS = 0.15f; // metres
+
+// Straight blades in two rows, at 7.5 to 10.5 cm from the way of a ball.
+BladeScene make_rows() {
+	BladeScene scene;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		for (int k = 0; k < GRASS_KNOTS; k++) {
+			scene.set_rest(b, k, { 0.0f, scene.length * float(k) / GRASS_SEGMENTS, 0.0f });
+		}
+		const float aside = 0.075f + 0.03f * float(b) / (GRASS_BLADES_PER_TILE - 1);
+		scene.tile->root[2][b] = b % 2 == 0 ? aside : -aside;
+	}
+	return scene;
+}
+
+// The knots of all blades 60 times a second, metres, while a ball rolls past at p_speed and for a while after.
+std::vector<Eigen::Vector3f> roll_past(float p_speed, double p_rate, int p_iterations, double p_seconds) {
+	BladeScene scene = make_rows();
+	scene.params.iterations = p_iterations;
+	scene.params.friction = 0.0;
+	scene.add(GRASS_SPHERE, { -0.7f, RADIUS, 0.0f }, { RADIUS, 0.0f, 0.0f });
+	std::vector<Eigen::Vector3f> track;
+	double seen = 0.0; // sixtieths of a second
+	for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {
+		const auto place = [&](int p_step) { return Eigen::Vector3f(-0.7f + p_speed * float(p_step / p_rate), RADIUS, 0.0f); };
+		BladeScene::place(scene.colliders[0], place(i), place(i + 1));
+		scene.step(1.0 / p_rate);
+		if ((i + 1) / p_rate * 60.0 < seen + 1.0 - 1e-6) {
+			continue;
+		}
+		seen += 1.0;
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+				track.push_back(scene.knot(b, k));
+			}
+		}
+	}
+	return track;
+}
+
+// Root mean square over knots and time, blade lengths.
+double difference(const std::vector<Eigen::Vector3f> &p_a, const std::vector<Eigen::Vector3f> &p_b) {
+	REQUIRE(p_a.size() == p_b.size());
+	double sum = 0.0;
+	for (size_t i = 0; i < p_a.size(); i++) {
+		sum += double((p_a[i] - p_b[i]).squaredNorm());
+	}
+	return std::sqrt(sum / double(p_a.size())) / 0.5;
+}
+
+// How far the tip of the straight blade swings in the fourth second, undamped; p_has_ball: within reach, where no blade comes.
+float swing(float p_rate, bool p_has_ball) {
+	BladeScene scene;
+	scene.params.damping_ratio = 0.0;
+	if (p_has_ball) {
+		scene.add(GRASS_SPHERE, { 0.0f, RADIUS, -0.5f }, { RADIUS, 0.0f, 0.0f });
+	}
+	scene.bend(0.3f);
+	scene.step_for(3.0, p_rate);
+	float most = 0.0f;
+	for (int i = 0; i < int(p_rate); i++) {
+		scene.step(1.0 / p_rate);
+		most = std::max(most, std::abs(scene.knot(0, GRASS_KNOTS - 1).x()));
+	}
+	return most;
+}
+
+} // namespace
+
+TEST_CASE("METHOD_DIRECT: under a ball that passes off-centre, blades go within 1.5 % L of the converged way at 1 m/s, 5 % at 5 m/s") {
+	struct Pass {
+		float speed; // m/s
+		double seconds, most; // most: blade lengths
+	};
+	for (const Pass &pass : { Pass{ 1.0f, 1.7, 0.015 }, Pass{ 5.0f, 0.9, 0.05 } }) {
+		CAPTURE(pass.speed);
+		const std::vector<Eigen::Vector3f> converged = roll_past(pass.speed, 1920.0, 8, pass.seconds);
+		const double error = difference(roll_past(pass.speed, 60.0, 2, pass.seconds), converged);
+		CHECK(error < pass.most);
+		MESSAGE(pass.speed << " m/s: " << error << " L");
+		CHECK(difference(roll_past(pass.speed, 480.0, 4, pass.seconds), converged) < 0.6 * error);
+	}
+}
+
+TEST_CASE("METHOD_DIRECT: a ball within reach that touches nothing takes less than 3 % of a swing in four seconds") {
+	for (const float rate : { 30.0f, 60.0f, 144.0f }) {
+		CAPTURE(rate);
+		const float alone = swing(rate, false), beside = swing(rate, true);
+		CHECK(alone > 0.05f);
+		CHECK(beside > 0.97f * alone);
+		MESSAGE(rate << " steps a second: " << beside / alone << " of the swing without it");
+	}
+}
+
+TEST_CASE("METHOD_DIRECT: a blade that a level plate holds down lies within 0.4 % L of it") {
+	BladeScene scene;
+	scene.params.friction = 0.0;
+	scene.add(GRASS_BOX, { 0.0f, 0.6f, 0.0f }, { 2.0f, 0.05f, 2.0f });
+	const auto height = [](double p_seconds) { return Eigen::Vector3f(0.0f, float(0.6 - 0.3 * std::min(p_seconds / 2.0, 1.0)), 0.0f); };
+	for (int i = 0; i < 300; i++) {
+		BladeScene::place(scene.colliders[0], height(i / 60.0), height((i + 1) / 60.0));
+		scene.step();
+	}
+	const TileCollider plate = scene.tile_colliders()[0];
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		CAPTURE(b);
+		float gap = 1.0f; // metres
+		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+			gap = std::min(gap, -scene.depth_in(plate, b, k));
+		}
+		CHECK(gap < 0.004f * scene.length);
+		CHECK(gap > -1e-4f);
+	}
+}
