@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/fill_action.h"
 
+#include "editor/map_step.h"
 #include "nodes/editor_hooks.h"
-#include "nodes/grass_field.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
-#include <godot_cpp/classes/editor_undo_redo_manager.hpp>
-#include <godot_cpp/classes/undo_redo.hpp>
 
 using namespace godot;
 
@@ -31,15 +29,7 @@ void fill(GrassField &r_field) {
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
 	r_field.fill(r_field.get_fill_rule());
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
-	history->create_action("Fill Grass", UndoRedo::MERGE_DISABLE, &r_field);
-	if (is_new) {
-		history->add_do_property(&r_field, "map", map);
-		history->add_undo_property(&r_field, "map", Variant());
-	}
-	history->add_do_method(map.ptr(), "restore_snapshot", map->take_snapshot());
-	history->add_undo_method(map.ptr(), "restore_snapshot", before);
-	history->commit_action(false); // done already
-	mark_edited(map);
+	add_map_step(history, "Fill Grass", { &r_field, map, before, is_new ? &r_field : nullptr });
 }
 
 } // namespace

@@ -3,10 +3,10 @@
 #include "editor/grass_editor_plugin.h"
 
 #include "editor/fill_action.h"
+#include "editor/map_step.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
-#include <godot_cpp/classes/editor_undo_redo_manager.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
@@ -131,16 +131,7 @@ template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &
 		}
 		return;
 	}
-	EditorUndoRedoManager *history = get_undo_redo();
-	history->create_action(p_name, UndoRedo::MERGE_DISABLE, field);
-	if (is_new) {
-		history->add_do_property(field, "map", map);
-		history->add_undo_property(field, "map", Variant());
-	}
-	history->add_do_method(map.ptr(), "restore_snapshot", map->take_snapshot());
-	history->add_undo_method(map.ptr(), "restore_snapshot", before);
-	history->commit_action(false); // all is done already
-	EditorInterface::get_singleton()->set_object_edited(map.ptr(), true);
+	add_map_step(get_undo_redo(), p_name, { field, map, before, is_new ? field : nullptr });
 }
 
 void GrassEditorPlugin::_bake_pressed() {

@@ -2,9 +2,9 @@
 #include "editor/paint_stroke.h"
 
 #include "core/paint/brush_keys.h"
+#include "editor/map_step.h"
 #include "nodes/ground_rays.h"
 
-#include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/time.hpp>
 
 #include <array>
@@ -130,15 +130,8 @@ void PaintStroke::finish(EditorUndoRedoManager *p_history) {
 	if (field != nullptr || !_new_map) {
 		// The field's scene keeps the step, also where the map is a file of its own.
 		Object *context = field == nullptr ? static_cast<Object *>(_map.ptr()) : field;
-		p_history->create_action(String(name_of(_brush->get_tool())) + " Grass", UndoRedo::MERGE_DISABLE, context);
-		if (_new_map) {
-			p_history->add_do_property(field, "map", _map);
-			p_history->add_undo_property(field, "map", Variant());
-		}
-		p_history->add_do_method(_map.ptr(), "restore_snapshot", _map->take_snapshot());
-		p_history->add_undo_method(_map.ptr(), "restore_snapshot", _before);
-		p_history->commit_action(false); // all is done already
-		EditorInterface::get_singleton()->set_object_edited(_map.ptr(), true);
+		const MapStep step = { context, _map, _before, _new_map ? field : nullptr };
+		add_map_step(p_history, String(name_of(_brush->get_tool())) + " Grass", step);
 	}
 	forget();
 }

@@ -5,7 +5,6 @@
 #include "convert.h"
 #include "core/base/cpu_clock.h"
 #include "core/field/grass_at.h"
-#include "gpu/gpu_backend.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
 
@@ -66,9 +65,7 @@ void GrassField::enter() {
 		_bodies.get_tracker().start(
 				get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
 	}
-	if (!_properties.is_on_cpu) {
-		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method);
-	}
+	_standing.begin_passes();
 	request_rebuild();
 }
 

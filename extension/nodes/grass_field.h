@@ -103,7 +103,7 @@ public:
 	int64_t get_memory_usage() const; // bytes
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
-	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first question on
+	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on
 	godot::Transform3D field_transform() const override; // global, without scale
 
 	bool is_grass_at(const godot::Vector3 &p_global_position);

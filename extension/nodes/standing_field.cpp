@@ -35,6 +35,12 @@ DrawnStatistics count_drawn(const BackendStatistics &p_backend, const FieldSetup
 
 } // namespace
 
+void StandingField::begin_passes() const {
+	if (!_properties.is_on_cpu) {
+		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method);
+	}
+}
+
 void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_is_crowded = false;
 	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),

@@ -23,6 +23,8 @@ public:
 	// p_properties: the node's. What they say may differ from this field until it is made again.
 	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
 
+	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
+	void begin_passes() const;
 	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit.
 	void make(WantedField &&p_wanted, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Nothing is simulated or drawn any more, until it is made again.

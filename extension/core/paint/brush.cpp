@@ -2,13 +2,13 @@
 #include "core/paint/brush.h"
 
 #include "core/base/hash.h"
+#include "core/paint/changed_texels.h"
 #include "core/paint/fine_wear.h"
 #include "core/paint/hand_paint.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace grass {
 
@@ -208,8 +208,7 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 			}
 		}
 	}
-	std::set<MapKey> changed;
-	Eigen::Array2i low_edit = last + 1, high_edit = first;
+	ChangedTexels changed(dab.channel());
 	for (const Edit &edit : edits) {
 		bool written = true;
 		for (int c = 0; c < info.components && written; c++) {
@@ -226,16 +225,10 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 		if (written) {
 			const double rest = dab.wears() ? double(edit.after[1] - edit.before[1]) / FineWear::PARTS : 0.0;
 			result.amount += (edit.after[0] - edit.before[0] + rest) * info.unit * size * size;
-			changed.insert(key_of(dab.channel(), edit.i, edit.j));
-			low_edit = low_edit.min(Eigen::Array2i(edit.i, edit.j));
-			high_edit = high_edit.max(Eigen::Array2i(edit.i + 1, edit.j + 1));
+			changed.add(edit.i, edit.j);
 		}
 	}
-	result.changed.assign(changed.begin(), changed.end());
-	if (!changed.empty()) {
-		result.min = low_edit.cast<double>() * size;
-		result.max = high_edit.cast<double>() * size;
-	}
+	changed.report(result);
 	return result;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/paint/lay_ground.h"
 
+#include "core/paint/changed_texels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace grass {
 
@@ -60,8 +61,7 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 	}
 	const Heights heights(first, last, p_height);
 	result.sampled = heights.count();
-	std::set<MapKey> changed;
-	Eigen::Array2i low_edit = last + 1, high_edit = first;
+	ChangedTexels changed(MAP_GROUND);
 	for (int j = first.y(); j <= last.y(); j++) {
 		for (int i = first.x(); i <= last.x(); i++) {
 			if (!std::isfinite(heights.at(i, j))) {
@@ -82,17 +82,11 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 				}
 			}
 			if (differs) {
-				changed.insert(key_of(MAP_GROUND, i, j));
-				low_edit = low_edit.min(Eigen::Array2i(i, j));
-				high_edit = high_edit.max(Eigen::Array2i(i + 1, j + 1));
+				changed.add(i, j);
 			}
 		}
 	}
-	result.changed.assign(changed.begin(), changed.end());
-	if (!changed.empty()) {
-		result.min = low_edit.cast<double>() * GROUND_TEXEL;
-		result.max = high_edit.cast<double>() * GROUND_TEXEL;
-	}
+	changed.report(result);
 	return result;
 }
 
