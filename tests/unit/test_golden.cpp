@@ -247,4 +247,3 @@ TEST_CASE("golden: a painted field of two species steps to the recorded bits") {
 	}
 	CHECK(field.run(step_scalar_double).str() == "6aeca64f186a639a");
 }
-

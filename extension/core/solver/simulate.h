@@ -27,8 +27,8 @@ public:
 	void set_pool_size(int p_pool_size);
 
 	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
-	// and of blades beyond the patch are left out. p_step: one of those in tile_state.h; step_scalar_double() is the oracle: slow, state kept
-	// as float.
+	// and of blades beyond the patch are left out. p_step: one of those in tile_state.h; step_scalar_double() is the oracle: slow, state
+	// kept as float.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
 	// Knots of a blade, blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or there is no such blade.
