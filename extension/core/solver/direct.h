@@ -38,6 +38,17 @@ GRASS_INLINE void take_blows(
 	}
 }
 
+// [Eq 36] Whether no shared collider that may touch the blade is so fast that it carries it along.
+template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	const T most = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
+	auto is_fast = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders.first(std::min(p_terms.colliders.size(), size_t(GRASS_SHARED_COLLIDERS)))) {
+		is_fast =
+				is_fast | ((motion_of<T>(collider) > most) & comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN)));
+	}
+	return !is_fast;
+}
+
 // [Eq 36] Whether no collider that may touch the blade moves in this step; not known where there are more than the shared ones.
 template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
@@ -221,6 +232,7 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
 			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
+		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms);
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}

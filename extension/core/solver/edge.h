@@ -17,12 +17,14 @@ GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p
 // [Eq 33] The deepest point of the edge between two points in the shape's own axes. How far a point is in front of a convex shape is
 // convex along the edge, and each face is a line below it: where the lines of both sides meet, the next face is asked, and the
 // mixture of both that is level along the edge is the answer. p_cutoff (metres): that far out it is enough to know that the edge
-// is no nearer.
+// is no nearer. p_ground: what leads into it is no way out, [Eq 21].
 template <class T>
-GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff) {
+GRASS_INLINE Edge<T> find_edge(
+		const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff, const Ground<T> &p_ground) {
 	const T zero(0.0f), one(1.0f);
 	const Vec3<T> along = p_b - p_a;
-	Face<T> low = find_face(p_collider, p_a), high = find_face(p_collider, p_b); // of the sides where it falls and rises
+	Face<T> low = find_face(p_collider, p_a, p_ground),
+			high = find_face(p_collider, p_b, p_ground); // of the sides where it falls and rises
 	T fall = dot(low.normal, along), rise = dot(high.normal, along);
 	const auto is_low_end = !(fall < zero);
 	Edge<T> edge{ { select(is_low_end, low.normal, high.normal), select(is_low_end, low.distance, high.distance) },
@@ -47,7 +49,7 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 		if (i == EDGE_ROUNDS || !any(is_open)) {
 			return edge;
 		}
-		const Face<T> face = find_face(p_collider, p_a + along * share);
+		const Face<T> face = find_face(p_collider, p_a + along * share, p_ground);
 		const T change = dot(face.normal, along);
 		const auto is_low = is_open & (change < zero), is_high = is_open & (change > zero);
 		const auto is_level = is_open & !(is_low | is_high);
@@ -61,6 +63,12 @@ GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_
 		edge.share = select(is_level, share, edge.share);
 		is_open = is_open & !is_level;
 	}
+}
+
+// The same where the ground does not matter.
+template <class T>
+GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff) {
+	return find_edge(p_collider, p_a, p_b, p_cutoff, Ground<T>{ {}, T(0.0f) });
 }
 
 // [Eq 34] As sweep() for a knot: the face that an edge meets whose knots go along two paths, moved along to the paths' end. In each step
