@@ -195,7 +195,7 @@ TEST_CASE("METHOD_DIRECT: two seconds after a body came to rest on them one in 5
 	}
 }
 
-TEST_CASE("METHOD_DIRECT: nor does one in a thousand under balls, boxes, capsules, cylinders and hulls of any size, flat and tilted") {
+TEST_CASE("METHOD_DIRECT: nor do two in a thousand under balls, boxes, capsules, cylinders and hulls of any size, flat and tilted") {
 	for (const float rate : { 30.0f, 60.0f, 144.0f }) {
 		CAPTURE(rate);
 		Count all;
@@ -207,7 +207,7 @@ TEST_CASE("METHOD_DIRECT: nor does one in a thousand under balls, boxes, capsule
 			all.moving += count.moving;
 			MESSAGE(std::string(kind.name) << ", " << rate << " steps a second: " << count.moving << " of " << count.held << " move");
 		}
-		CHECK(all.moving <= all.held / 1000);
+		CHECK(all.moving <= all.held / 500);
 	}
 }
 
