@@ -98,15 +98,6 @@ template <class Next> double most_growth(double p_first, int p_steps, const Next
 	return most;
 }
 
-// The energy at the blade's place of the step before: of the speed between the steps on both sides, and of its joints. J/kg.
-double energy_between(const ElasticBlade &p_before, const ElasticBlade &p_here, const ElasticBlade &p_after, double p_delta) {
-	ElasticBlade here = p_here;
-	for (int k = 0; k < GRASS_KNOTS; k++) {
-		here.blade.before[k] = here.blade.knots[k] - (p_after.blade.knots[k] - p_before.blade.knots[k]) * 0.5;
-	}
-	return here.energy(p_delta);
-}
-
 } // namespace
 
 TEST_CASE("METHOD_DIRECT: a heavy blade hangs as the elastica within 2 %, from a slight sag to a blade that hangs down") {
