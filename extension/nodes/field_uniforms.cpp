@@ -15,6 +15,8 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
 	p_set("lattice_points", lattice_texture());
 	p_set("tile_size", grid.get_tile_size());
+	const BladeSize size = p_setup.blade_size();
+	p_set("grass_cover", grass_lod_cover(size.width, size.length, float(grid.get_tile_size())));
 	p_set("clump", Vector4(p_setup.clump.size, p_setup.clump.height, p_setup.clump.lean, p_setup.clump.tint));
 	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
 	p_set("debug_view", p_properties.debug_view);
@@ -91,7 +93,7 @@ void FieldUniforms::set_species(
 	p_set_blades("species_mix", records);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
-	constexpr float COVERS = 0.705f * float(GRASS_LOD_FACING); // of width times length: mean of width_at(), seen from anywhere
+	constexpr float COVERS = float(GRASS_LOD_FULLNESS * GRASS_LOD_FACING); // of width times length: seen from anywhere
 	std::vector<SpeciesLook> looks;
 	for (const GrownSpecies &grown : p_species) {
 		SpeciesLook look = grown.species->get_look();

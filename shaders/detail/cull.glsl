@@ -54,10 +54,14 @@ layout(set = 0, binding = GRASS_CULL_SHADOW_COMMANDS, std430) buffer ShadowComma
 	uint shadow_commands[];
 };
 
-// Lowest and highest ground of each tile, low > high where nothing stands, metres. Written by the CPU when the map changes;
-// only fields with a map have it.
+// What the map has on a tile: TileCover::Tile in core/map/tile_cover.h.
+struct Cover {
+	float low, high; // of the ground, metres; low > high where nothing stands
+	float grown, cut, slope;
+};
+// Written by the CPU when the map changes; only fields with a map have it.
 layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer {
-	vec2 cover[];
+	Cover covers[];
 };
 
 // The workgroup's own tiles of each level, where its stretch of the level begins, and its blades. One atomic a level and
@@ -73,10 +77,15 @@ struct Tile {
 	vec3 centre; // at the field's height, field space
 	float hash;
 };
+// What a tile needs (core/detail/lod.h: LodNeed).
+struct Need {
+	float blades, segments, covering;
+};
 // How a tile is drawn, or casts its shadow.
 struct Choice {
 	int level; // of GRASS_ALL_LEVELS; -1: not at all
-	float blades;
+	float blades; // less than one: so many tiles like it show one
+	float covering; // blades that would cover as much as all
 	float morph;
 	uint place; // among the workgroup's tiles of the level
 };
@@ -96,21 +105,23 @@ Tile find_tile() {
 	return tile;
 }
 
-// What a tile needs: blades, and segments of each (core/detail/lod.h: LodNeed).
-void add_need(inout vec2 r_need, GrassCamera p_camera, float p_distance, float p_coarseness) {
-	float pixel = (p_camera.pixel.x + p_camera.pixel.y * p_distance) * p_coarseness;
-	float by_distance = grass_lod_blades(p_distance, p_camera.eye.w, view.lod.x);
-	float by_width = grass_lod_blades_of_width(view.blades.y, view.lod.z * pixel);
-	r_need = max(r_need, vec2(min(by_distance, by_width), grass_lod_needed(view.blades.z, view.lod.y * pixel)));
+// p_pixel: metres of the tile in one; p_near: of the near plane, metres; p_in_sight: grass_lod_in_sight().
+void add_need(inout Need r_need, float p_distance, float p_pixel, float p_near, float p_in_sight) {
+	float by_distance = grass_lod_blades(p_distance, p_near, view.lod.x);
+	float by_width = grass_lod_blades_of_width(view.blades.y, view.lod.z * p_pixel);
+	float all = min(by_distance, by_width);
+	r_need.blades = max(r_need.blades, all * p_in_sight);
+	r_need.segments = max(r_need.segments, grass_lod_needed(view.blades.z, view.lod.y * p_pixel));
+	r_need.covering = max(r_need.covering, all);
 }
 
-Choice choose(vec2 p_need, float p_hash, int p_first, int p_end) {
-	Choice choice = Choice(-1, 0.0, 0.0, 0u);
-	if (p_need.x > 0.0) {
-		int segments = min(grass_lod_segments(p_need.y), GRASS_SEGMENTS_OF[p_first]);
-		choice.blades = grass_lod_shown(p_need.x, p_hash);
-		choice.level = grass_lod_level(choice.blades, segments, p_first, p_end);
-		choice.morph = grass_lod_morph(p_need.y, segments);
+Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
+	float shown = grass_lod_shown(p_need.blades, p_hash);
+	Choice choice = Choice(-1, p_need.blades < 1.0 ? p_need.blades : shown, grass_lod_shown(p_need.covering, p_hash), 0.0, 0u);
+	if (shown > 0.0) {
+		int segments = min(grass_lod_segments(p_need.segments), GRASS_SEGMENTS_OF[p_first]);
+		choice.level = grass_lod_level(shown, segments, p_first, p_end);
+		choice.morph = grass_lod_morph(p_need.segments, segments);
 	}
 	return choice;
 }
@@ -127,25 +138,39 @@ bool casts_into(GrassCamera p_camera, vec3 p_middle, vec3 p_half) {
 	return false;
 }
 
-// What the cameras need of a tile, for the picture (xy) and for shadows (zw).
-vec4 find_needs(Tile p_tile) {
-	vec2 ground = p_tile.exists && view.counts.w == 1u ? cover[p_tile.index] : vec2(0.0);
-	uint watching = p_tile.exists && ground.x <= ground.y ? view.counts.x : 0u; // nobody needs a bare one
+// [Eq L7] Share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box.
+float in_sight(vec3 p_to_eye, float p_grown, float p_cut, float p_slope) {
+	float height = p_cut < GRASS_UNCUT ? min(view.blades.z, p_cut) : view.blades.z;
+	float cover = p_grown * grass_lod_cover(view.blades.y, height, view.field.z);
+	return grass_lod_in_sight(cover, length(p_to_eye.xz), p_to_eye.y, height, p_slope);
+}
+
+// What the cameras need of a tile, for the picture and for shadows.
+void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
+	r_seen = r_casting = Need(0.0, 0.0, 0.0);
+	Cover cover = Cover(0.0, 0.0, 1.0, GRASS_UNCUT, 0.0); // TileCover::FULL
+	if (p_tile.exists && view.counts.w == 1u) {
+		cover = covers[p_tile.index];
+	}
+	uint watching = p_tile.exists && cover.low <= cover.high ? view.counts.x : 0u; // nobody needs a bare one
 	float side = 0.5 * view.field.z + view.blades.x;
-	vec3 half_extents = vec3(side, 0.5 * (view.field.w + ground.y - ground.x), side);
-	vec3 middle = p_tile.centre + vec3(0.0, ground.x + half_extents.y, 0.0);
-	vec2 seen = vec2(0.0), casting = vec2(0.0);
+	vec3 half_extents = vec3(side, 0.5 * (view.field.w + cover.high - cover.low), side);
+	vec3 middle = p_tile.centre + vec3(0.0, cover.low + half_extents.y, 0.0);
 	for (uint i = 0u; i < watching; i++) {
-		float eye_distance = max(distance(cameras[i].eye.xyz, middle), cameras[i].eye.w);
-		float lod_distance = cameras[i].pixel.y > 0.0 ? eye_distance : cameras[i].eye.w; // an orthogonal camera sees all alike
+		vec4 eye = cameras[i].eye;
+		vec2 pixel_at = cameras[i].pixel.xy;
+		float eye_distance = max(distance(eye.xyz, middle), eye.w);
+		float lod_distance = pixel_at.y > 0.0 ? eye_distance : eye.w; // an orthogonal camera sees all alike
+		float pixel = pixel_at.x + pixel_at.y * lod_distance;
 		if (grass_tile_visible(cameras[i].planes, middle, half_extents, 0.0, vec3(0.0))) {
-			add_need(seen, cameras[i], lod_distance, 1.0);
+			bool hides = pixel_at.y > 0.0 && view.lod.z > 0.0; // an orthogonal camera has no eye
+			float shown = hides ? in_sight(eye.xyz - middle, cover.grown, cover.cut, cover.slope) : 1.0;
+			add_need(r_seen, lod_distance, pixel, eye.w, shown);
 		}
 		if (eye_distance < view.shadow.y && casts_into(cameras[i], middle, half_extents)) {
-			add_need(casting, cameras[i], lod_distance, view.lod.w);
+			add_need(r_casting, lod_distance, pixel * view.lod.w, eye.w, 1.0);
 		}
 	}
-	return vec4(seen, casting);
 }
 
 // Adds a tile to the workgroup's.
@@ -165,7 +190,8 @@ float[GRASS_INSTANCE_FLOATS] make_instance(Tile p_tile, Choice p_choice, int p_s
 			0.0, 1.0, 0.0, p_tile.centre.y,
 			0.0, 0.0, 1.0, p_tile.centre.z,
 			float(p_tile.at.x), float(p_tile.at.y), p_choice.blades, p_choice.morph,
-			float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash, float(high));
+			float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash,
+			float(high) + GRASS_COVERING_SCALE / float(GRASS_BLADES_PER_TILE) * p_choice.covering);
 }
 
 void write_command(int p_level) {
@@ -242,9 +268,10 @@ void main() {
 	clear_group(thread);
 	barrier();
 	Tile tile = find_tile();
-	vec4 needs = find_needs(tile);
-	Choice drawn = choose(needs.xy, tile.hash, 0, GRASS_LOD_LEVELS);
-	Choice casting = choose(needs.zw, tile.hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
+	Need needed_to_see, needed_to_cast;
+	find_needs(tile, needed_to_see, needed_to_cast);
+	Choice drawn = choose(needed_to_see, tile.hash, 0, GRASS_LOD_LEVELS);
+	Choice casting = choose(needed_to_cast, tile.hash, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS);
 	uint turn = grass_tile_turn(uint(tile.at.x), uint(tile.at.y), view.counts.z);
 	if (phase.x == uint(GRASS_CULL_TURNS)) {
 		count_turn(drawn.level, turn);

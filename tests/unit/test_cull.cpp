@@ -88,9 +88,14 @@ TEST_CASE("cull: an instance holds the tile's centre, place, start, slot and has
 	CHECK(awake[16] == float(grass_tile_start(10, 5, 7) / GRASS_START_STRIDE));
 	CHECK(awake[17] == 5.0f);
 	CHECK(awake[18] == grass_tile_hash(10, 5, 7));
-	CHECK(awake[19] == 3.0f);
+	const auto covering_of = [](const std::vector<float> &p_tile) {
+		return (p_tile[19] - std::floor(p_tile[19])) / GRASS_COVERING_SCALE * GRASS_BLADES_PER_TILE;
+	};
+	CHECK(std::floor(awake[19]) == 3.0f);
+	CHECK(covering_of(awake) == doctest::Approx(awake[INSTANCE_BLADES])); // so near that nothing hides them
 	CHECK(asleep[17] == float(GRASS_NO_SLOT));
-	CHECK(asleep[19] == 0.0f);
+	CHECK(std::floor(asleep[19]) == 0.0f);
+	CHECK(covering_of(asleep) == doctest::Approx(asleep[INSTANCE_BLADES]));
 }
 
 TEST_CASE("cull: of several cameras the one that needs most of a tile counts, and all of their tiles are drawn") {
@@ -105,6 +110,33 @@ TEST_CASE("cull: of several cameras the one that needs most of a tile counts, an
 	CHECK(of_both.at({ 10, 5 }) == of_near.at({ 10, 5 }));
 	CHECK(of_both.at({ 10, 5 })[INSTANCE_BLADES] > of_far.at({ 10, 5 })[INSTANCE_BLADES]);
 	CHECK(choose(field, FieldView()).empty());
+}
+
+TEST_CASE("cull: from a low eye far tiles show fewer blades, or none, as wide as before; from above they show all of them") {
+	CullField field = make_field(1 << 20);
+	field.grid = TileGrid::make(200.0, 200.0, 64.0);
+	FieldView low = make_view(), high = make_view();
+	low.cameras = { make_camera({ 0.0f, 1.2f, 99.0f }) };
+	low.lod.pixels_min = 0.5f;
+	const Tiles seen = choose(field, low);
+	CHECK(seen.at({ 100, 197 })[INSTANCE_BLADES] > 60.0f); // two metres away
+	double blades = 0.0, covering = 0.0;
+	for (int x = 50; x < 150; x++) {
+		for (int z = 110; z < 150; z++) {
+			const auto tile = seen.find({ x, z });
+			if (tile != seen.end()) {
+				blades += double(tile->second[INSTANCE_BLADES]);
+				covering += double(tile->second[19]) / GRASS_COVERING_SCALE * GRASS_BLADES_PER_TILE;
+			}
+		}
+	}
+	CHECK(blades < 0.5 * covering);
+	CHECK(blades > 0.05 * covering);
+	high.cameras = { make_camera({ 0.0f, 80.0f, 99.0f }) };
+	high.lod.pixels_min = 0.5f;
+	for (const auto &[place, tile] : choose(field, high)) {
+		REQUIRE(tile[19] / GRASS_COVERING_SCALE * GRASS_BLADES_PER_TILE == doctest::Approx(tile[INSTANCE_BLADES]));
+	}
 }
 
 TEST_CASE("cull: an orthogonal camera needs as many blades near as far") {

@@ -90,6 +90,11 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 			CHECK(tile.is_bare() == (most == 0.0));
 		}
 	}
+	const TileCover::Tile &inside = cover.get(50, 50);
+	CHECK(inside.grown == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(inside.cut > TALLEST);
+	CHECK(inside.slope >= 0.55f);
+	CHECK(inside.slope <= 0.8f);
 	CHECK(bare == cover.get_bare_count());
 	CHECK(double(6400 - bare) * 0.25 == doctest::Approx(std::numbers::pi * 36.0).epsilon(0.2)); // and the tiles on the border
 	const BrushResult erased = paint(map, MapTool::ERASE, 0.0, disc(5.0, 5.0, 9.0));

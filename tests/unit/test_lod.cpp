@@ -122,6 +122,62 @@ TEST_CASE("lod: what the tile shows is whole at both ends and rises with what it
 	}
 }
 
+TEST_CASE("lod: of tiles of less than one blade so many show one, and each comes and goes by degrees") {
+	for (const float blades : { 0.05f, 0.3f, 0.7f, 0.99f }) {
+		double shown = 0.0;
+		for (int i = 0; i < 2048; i++) {
+			shown += double(grass_lod_shown(blades, float(i) / 2048.0f)) / 2048.0;
+		}
+		CHECK(shown == doctest::Approx(blades).epsilon(0.1));
+	}
+	for (const float hash : { 0.0f, 0.3f, 0.999f }) {
+		CHECK(grass_lod_shown(0.0f, hash) == 0.0f);
+		float before = 0.0f;
+		for (float blades = 0.0f; blades <= 1.0f; blades += 0.01f) {
+			const float shown = grass_lod_shown(blades, hash);
+			CHECK(shown >= before);
+			CHECK(shown - before < 0.0801f);
+			before = shown;
+		}
+		CHECK(before > 0.99f);
+	}
+}
+
+// Light that comes through grass along a line of sight, for blades that stand anywhere: by counting.
+TEST_CASE("lod: what is left out is hidden: less than 3 % of the ground shows through what is drawn, or as much as without") {
+	const float width = 0.015f, length = 0.5f, side = 0.5f, cover = grass_lod_cover(width, length, side);
+	CHECK(cover == doctest::Approx(64.0 * 0.64 * 0.705 * 0.015 * 0.5 / 0.25));
+	for (const float above : { 0.1f, 1.2f, 4.0f, 30.0f }) {
+		float before = 1.0f;
+		for (float away = 0.5f; away < 400.0f; away *= 1.1f) {
+			const float share = grass_lod_in_sight(cover, away, above, length, 0.0f);
+			const double meets = double(cover) * std::min(away / above, away / length); // blades along the line, on average
+			CHECK(share <= before);
+			CHECK(std::exp(-share * meets) <= std::max(0.03, std::exp(-meets)));
+			CHECK((meets > double(GRASS_LOD_DEPTH)) == (share < 1.0f));
+			before = share;
+		}
+	}
+}
+
+TEST_CASE("lod: a slope that faces the eye shows more, thin grass all of it, and nobody below or inside the grass loses what is near") {
+	const float cover = grass_lod_cover(0.015f, 0.5f, 0.5f);
+	const float level = grass_lod_in_sight(cover, 80.0f, 1.2f, 0.5f, 0.0f);
+	CHECK(level < 0.1f);
+	CHECK(grass_lod_in_sight(cover, 80.0f, 1.2f, 0.5f, 0.1f) > 5.0f * level);
+	CHECK(grass_lod_in_sight(cover, 80.0f, 1.2f, 0.5f, 1.0f) == 1.0f);
+	CHECK(grass_lod_in_sight(0.04f * cover, 80.0f, 1.2f, 0.5f, 0.0f) == 1.0f);
+	CHECK(grass_lod_in_sight(0.0f, 80.0f, 1.2f, 0.5f, 0.0f) == 1.0f);
+	CHECK(grass_lod_in_sight(cover, 0.0f, 1.2f, 0.5f, 0.0f) == 1.0f); // straight down
+	for (const float above : { -50.0f, -1.0f, 0.0f }) {
+		CHECK(grass_lod_in_sight(cover, 0.5f, above, 0.5f, 0.0f) == 1.0f);
+		const float far = grass_lod_in_sight(cover, 100.0f, above, 0.5f, 0.0f);
+		CHECK(far > 0.0f);
+		CHECK(far < 0.1f);
+	}
+	CHECK(grass_lod_in_sight(cover, 10.0f, 100.0f, 0.5f, 1.0f) == 1.0f); // against a steep slope, from its front
+}
+
 TEST_CASE("lod: without a least width and an error it is switched off") {
 	LodParams params;
 	params.far = 1e30f;

@@ -17,6 +17,18 @@ bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen
 					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
 }
 
+// [Eq L7] Share of the tile's blades that p_camera needs. p_middle: of its box.
+float in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
+		const Eigen::Vector3f &p_middle) {
+	if (p_camera.pixel_slope <= 0.0f || p_lod.pixels_min <= 0.0f) {
+		return 1.0f; // an orthogonal camera has no eye
+	}
+	const float height = p_ground.cut < float(GRASS_UNCUT) ? std::min(p_field.size.length, p_ground.cut) : p_field.size.length;
+	const float cover = p_ground.grown * grass_lod_cover(p_field.size.width, height, float(p_field.grid.get_tile_size()));
+	const Eigen::Vector3f to_eye = p_camera.eye - p_middle;
+	return grass_lod_in_sight(cover, std::hypot(to_eye.x(), to_eye.z()), to_eye.y(), height, p_ground.slope);
+}
+
 } // namespace
 
 void TileCull::choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of) {
@@ -25,7 +37,7 @@ void TileCull::choose(const CullField &p_field, const FieldView &p_view, const T
 	}
 	for (int z = 0; z < p_field.grid.get_tiles_z(); z++) {
 		for (int x = 0; x < p_field.grid.get_tiles_x(); x++) {
-			const TileCover::Tile ground = p_cover != nullptr ? p_cover->get(x, z) : TileCover::Tile{ 0.0f, 0.0f };
+			const TileCover::Tile ground = p_cover != nullptr ? p_cover->get(x, z) : TileCover::FULL;
 			if (!ground.is_bare()) {
 				choose_tile(p_field, p_view, ground, x, z, p_slot_of);
 			}
@@ -48,7 +60,7 @@ void TileCull::choose_tile(
 		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
 		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all alike
 		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
-			seen.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel);
+			seen.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel, in_sight(p_field, camera, p_view.lod, p_ground, middle));
 		}
 		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {
 			casting.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel * p_view.lod.shadow_coarseness);
@@ -60,14 +72,16 @@ void TileCull::choose_tile(
 
 void TileCull::add_tile(
 		const CullField &p_field, int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, const SlotOf &p_slot_of) {
-	if (p_need.blades <= 0.0f) {
-		return;
-	}
 	const uint32_t x = uint32_t(p_x), z = uint32_t(p_z);
 	const float hash = grass_tile_hash(x, z, p_field.seed);
-	const float blades = grass_lod_shown(p_need.blades, hash);
+	const float shown = grass_lod_shown(p_need.blades, hash);
+	if (shown <= 0.0f) {
+		return;
+	}
+	const float blades = p_need.blades < 1.0f ? p_need.blades : shown;
+	const float covering = grass_lod_shown(p_need.covering, hash);
 	const int segments = std::min(grass_lod_segments(p_need.segments), get_lod_level(p_first).segments);
-	const int level = grass_lod_level(blades, segments, p_first, p_end);
+	const int level = grass_lod_level(shown, segments, p_first, p_end);
 	const Eigen::Vector3f centre = p_field.grid.get_centre(p_x, p_z).cast<float>();
 	const int slot = p_slot_of(p_field.grid.get_index(p_x, p_z));
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
@@ -77,7 +91,7 @@ void TileCull::add_tile(
 		0.0f, 1.0f, 0.0f, centre.y(), //
 		0.0f, 0.0f, 1.0f, centre.z(), //
 		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
-		float(start), float(low), hash, float(high) };
+		float(start), float(low), hash, float(high) + float(GRASS_COVERING_SCALE / GRASS_BLADES_PER_TILE) * covering };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));
 }
 

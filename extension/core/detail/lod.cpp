@@ -39,10 +39,12 @@ LodParams LodParams::sanitised() const {
 	return { at_least(far, 0.001f), at_least(error, 0.0f), at_least(pixels_min, 0.0f), at_least(shadow_coarseness, 1.0f) };
 }
 
-void LodNeed::add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel) {
+void LodNeed::add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel, float p_in_sight) {
 	const float by_distance = grass_lod_blades(p_distance, p_near, p_params.far);
 	const float by_width = grass_lod_blades_of_width(p_size.width, p_params.pixels_min * p_pixel);
-	blades = std::max(blades, std::min(by_distance, by_width));
+	const float all = std::min(by_distance, by_width);
+	blades = std::max(blades, all * p_in_sight);
+	covering = std::max(covering, all);
 	segments = std::max(segments, grass_lod_needed(p_size.length, p_params.error * p_pixel));
 }
 

@@ -18,15 +18,15 @@ namespace glsl {
 #undef GRASS_CONSTANT
 #undef GRASS_FUNCTION
 } // namespace glsl
-using glsl::grass_lod_blades, glsl::grass_lod_blades_of_width, glsl::grass_lod_coarser, glsl::grass_lod_left_out, glsl::grass_lod_level,
-		glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_segments, glsl::grass_lod_shown;
+using glsl::grass_lod_blades, glsl::grass_lod_blades_of_width, glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_in_sight,
+		glsl::grass_lod_left_out, glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_segments, glsl::grass_lod_shown;
 
 // From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
 // How far a blade may be drawn from its curve, in pixels: decides its segments. 0: always 15; above 2 curves look cut.
 inline constexpr Tunable LOD_ERROR{ "lod_error", "px", 0.0, 8.0, 0.05, 1.0 };
 // No blade is drawn narrower at its root than this: where they would be, fewer blades cover as much. 0: all blades keep
-// their own width, and far grass flickers; above 2 it looks coarse.
+// their own width, hidden ones too are drawn, and far grass flickers; above 2 it looks coarse.
 inline constexpr Tunable PIXELS_MIN{ "pixels_min", "px", 0.0, 4.0, 0.1, 1.2 };
 // How many times coarser blades are in shadows than in the picture. 1: as fine; above 6 single blades near the camera
 // cast no shadow.
@@ -52,13 +52,13 @@ struct BladeSize {
 	float width = 0.0f, length = 0.0f;
 };
 
-// What a tile needs: blades, and segments of each. The most that any camera needs counts.
+// What a tile needs: blades, segments of each, and the blades that would cover as much as all. The most that any camera needs counts.
 struct LodNeed {
-	float blades = 0.0f, segments = 0.0f;
+	float blades = 0.0f, segments = 0.0f, covering = 0.0f;
 
 	// Adds what a camera at p_distance (metres) needs. p_near: distance of its near plane, metres; p_pixel: metres of the tile
-	// in one of its pixels.
-	void add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel);
+	// in one of its pixels; p_in_sight: grass_lod_in_sight().
+	void add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel, float p_in_sight = 1.0f);
 };
 
 struct LodLevel {

@@ -73,13 +73,20 @@ std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int
 
 TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_column, const Stretch &p_row) const {
 	bool stands = false;
-	Tile ground{ 1e9f, -1e9f };
+	Tile tile{ 1e9f, -1e9f, 0.0f, float(GRASS_UNCUT), 0.0f };
+	int64_t grown = 0, texels = 0; // the sum of products of two codes
 	for (int z = 0; z < p_row.chunks; z++) {
 		for (int x = 0; x < p_column.chunks; x++) {
 			const int found = p_layers.find({ p_column.first_chunk + x, p_row.first_chunk + z });
+			const size_t c = size_t(x), r = size_t(z);
 			if (found == GRASS_NO_LAYER) {
-				stands = stands || p_layers.get_base_density() > 0.0f;
-				ground = { std::min(ground.low, 0.0f), std::max(ground.high, 0.0f) };
+				const float density = p_layers.get_base_density();
+				const int64_t count = int64_t(p_column.fine[c].count()) * p_row.fine[r].count();
+				stands = stands || density > 0.0f;
+				grown += int64_t(density * 255.0f * 255.0f) * count;
+				texels += count;
+				tile.low = std::min(tile.low, 0.0f);
+				tile.high = std::max(tile.high, 0.0f);
 				continue;
 			}
 			const MapLayer &layer = p_layers.get_layer(found);
@@ -90,15 +97,33 @@ TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_colu
 					}
 				}
 			};
-			const size_t c = size_t(x), r = size_t(z);
-			each(p_column.fine[c], p_row.fine[r], MapLayer::FINE,
-					[&](size_t p_texel) { stands = stands || layer.growth[p_texel * 4] > 0; });
+			int cut = MAP_UNCUT_CODE;
+			each(p_column.fine[c], p_row.fine[r], MapLayer::FINE, [&](size_t p_texel) {
+				const uint8_t *growth = &layer.growth[p_texel * 4];
+				stands = stands || growth[0] > 0;
+				grown += int64_t(growth[0]) * growth[1];
+				texels++;
+				cut = std::min(cut, int(growth[2]));
+			});
+			tile.cut = std::min(tile.cut, float(info_of(MAP_CUT).value(cut)));
 			each(p_column.coarse[c], p_row.coarse[r], MapLayer::COARSE, [&](size_t p_texel) {
-				ground = { std::min(ground.low, layer.ground[p_texel]), std::max(ground.high, layer.ground[p_texel]) };
+				tile.low = std::min(tile.low, layer.ground[p_texel]);
+				tile.high = std::max(tile.high, layer.ground[p_texel]);
 			});
 		}
 	}
-	return stands ? ground : Tile();
+	tile.grown = float(double(grown) / (double(texels) * 255.0 * 255.0));
+	tile.slope = (tile.high - tile.low) / float(std::min(p_column.get_metres(), p_row.get_metres()));
+	return stands ? tile : Tile();
+}
+
+// At least two texels count for any place.
+double TileCover::Stretch::get_metres() const {
+	int texels = 0;
+	for (int c = 0; c < chunks; c++) {
+		texels += coarse[size_t(c)].count();
+	}
+	return (texels - 2 * chunks + 1) * info_of(MAP_GROUND).texel_size(); // at a border both chunks have both texels
 }
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The map for whole tiles: whether anything stands on a tile, and between which heights its ground lies. Culling and the
-// waking of tiles read it; only fields with a map have one.
+// The map for whole tiles: whether anything stands on a tile, how much, and between which heights its ground lies. Culling and
+// the waking of tiles read it; only fields with a map have one.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -9,12 +9,16 @@ namespace grass {
 
 class TileCover {
 public:
-	// The ground under a tile, metres above the field. Bare: nothing stands there; low > high.
 	struct Tile {
-		float low = 1.0f, high = -1.0f;
+		float low = 1.0f, high = -1.0f; // The ground under it, metres above the field. Bare: nothing stands there; low > high.
+		float grown = 0.0f; // Mean share of what a field without a map grows: density times height, 0..1.
+		float cut = 0.0f; // Metres above the ground: its grass is at most so high.
+		float slope = 0.0f; // Of the ground, from end to end: rise over run.
 		bool is_bare() const { return low > high; }
 		bool operator==(const Tile &) const = default;
 	};
+	// Level, full of grass that nobody cut: of a field without a map.
+	static constexpr Tile FULL = { 0.0f, 0.0f, 1.0f, float(GRASS_UNCUT), 0.0f };
 
 	// All tiles, bare.
 	void reset(const TileGrid &p_grid);
@@ -34,9 +38,11 @@ private:
 	struct Stretch {
 		struct Texels {
 			int first = 0, last = 0;
+			int count() const { return last - first + 1; }
 		};
 		int first_chunk = 0, chunks = 0; // at most two: no tile is as large as a chunk
 		std::array<Texels, 2> fine, coarse;
+		double get_metres() const; // between the heights at its ends
 	};
 
 	void widen(const Tile &p_tile);

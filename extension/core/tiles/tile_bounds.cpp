@@ -111,7 +111,7 @@ int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile 
 	int count = 0;
 	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
 		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
-			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::Tile{ 0.0f, 0.0f };
+			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::FULL;
 			// Rounded once, after the difference: exact to a few nanometres on any field.
 			const Eigen::Vector3d centre = grid.get_centre(x, z);
 			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),

@@ -116,6 +116,41 @@ func test_thinned_grass_covers_as_much() -> void:
 		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])
 
 
+## Mean of red, green and blue over some rows, linear.
+func light_of(image: Image, rows: Vector2i) -> Vector3:
+	var sum := Vector3.ZERO
+	for y in range(rows.x, rows.y):
+		for x in SIZE.x:
+			var color := image.get_pixel(x, y).srgb_to_linear()
+			sum += Vector3(color.r, color.g, color.b)
+	return sum / (SIZE.x * (rows.y - rows.x))
+
+
+## A low eye sees a fraction of the far blades; the others are not drawn, and nobody misses them.
+func test_what_other_grass_hides_is_not_missed() -> void:
+	var field := add_seen_field({size = Vector2(48, 48), density = 64.0})
+	look(Vector3(0, 0.9, 23), Vector3(0, 0.2, -23))
+	await drawn()
+	var thinned := await picture()
+	var drawn_blades: int = field.get_statistics().drawn_blades
+	for property: String in FULL:
+		field.set(property, FULL[property])
+	await drawn()
+	var full := await picture()
+	assert_less(drawn_blades, 0.2 * field.get_statistics().drawn_blades, "most are not drawn")
+	thinned.save_png("user://pictures/hidden_thinned.png")
+	full.save_png("user://pictures/hidden_full.png")
+	var horizon := 0  # the first row of the grass
+	while is_green(full.get_pixel(SIZE.x / 2, horizon)) == false and horizon < SIZE.y - 1:
+		horizon += 1
+	for band: Vector2i in [Vector2i(1, 5), Vector2i(5, 12), Vector2i(12, 30)]:
+		var rows := band + Vector2i(horizon, horizon)
+		var one := light_of(thinned, rows)
+		var other := light_of(full, rows)
+		print("    rows %s: %s, and %s with all %d of %d blades" % [rows, one, other, field.get_statistics().drawn_blades, drawn_blades])
+		assert_near(one.y, other.y, 0.1 * other.y, "as light in rows %s" % rows)
+
+
 ## One tile from the side, ever fewer of its blades: each shrinks before it is gone.
 func test_blades_fade_by_shrinking() -> void:
 	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_error = 0.0, thin_widening = 0.0})
