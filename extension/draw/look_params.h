@@ -16,7 +16,7 @@ struct NamedColor {
 };
 
 // Of a species.
-inline constexpr NamedColor ROOT_COLOR{ "root_color", 0.15f, 0.25f, 0.08f };
+inline constexpr NamedColor ROOT_COLOR{ "root_color", 0.24f, 0.35f, 0.12f };
 inline constexpr NamedColor TIP_COLOR{ "tip_color", 0.48f, 0.60f, 0.22f };
 inline constexpr NamedColor DRY_COLOR{ "dry_color", 0.66f, 0.60f, 0.34f };
 // Of a field.
@@ -29,7 +29,7 @@ inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
 // How dark the ground between the densest blades is. Use less on sparse lawns.
 inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that comes out of the other.
-inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.5 };
+inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.75 };
 // Strength and Phong exponent of the highlight.
 inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.12 };
 inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };
