@@ -30,7 +30,7 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 """
 
 
-DEMOS = ("demo", "meadow", "lawn", "reeds")
+DEMOS = ("demo", "meadow", "lawn", "reeds", "presets")
 BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
 	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
 

@@ -87,3 +87,13 @@ func index_from_a_script() -> void:
 	await seen()
 	assert_eq((node.get_child(0) as GrassField).size, Vector2(20, 20))
 	assert_greater((node.get_child(0) as GrassField).get_awake_tile_count(), 0, "the ball bends the grass")
+
+
+func presets_presets() -> void:
+	var node := Node3D.new()
+	node.set_script(block_script())
+	add_child(node)
+	await ticks(3)
+	var field := node.get_child(0) as GrassField
+	assert_true(field.species[0].card is Texture2D, "wheat has ears")
+	assert_greater(field.get_blade_count(), 100000)
