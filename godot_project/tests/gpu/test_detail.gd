@@ -173,3 +173,19 @@ func test_blades_fade_by_shrinking() -> void:
 	print("    14 blades cover %.4f, 8 %.4f; a whole one up to %.4f, a quarter up to %.4f" % [covered[0], covered[24], blade, step])
 	assert_less(covered[24], 0.8 * covered[0], "blades have gone")
 	assert_less(step, 0.65 * blade, "a quarter of a blade")
+
+
+## A blade right before the eye gets narrow, so that it neither fills the picture nor is cut by the near plane.
+func test_a_blade_right_before_the_eye_gets_narrow() -> void:
+	var field := add_seen_field({size = Vector2(8, 8), density = 1.0, ground = false, wind_speed = 0.0})
+	await drawn()
+	var tile := field.get_tile_at(Vector3.ZERO)
+	var knots := field.get_tile_knots(tile)
+	var point: Vector3 = knots[7]  # the middle of the first blade
+	var shares := {}
+	for distance: float in [0.06, 0.3]:
+		look(point + Vector3(0, 0, distance), point)
+		shares[distance] = share_of((await picture()).get_region(Rect2i(0, SIZE.y / 3, SIZE.x, SIZE.y / 3)), is_green)
+	print("    from 6 cm it fills %.4f of the picture, from 30 cm %.4f" % [shares[0.06], shares[0.3]])
+	assert_greater(shares[0.3], 0.003, "it is there")
+	assert_less(shares[0.06], 2.0 * shares[0.3], "five times as near it is no wider")
