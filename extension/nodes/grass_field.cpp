@@ -159,6 +159,7 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	update_map();
 	const FieldView view = find_view();
+	_standing.read_asked();
 	_standing.show_motion(view.has_motion);
 	_standing.follow(this, field_transform());
 	if (_standing.draw(view, is_visible_in_tree())) {
