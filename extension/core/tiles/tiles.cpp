@@ -96,6 +96,7 @@ void TileManager::begin_step() {
 }
 
 void TileManager::activate_tiles() {
+	queue_met_tiles();
 	_given_slots.clear();
 	for (const int tile : _to_activate) {
 		int slot = _free.take_lowest();
@@ -104,11 +105,7 @@ void TileManager::activate_tiles() {
 		}
 		_given_slots.push_back(slot);
 		_place_of_tile.erase(tile);
-		if (slot == SlotSet::NONE) {
-			_statistics.refused++;
-		} else {
-			activate(slot, tile);
-		}
+		activate(slot, tile);
 	}
 }
 

@@ -72,7 +72,7 @@ struct TileStatistics {
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
-	uint64_t refused = 0; // wishes for a slot, one a tile and step, that the full pool could not grant
+	uint64_t refused = 0; // wishes for a slot, one a collider, tile and step, that the full pool could not grant
 	uint64_t looked_at = 0; // tiles tested against a collider, one a collider, tile and step
 	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
 	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
@@ -173,9 +173,9 @@ private:
 	// A frustum as tiles meet it: outside of a plane are those with x * first + z * second > third.
 	using TileFrustum = std::array<Eigen::Vector3f, 6>;
 
-	// A collider whose box meets that of a tile's blades. The tile goes by its place in _to_activate until it has a slot.
+	// A collider whose box meets that of a tile's blades. A tile without a slot goes by its index, then by its place in _to_activate.
 	struct Meeting {
-		int slot; // ~place until the tile has one
+		int slot; // ~index, ~place until the tile has one
 		uint32_t collider;
 	};
 
@@ -194,7 +194,7 @@ private:
 	bool meet_range(
 			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
 	int find_met(const TileRange &p_range, const Bounds &p_swept);
-	int meet_asleep(int p_tile);
+	void queue_met_tiles();
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);

@@ -139,14 +139,12 @@ bool TileManager::meet_range(
 	_meetings.resize(before + count);
 	for (size_t n = 0; n < count; n++) {
 		const int x = _met_in_range[n].x, z = _met_in_range[n].z;
-		int slot = p_squares[(z / SlotMap::SIDE - squares.z_begin) * width + x / SlotMap::SIDE - squares.x_begin]->at(x, z);
+		const int slot = p_squares[(z / SlotMap::SIDE - squares.z_begin) * width + x / SlotMap::SIDE - squares.x_begin]->at(x, z);
 		if (slot != SlotMap::NONE) {
 			_met.insert(slot);
 			_stirred.insert_if(slot, p_moves);
-		} else {
-			slot = meet_asleep(_grid.get_index(x, z));
 		}
-		_meetings[before + n] = { slot, p_collider };
+		_meetings[before + n] = { slot != SlotMap::NONE ? slot : ~_grid.get_index(x, z), p_collider };
 	}
 	return count > 0;
 }
@@ -174,15 +172,30 @@ TileRange TileManager::find_range(const Bounds &p_swept) const {
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.overhang);
 }
 
-// Queues a tile for activation. Returns what Meeting::slot holds until then.
-int TileManager::meet_asleep(int p_tile) {
-	int place = _place_of_tile.find(p_tile);
-	if (place == TileMap::NONE) {
-		place = int(_to_activate.size());
-		_to_activate.push_back(p_tile);
-		_place_of_tile.insert(p_tile, place);
+// Queues the tiles for activation that meet a collider without a slot, as many as can get one: slots that are free, and those of tiles
+// that nobody meets. Drops the meetings of the others, which cost no more than that: a crowd meets many times the pool.
+void TileManager::queue_met_tiles() {
+	const size_t room = size_t(_params.pool_size - _met.count());
+	size_t kept = 0;
+	for (const Meeting &meeting : _meetings) {
+		int slot = meeting.slot;
+		if (slot < 0) {
+			const int tile = ~slot;
+			int place = _to_activate.empty() ? TileMap::NONE : _place_of_tile.find(tile);
+			if (place == TileMap::NONE && _to_activate.size() < room) {
+				place = int(_to_activate.size());
+				_to_activate.push_back(tile);
+				_place_of_tile.insert(tile, place);
+			}
+			if (place == TileMap::NONE) {
+				_statistics.refused++;
+				continue;
+			}
+			slot = ~place;
+		}
+		_meetings[kept++] = { slot, meeting.collider };
 	}
-	return ~place;
+	_meetings.resize(kept);
 }
 
 } // namespace grass
