@@ -62,8 +62,8 @@ void GrassField::enter() {
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		_bodies.get_tracker().start(
-				get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
+		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
+				callable_mp(this, &GrassField::_body_woke), uint32_t(_properties.collision_mask));
 	}
 	_standing.begin_passes();
 	request_rebuild();
