@@ -6,6 +6,7 @@
 #include "core/detail/view.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
+#include "core/field/knots.h"
 #include "core/field/simulator.h"
 #include "core/map/tile_cover.h"
 
@@ -13,7 +14,9 @@
 #include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace grass {
@@ -45,9 +48,15 @@ public:
 	// Whether to measure BackendStatistics' times, which costs a little on the GPU.
 	virtual void set_measure_time(bool p_measure) = 0;
 
-	// Knots of p_count blades of an awake tile from p_blade on, blade space, metres: GRASS_KNOTS points each. Waits for the GPU: for
-	// tests and tools.
-	virtual std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count) = 0;
+	using SlotOf = std::function<int(int)>; // of a tile; GRASS_NO_SLOT: it is at rest
+
+	// Where these blades are, one answer a blade, without waiting: as they were two frames ago at most, if read_asked() ran since
+	// the first call with this blade; before that nothing is known.
+	virtual std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) = 0;
+	// Where they are after the last step. Waits for the GPU.
+	virtual std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) = 0;
+	// In each frame, after its ticks: asks the device for what find_knots() will tell.
+	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
 	virtual BackendStatistics get_statistics() = 0;
 	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
 	virtual const char *get_name() const = 0;

@@ -200,13 +200,15 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 	}
 }
 
-std::vector<Eigen::Vector3f> CpuBackend::read_knots(int p_slot, int p_blade, int p_count) {
-	std::vector<Eigen::Vector3f> knots;
-	for (int blade = p_blade; blade < p_blade + p_count; blade++) {
-		const std::vector<Eigen::Vector3f> own = _pool.get_knots(p_slot, blade);
-		knots.insert(knots.end(), own.begin(), own.end());
+std::vector<SimulatedKnots> CpuBackend::find_knots(std::span<const WantedBlade> p_blades) {
+	std::vector<SimulatedKnots> found(p_blades.size());
+	for (size_t i = 0; i < found.size(); i++) {
+		const std::vector<Eigen::Vector3f> knots = _pool.get_knots(p_blades[i].slot, blade_in_tile(p_blades[i].number));
+		if (knots.size() == GRASS_KNOTS) {
+			std::ranges::copy(knots, found[i].emplace().begin());
+		}
 	}
-	return knots;
+	return found;
 }
 
 BackendStatistics CpuBackend::get_statistics() {

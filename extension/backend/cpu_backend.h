@@ -33,7 +33,8 @@ public:
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count) override;
+	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) override;
+	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override { return find_knots(p_blades); }
 	EnergyReport read_energy() override { return { _step_number > 0 ? _step_number - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;

@@ -73,6 +73,8 @@ public:
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_ready();
+	// Returns when it is, or the driver has refused it.
+	void finish() { CompileQueue::get().finish(*_source); }
 	// Whether its bindings changed since its last dispatch.
 	bool has_changed() const { return _changed; }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace godot;
 
@@ -71,6 +72,7 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_patch_texture(make_patch_texture(*p_setup.patch)),
 		_materials(shader_features(p_setup)),
 		_report(std::make_shared<GpuReport>()),
+		_knot_report(std::make_shared<KnotReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
 	_pool_before_texture.instantiate();
@@ -135,6 +137,8 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_other_blades = p_setup.patch != _setup.patch,
 			   has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
 	_setup = p_setup;
+	_watch.clear();
+	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
 	_materials.set_features(shader_features(_setup));
 	if (has_other_blades) {
 		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : make_patch_texture(*_setup.patch);
@@ -177,6 +181,7 @@ bool GpuBackend::is_complete() const {
 
 void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
+	_steps++;
 	RenderQueue::get_singleton()->post(
 			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
 }
@@ -228,12 +233,58 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	}
 }
 
-std::vector<Eigen::Vector3f> GpuBackend::read_knots(int p_slot, int p_blade, int p_count) {
-	auto knots = std::make_shared<std::vector<Eigen::Vector3f>>();
-	RenderQueue::get_singleton()->post(
-			[field = _field, knots, p_slot, p_blade, p_count] { *knots = field->read_knots(p_slot, p_blade, p_count); });
-	RenderingServer::get_singleton()->force_sync(); // where the render thread is another one, it owns `knots` until then
-	return *knots;
+void GpuBackend::take_knots() {
+	KnotWatch::Answer answer;
+	{
+		std::lock_guard lock(_knot_report->mutex);
+		answer = std::exchange(_knot_report->answer, {});
+	}
+	if (answer.step != 0) {
+		_watch.receive(std::move(answer));
+	}
+}
+
+std::vector<SimulatedKnots> GpuBackend::find_knots(std::span<const WantedBlade> p_blades) {
+	take_knots();
+	std::vector<SimulatedKnots> found;
+	found.reserve(p_blades.size());
+	for (const WantedBlade &blade : p_blades) {
+		found.push_back(_watch.ask(blade));
+	}
+	return found;
+}
+
+void GpuBackend::read_asked(const SlotOf &p_slot_of) {
+	if (!_watch.is_due(_steps)) {
+		return;
+	}
+	std::vector<WantedBlade> blades = _watch.begin_read(_steps, p_slot_of);
+	if (!blades.empty()) {
+		_knots_read += int64_t(blades.size());
+		RenderQueue::get_singleton()->post([field = _field, wanted = std::move(blades), step = _steps, report = _knot_report]() mutable {
+			field->get_reader().read_later(std::move(wanted), step, report);
+		});
+	}
+}
+
+std::vector<SimulatedKnots> GpuBackend::wait_for_knots(std::span<const WantedBlade> p_blades) {
+	std::vector<WantedBlade> awake(p_blades.begin(), p_blades.end());
+	std::erase_if(awake, [](const WantedBlade &p_blade) { return p_blade.slot == GRASS_NO_SLOT; });
+	auto numbers = std::make_shared<std::vector<float>>();
+	if (!awake.empty()) {
+		_knot_waits++;
+		RenderQueue::get_singleton()->post([field = _field, numbers, awake] { *numbers = field->get_reader().read_now(awake); });
+		RenderingServer::get_singleton()->force_sync(); // where the render thread is another one, it owns `numbers` until then
+	}
+	std::vector<SimulatedKnots> found(p_blades.size());
+	const float *from = numbers->data();
+	for (size_t i = 0; i < found.size() && !numbers->empty(); i++) {
+		if (p_blades[i].slot != GRASS_NO_SLOT) {
+			found[i] = unpack_knots(from);
+			from += KNOT_NUMBERS;
+		}
+	}
+	return found;
 }
 
 EnergyReport GpuBackend::read_energy() {
@@ -247,10 +298,14 @@ EnergyReport GpuBackend::read_energy() {
 }
 
 BackendStatistics GpuBackend::get_statistics() {
+	take_knots();
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
 	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates();
 	statistics.compiling = CompileQueue::get().count_compiling();
+	statistics.knots_read = _knots_read;
+	statistics.knot_waits = _knot_waits;
+	statistics.knots_age = _watch.get_age(_steps);
 	return statistics;
 }
 
@@ -258,7 +313,8 @@ int64_t GpuBackend::get_memory_usage() const {
 	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
-	return patch + instances + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4);
+	return patch + instances + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes +
+			int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
 }
 
 } // namespace grass

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "backend/backend.h"
+#include "core/field/knot_watch.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 
@@ -15,6 +16,7 @@ namespace grass {
 class GpuField;
 struct FieldMultiMeshes;
 struct GpuReport;
+struct KnotReport;
 struct PassKind;
 struct Prepared;
 
@@ -39,7 +41,9 @@ public:
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count) override;
+	std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) override;
+	std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) override;
+	void read_asked(const SlotOf &p_slot_of) override;
 	EnergyReport read_energy() override;
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
@@ -50,6 +54,7 @@ private:
 	Prepared prepare_passes(const PassKind &p_kind);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
+	void take_knots();
 
 	FieldSetup _setup;
 	bool _measure = false;
@@ -69,6 +74,10 @@ private:
 	uint64_t _energy_step = 0; // after which `_energy` and `_bends` were read
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
+	uint64_t _steps = 0; // handed to the device so far
+	KnotWatch _watch;
+	std::shared_ptr<KnotReport> _knot_report; // of the field that stands
+	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
 };
 

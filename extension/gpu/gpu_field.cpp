@@ -74,6 +74,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	_cull.create(CULL);
 	_kind = { p_setup.species != nullptr, p_setup.method };
 	make_simulate();
+	_reader.create();
 	set_field(p_setup, p_patch);
 }
 
@@ -219,6 +220,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	_simulate_edges.free();
 	_simulate_free.free();
 	_cull.free();
+	_reader.free();
 	for (GpuBuffer *buffer : buffers()) {
 		buffer->free();
 	}
@@ -234,7 +236,7 @@ void GpuField::report_times() {
 
 // The report's mutex is held.
 void GpuField::report_memory() {
-	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8 * (_before.is_valid() ? 2 : 1);
+	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8 * (_before.is_valid() ? 2 : 1) + _reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

@@ -7,6 +7,7 @@
 #include "core/field/field_setup.h"
 #include "core/solver/slot_passes.h"
 #include "gpu/device.h"
+#include "gpu/knot_reader.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
 
@@ -92,7 +93,7 @@ public:
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
 	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade, int p_count);
+	KnotReader &get_reader() { return _reader; }
 	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
 
@@ -149,6 +150,7 @@ private:
 	int _used_rows = 0; // of the pool's texture
 	bool _has_kept = false; // since the last frame
 	bool _has_moved = false; // blades, since the copy was made
+	KnotReader _reader;
 	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
 };
 

@@ -39,6 +39,7 @@ void GpuField::bind_simulate() {
 			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
 		}
 	}
+	_reader.bind(_knots.rid(), _halves.rid());
 }
 
 int64_t GpuField::upload_slots(const StepRecords &p_records, uint32_t p_left) {
@@ -139,31 +140,6 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		}
 	};
 	RenderQueue::get_singleton()->read_later(_energy.rid(), uint32_t(_pool_size * int64_t(sizeof(vec4))), receive);
-}
-
-// A read waits until the device has finished all its work, which takes far longer than the copy: so both halves come at once, with the
-// word that says which one is current.
-std::vector<Eigen::Vector3f> GpuField::read_knots(int p_slot, int p_blade, int p_count) {
-	constexpr uint32_t HALVES = 2 * KNOT_FLOATS_PER_HALF * 4; // bytes
-	std::vector<Eigen::Vector3f> knots(size_t(p_count * GRASS_KNOTS), Eigen::Vector3f::Zero());
-	GpuBuffer copy;
-	copy.allocate(HALVES + 4);
-	RenderingDevice *device = main_device();
-	device->buffer_copy(_knots.rid(), copy.rid(), uint32_t(p_slot) * HALVES, 0, HALVES);
-	device->buffer_copy(_halves.rid(), copy.rid(), uint32_t(p_slot * 4), HALVES, 4);
-	const PackedByteArray data = device->buffer_get_data(copy.rid());
-	if (data.size() != HALVES + 4) {
-		return knots;
-	}
-	const float *row = reinterpret_cast<const float *>(data.ptr()) + (data.decode_u32(HALVES) & 1) * KNOT_FLOATS_PER_HALF;
-	for (int component = 0; component < 3; component++) {
-		for (int knot = GRASS_CLAMPED_KNOTS; knot < GRASS_KNOTS; knot++, row += GRASS_BLADES_PER_TILE) {
-			for (int i = 0; i < p_count; i++) {
-				knots[size_t(i * GRASS_KNOTS + knot)][component] = row[p_blade + i];
-			}
-		}
-	}
-	return knots;
 }
 
 } // namespace grass

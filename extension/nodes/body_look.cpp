@@ -75,6 +75,40 @@ bool BodyTracker::look(Body &r_body) {
 	return true;
 }
 
+// Nothing is asked of a body that sleeps, but now and then whether it was put elsewhere: the server does not wake it for that. When it
+// wakes its node emits a signal, as it does where its shapes change.
+void BodyTracker::follow_sleep(Body &r_body, const Transform3D &p_world, bool p_is_due) {
+	const bool has_stood = r_body.has_before && p_world == r_body.world_before;
+	if (r_body.is_asleep) {
+		r_body.is_asleep = has_stood;
+	} else if (p_is_due && has_stood && r_body.is_driven) {
+		_reads.engine_calls++;
+		if (r_body.state->is_sleeping()) {
+			watch_sleep(r_body, true);
+			r_body.is_asleep = r_body.is_watched;
+		}
+	}
+	r_body.next_read = LOOK_EVERY - 1;
+}
+
+// Only nodes tell of it, not the server.
+void BodyTracker::watch_sleep(Body &r_body, bool p_watch) {
+	if (r_body.is_watched == p_watch) {
+		return;
+	}
+	RigidBody3D *node = Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id));
+	if (node == nullptr) {
+		return;
+	}
+	const Callable woke = _woke.bind(int64_t(r_body.rid.get_id()));
+	if (p_watch) {
+		node->connect("sleeping_state_changed", woke);
+	} else {
+		node->disconnect("sleeping_state_changed", woke);
+	}
+	r_body.is_watched = p_watch;
+}
+
 // Notices changes of shapes and friction.
 void BodyTracker::look_at_shapes(Body &r_body) {
 	const bool was_known = !r_body.shapes.empty();

@@ -32,8 +32,9 @@ constexpr int JUMP_TICKS = 6;
 
 } // namespace
 
-void BodyTracker::start(const RID &p_space, const Callable &p_changed, uint32_t p_mask) {
+void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Callable &p_woke, uint32_t p_mask) {
 	stop();
+	_woke = p_woke;
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_mask = p_mask;
 	_box = server->box_shape_create();
@@ -82,7 +83,11 @@ void BodyTracker::stop() {
 	_approach = 0.0;
 	_box_transform = Transform3D();
 	_has_field_before = false;
+	for (auto &[id, body] : _bodies) {
+		watch_sleep(body, false);
+	}
 	_bodies.clear();
+	_woke = Callable();
 }
 
 // Counts overlaps without regard to the shape: indices shift when shapes come and go, and the server reports the end of
@@ -102,6 +107,14 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	}
 	if (found != _bodies.end()) {
 		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
+		found->second.is_asleep = false;
+	}
+}
+
+void BodyTracker::body_woke(int64_t p_body) {
+	const auto found = _bodies.find(uint64_t(p_body));
+	if (found != _bodies.end()) {
+		found->second.is_asleep = false;
 	}
 }
 
@@ -231,6 +244,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
 	const Eigen::Vector3d origin = to_eigen(p_field.origin);
 	field.has_jumped = (field.from_world_before * origin).norm() > FIELD_JUMP;
+	field.has_moved = field.from_world.matrix() != field.from_world_before.matrix();
 	_from_world_before = field.from_world;
 	_has_field_before = true;
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
@@ -239,15 +253,22 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
 		Body &body = entry->second;
-		if (has_left(body) || !find_state(body)) {
+		const bool is_asleep = body.is_asleep && !field.has_moved && body.next_read-- > 0;
+		if (has_left(body) || (!is_asleep && !find_state(body))) {
+			watch_sleep(body, false);
 			entry = _bodies.erase(entry);
 			continue;
 		}
 		++entry;
-		_reads.poses++;
-		const bool is_due = look(body);
-		const Transform3D world = body.state->get_transform();
-		_reads.engine_calls++;
+		bool is_due = false;
+		Transform3D world = body.world_before;
+		if (!is_asleep) {
+			_reads.poses++;
+			_reads.engine_calls++;
+			is_due = look(body);
+			world = body.state->get_transform();
+			follow_sleep(body, world, is_due);
+		}
 		const Eigen::Affine3d now = pose_of(body, world, field);
 		const bool is_carried =
 				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < FIELD_JUMP;
@@ -267,13 +288,21 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 }
 
 void BodyTracker::forget_left() {
-	std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.overlaps <= 0; });
+	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
+		if (entry->second.overlaps > 0) {
+			++entry;
+		} else {
+			watch_sleep(entry->second, false);
+			entry = _bodies.erase(entry);
+		}
+	}
 }
 
 void BodyTracker::forget_motion() {
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {
 		body.has_before = false;
+		body.is_asleep = false;
 	}
 }
 

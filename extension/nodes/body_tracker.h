@@ -26,8 +26,9 @@ public:
 	~BodyTracker() { stop(); }
 
 	// Watches a box, see set_box(). p_changed is called with the five arguments of
-	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed().
-	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
+	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed(). p_woke is called with the id of a
+	// body's RID, and must hand it to body_woke().
+	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_woke, uint32_t p_mask);
 	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
 	// p_delta: seconds of a tick.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);
@@ -35,6 +36,8 @@ public:
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
+	// A body that sleeps, as the physics server has it, falls asleep or wakes up.
+	void body_woke(int64_t p_body);
 	// Overwrites r_colliders with every shape that may touch grass in this tick, posed in the field's space. p_field: the
 	// field's transform (orthonormal); the tracker sets p_tick.watched itself.
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
@@ -64,6 +67,9 @@ private:
 		int next_look_at_all = 0; // looks to the next one at everything
 		double friction = 0.0; // of blades along it
 		std::vector<bool> disabled; // by shape
+		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
+		bool is_watched = false; // its node does
+		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
 		// As it was in the last tick.
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
 		bool has_before = false;
@@ -77,6 +83,7 @@ private:
 	struct FieldPose {
 		Eigen::Affine3d from_world, from_world_before;
 		bool has_jumped = false;
+		bool has_moved = false; // since the tick before
 	};
 
 	bool find_state(Body &r_body);
@@ -87,6 +94,8 @@ private:
 	bool read_shapes(Body &r_body);
 	void warn_of_height_map(const Body &p_body, const TrackedShape &p_shape);
 	void read_traits(Body &r_body, int32_t p_count);
+	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
+	void watch_sleep(Body &r_body, bool p_watch);
 	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
 	// body_tracker.cpp
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
@@ -97,6 +106,7 @@ private:
 	void judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta);
 
 	godot::RID _area, _box;
+	godot::Callable _woke;
 	godot::Transform3D _box_transform;
 	godot::Vector3 _box_extents; // with the approach
 	double _approach = 0.0; // metres

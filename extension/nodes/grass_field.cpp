@@ -62,8 +62,8 @@ void GrassField::enter() {
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		_bodies.get_tracker().start(
-				get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed), uint32_t(_properties.collision_mask));
+		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
+				callable_mp(this, &GrassField::_body_woke), uint32_t(_properties.collision_mask));
 	}
 	_standing.begin_passes();
 	request_rebuild();
@@ -159,6 +159,7 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	update_map();
 	const FieldView view = find_view();
+	_standing.read_asked();
 	_standing.show_motion(view.has_motion);
 	_standing.follow(this, field_transform());
 	if (_standing.draw(view, is_visible_in_tree())) {

@@ -17,6 +17,7 @@
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_int64_array.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -95,9 +96,13 @@ public:
 	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const;
 	bool is_tile_awake(const godot::Vector2i &p_tile) const;
 	int64_t get_awake_tile_count() const;
-	// A blade's 16 knots from root to tip, without wind. Of an awake tile on the GPU: waits for it.
+	// A blade's 16 knots from root to tip, without wind, at once: of an awake tile on the GPU as they were two ticks ago at most.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
 	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile) const;
+	godot::PackedVector3Array get_blade_knots(const godot::PackedInt64Array &p_blades) const;
+	godot::PackedVector3Array wait_for_knots(const godot::PackedInt64Array &p_blades) const; // as they are now
+	godot::PackedInt64Array get_tile_blades(const godot::Vector2i &p_tile) const;
+	godot::PackedInt64Array find_blades(const godot::Vector3 &p_global_position, double p_radius);
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _bodies.get_count(); }
 	int64_t get_memory_usage() const; // bytes
@@ -144,6 +149,7 @@ private:
 	void emit_leaving();
 	void emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
 	void recover(double p_delta);
+	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 
 	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
@@ -169,6 +175,7 @@ private:
 	FieldPlaces places() const { return FieldPlaces(_standing, field_transform()); }
 	bool has_blades() const;
 	bool has_tile(const godot::Vector2i &p_tile) const;
+	bool has_blades_of(const godot::PackedInt64Array &p_blades) const;
 	FieldStatistics find_statistics() const;
 	godot::String label() const; // of this node, for messages
 	godot::String message(const godot::String &p_text) const override;

@@ -6,9 +6,22 @@
 #include "nodes/main_thread.h"
 #include "nodes/statistics_dictionary.h"
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+PackedInt64Array to_array(const std::vector<BladeNumber> &p_blades) {
+	PackedInt64Array array;
+	array.resize(int64_t(p_blades.size()));
+	std::ranges::copy(p_blades, array.begin());
+	return array;
+}
+
+} // namespace
 
 String GrassField::label() const {
 	return vformat("GrassField '%s'", get_name());
@@ -77,6 +90,15 @@ int64_t GrassField::get_awake_tile_count() const {
 }
 
 // With an error where it is false.
+bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
+	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	for (const int64_t blade : p_blades) {
+		ERR_FAIL_COND_V_MSG(!places().has_blade(blade), false,
+				message(vformat("there is no blade %d. find_blades() and get_tile_blades() tell the blades' numbers.", blade)));
+	}
+	return true;
+}
+
 bool GrassField::has_tile(const Vector2i &p_tile) const {
 	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	ERR_FAIL_COND_V_MSG(!_standing.get_grid().has_tile(p_tile.x, p_tile.y), false,
@@ -87,12 +109,38 @@ bool GrassField::has_tile(const Vector2i &p_tile) const {
 PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), PackedVector3Array(), message("a tile has 64 blades, 0 to 63."));
-	return has_tile(p_tile) ? places().find_knots(p_tile, int(p_blade), 1) : PackedVector3Array();
+	if (!has_tile(p_tile)) {
+		return PackedVector3Array();
+	}
+	const BladeNumber blade = number_of(_standing.get_grid().get_index(p_tile.x, p_tile.y), int(p_blade));
+	return places().find_knots(std::span(&blade, 1), FieldPlaces::Knots::KNOWN);
 }
 
 PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_tile(p_tile) ? places().find_knots(p_tile, 0, GRASS_BLADES_PER_TILE) : PackedVector3Array();
+	return has_tile(p_tile) ? places().find_knots(places().blades_of(p_tile), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
+}
+
+PackedVector3Array GrassField::get_blade_knots(const PackedInt64Array &p_blades) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_blades_of(p_blades) ? places().find_knots({ p_blades.begin(), p_blades.end() }, FieldPlaces::Knots::KNOWN)
+								   : PackedVector3Array();
+}
+
+PackedVector3Array GrassField::wait_for_knots(const PackedInt64Array &p_blades) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_blades_of(p_blades) ? places().find_knots({ p_blades.begin(), p_blades.end() }, FieldPlaces::Knots::EXACT)
+								   : PackedVector3Array();
+}
+
+PackedInt64Array GrassField::get_tile_blades(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedInt64Array());
+	return has_tile(p_tile) ? to_array(places().blades_of(p_tile)) : PackedInt64Array();
+}
+
+PackedInt64Array GrassField::find_blades(const Vector3 &p_global_position, double p_radius) {
+	GRASS_MAIN_THREAD_ONLY_V(PackedInt64Array());
+	return prepare_places() ? to_array(places().find_blades(p_global_position, p_radius)) : PackedInt64Array();
 }
 
 int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {
@@ -140,11 +188,10 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 	return monitor_of(find_statistics(), p_monitor);
 }
 
-// Before a query: makes the field, and brings its map up to date. False where no field stands.
+// Before a query: makes the field. False where none stands. What of its map waits to be shown can wait: see StandingField::layers_at().
 bool GrassField::prepare_places() {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
 	build();
-	update_map();
 	return _standing.stands();
 }
 

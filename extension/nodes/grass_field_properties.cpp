@@ -249,6 +249,10 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_awake_tile_count"), &GrassField::get_awake_tile_count);
 	ClassDB::bind_method(D_METHOD("get_knots", "tile", "blade"), &GrassField::get_knots);
 	ClassDB::bind_method(D_METHOD("get_tile_knots", "tile"), &GrassField::get_tile_knots);
+	ClassDB::bind_method(D_METHOD("get_blade_knots", "blades"), &GrassField::get_blade_knots);
+	ClassDB::bind_method(D_METHOD("wait_for_knots", "blades"), &GrassField::wait_for_knots);
+	ClassDB::bind_method(D_METHOD("get_tile_blades", "tile"), &GrassField::get_tile_blades);
+	ClassDB::bind_method(D_METHOD("find_blades", "global_position", "radius"), &GrassField::find_blades);
 	ClassDB::bind_method(D_METHOD("get_blade_species", "tile", "blade"), &GrassField::get_blade_species);
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);

@@ -179,16 +179,17 @@ bool StandingField::update_map() {
 	return !_field.get_layers()->is_full();
 }
 
-const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const {
+const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const {
 	if (_properties.map.is_null()) {
 		return nullptr;
 	}
 	if (_map && _map->get_map() == _properties.map && !_map->get_field().is_waiting_at(p_place)) {
 		return _field.get_layers();
 	}
-	r_own.reset(_field.get_setup().grid, _field.get_setup().blade_length());
-	r_own = r_own.read(_properties.map->get_map(), p_place);
-	return &r_own;
+	MapLayers plain;
+	plain.reset(_field.get_setup().grid, _field.get_setup().blade_length());
+	plain.read(_properties.map->get_map(), p_place, _layers_there);
+	return &_layers_there;
 }
 
 bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
@@ -212,6 +213,10 @@ void StandingField::blow(double p_delta) {
 void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_backend->follow(p_node, p_transform);
 	_ground.follow(p_node, p_transform, _properties.has_ground && _field.ground_relief() == 0.0); // it is flat
+}
+
+void StandingField::read_asked() {
+	_backend->read_asked([this](int p_tile) { return _field.get_tiles().get_slot_of(p_tile); });
 }
 
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {

@@ -48,8 +48,9 @@ public:
 	// map has more painted chunks under the field than it can show.
 	bool update_map();
 	ShownMap *get_map() const { return _map.get(); } // null: none
-	// What the map says about a place, as it is now: what the field shows of it, or r_own, where that waits to change. Null without a map.
-	const MapLayers *layers_at(const Eigen::Vector2f &p_place, MapLayers &r_own) const;
+	// What the map says about a place, as it is now, whether or not the field shows it already. Holds until the next call. Null without
+	// a map.
+	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
 
 	// A tick: begins it, then takes what the bodies do. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
@@ -60,6 +61,7 @@ public:
 	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
 	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	void read_asked(); // what scripts want to know of blades
 	// True once after the field was made: as soon as it is known that more tiles are seen than it has room for.
 	bool draw(const FieldView &p_view, bool p_is_visible);
 	bool is_crowded() const { return _is_crowded; }
@@ -88,6 +90,7 @@ private:
 	std::vector<SpeciesParams> _mix; // as it was made
 	std::vector<GrownSpecies> _species;
 	std::unique_ptr<ShownMap> _map;
+	mutable MapLayers _layers_there; // of layers_at(): around one place
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
 	FieldUniforms _uniforms;

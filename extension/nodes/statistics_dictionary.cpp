@@ -54,6 +54,9 @@ Dictionary to_dictionary(const FieldStatistics &p_statistics) {
 	result["free_tile_steps"] = backend.free_tile_steps;
 	result["compiling"] = backend.compiling;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
+	result["knots_read"] = backend.knots_read;
+	result["knot_waits"] = backend.knot_waits;
+	result["knots_age"] = backend.knots_age;
 	result["culls"] = backend.culls;
 	result["instance_updates"] = p_statistics.instance_updates;
 	result["drawn_tiles"] = drawn.tiles[0];

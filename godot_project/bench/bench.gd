@@ -2,7 +2,7 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    what the part's file begins with: draw, meadow, simulate, sleep, cpu, change, species, kernel, accuracy;
+##   --only PART    what the part's file begins with: draw, meadow, simulate, sleep, cpu, questions, change, species, kernel, accuracy;
 ##                  paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
@@ -14,6 +14,7 @@ const Draw := preload("res://bench/bench_draw.gd")
 const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
 const Cpu := preload("res://bench/bench_cpu.gd")
+const Questions := preload("res://bench/bench_questions.gd")
 const Change := preload("res://bench/bench_change.gd")
 const Kernel := preload("res://bench/bench_kernel.gd")
 const Accuracy := preload("res://bench/bench_accuracy.gd")
@@ -39,7 +40,7 @@ func _ready() -> void:
 	var only := _argument("--only", "")
 	var spirv := _argument("--spirv", "")
 	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
-	for script: GDScript in [Draw, Meadow, Simulate, Sleep, Cpu, Change, Species, Kernel, Accuracy]:
+	for script: GDScript in [Draw, Meadow, Simulate, Sleep, Cpu, Questions, Change, Species, Kernel, Accuracy]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])
 		if not part.FILE.begins_with(only) or arguments.has(""):

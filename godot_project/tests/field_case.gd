@@ -40,7 +40,7 @@ static func warm_up(to: Node) -> Dictionary:
 		await to.get_tree().physics_frame
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
-		if field.get_statistics().compiling > 2:  # besides the passes of tiles without colliders and of those with edges, which come last
+		if field.get_statistics().compiling > 3:  # those of free tiles, of edges and of gathered knots come last
 			first_field = {
 				ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size()
 			}
@@ -149,9 +149,9 @@ func length_of(knots: PackedVector3Array, blade: int) -> float:
 	return length
 
 
-## Knots of all blades of `tile`, one after the other.
+## Knots of all blades of `tile`, one after the other, as they are now.
 func tile_knots(field: GrassField, tile: Vector2i) -> PackedVector3Array:
-	return field.get_tile_knots(tile)
+	return field.wait_for_knots(field.get_tile_blades(tile))
 
 
 ## Knots of all blades of the tiles, by tile.

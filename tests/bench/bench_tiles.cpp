@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
@@ -98,13 +99,19 @@ void run(double p_size, int p_count, std::vector<uint64_t> &r_other) {
 
 } // namespace
 
-int main() {
+// With two arguments, metres and objects: only that, for a profiler.
+int main(int p_count, char **p_arguments) {
 	std::puts("tiles,objects,other_mib,awake_tiles,list_entries,woken,evicted,refused,update_us_min,update_us_median,update_us_p99,memory_"
 			  "bytes");
+	if (p_count == 3) {
+		std::vector<uint64_t> none;
+		run(std::atof(p_arguments[1]), std::atoi(p_arguments[2]), none);
+		return 0;
+	}
 	for (const size_t other : { size_t(0), OTHER_MEMORY }) {
 		std::vector<uint64_t> memory(other / sizeof(uint64_t));
 		for (const double size : { 70.5, 500.0, 2000.0 }) { // 20,000, 1,000,000 and 16,000,000 tiles
-			for (const int count : { 0, 128, 1024 }) {
+			for (const int count : { 0, 128, 1024, 5000 }) {
 				run(size, count, memory);
 			}
 		}

@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,7 +36,11 @@ public:
 		steps++;
 	}
 	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
-	std::vector<Eigen::Vector3f> read_knots(int p_slot, int p_blade) const { return _pool.get_knots(p_slot, p_blade); }
+	SimulatedKnots read_knots(int p_slot, int p_blade) const {
+		SimulatedKnots knots;
+		std::ranges::copy(_pool.get_knots(p_slot, p_blade), knots.emplace().begin());
+		return knots;
+	}
 
 	bool can = true, has_all_methods = true;
 	int steps = 0;
@@ -98,9 +103,9 @@ struct FieldScene {
 		const int slot = field.get_tiles().get_slot_of(setup.grid.get_index(p_x, p_z));
 		double most = 0.0;
 		for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
-			const auto rest = field.find_knots(p_x, p_z, blade, 1, {});
-			const auto simulated = slot == GRASS_NO_SLOT ? std::vector<Eigen::Vector3f>() : simulator.read_knots(slot, blade);
-			const auto now = field.find_knots(p_x, p_z, blade, 1, simulated);
+			const BladeNumber number = number_of(setup.grid.get_index(p_x, p_z), blade);
+			const auto rest = field.find_knots(number, {});
+			const auto now = field.find_knots(number, slot == GRASS_NO_SLOT ? SimulatedKnots() : simulator.read_knots(slot, blade));
 			for (size_t knot = 0; knot < rest.size(); knot++) {
 				most = std::max(most, (now[knot] - rest[knot]).norm());
 			}

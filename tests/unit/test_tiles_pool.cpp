@@ -97,6 +97,35 @@ TEST_CASE("tiles: a tile under a collider never gives its slot: the wish is refu
 	CHECK(manager.get_statistics().evicted == 1);
 }
 
+TEST_CASE("tiles: a crowd beyond the pool costs a look or two a body, and all of them meet grass") {
+	TileManager manager = make_manager(16);
+	std::vector<ColliderShape> crowd;
+	for (int z = 2; z < 40; z += 4) {
+		for (int x = 2; x < 40; x += 4) {
+			crowd.push_back(make_ball(manager, x, z));
+			crowd.back().size.x() = 0.9; // nine tiles and more
+		}
+	}
+	step(manager, crowd);
+	REQUIRE(manager.get_statistics().awake == 16);
+	for (int i = 0; i < 5; i++) {
+		const TileStatistics before = manager.get_statistics();
+		step(manager, crowd);
+		check_consistent(manager);
+		CHECK(manager.get_statistics().looked_at - before.looked_at <= 16 + crowd.size());
+		CHECK(manager.get_statistics().refused - before.refused >= crowd.size() - 2);
+		CHECK(manager.get_statistics().woken == 16);
+		for (size_t n = 0; n < crowd.size(); n++) {
+			CHECK(manager.has_met_grass(n));
+		}
+	}
+	crowd.erase(crowd.begin()); // its tiles are free for the next ones
+	step(manager, crowd);
+	check_consistent(manager);
+	CHECK(manager.get_statistics().woken > 16);
+	CHECK(manager.get_statistics().awake == 16);
+}
+
 TEST_CASE("tiles: pool sizes of nothing, one, and far too many") {
 	TileManager manager = make_manager(0);
 	step(manager, { make_ball(manager, 2) });

@@ -4,6 +4,7 @@
 #include "core/base/cpu_clock.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace grass {
@@ -209,21 +210,40 @@ std::shared_ptr<TileBounds> Field::bounds_of(const FieldSetup &p_next) const {
 					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
 }
 
-std::vector<Eigen::Vector3d> Field::find_knots(
-		int p_x, int p_z, int p_first, int p_count, std::span<const Eigen::Vector3f> p_simulated) const {
-	std::vector<Eigen::Vector3d> knots;
-	knots.reserve(size_t(p_count * GRASS_KNOTS));
-	for (int i = 0; i < p_count; i++) {
-		const FieldBlades::Pose pose = _blades.get_pose(p_x, p_z, p_first + i);
-		const Eigen::Vector2d offset = (pose.root.cast<double>().array() - 0.5) * _setup.grid.get_tile_size();
-		const Eigen::Vector3d root = _setup.grid.get_centre(p_x, p_z) + Eigen::Vector3d(offset.x(), pose.ground, offset.y());
-		for (int knot = 0; knot < GRASS_KNOTS; knot++) {
-			const bool at_rest = p_simulated.empty() || knot < GRASS_CLAMPED_KNOTS;
-			const Eigen::Vector3f in_blade = at_rest ? _blades.get_rest_knot(pose, knot) : p_simulated[size_t(i * GRASS_KNOTS + knot)];
-			knots.push_back(root + in_blade.cast<double>());
-		}
+// Field space, metres, at the field's height.
+Eigen::Vector3d Field::root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) const {
+	const Eigen::Vector2d offset = (p_root.cast<double>().array() - 0.5) * _setup.grid.get_tile_size();
+	return _setup.grid.get_centre(p_x, p_z) + Eigen::Vector3d(offset.x(), 0.0, offset.y());
+}
+
+KnotsOf<double> Field::find_knots(BladeNumber p_blade, const SimulatedKnots &p_simulated) const {
+	const int x = _setup.grid.get_x(tile_of(p_blade)), z = _setup.grid.get_z(tile_of(p_blade));
+	const FieldBlades::Pose pose = _blades.get_pose(x, z, blade_in_tile(p_blade));
+	const Eigen::Vector3d root = root_of(pose.root, x, z) + Eigen::Vector3d(0.0, pose.ground, 0.0);
+	KnotsOf<double> knots;
+	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
+		const bool is_at_rest = !p_simulated || knot < GRASS_CLAMPED_KNOTS;
+		const Eigen::Vector3f in_blade = is_at_rest ? _blades.get_rest_knot(pose, knot) : (*p_simulated)[size_t(knot)];
+		knots[size_t(knot)] = root + in_blade.cast<double>();
 	}
 	return knots;
+}
+
+std::vector<BladeNumber> Field::find_blades(const Eigen::Vector2d &p_place, double p_radius) const {
+	std::vector<BladeNumber> found;
+	const TileRange tiles =
+			_setup.grid.get_range(p_place.x() - p_radius, p_place.x() + p_radius, p_place.y() - p_radius, p_place.y() + p_radius, 0.0);
+	for (int z = tiles.z_begin; z < tiles.z_end; z++) {
+		for (int x = tiles.x_begin; x < tiles.x_end; x++) {
+			for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
+				const Eigen::Vector3d root = root_of(_blades.get_root(x, z, blade), x, z);
+				if (std::hypot(root.x() - p_place.x(), root.z() - p_place.y()) <= p_radius && _blades.stands(x, z, blade)) {
+					found.push_back(number_of(_setup.grid.get_index(x, z), blade));
+				}
+			}
+		}
+	}
+	return found;
 }
 
 } // namespace grass

@@ -6,6 +6,7 @@
 #include "core/detail/view.h"
 #include "core/field/field_params.h"
 #include "core/field/field_setup.h"
+#include "core/field/knots.h"
 #include "core/field/simulator.h"
 #include "core/map/field_map.h"
 #include "core/plants/field_blades.h"
@@ -68,9 +69,10 @@ public:
 
 	// The boxes of the tiles of a field that follows this one.
 	std::shared_ptr<TileBounds> bounds_of(const FieldSetup &p_next) const;
-	// Knots of p_count blades of the tile from p_first on, field space, metres. p_simulated: those of an awake tile in blade space, as
-	// Backend::read_knots() returns them; none of one at rest.
-	std::vector<Eigen::Vector3d> find_knots(int p_x, int p_z, int p_first, int p_count, std::span<const Eigen::Vector3f> p_simulated) const;
+	// Knots of a blade, field space. p_simulated: as Backend::find_knots() has them; without any, at rest.
+	KnotsOf<double> find_knots(BladeNumber p_blade, const SimulatedKnots &p_simulated) const;
+	// The blades that stand up to p_radius metres from a place, rising.
+	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
 private:
 	TileParams tile_params() const;
@@ -78,6 +80,7 @@ private:
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
 	void step(Simulator &r_simulator, double p_delta);
+	Eigen::Vector3d root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) const;
 
 	FieldSetup _setup;
 	FieldParams _params;

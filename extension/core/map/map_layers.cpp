@@ -226,19 +226,24 @@ std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_reg
 	return changed;
 }
 
-MapLayers MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place) const {
-	MapLayers there;
-	there._first = _first;
-	there._width = _width;
-	there._depth = _depth;
-	there._uncut = _uncut;
-	there._base_density = float(p_map.get_base_density());
-	there._pages.assign(_pages.size(), float(GRASS_NO_LAYER));
+void MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapLayers &r_there) const {
+	r_there._first = _first;
+	r_there._width = _width;
+	r_there._depth = _depth;
+	r_there._uncut = _uncut;
+	r_there._base_density = float(p_map.get_base_density());
+	r_there._pages.assign(_pages.size(), float(GRASS_NO_LAYER));
 	const Eigen::Vector2d place = p_place.cast<double>();
-	if (const MapKey key = key_at(place); there.has_chunk(key) && p_map.find(key) != nullptr) {
-		Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(CHANGE_MARGIN), there._layers[size_t(there.add_layer(key))]);
+	const MapKey key = key_at(place);
+	if (!r_there.has_chunk(key) || p_map.find(key) == nullptr) {
+		r_there._layers.clear();
+		return;
 	}
-	return there;
+	if (r_there._layers.empty()) {
+		r_there.add_layer(key);
+	}
+	r_there._pages[index_of(key)] = 0.0f;
+	Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(CHANGE_MARGIN), r_there._layers[0]);
 }
 
 int MapLayers::get_species(int p_texel_x, int p_texel_z) const {

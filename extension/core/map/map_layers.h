@@ -44,8 +44,9 @@ public:
 	int update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
 	// Updates all layers in p_region. Returns those that changed, rising.
 	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
-	// The same field's layers as p_map has them now, but around p_place only: field-space x, z in metres.
-	MapLayers read(const PaintMap &p_map, const Eigen::Vector2f &p_place) const;
+	// Makes r_there the same field's layers as p_map has them now, but around p_place only: field-space x, z in metres. Its memory is
+	// used again.
+	void read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapLayers &r_there) const;
 
 	int get_count() const { return int(_layers.size()); }
 	const MapLayer &get_layer(int p_layer) const { return _layers[size_t(p_layer)]; }

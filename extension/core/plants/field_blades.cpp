@@ -15,10 +15,14 @@ Eigen::Vector3f FieldBlades::get_texel(int p_blade, int p_knot) const {
 	return { half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]) };
 }
 
+int FieldBlades::first_of(int p_tile_x, int p_tile_z) const {
+	return int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
+}
+
 FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
 	Pose pose;
-	pose.blade = int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed)) + p_blade;
-	pose.root = get_texel(pose.blade, 0).head<2>();
+	pose.blade = first_of(p_tile_x, p_tile_z) + p_blade;
+	pose.root = get_root(p_tile_x, p_tile_z, p_blade);
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), pose.root,
 			Eigen::Vector2f(float(_grid.get_tiles_x()), float(_grid.get_tiles_z())), float(_grid.get_tile_size()));
 	if (_species) {
@@ -34,6 +38,14 @@ FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade)
 		pose.density = here.density;
 	}
 	return pose;
+}
+
+// As BladePoint::presence of shaders/draw/pose.gdshaderinc has it.
+bool FieldBlades::stands(int p_tile_x, int p_tile_z, int p_blade) const {
+	const Pose pose = get_pose(p_tile_x, p_tile_z, p_blade);
+	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) + uint32_t(p_blade + GRASS_BLADES_PER_TILE);
+	const uint16_t width = _patch->texels[Patch::texel_index(pose.blade, 0) + 3];
+	return width != 0 && glsl::grass_presence(pose.density, glsl::grass_random(grass_hash(bits)).x) > 0.0f;
 }
 
 Eigen::Vector3f FieldBlades::get_rest_knot(const Pose &p_pose, int p_knot) const {

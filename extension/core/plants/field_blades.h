@@ -25,8 +25,14 @@ public:
 		float ground = 0.0f; // metres above the field
 		float density = 1.0f;
 	};
-	// Of blade p_blade (0..63) of a tile.
+	// Place of blade p_blade (0..63) in its tile, 0..1.
+	Eigen::Vector2f get_root(int p_tile_x, int p_tile_z, int p_blade) const {
+		return get_texel(first_of(p_tile_x, p_tile_z) + p_blade, 0).head<2>();
+	}
+	// Of such a blade.
 	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
+	// Whether such a blade is there: where the map thins the grass out some are not, and a species may have none.
+	bool stands(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Knot p_knot of such a blade at rest, blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
 	// All blades of an awake tile, as the simulation reads them.
@@ -35,6 +41,7 @@ public:
 	bool needs_growth() const { return _species || _map; }
 
 private:
+	int first_of(int p_tile_x, int p_tile_z) const; // blade of a tile, in the patch
 	Eigen::Vector3f get_texel(int p_blade, int p_knot) const;
 
 	TileGrid _grid;

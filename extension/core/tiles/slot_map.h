@@ -42,6 +42,9 @@ public:
 		_count = 0;
 	}
 
+	// Whether none of its tiles has a slot.
+	static bool is_empty(const Square *p_square) { return p_square == &NO_SLOTS; }
+
 	// The square of a tile, none of negative numbers; one without slots if none of its tiles has one.
 	const Square &find_square(int p_x, int p_z) const {
 		const Entry &entry = _entries[seek(key_of(p_x, p_z))];

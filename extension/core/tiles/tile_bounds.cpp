@@ -85,8 +85,8 @@ size_t TileBounds::get_memory_usage() const {
 }
 
 bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
-	Tile tile;
-	return find_met({ p_x, p_x + 1, p_z, p_z + 1 }, p_bounds, &tile) > 0;
+	Tile tile{ uint16_t(p_x), uint16_t(p_z) };
+	return keep_met(&tile, 1, p_bounds) > 0;
 }
 
 void TileBounds::prefetch() const {
@@ -96,33 +96,6 @@ void TileBounds::prefetch() const {
 		__builtin_prefetch(bytes + i);
 	}
 #endif
-}
-
-// Branch-free: whether a tile is met is unpredictable.
-int TileBounds::find_met(const TileRange &p_range, const Bounds &p_bounds, Tile *r_tiles) const {
-	if (_boxes.empty()) {
-		return 0;
-	}
-	const TileGrid grid = _grid; // copies, so that the compiler knows that writing r_tiles does not change them
-	const TileCover *cover = _cover.get();
-	const Box *boxes = _boxes.data();
-	const uint32_t seed = _seed;
-	const double lean = _lean;
-	int count = 0;
-	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
-		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
-			const TileCover::Tile ground = cover != nullptr ? cover->get(x, z) : TileCover::FULL;
-			// Rounded once, after the difference: exact to a few nanometres on any field.
-			const Eigen::Vector3d centre = grid.get_centre(x, z);
-			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
-				float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };
-			const float bottom = float(p_bounds.min.y() - lean - double(ground.high));
-			const Box &blades = boxes[grass_tile_start(uint32_t(x), uint32_t(z), seed) / GRASS_START_STRIDE];
-			r_tiles[count] = { uint16_t(x), uint16_t(z) };
-			count += int(blades.meets(box, bottom)) & int(!ground.is_bare()) & int(p_bounds.max.y() >= double(ground.low));
-		}
-	}
-	return count;
 }
 
 } // namespace grass

@@ -104,11 +104,7 @@ void TileManager::activate_tiles() {
 		}
 		_given_slots.push_back(slot);
 		_place_of_tile.erase(tile);
-		if (slot == SlotSet::NONE) {
-			_statistics.refused++;
-		} else {
-			activate(slot, tile);
-		}
+		activate(slot, tile);
 	}
 }
 
@@ -162,9 +158,9 @@ size_t TileManager::get_memory_usage() const {
 	}
 	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
 			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) +
-			bytes(_has_met) + bytes(_meetings) + bytes(_met_in_range) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) +
-			_place_of_tile.get_memory_usage() + bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) +
-			bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
+			bytes(_has_met) + bytes(_meetings) + bytes(_asleep) + bytes(_found) + bytes(_meetings_awake) + bytes(_meetings_asleep) +
+			bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_calm) +
+			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
 }
 
 } // namespace grass

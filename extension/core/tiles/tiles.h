@@ -13,6 +13,7 @@
 #include "core/tiles/tile_map.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <span>
@@ -72,8 +73,8 @@ struct TileStatistics {
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
-	uint64_t refused = 0; // wishes for a slot, one a tile and step, that the full pool could not grant
-	uint64_t looked_at = 0; // tiles tested against a collider, one a collider, tile and step
+	uint64_t refused = 0; // colliders, one a step, that met tiles without a slot when the full pool had none to give
+	uint64_t looked_at = 0; // tiles tested against a collider
 	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
 	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
 };
@@ -179,6 +180,13 @@ private:
 		uint32_t collider;
 	};
 
+	// A tile below a collider's box.
+	struct Found {
+		uint16_t x, z;
+		int slot;
+	};
+	static constexpr size_t QUEUED_BITS = 4096;
+
 	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Settling tiles before others,
 	// then by energy where it was reported, then by who was met longest ago, up to some minutes.
 	using Calm = uint64_t;
@@ -189,12 +197,27 @@ private:
 	void find_met_tiles(std::span<ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
 	void add_ranges(const ColliderShape &p_collider, uint32_t p_index);
-	void meet_once(uint32_t p_collider);
+	template <typename F> void for_each_range(F &&p_meet);
+	void end_range(size_t p_range, std::vector<Meeting> &r_meetings) const;
 	void find_squares(const TileRange &p_range);
-	bool meet_range(
-			const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves);
-	int find_met(const TileRange &p_range, const Bounds &p_swept);
-	int meet_asleep(int p_tile);
+	int meet_awake(size_t p_range, const SlotMap::Square *const *p_squares, bool p_moves);
+	int keep_met(int p_count, const Bounds &p_swept);
+	void meet_asleep_tiles();
+	int find_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, bool p_queued);
+	void queue_tiles(size_t p_range, const SlotMap::Square *const *p_squares, size_t p_room);
+	void meet_queued_tiles(size_t p_range, const SlotMap::Square *const *p_squares);
+	bool meets_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept);
+	static size_t queued_bit(int p_square_x, int p_square_z) {
+		return (uint32_t(p_square_x) * 73856093u ^ uint32_t(p_square_z) * 19349663u) % QUEUED_BITS;
+	}
+	void set_queued(int p_square_x, int p_square_z) {
+		const size_t bit = queued_bit(p_square_x, p_square_z);
+		_queued_squares[bit / 64] |= uint64_t(1) << bit % 64;
+	}
+	bool may_be_queued(int p_square_x, int p_square_z) const {
+		const size_t bit = queued_bit(p_square_x, p_square_z);
+		return (_queued_squares[bit / 64] >> bit % 64 & 1) != 0;
+	}
 
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
@@ -255,9 +278,11 @@ private:
 	std::vector<Bounds> _swept;
 	std::vector<uint32_t> _range_colliders;
 	std::vector<uint8_t> _has_met; // of the colliders: grass
-	std::vector<TileBounds::Tile> _met_in_range; // of a range
+	std::vector<int> _asleep; // of the ranges: tiles
+	std::vector<Found> _found; // of a range
 	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other
-	std::vector<Meeting> _meetings;
+	std::vector<Meeting> _meetings, _meetings_awake, _meetings_asleep;
+	std::array<uint64_t, QUEUED_BITS / 64> _queued_squares{}; // a bit for the squares that hold a tile of _to_activate, and for others
 	std::vector<int> _to_activate, _given_slots;
 	TileMap _place_of_tile;
 	std::vector<Calm> _calm; // of all that may give way

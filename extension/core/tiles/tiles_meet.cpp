@@ -61,26 +61,27 @@ void TileManager::find_met_tiles(std::span<ColliderShape> p_colliders) {
 			range = shrink(range, limit, centre.x, centre.z);
 			_statistics.capped -= uint64_t(range.count());
 		}
-		_statistics.looked_at += uint64_t(range.count());
 		left -= range.count();
 		find_squares(range);
 	}
 	if (_bounds && total > GRASS_START_COUNT / 4) {
 		_bounds->prefetch();
 	}
+	_asleep.resize(_ranges.size());
+	for_each_range([&](size_t p_range, const SlotMap::Square *const *p_squares) {
+		const uint32_t collider = _range_colliders[p_range];
+		_asleep[p_range] = meet_awake(p_range, p_squares, p_colliders[collider].has_moved());
+		end_range(p_range, _meetings);
+	});
+	meet_asleep_tiles();
+}
+
+// Calls p_meet with the number of each range and its squares.
+template <typename F> void TileManager::for_each_range(F &&p_meet) {
 	size_t square = 0;
 	for (size_t i = 0; i < _ranges.size(); i++) {
-		const uint32_t collider = _range_colliders[i];
-		if (_ranges[i].count() > 0) {
-			const bool moves = p_colliders[collider].has_moved();
-			const bool meets = meet_range(_ranges[i], &_squares[square], _swept[i], collider, moves);
-			_has_met[collider] = _has_met[collider] != 0 || meets ? 1 : 0;
-			square += size_t(SlotMap::squares_of(_ranges[i]).count());
-		}
-		const bool ends = i + 1 == _ranges.size() || _range_colliders[i + 1] != collider;
-		if (ends && i > 0 && _range_colliders[i - 1] == collider) {
-			meet_once(collider);
-		}
+		p_meet(i, &_squares[square]);
+		square += size_t(SlotMap::squares_of(_ranges[i]).count());
 	}
 }
 
@@ -111,13 +112,18 @@ void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) 
 	}
 }
 
-// Drops the second meeting of a collider with a tile: boxes of neighbouring pieces overlap.
-void TileManager::meet_once(uint32_t p_collider) {
+// After the last of several ranges of a collider: drops its second meeting with a tile, for boxes of neighbouring pieces overlap.
+void TileManager::end_range(size_t p_range, std::vector<Meeting> &r_meetings) const {
+	const uint32_t collider = _range_colliders[p_range];
+	const bool ends = p_range + 1 == _ranges.size() || _range_colliders[p_range + 1] != collider;
+	if (!ends || p_range == 0 || _range_colliders[p_range - 1] != collider) {
+		return;
+	}
 	const auto first =
-			std::find_if(_meetings.begin(), _meetings.end(), [&](const Meeting &p_meeting) { return p_meeting.collider == p_collider; });
-	std::sort(first, _meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot < p_b.slot; });
-	const auto end = std::unique(first, _meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot == p_b.slot; });
-	_meetings.erase(end, _meetings.end());
+			std::find_if(r_meetings.begin(), r_meetings.end(), [&](const Meeting &p_meeting) { return p_meeting.collider == collider; });
+	std::sort(first, r_meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot < p_b.slot; });
+	const auto end = std::unique(first, r_meetings.end(), [](const Meeting &p_a, const Meeting &p_b) { return p_a.slot == p_b.slot; });
+	r_meetings.erase(end, r_meetings.end());
 }
 
 // Appends those of the range, row by row. Runs for all colliders before any of them is used, so that the memory is fetched side by side.
@@ -130,40 +136,148 @@ void TileManager::find_squares(const TileRange &p_range) {
 	}
 }
 
-// Notes the tiles of the range whose blades' box meets the collider's. p_squares: the range's. Returns whether there are any.
-bool TileManager::meet_range(
-		const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept, uint32_t p_collider, bool p_moves) {
-	const size_t count = size_t(find_met(p_range, p_swept)), before = _meetings.size();
-	const TileRange squares = SlotMap::squares_of(p_range);
-	const int width = squares.width();
-	_meetings.resize(before + count);
-	for (size_t n = 0; n < count; n++) {
-		const int x = _met_in_range[n].x, z = _met_in_range[n].z;
-		int slot = p_squares[(z / SlotMap::SIDE - squares.z_begin) * width + x / SlotMap::SIDE - squares.x_begin]->at(x, z);
-		if (slot != SlotMap::NONE) {
-			_met.insert(slot);
-			_stirred.insert_if(slot, p_moves);
-		} else {
-			slot = meet_asleep(_grid.get_index(x, z));
+// Notes the awake tiles of the range whose blades' box meets the collider's. Squares without any cost one look. Returns how many of the
+// range's tiles are asleep.
+int TileManager::meet_awake(size_t p_range, const SlotMap::Square *const *p_squares, bool p_moves) {
+	const TileRange range = _ranges[p_range], squares = SlotMap::squares_of(range);
+	_found.resize(std::max(_found.size(), size_t(range.count()) + 1));
+	Found *found = _found.data();
+	int count = 0;
+	for (int z = squares.z_begin; z < squares.z_end; z++) {
+		for (int x = squares.x_begin; x < squares.x_end; x++) {
+			const SlotMap::Square *square = *p_squares++;
+			if (SlotMap::is_empty(square)) {
+				continue;
+			}
+			const int x_begin = std::max(x * SlotMap::SIDE, range.x_begin), x_end = std::min((x + 1) * SlotMap::SIDE, range.x_end),
+					  z_begin = std::max(z * SlotMap::SIDE, range.z_begin), z_end = std::min((z + 1) * SlotMap::SIDE, range.z_end);
+			for (int tile_z = z_begin; tile_z < z_end; tile_z++) {
+				for (int tile_x = x_begin; tile_x < x_end; tile_x++) {
+					const int slot = square->at(tile_x, tile_z);
+					found[count] = { uint16_t(tile_x), uint16_t(tile_z), slot };
+					count += slot != SlotMap::NONE;
+				}
+			}
 		}
-		_meetings[before + n] = { slot, p_collider };
 	}
-	return count > 0;
+	const int met = keep_met(count, _swept[p_range]);
+	const uint32_t collider = _range_colliders[p_range];
+	for (int n = 0; n < met; n++) {
+		_met.insert(found[n].slot);
+		_stirred.insert_if(found[n].slot, p_moves);
+		_meetings.push_back({ found[n].slot, collider });
+	}
+	_has_met[collider] |= uint8_t(met > 0);
+	return int(range.count()) - count;
 }
 
-// Writes to _met_in_range the tiles of the range whose blades' box meets the collider's. Returns how many.
-int TileManager::find_met(const TileRange &p_range, const Bounds &p_swept) {
-	_met_in_range.resize(std::max(_met_in_range.size(), size_t(p_range.count())));
-	if (_bounds) {
-		return _bounds->find_met(p_range, p_swept, _met_in_range.data());
+// Keeps those of the first p_count tiles in _found whose blades' box meets the collider's. Returns how many.
+int TileManager::keep_met(int p_count, const Bounds &p_swept) {
+	_statistics.looked_at += uint64_t(p_count);
+	return _bounds ? _bounds->keep_met(_found.data(), p_count, p_swept) : p_count;
+}
+
+// Queues the tiles for activation that meet a collider without a slot, as many as can get one: slots that are free, and those of tiles
+// that nobody meets. Beyond that a crowd that covers many times the pool costs little more than looking up its squares.
+void TileManager::meet_asleep_tiles() {
+	const size_t room = size_t(_params.pool_size - _met.count());
+	_meetings_asleep.clear();
+	_queued_squares.fill(0);
+	for_each_range([&](size_t p_range, const SlotMap::Square *const *p_squares) {
+		if (_asleep[p_range] > 0) {
+			_to_activate.size() < room ? queue_tiles(p_range, p_squares, room) : meet_queued_tiles(p_range, p_squares);
+		}
+		end_range(p_range, _meetings_asleep);
+	});
+	if (!_meetings_asleep.empty()) {
+		_meetings_awake.swap(_meetings);
+		_meetings.resize(_meetings_awake.size() + _meetings_asleep.size());
+		std::merge(_meetings_awake.begin(), _meetings_awake.end(), _meetings_asleep.begin(), _meetings_asleep.end(), _meetings.begin(),
+				[](const Meeting &p_a, const Meeting &p_b) { return p_a.collider < p_b.collider; });
 	}
+}
+
+// Writes those of the range's tiles that sleep to _found, row by row. p_queued: only those that may be queued. Returns how many.
+int TileManager::find_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, bool p_queued) {
+	const TileRange squares = SlotMap::squares_of(p_range);
+	Found *found = _found.data();
 	int count = 0;
 	for (int z = p_range.z_begin; z < p_range.z_end; z++) {
 		for (int x = p_range.x_begin; x < p_range.x_end; x++) {
-			_met_in_range[size_t(count++)] = { uint16_t(x), uint16_t(z) };
+			const int square_x = x / SlotMap::SIDE, square_z = z / SlotMap::SIDE;
+			const SlotMap::Square *square = p_squares[(square_z - squares.z_begin) * squares.width() + square_x - squares.x_begin];
+			found[count] = { uint16_t(x), uint16_t(z), SlotMap::NONE };
+			count += square->at(x, z) == SlotMap::NONE && (!p_queued || may_be_queued(square_x, square_z));
 		}
 	}
 	return count;
+}
+
+void TileManager::queue_tiles(size_t p_range, const SlotMap::Square *const *p_squares, size_t p_room) {
+	const uint32_t collider = _range_colliders[p_range];
+	const int met = keep_met(find_asleep(_ranges[p_range], p_squares, false), _swept[p_range]);
+	bool is_refused = false;
+	for (int n = 0; n < met; n++) {
+		const int x = _found[size_t(n)].x, z = _found[size_t(n)].z, tile = _grid.get_index(x, z);
+		int place = _place_of_tile.find(tile);
+		if (place == TileMap::NONE && _to_activate.size() < p_room) {
+			place = int(_to_activate.size());
+			_to_activate.push_back(tile);
+			_place_of_tile.insert(tile, place);
+			set_queued(x / SlotMap::SIDE, z / SlotMap::SIDE);
+		}
+		if (place != TileMap::NONE) {
+			_meetings_asleep.push_back({ ~place, collider });
+		}
+		is_refused = is_refused || place == TileMap::NONE;
+	}
+	_has_met[collider] |= uint8_t(met > 0);
+	_statistics.refused += is_refused;
+}
+
+// The same once no more slots are left.
+void TileManager::meet_queued_tiles(size_t p_range, const SlotMap::Square *const *p_squares) {
+	const TileRange range = _ranges[p_range], squares = SlotMap::squares_of(range);
+	const uint32_t collider = _range_colliders[p_range];
+	bool any_queued = false;
+	for (int z = squares.z_begin; z < squares.z_end; z++) {
+		for (int x = squares.x_begin; x < squares.x_end; x++) {
+			any_queued = any_queued || may_be_queued(x, z);
+		}
+	}
+	int joined = 0;
+	if (any_queued) {
+		const int met = keep_met(find_asleep(range, p_squares, true), _swept[p_range]);
+		for (int n = 0; n < met; n++) {
+			const int place = _place_of_tile.find(_grid.get_index(_found[size_t(n)].x, _found[size_t(n)].z));
+			if (place != TileMap::NONE) {
+				_meetings_asleep.push_back({ ~place, collider });
+				joined++;
+			}
+		}
+	}
+	const bool is_refused = _asleep[p_range] > joined && meets_asleep(range, p_squares, _swept[p_range]);
+	_has_met[collider] |= uint8_t(joined > 0 || is_refused);
+	_statistics.refused += is_refused;
+}
+
+// Whether the collider meets any tile that sleeps and is not queued. Those in the middle of the range are met most likely.
+bool TileManager::meets_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept) {
+	const TileRange squares = SlotMap::squares_of(p_range);
+	const int width = p_range.width(), count = int(p_range.count());
+	for (int n = 0, at = count / 2; n < count; n++, at = at + 1 < count ? at + 1 : 0) {
+		const int x = p_range.x_begin + at % width, z = p_range.z_begin + at / width;
+		const SlotMap::Square *square =
+				p_squares[(z / SlotMap::SIDE - squares.z_begin) * squares.width() + x / SlotMap::SIDE - squares.x_begin];
+		if (square->at(x, z) != SlotMap::NONE || _place_of_tile.find(_grid.get_index(x, z)) != TileMap::NONE) {
+			continue;
+		}
+		_found[0] = { uint16_t(x), uint16_t(z), SlotMap::NONE };
+		if (keep_met(1, p_swept) > 0) {
+			return true;
+		}
+	}
+	return false;
 }
 
 // The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.
@@ -172,17 +286,6 @@ TileRange TileManager::find_range(const Bounds &p_swept) const {
 		return {};
 	}
 	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.overhang);
-}
-
-// Queues a tile for activation. Returns what Meeting::slot holds until then.
-int TileManager::meet_asleep(int p_tile) {
-	int place = _place_of_tile.find(p_tile);
-	if (place == TileMap::NONE) {
-		place = int(_to_activate.size());
-		_to_activate.push_back(p_tile);
-		_place_of_tile.insert(p_tile, place);
-	}
-	return ~place;
 }
 
 } // namespace grass

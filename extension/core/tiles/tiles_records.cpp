@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// Drops the meetings of tiles that got no slot or are not simulated, counts the others by slot, and packs the colliders in use.
+// Drops the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use.
 void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
@@ -17,8 +17,8 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	size_t kept = 0;
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	for (const Meeting &meeting : _meetings) { // rising by collider
-		const int slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
-		if (slot != SlotSet::NONE && !_skipped.has(slot)) {
+		const int slot = meeting.slot;
+		if (!_skipped.has(slot)) {
 			if (meeting.collider != last) {
 				last = meeting.collider;
 				pack_collider(p_colliders[last]);

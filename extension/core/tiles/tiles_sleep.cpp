@@ -77,17 +77,14 @@ void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	uint64_t sign = 0;
 	_statistics.colliders = 0;
-	for (const Meeting &meeting : _meetings) { // rising by collider
-		const int slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
-		if (slot == SlotSet::NONE) {
-			continue;
-		}
+	for (Meeting &meeting : _meetings) { // rising by collider
+		meeting.slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
 		if (meeting.collider != last) {
 			last = meeting.collider;
 			_statistics.colliders++;
 			sign = sign_of(p_colliders[last]);
 		}
-		uint64_t &signature = _signatures[size_t(slot)];
+		uint64_t &signature = _signatures[size_t(meeting.slot)];
 		signature = mix(signature, sign);
 	}
 	for (const int slot : _met) {

@@ -8,15 +8,12 @@
 
 namespace grass {
 
-// Retires the calmest tile that no collider meets in this step and returns its slot; NONE if all are met, for two tiles under
-// colliders would otherwise take the slot from each other in every step. p_wanted: how many slots this step still needs.
+// Retires the calmest tile that no collider meets in this step and returns its slot; there must be one. Never one that is met: two tiles
+// under colliders would take the slot from each other in every step. p_wanted: how many slots this step still needs.
 int TileManager::take_calmest_slot(size_t p_wanted) {
 	if (!_yielding_known) {
 		_yielding_known = true;
 		find_yielding(p_wanted);
-	}
-	if (_yielding.empty()) {
-		return SlotSet::NONE;
 	}
 	const int slot = int(_yielding.back() & ((1 << SLOT_BITS) - 1));
 	_yielding.pop_back();

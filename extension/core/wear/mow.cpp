@@ -57,6 +57,10 @@ public:
 	}
 	// How high grass stands on average, metres. [Eq M1]
 	double standing(int p_i, int p_j) { return std::min(uncut(p_i, p_j), _cut.value(0, p_i, p_j)); }
+	bool is_cut(int p_i, int p_j) {
+		const int32_t code = _cut.code(0, p_i, p_j);
+		return code != MAP_UNCUT_CODE && info_of(MAP_CUT).value(code) < uncut(p_i, p_j);
+	}
 
 private:
 	GrassKind _kind;
@@ -158,7 +162,7 @@ double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassK
 		const double density = stand.density(p_i, p_j);
 		if (density > 0.0 && is_within(p_region, p_i, p_j)) {
 			all += density;
-			mown += stand.standing(p_i, p_j) < stand.uncut(p_i, p_j) ? density : 0.0;
+			mown += stand.is_cut(p_i, p_j) ? density : 0.0;
 		}
 	});
 	return all > 0.0 ? mown / all : 0.0;

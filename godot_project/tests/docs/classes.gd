@@ -108,6 +108,14 @@ func grass_field_fill() -> void:
 	assert_eq(stage.field.density_at(HERE), 1.0, "undone")
 
 
+func grass_field_get_blade_knots() -> void:
+	var stage := await staged()
+	await frames(2)
+	var blades: PackedInt64Array = stage.get("blades")
+	for i in stage.drops.size():
+		assert_eq(stage.drops[i].global_position, stage.field.wait_for_knots([blades[i]])[15])
+
+
 func grass_field_get_mown_share() -> void:
 	var stage := await ran()
 	assert_eq(stage.get_node("Label").text, "0 % mown")

@@ -22,7 +22,7 @@ func game_a_mower() -> void:
 	bar.unique_name_in_owner = true
 	mower.set("field", field)
 	add_child(mower)
-	await ticks(2)
+	await ticks(61)
 	assert_greater(mower.get("hay"), 0.01, "m³")
 	assert_greater(bar.value, 1.0, "percent")
 
@@ -49,6 +49,15 @@ func game_footsteps_paths_and_hiding() -> void:
 	assert_true(stage.call("sees_trail", stage.enemy), "where something lies in the grass")
 	stage.enemy.position = Vector3(-6, 0, -6)
 	assert_false(stage.call("sees_trail", stage.enemy), "where nobody was")
+
+
+func game_dew_fireflies_and_rustling() -> void:
+	var stage := await staged(func(made: Stage) -> void: made.player.position = Vector3(0.25, 0.3, 0.25))
+	await ticks(20)
+	var blades: PackedInt64Array = stage.get("blades")
+	assert_greater(blades.size(), 100)
+	assert_eq(stage.get_node("Firefly").global_position, stage.field.wait_for_knots(blades)[15])
+	assert_greater((stage.get_node("Rustle") as AudioStreamPlayer3D).volume_linear, 0.01, "the player stands in the grass and bends it")
 
 
 func game_saving() -> void:

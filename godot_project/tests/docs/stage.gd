@@ -18,6 +18,7 @@ var from := Vector3(-3, 0, 0)
 var to := Vector3(3, 0, 0)
 var is_crouching := true
 var hay := 0.0  # m³
+var drops: Array[Node3D] = [Node3D.new(), Node3D.new(), Node3D.new()]
 var looked_along := Vector3.ZERO
 var field: GrassField
 var map: GrassMap
@@ -27,7 +28,7 @@ func _init() -> void:
 	var shape := CollisionShape3D.new()
 	shape.shape = SphereShape3D.new()
 	player.add_child(shape)
-	for node: Node3D in [player, enemy, foot, explosion]:
+	for node: Node3D in [player, enemy, foot, explosion] + drops:
 		add_child(node)
 
 

@@ -29,8 +29,8 @@ func test_sharp_colliders_do_not_wait_for_their_pass() -> void:
 	await compiled(gpu)
 	await ticks(5)
 	assert_greater(gpu.get_statistics().edge_tile_steps, early.edge_tile_steps)
-	var knots := gpu.get_knots(gpu.get_tile_at(PLACE), 0)
-	assert_eq(knots.size(), 16)
+	var knots := tile_knots(gpu, gpu.get_tile_at(PLACE))
+	assert_eq(knots.size(), BLADES * KNOTS)
 	for knot in knots:
 		assert_true(knot.is_finite())
 
@@ -54,7 +54,7 @@ func test_a_field_goes_on_until_another_method_s_passes_are_there() -> void:
 	assert_greater(after.edge_tile_steps - before.edge_tile_steps, 9, "tiles near what is sharp by their own pass all the while")
 	await compiled(gpu)
 	await ticks(5)
-	for knot in gpu.get_knots(gpu.get_tile_at(PLACE), 0):
+	for knot in tile_knots(gpu, gpu.get_tile_at(PLACE)):
 		assert_true(knot.is_finite())
 
 

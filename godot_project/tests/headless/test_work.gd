@@ -43,6 +43,53 @@ func test_few_calls_of_the_engine() -> void:
 	assert_eq(after.engine_calls - before.engine_calls, 8 * (160 * 2 + 160 / 8 * 5 + 160 / 16 * 4))
 
 
+## A ball on a floor under the grass: asleep after a while.
+func add_sleeper(field: GrassField) -> RigidBody3D:
+	field.sleep_mode = GrassField.SLEEP_TIMER
+	var floor_shape := BoxShape3D.new()
+	floor_shape.size = Vector3(8, 1, 8)
+	add_body(StaticBody3D.new(), floor_shape, Vector3(0, -0.5, 0))
+	var crate := BoxShape3D.new()
+	crate.size = Vector3(0.4, 0.4, 0.4)
+	var body := add_body(RigidBody3D.new(), crate, Vector3(0.1, 0.21, 0.1)) as RigidBody3D
+	await wait_until(func() -> bool: return body.sleeping, "the crate sleeps", true)
+	await ticks(20)
+	return body
+
+
+func calls_of_ticks(field: GrassField, count: int) -> int:
+	var before: int = field.get_statistics().engine_calls
+	await ticks(count)
+	return field.get_statistics().engine_calls - before
+
+
+func test_bodies_asleep_cost_next_to_nothing() -> void:
+	var field := add_field()
+	var body := await add_sleeper(field)
+	var floor_calls := 64 * 2 + 64 / 8
+	assert_less(await calls_of_ticks(field, 64) - floor_calls, 64 / 8 * 2 + 12, "is it there, and where, every eighth tick, and one look")
+	assert_eq(field.get_statistics().colliders, 1, "it lies in the grass all the same")
+	var awake := awake_tiles(field)
+	body.apply_central_impulse(Vector3(0, 0, 3) * body.mass)
+	await ticks(3)
+	assert_less(4 * 2 - 1, await calls_of_ticks(field, 4) - 4 * 2, "awake, it is read in every tick")
+	await ticks(20)
+	assert_ne(awake_tiles(field), awake, "and bends grass where it slides")
+
+
+func test_a_body_that_is_put_elsewhere_in_its_sleep() -> void:
+	var field := add_field()
+	var body := await add_sleeper(field)
+	var there := field.get_tile_at(Vector3(-1.5, 0, -1.5))
+	assert_false(field.is_tile_awake(there))
+	body.position = Vector3(-1.5, 0.2, -1.5)
+	await ticks(10)
+	assert_true(field.is_tile_awake(there), "within eight ticks")
+	body.free()
+	await ticks(3)
+	assert_eq(field.get_statistics().colliders, 0)
+
+
 func test_a_change_is_noticed_soon() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.1), Vector3(0.1, 0.2, 0.1))

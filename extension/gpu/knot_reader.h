@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Reads the knots of a few blades back from a field's pool. Lives on the render thread.
+#pragma once
+
+#include "core/field/knot_watch.h"
+#include "gpu/device.h"
+
+#include <memory>
+#include <mutex>
+
+namespace grass {
+
+// What the render thread hands to the main thread.
+struct KnotReport {
+	std::mutex mutex;
+	KnotWatch::Answer answer;
+};
+
+class KnotReader {
+public:
+	void create(); // the driver may still compile its pass when this returns
+	// The pool's buffers: places of all knots, and which half holds those of now.
+	void bind(const godot::RID &p_knots, const godot::RID &p_halves);
+	// Where those blades are once the device has done all that was asked of it so far: r_report gets it about two frames later.
+	void read_later(std::vector<WantedBlade> &&p_blades, uint64_t p_step, const std::shared_ptr<KnotReport> &r_report);
+	// The same at once: waits for the device. In the order of p_blades; empty if it fails.
+	std::vector<float> read_now(std::span<const WantedBlade> p_blades);
+	void free();
+
+	int64_t get_memory_usage() const { return _blades.size() + _found.size(); } // bytes
+
+private:
+	uint32_t gather(std::span<const WantedBlade> p_blades);
+
+	GpuBuffer _blades, _found;
+	GpuPass _pass;
+};
+
+} // namespace grass
