@@ -87,6 +87,7 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 	SolverParams params = p_field;
 	params.natural_frequency = param(SPECIES_PARAM_NATURAL_FREQUENCY);
 	params.damping_ratio = param(SPECIES_PARAM_DAMPING_RATIO);
+	params.taper = param(SPECIES_PARAM_TAPER);
 	params.root_stiffness = param(SPECIES_PARAM_ROOT_STIFFNESS);
 	params.bend_stiffness = param(SPECIES_PARAM_BEND_STIFFNESS);
 	return params;

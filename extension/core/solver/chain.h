@@ -7,16 +7,22 @@
 
 namespace grass {
 
-// p_bending: EI / (density area length^4), 1/s^2.
-template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
+template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	const T mean = p_blade.blade_length * T(1.0f / float(GRASS_SEGMENTS));
 	const T squared = p_blade.blade_length * p_blade.blade_length;
-	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
+	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean, p_terms.thins, p_terms.first_joint };
 }
 
 template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
 	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
-	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+	const T even = (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+	return even * section_at(float(p_knot), p_chain.thins);
+}
+
+// [Eq 23], [Eq 44] Of a joint that resists by p_bending.
+template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p_joint, const ChainTerms<T> &p_chain, const T &p_bending) {
+	const T stands_for = joint_length(p_joint, p_blade.blade_length, p_blade.lengths[p_joint - 1], p_blade.lengths[p_joint]);
+	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
 // [Eq 24] Where the knots would go without springs and contact: p_way from p_base.
@@ -64,8 +70,7 @@ GRASS_INLINE Touches<T> solve_chain(
 			touch = first;
 			continue;
 		}
-		const T stiffness = p_chain.bending * p_stage.span * p_stage.span /
-				maximum(joint_length(s, r_blade.blade_length, r_blade.lengths[s - 1], r_blade.lengths[s]), T(1e-12f));
+		const T stiffness = joint_stiffness(r_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);

@@ -3,6 +3,7 @@
 
 #include "core/base/functions.h"
 #include "core/solver/constants.h"
+#include "core/solver/section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,10 @@ void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p
 	// [Eq 39] Two places tell the speed in the middle of the step before: from there on forces act until the middle of this one.
 	const double half_turn = 0.5 * std::min(RADIANS_PER_CYCLE * p_params.natural_frequency * p_h, EXACT_TURN);
 	r_step.free_motion.x = float(std::sqrt(0.5 * p_h * (p_h + p_g)) * std::tan(half_turn) / half_turn);
+	const Section section = make_section(p_params.taper);
+	r_step.free_motion.y = float(section.thins);
+	r_step.free_motion.z = float(section.stiffness);
+	r_step.free_motion.w = float(section.first_joint);
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
 }
 
@@ -87,6 +92,7 @@ SolverParams SolverParams::sanitised() const {
 	params.method = method;
 	params.natural_frequency = NATURAL_FREQUENCY.clamp(natural_frequency);
 	params.damping_ratio = DAMPING_RATIO.clamp(damping_ratio);
+	params.taper = TAPER.clamp(taper);
 	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
 	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
 	params.friction = FRICTION.clamp(friction);
