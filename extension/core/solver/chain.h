@@ -10,7 +10,7 @@ namespace grass {
 template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	const T mean = p_blade.blade_length * T(1.0f / float(GRASS_SEGMENTS));
 	const T squared = p_blade.blade_length * p_blade.blade_length;
-	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean, p_terms.thins, p_terms.first_joint };
+	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean, p_terms.thins, p_terms.first_joint, p_terms.stiffer };
 }
 
 template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
@@ -42,9 +42,17 @@ template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Sta
 	}
 }
 
-// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted.
-template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+// [Eq 45] The normal of a segment's face.
+template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Vec3<T> &p_e) {
+	const Vec3<T> normal = cross(p_width, p_e);
+	return normal * (T(1.0f) / square_root(maximum(dot(normal, normal), T(TINY_SQUARED))));
+}
+
+// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted. [Eq 45] And what it is stiffer about.
+template <class T>
+GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
+	Vec3<T> face = face_of(p_blade.width, rest_segment(p_blade, 0));
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
 		const Vec3<T> e = segment(p_blade, s);
@@ -52,6 +60,9 @@ template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, Joi
 		const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
 		r_gains[s].turn = rotation_vector(turn);
 		frame = after(turn, frame);
+		const Vec3<T> before = face;
+		face = face_of(turned(frame, p_blade.width), e);
+		r_gains[s].axis = stiff_axis(before, face, p_chain.stiffer * section_at(float(s), p_chain.thins));
 	}
 }
 
@@ -60,7 +71,7 @@ template <class T, class Mask>
 GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
-	measure_joints(r_blade, gains);
+	measure_joints(r_blade, p_chain, gains);
 	Beyond<T> beyond{};
 	beyond.caution = p_stage.caution;
 	Touch<T> touch{}; // of knot s + 1
@@ -75,14 +86,17 @@ GRASS_INLINE Touches<T> solve_chain(
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
 		touch = first;
-		gains[s] = eliminate_joint(beyond, gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
+		const Vec3<T> axis = gains[s].axis;
+		const Vec3<T> moment = (gains[s].turn + axis * dot(axis, gains[s].turn)) * stiffness;
+		gains[s] = eliminate_joint(beyond, moment, stiffness * (T(1.0f) + beyond.caution), axis);
 	}
 	Vec3<T> shift{}, turn{};
 	T twist_before(0.0f);
 	Vec3<T> parent = r_blade.knots[1];
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const JointGain<T> &gain = gains[s];
-		turn = gain.turn + product_of(gain.spring, turn) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
+		const Vec3<T> stiffened = turn + gain.axis * dot(gain.axis, turn);
+		turn = gain.turn + product_of(gain.spring, stiffened) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
 		const Vec3<T> knot = r_blade.knots[s + 1];
 		const Vec3<T> e = knot - parent;
 		// The part about the segment itself is twist; it would spoil the turn, being much larger.

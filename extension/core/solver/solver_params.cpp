@@ -93,6 +93,7 @@ SolverParams SolverParams::sanitised() const {
 	params.natural_frequency = NATURAL_FREQUENCY.clamp(natural_frequency);
 	params.damping_ratio = DAMPING_RATIO.clamp(damping_ratio);
 	params.taper = TAPER.clamp(taper);
+	params.width_to_thickness = WIDTH_TO_THICKNESS.clamp(width_to_thickness);
 	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
 	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
 	params.friction = FRICTION.clamp(friction);
@@ -142,7 +143,8 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * params.damping_ratio * swing) };
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
-	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
+	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more),
+		float(std::sqrt(params.width_to_thickness * params.width_to_thickness - 1.0)) };
 	return step;
 }
 
