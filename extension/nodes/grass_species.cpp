@@ -87,6 +87,8 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 	SolverParams params = p_field;
 	params.natural_frequency = param(SPECIES_PARAM_NATURAL_FREQUENCY);
 	params.damping_ratio = param(SPECIES_PARAM_DAMPING_RATIO);
+	params.taper = param(SPECIES_PARAM_TAPER);
+	params.width_to_thickness = param(SPECIES_PARAM_WIDTH_TO_THICKNESS);
 	params.root_stiffness = param(SPECIES_PARAM_ROOT_STIFFNESS);
 	params.bend_stiffness = param(SPECIES_PARAM_BEND_STIFFNESS);
 	return params;

@@ -118,6 +118,7 @@ ivec2 texel; // of its knot 0 in the patch
 GrassClump clump;
 uint pool_start, pool_before; // of knot 2's x in either half
 uint twist_index; // of the first joint
+vec3 width; // where the blade's width points at the root
 int pool_column; // of knot 0 in the pool texture
 
 #include "solver/pool.inc"
@@ -186,7 +187,9 @@ void find_blade(uint p_blade) {
 	pool_start = first + half_now * places;
 	pool_before = first + (1u - half_now) * places;
 	twist_index = uint(slot.tile.w) * ((GRASS_FREE_KNOTS + 1u) * GRASS_BLADES_PER_TILE) + p_blade;
-	vec2 place = texelFetch(patch_texture, texel, 0).xy;
+	vec3 start = texelFetch(patch_texture, texel, 0).xyz;
+	vec2 place = start.xy;
+	width = vec3(cos(start.z), 0.0, sin(start.z));
 	float ground = 0.0;
 	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
 		vec4 growth = blade_growth[slot.tile.w * GRASS_BLADES_PER_TILE + int(p_blade)];

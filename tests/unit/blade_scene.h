@@ -56,6 +56,8 @@ struct BladeScene {
 		std::memset(tile.get(), 0, sizeof(TileState));
 		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 			const float curve = 1.2f * float(b) / float(GRASS_BLADES_PER_TILE), heading = 0.7f * float(b);
+			tile->width[0][b] = -sin_of(heading); // it leans and curves across its width
+			tile->width[1][b] = cos_of(heading);
 			Eigen::Vector3f knot = Eigen::Vector3f::Zero();
 			for (int k = 0; k < GRASS_KNOTS; k++) {
 				set_rest(b, k, knot);

@@ -11,6 +11,8 @@ template <class Draw> SolverParams draw_params(Method p_method, const Draw &p_dr
 	params.method = p_method;
 	params.natural_frequency = p_draw(NATURAL_FREQUENCY);
 	params.damping_ratio = p_draw(DAMPING_RATIO);
+	params.taper = p_draw(TAPER);
+	params.width_to_thickness = p_draw(WIDTH_TO_THICKNESS);
 	params.root_stiffness = p_draw(ROOT_STIFFNESS);
 	params.bend_stiffness = p_draw(BEND_STIFFNESS);
 	params.friction = p_draw(FRICTION);

@@ -21,6 +21,9 @@ struct ElasticBlade {
 
 	// p_place: of the share of the way from root to tip, metres.
 	explicit ElasticBlade(const std::function<Eigen::Vector3d(double)> &p_place) {
+		params.taper = 0.0; // theory's rods are even and round
+		params.width_to_thickness = 1.0;
+		blade.width = { 0.0, 0.0, 1.0 };
 		for (int k = 0; k < GRASS_KNOTS; k++) {
 			const Eigen::Vector3d place = p_place(double(k) / GRASS_SEGMENTS);
 			blade.rest[k] = blade.knots[k] = blade.before[k] = { place.x(), place.y(), place.z() };
@@ -76,15 +79,15 @@ struct ElasticBlade {
 		measure_lengths(blade);
 		StepClock other;
 		const StepTerms<double> terms = make_terms<double>(other.advance(params, p_delta), 0.0f, {});
-		const ChainTerms<double> chain = make_chain_terms(blade, terms.bending);
+		const ChainTerms<double> chain = make_chain_terms(blade, terms);
 		JointGain<double> joints[GRASS_SEGMENTS];
-		measure_joints(blade, joints);
+		measure_joints(blade, chain, joints);
 		double sum = 0.0;
 		for (int s = 1; s < GRASS_SEGMENTS; s++) {
 			const Vec3<double> speed = (blade.knots[s + 1] - blade.before[s + 1]) * (1.0 / p_delta);
 			sum += 0.5 * knot_mass(blade, s + 1, chain) * dot(speed, speed);
-			const double share = joint_length(s, blade.blade_length, blade.lengths[s - 1], blade.lengths[s]);
-			sum += 0.5 * chain.bending / share * dot(joints[s].turn, joints[s].turn);
+			const double stiffer = dot(joints[s].axis, joints[s].turn); // [Eq 45]
+			sum += 0.5 * joint_stiffness(blade, s, chain, chain.bending) * (dot(joints[s].turn, joints[s].turn) + stiffer * stiffer);
 		}
 		return sum;
 	}

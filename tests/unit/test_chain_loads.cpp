@@ -35,7 +35,7 @@ void stand(ElasticBlade &r_blade, const std::function<Forces(const ElasticBlade 
 	Blade<double> &blade = r_blade.blade;
 	measure_lengths(blade);
 	const StepTerms<double> terms = make_terms<double>(r_blade.clock.advance(r_blade.params, 1.0 / 60.0), 0.0f, {});
-	const ChainTerms<double> chain = make_chain_terms(blade, terms.bending);
+	const ChainTerms<double> chain = make_chain_terms(blade, terms);
 	Stage<double> stage{};
 	stage.span = 0.1; // seconds
 	stage.weight = 1.0;

@@ -25,16 +25,18 @@ Eigen::Vector3d find_tip_force(const BladeScene &p_scene, int p_blade) {
 		blade.twist[k - 1] = double(p_scene.tile->twist[k - GRASS_CLAMPED_KNOTS][p_blade]);
 	}
 	measure_lengths(blade);
+	blade.width = { double(p_scene.tile->width[0][p_blade]), 0.0, double(p_scene.tile->width[1][p_blade]) };
+	StepClock clock;
+	const ChainTerms<double> chain = make_chain_terms(blade, make_terms<double>(clock.advance(p_scene.params, 1.0 / 60.0), 0.0f, {}));
 	JointGain<double> joints[GRASS_SEGMENTS];
-	measure_joints(blade, joints);
+	measure_joints(blade, chain, joints);
 	Eigen::Matrix<double, 3 * (GRASS_SEGMENTS - 1), 3> levers;
 	Eigen::Matrix<double, 3 * (GRASS_SEGMENTS - 1), 1> moments;
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const Eigen::Vector3d lever = (p_scene.knot(p_blade, GRASS_KNOTS - 1) - p_scene.knot(p_blade, s)).cast<double>();
 		levers.block<3, 3>(3 * (s - 1), 0) << 0.0, -lever.z(), lever.y(), lever.z(), 0.0, -lever.x(), -lever.y(), lever.x(), 0.0;
-		const Vec3<double> &turn = joints[s].turn;
-		moments.segment<3>(3 * (s - 1)) =
-				Eigen::Vector3d(turn.x, turn.y, turn.z) / joint_length(s, blade.blade_length, blade.lengths[s - 1], blade.lengths[s]);
+		const Vec3<double> turn = joints[s].turn + joints[s].axis * dot(joints[s].axis, joints[s].turn);
+		moments.segment<3>(3 * (s - 1)) = Eigen::Vector3d(turn.x, turn.y, turn.z) * joint_stiffness(blade, s, chain, 1.0);
 	}
 	return levers.colPivHouseholderQr().solve(moments);
 }

@@ -2,6 +2,7 @@
 // Several species in one step: how each stands, and how each swings.
 #include "species_scene.h"
 
+#include "core/base/half.h"
 #include "core/plants/field_blades.h"
 #include "core/solver/simulate.h"
 #include "core/solver/solver_params.h"
@@ -61,6 +62,7 @@ TEST_CASE("species: the tip of each species swings at its own frequency, whateve
 			std::vector<GrassStep> steps;
 			SolverParams params;
 			params.damping_ratio = p_damping;
+			params.width_to_thickness = 1.0; // swings as often to all sides
 			clock.advance(params, 1.0 / 60.0);
 			for (const double frequency : FREQUENCIES) {
 				params.natural_frequency = frequency;
@@ -125,4 +127,46 @@ TEST_CASE("step_clock: a step repeated for other parameters is the one that a cl
 		CHECK(repeated.chain == wanted.chain);
 		CHECK(repeated.energy == wanted.energy);
 	}
+}
+
+TEST_CASE("simulate: a blade's width points where the patch's azimuth has it, and a load along it bends the blade less") {
+	const std::shared_ptr<const Patch> patch = make_patch(0.5);
+	CpuPool pool(patch, 1);
+	GrassSlot slot = fresh_slot(SPECIES_GRID, 12, 12);
+	StepClock clock;
+	SolverParams params;
+	params.width_to_thickness = 5.0;
+	params.damping_ratio = 1.0;
+	const auto step = [&](double p_load) {
+		params.load[0] = p_load;
+		StepInput input;
+		input.step = clock.advance(params, 1.0 / 60.0);
+		input.step.field = { float(SPECIES_GRID.get_tile_size()), float(SPECIES_GRID.get_tiles_x()), float(SPECIES_GRID.get_tiles_z()),
+			float(GRASS_KNOTS) };
+		input.step.clump = { 1.6f, 0.0f, 0.0f, 0.0f };
+		input.slots = { &slot, 1 };
+		pool.step(input, serial_for, step_lanes);
+		slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);
+	};
+	const auto tip = [&](int p_blade) { return pool.get_knots(0, p_blade)[GRASS_KNOTS - 1]; };
+	step(0.0);
+	std::array<Eigen::Vector3f, GRASS_BLADES_PER_TILE> rest;
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		rest[size_t(b)] = tip(b);
+	}
+	for (int i = 0; i < 300; i++) {
+		step(1.0);
+	}
+	Eigen::Vector2f along = Eigen::Vector2f::Zero(), across = Eigen::Vector2f::Zero(); // how far tips have gone, metres, and how many
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const float azimuth = half_to_float(patch->texels[Patch::texel_index(int(slot.list.x) + b, 0) + 2]);
+		const Eigen::Vector2f one((tip(b) - rest[size_t(b)]).norm(), 1.0f);
+		const float share = std::abs(std::cos(azimuth)); // of the load that is along its width
+		along += share > 0.9f ? one : Eigen::Vector2f(0.0f, 0.0f);
+		across += share < 0.3f ? one : Eigen::Vector2f(0.0f, 0.0f);
+	}
+	CHECK(along.y() >= 8.0f);
+	CHECK(across.y() >= 8.0f);
+	MESSAGE("along the width " << along.x() / along.y() << " m, across it " << across.x() / across.y());
+	CHECK(across.x() / across.y() > 2.0f * along.x() / along.y());
 }

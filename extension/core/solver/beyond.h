@@ -29,8 +29,9 @@ template <class T> struct Stage {
 
 // What does not change during a step.
 template <class T> struct ChainTerms {
-	T bending; // EI / (density area mean length), m^3/s^2
+	T bending; // EI / (density area mean length) at the root, m^3/s^2
 	T mean_length;
+	T thins, first_joint, stiffer; // StepTerms
 };
 
 // The quadratic model of everything beyond a joint, as a function of the joint's shift x and of the turn r of the

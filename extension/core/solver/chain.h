@@ -7,16 +7,22 @@
 
 namespace grass {
 
-// p_bending: EI / (density area length^4), 1/s^2.
-template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const T &p_bending) {
+template <class T> GRASS_INLINE ChainTerms<T> make_chain_terms(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	const T mean = p_blade.blade_length * T(1.0f / float(GRASS_SEGMENTS));
 	const T squared = p_blade.blade_length * p_blade.blade_length;
-	return { p_bending * (squared * squared) / maximum(mean, T(1e-12f)), mean };
+	return { p_terms.bending * (squared * squared) / maximum(mean, T(1e-12f)), mean, p_terms.thins, p_terms.first_joint, p_terms.stiffer };
 }
 
 template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot, const ChainTerms<T> &p_chain) {
 	const T above = p_knot < GRASS_SEGMENTS ? p_blade.lengths[p_knot < GRASS_SEGMENTS ? p_knot : 0] : T(0.0f);
-	return (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+	const T even = (p_blade.lengths[p_knot - 1] + above) * T(0.5f) / maximum(p_chain.mean_length, T(1e-12f));
+	return even * section_at(float(p_knot), p_chain.thins);
+}
+
+// [Eq 23], [Eq 44] Of a joint that resists by p_bending.
+template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p_joint, const ChainTerms<T> &p_chain, const T &p_bending) {
+	const T stands_for = joint_length(p_joint, p_blade.blade_length, p_blade.lengths[p_joint - 1], p_blade.lengths[p_joint]);
+	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
 // [Eq 24] Where the knots would go without springs and contact: p_way from p_base.
@@ -36,9 +42,17 @@ template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Sta
 	}
 }
 
-// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted.
-template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
+// [Eq 45] The normal of a segment's face.
+template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Vec3<T> &p_e) {
+	const Vec3<T> normal = cross(p_width, p_e);
+	return normal * (T(1.0f) / square_root(maximum(dot(normal, normal), T(TINY_SQUARED))));
+}
+
+// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted. [Eq 45] And what it is stiffer about.
+template <class T>
+GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
+	Vec3<T> face = face_of(p_blade.width, rest_segment(p_blade, 0));
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const Vec3<T> wanted = turned(frame, rest_segment(p_blade, s));
 		const Vec3<T> e = segment(p_blade, s);
@@ -46,6 +60,9 @@ template <class T> GRASS_INLINE void measure_joints(const Blade<T> &p_blade, Joi
 		const Turn<T> turn = after(turn_by(axis), smallest_turn(wanted, e));
 		r_gains[s].turn = rotation_vector(turn);
 		frame = after(turn, frame);
+		const Vec3<T> before = face;
+		face = face_of(turned(frame, p_blade.width), e);
+		r_gains[s].axis = stiff_axis(before, face, p_chain.stiffer * section_at(float(s), p_chain.thins));
 	}
 }
 
@@ -54,7 +71,7 @@ template <class T, class Mask>
 GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
 	JointGain<T> gains[GRASS_SEGMENTS];
-	measure_joints(r_blade, gains);
+	measure_joints(r_blade, p_chain, gains);
 	Beyond<T> beyond{};
 	beyond.caution = p_stage.caution;
 	Touch<T> touch{}; // of knot s + 1
@@ -64,20 +81,22 @@ GRASS_INLINE Touches<T> solve_chain(
 			touch = first;
 			continue;
 		}
-		const T stiffness = p_chain.bending * p_stage.span * p_stage.span /
-				maximum(joint_length(s, r_blade.blade_length, r_blade.lengths[s - 1], r_blade.lengths[s]), T(1e-12f));
+		const T stiffness = joint_stiffness(r_blade, s, p_chain, p_chain.bending * p_stage.span * p_stage.span);
 		add_knot(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, touch, stiffness);
 		carry_to_base(beyond, segment(r_blade, s));
 		add_edge(beyond, r_blade, p_terms, p_chain, p_stage, s + 1, first, touch, stiffness);
 		touch = first;
-		gains[s] = eliminate_joint(beyond, gains[s].turn * stiffness, stiffness * (T(1.0f) + beyond.caution));
+		const Vec3<T> axis = gains[s].axis;
+		const Vec3<T> moment = (gains[s].turn + axis * dot(axis, gains[s].turn)) * stiffness;
+		gains[s] = eliminate_joint(beyond, moment, stiffness * (T(1.0f) + beyond.caution), axis);
 	}
 	Vec3<T> shift{}, turn{};
 	T twist_before(0.0f);
 	Vec3<T> parent = r_blade.knots[1];
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
 		const JointGain<T> &gain = gains[s];
-		turn = gain.turn + product_of(gain.spring, turn) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
+		const Vec3<T> stiffened = turn + gain.axis * dot(gain.axis, turn);
+		turn = gain.turn + product_of(gain.spring, stiffened) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
 		const Vec3<T> knot = r_blade.knots[s + 1];
 		const Vec3<T> e = knot - parent;
 		// The part about the segment itself is twist; it would spoil the turn, being much larger.

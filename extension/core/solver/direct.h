@@ -87,7 +87,8 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 	const T limit = r_blade.blade_length * minimum(T(STICK), T(STICK_FORCE) * p_terms.wild_move * p_terms.wild_move);
 	const T force = r_blade.blade_length * (T(HOLD_FORCE) * p_terms.wild_move * p_terms.wild_move);
-	const T grip = minimum(p_found.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / r_stage.weight), force);
+	const T mass = r_stage.weight * mean_section(p_terms.thins); // of a mean knot
+	const T grip = minimum(p_found.grip * (T(1.0f / float(GRASS_FREE_KNOTS)) / mass), force);
 	const Mask is_held = r_hold.may_be_held & (forced < grip * grip) & (p_found.deepest < T(INSIDE));
 	r_hold.sticks = p_is_slow & p_touches & ((farthest < limit * limit) | is_held);
 	r_hold.is_held = r_hold.sticks & is_held;
@@ -212,7 +213,7 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	const T parts = count_parts(r_blade, p_terms, near, fastest);
 	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near, is_free = !(is_near | is_in_parts);
 	const T seconds = p_terms.seconds;
-	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms.bending);
+	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	Blade<T> parted;
 	if (any(is_in_parts)) {
 		parted = r_blade;

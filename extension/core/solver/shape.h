@@ -13,6 +13,7 @@ template <class T> struct Blade {
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
 	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending settles within a step
+	Vec3<T> width{}; // where it points at the root; of no length: as stiff across as in the plane
 	Vec3<T> root; // from the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 	T blade_length; // of the whole blade
@@ -24,9 +25,9 @@ template <class T> struct StepTerms {
 	Vec3<T> load;
 	T max_move, friction, ground_gap, blend;
 	T seconds, step_ratio, bending, drag; // GrassStep.chain
-	T free_span; // GrassStep.free_motion
+	T free_span, thins, first_joint; // GrassStep.free_motion
 	T wild_move;
-	T energy_of_speed, energy_at_tip, energy_at_root; // GrassStep.energy
+	T energy_of_speed, energy_at_tip, energy_at_root, stiffer; // GrassStep.energy
 	int iterations;
 	bool is_direct;
 	std::span<const TileCollider> colliders;
@@ -35,9 +36,10 @@ template <class T> struct StepTerms {
 template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
 	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
-		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z), T(p_step.chain.w), T(p_step.free_motion.x),
-		T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x), T(p_step.energy.y), T(p_step.energy.z),
-		int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
+		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z) * T(p_step.free_motion.z), T(p_step.chain.w), T(p_step.free_motion.x),
+		T(p_step.free_motion.y), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
+		T(p_step.energy.y), T(p_step.energy.z), T(p_step.energy.w), int(p_step.contact.x), int(p_step.contact.w) == GRASS_METHOD_DIRECT,
+		p_colliders };
 }
 
 template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/solver/simulate.h"
 
+#include "core/base/functions.h"
 #include "core/base/half.h"
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
@@ -87,7 +88,10 @@ void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const 
 			const uint16_t *halves = &_patch->texels[Patch::texel_index(blade, p_knot)];
 			return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
 		};
-		const Eigen::Vector2f place = texel(0).head<2>();
+		const Eigen::Vector3f first = texel(0);
+		const Eigen::Vector2f place = first.head<2>();
+		state.width[0][b] = float(cosine(double(first.z())));
+		state.width[1][b] = float(sine(double(first.z())));
 		const vec4 growth = p_growth ? p_growth->blades[size_t(b)] : vec4();
 		Clump clump = NO_CLUMP;
 		if (p_growth) {

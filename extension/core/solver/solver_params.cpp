@@ -3,6 +3,7 @@
 
 #include "core/base/functions.h"
 #include "core/solver/constants.h"
+#include "core/solver/section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,10 @@ void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p
 	// [Eq 39] Two places tell the speed in the middle of the step before: from there on forces act until the middle of this one.
 	const double half_turn = 0.5 * std::min(RADIANS_PER_CYCLE * p_params.natural_frequency * p_h, EXACT_TURN);
 	r_step.free_motion.x = float(std::sqrt(0.5 * p_h * (p_h + p_g)) * std::tan(half_turn) / half_turn);
+	const Section section = make_section(p_params.taper);
+	r_step.free_motion.y = float(section.thins);
+	r_step.free_motion.z = float(section.stiffness);
+	r_step.free_motion.w = float(section.first_joint);
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
 }
 
@@ -87,6 +92,8 @@ SolverParams SolverParams::sanitised() const {
 	params.method = method;
 	params.natural_frequency = NATURAL_FREQUENCY.clamp(natural_frequency);
 	params.damping_ratio = DAMPING_RATIO.clamp(damping_ratio);
+	params.taper = TAPER.clamp(taper);
+	params.width_to_thickness = WIDTH_TO_THICKNESS.clamp(width_to_thickness);
 	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
 	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
 	params.friction = FRICTION.clamp(friction);
@@ -136,7 +143,8 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * params.damping_ratio * swing) };
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;
-	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more), 0.0f };
+	step.energy = { float(1.0 / (g * g)), float(swing * swing), float(swing * swing * at_root_more),
+		float(std::sqrt(params.width_to_thickness * params.width_to_thickness - 1.0)) };
 	return step;
 }
 

@@ -13,6 +13,12 @@ namespace grass {
 inline constexpr Tunable NATURAL_FREQUENCY{ "natural_frequency", "Hz", 0.1, 10.0, 0.05, 1.2 };
 // How fast a swing dies down: 0 never, 1 without swinging over. Below 0.1 grass nods for seconds, above 1.5 it creeps.
 inline constexpr Tunable DAMPING_RATIO{ "damping_ratio", "", 0.0, 3.0, 0.01, 0.5 };
+// Share of a blade's width at the root that it has lost at its tip, where it is as much softer and lighter. 0: even. Higher: the tip bends
+// more and the root less.
+inline constexpr Tunable TAPER{ "taper", "", 0.0, 0.9, 0.01, 0.3 };
+// How many times wider than thick a blade is at its root: its square is how many times stiffer it is in its plane than across it. 1: a
+// stalk, which bends alike to all sides. Higher: pushed sideways a blade twists before it bends.
+inline constexpr Tunable WIDTH_TO_THICKNESS{ "width_to_thickness", "x", 1.0, 20.0, 0.1, 2.0 };
 // METHOD_PBD: frequency at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
 inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1.6 };
 // METHOD_PBD: swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
@@ -32,6 +38,8 @@ struct SolverParams {
 	Method method = Method::DIRECT;
 	double natural_frequency = NATURAL_FREQUENCY.initial; // Hz
 	double damping_ratio = DAMPING_RATIO.initial;
+	double taper = TAPER.initial;
+	double width_to_thickness = WIDTH_TO_THICKNESS.initial;
 	double root_stiffness = ROOT_STIFFNESS.initial;
 	double bend_stiffness = BEND_STIFFNESS.initial; // Hz
 	double friction = FRICTION.initial;

@@ -77,12 +77,16 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 	r_terms.pull = own(&GrassStep::pbd_motion, &vec4::y);
 	r_terms.pull_root = own(&GrassStep::pbd_motion, &vec4::z);
 	r_terms.load = { own(&GrassStep::load, &vec4::x), own(&GrassStep::load, &vec4::y), own(&GrassStep::load, &vec4::z) };
-	r_terms.bending = own(&GrassStep::chain, &vec4::z);
+	const T even = own(&GrassStep::chain, &vec4::z);
+	r_terms.bending = even * own(&GrassStep::free_motion, &vec4::z);
 	r_terms.drag = own(&GrassStep::chain, &vec4::w);
 	r_terms.free_span = own(&GrassStep::free_motion, &vec4::x);
-	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(r_terms.bending);
+	r_terms.thins = own(&GrassStep::free_motion, &vec4::y);
+	r_terms.first_joint = own(&GrassStep::free_motion, &vec4::w);
+	r_terms.wild_move = T(WILD * p_steps[0].chain.x) * square_root(even);
 	r_terms.energy_at_tip = own(&GrassStep::energy, &vec4::y);
 	r_terms.energy_at_root = own(&GrassStep::energy, &vec4::z);
+	r_terms.stiffer = own(&GrassStep::energy, &vec4::w);
 }
 
 template <class T>
@@ -101,6 +105,7 @@ GRASS_INLINE float step_tile(
 			blade.knots[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.knots, free, first);
 			blade.before[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.before, free, first);
 		}
+		blade.width = { load<T>(&r_state.width[0][first]), T(0.0f), load<T>(&r_state.width[1][first]) };
 		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);

@@ -15,6 +15,7 @@ struct alignas(64) TileState {
 	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
 	float twist[GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // of the joint below each knot, radians
+	float width[2][GRASS_BLADES_PER_TILE]; // x and z of where a blade's width points at the root
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];
 };

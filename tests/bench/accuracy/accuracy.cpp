@@ -35,6 +35,8 @@ BladeScene make_scene(const Config &p_config, Keep p_keep, int p_stride, double 
 	scene.params.iterations = p_config.iterations;
 	scene.params.damping_ratio = p_damping_ratio;
 	scene.params.natural_frequency = p_frequency;
+	scene.params.taper = 0.0; // the references are even rods, and round
+	scene.params.width_to_thickness = 1.0;
 	scene.step_function = p_config.step;
 	return scene;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How a blade's stiffness and mass change from root to tip, docs/solver.md, [Eq 44].
+#pragma once
+
+namespace grass {
+
+struct Section {
+	double thins; // share of the root's width that is lost from knot to knot
+	double stiffness; // EI at the root over that of an even blade which swings as often
+	double first_joint; // stiffness of the first joint over that of a blade which is as stiff as its root all along
+};
+
+// p_taper: share of the root's width that is lost at the tip, from 0 to less than 1.
+Section make_section(double p_taper);
+
+} // namespace grass

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A rod that bends and twists and does not stretch, clamped at one end, under an even acceleration: where its tip is, by shooting.
+// In double precision and without a chain, to hold the solver against.
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <functional>
+
+namespace grass::test {
+
+// Of length 1. Its frame's columns are its tangent, its width and their normal.
+struct KirchhoffRod {
+	std::function<Eigen::Vector3d(double)> curvature; // at rest, about the frame's columns, by the place along the rod
+	Eigen::Matrix3d clamp; // the frame at the root
+	Eigen::Vector3d stiffness = Eigen::Vector3d::Ones(); // at the root, about the columns
+	std::function<Eigen::Vector3d(double)> section; // factors on it along the rod
+	std::function<double(double)> mass; // beyond a place
+	Eigen::Vector3d load; // acceleration; a mass of 1 a length at the root
+
+	struct State {
+		Eigen::Vector3d place = Eigen::Vector3d::Zero(), moment;
+		Eigen::Matrix3d frame;
+	};
+	State slope(double p_s, const State &p_y) const {
+		const Eigen::Vector3d own = p_y.frame.transpose() * p_y.moment;
+		const Eigen::Vector3d turn = p_y.frame * (curvature(p_s) + own.cwiseQuotient(stiffness.cwiseProduct(section(p_s))));
+		State slope;
+		slope.place = p_y.frame.col(0);
+		slope.moment = load.cross(slope.place) * mass(p_s);
+		for (int c = 0; c < 3; c++) {
+			slope.frame.col(c) = turn.cross(p_y.frame.col(c));
+		}
+		return slope;
+	}
+	static State on(const State &p_y, const State &p_slope, double p_way) {
+		State y;
+		y.place = p_y.place + p_slope.place * p_way;
+		y.moment = p_y.moment + p_slope.moment * p_way;
+		y.frame = p_y.frame + p_slope.frame * p_way;
+		return y;
+	}
+	// The tip, where the moment at the root is p_moment.
+	State shoot(const Eigen::Vector3d &p_moment) const {
+		constexpr int STEPS = 400;
+		constexpr double H = 1.0 / STEPS;
+		State y;
+		y.moment = p_moment;
+		y.frame = clamp;
+		for (int i = 0; i < STEPS; i++) { // Runge-Kutta, fourth order
+			const double s = i * H;
+			const State a = slope(s, y), b = slope(s + H / 2, on(y, a, H / 2)), c = slope(s + H / 2, on(y, b, H / 2)),
+						d = slope(s + H, on(y, c, H));
+			y = on(on(on(on(y, a, H / 6), b, H / 3), c, H / 3), d, H / 6);
+		}
+		return y;
+	}
+	// The moment at the tip is none. The load grows in steps, so that each start is near.
+	Eigen::Vector3d tip() const {
+		constexpr int LOADS = 40;
+		KirchhoffRod rod = *this;
+		Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+		for (int i = 1; i <= LOADS; i++) {
+			rod.load = load * (double(i) / LOADS);
+			for (int round = 0; round < 8; round++) { // Newton
+				const Eigen::Vector3d found = rod.shoot(moment).moment;
+				Eigen::Matrix3d change;
+				for (int c = 0; c < 3; c++) {
+					constexpr double SMALL = 1e-6;
+					change.col(c) = (rod.shoot(moment + Eigen::Vector3d::Unit(c) * SMALL).moment - found) / SMALL;
+				}
+				moment -= change.partialPivLu().solve(found);
+			}
+		}
+		return rod.shoot(moment).place;
+	}
+};
+
+} // namespace grass::test
