@@ -55,11 +55,13 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 
 	def run(part):
 		try:
-			return subprocess.run(
+			result = subprocess.run(
 				[*command, *part], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment
 			)
 		except subprocess.TimeoutExpired:
 			return None
+		print(result.stdout + result.stderr, end="", flush=True)  # at once: a run that is cut off tells what it saw
+		return result
 
 	tally = Tally()
 	with progress(f"Running the {title} tests"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -68,7 +70,6 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 			if result is None:
 				tally.failed.append(f"{title}: still running after {PROGRAM_LIMIT} s, one of: {'; '.join(names)}")
 				continue
-			print(result.stdout + result.stderr, end="", flush=True)  # at once: a run that is cut off tells what it saw
 			if said is not None:
 				said += result.stderr.splitlines()
 			tally.add(tally_of(result, len(names), title))
