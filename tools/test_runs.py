@@ -54,19 +54,25 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 	parts = [[f"--first={at + 1}", f"--last={at + size}"] if slow else [] for at in range(0, max(len(cases), 1), size)]
 
 	def run(part):
-		return subprocess.run([*command, *part], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment)
+		try:
+			result = subprocess.run(
+				[*command, *part], capture_output=True, text=True, errors="replace", timeout=PROGRAM_LIMIT, env=environment
+			)
+		except subprocess.TimeoutExpired:
+			return None
+		print(result.stdout + result.stderr, end="", flush=True)  # at once: a run that is cut off tells what it saw
+		return result
 
-	try:
-		with progress(f"Running the {title} tests"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-			results = list(pool.map(run, parts))
-	except subprocess.TimeoutExpired:
-		return Tally(failed=[f"{title}: still running after {PROGRAM_LIMIT} s"])
 	tally = Tally()
-	for n, result in enumerate(results):
-		print(result.stdout + result.stderr, end="")
-		if said is not None:
-			said += result.stderr.splitlines()
-		tally.add(tally_of(result, len(cases[n * size : (n + 1) * size]), title))
+	with progress(f"Running the {title} tests"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+		for n, result in enumerate(pool.map(run, parts)):
+			names = cases[n * size : (n + 1) * size]
+			if result is None:
+				tally.failed.append(f"{title}: still running after {PROGRAM_LIMIT} s, one of: {'; '.join(names)}")
+				continue
+			if said is not None:
+				said += result.stderr.splitlines()
+			tally.add(tally_of(result, len(names), title))
 	skipped = sorted(set(cases_of([*command, "--no-skip"], environment)) - set(cases))
 	tally.skipped += [f"{title}: {name} (marked to be skipped)" for name in skipped]
 	return tally

@@ -17,7 +17,7 @@ from tools.test_runs import Tally, core, in_engine
 LAYERS = ("platforms", "windows", "arm64")
 WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
 ENTRY = "grass_field_library_init"
-LOAD_LIMIT = 300  # seconds
+LOAD_LIMIT, STEP_LIMIT = 300, 3600  # seconds
 # What every Windows has.
 WINDOWS_LIBRARIES = {"kernel32.dll", "msvcrt.dll", "user32.dll", "advapi32.dll", "ws2_32.dll", "bcrypt.dll", "shell32.dll", "ntdll.dll"}
 ARM64_ENGINE = (lambda: engine_arm64() if engine_arm64().exists() else None, ("godot",), ENGINE_ARM64)
@@ -48,7 +48,7 @@ def runner(target):
 		quiet = {"WINEPREFIX": str(BUILD / "wine"), "WINEARCH": "win64", "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
 		return [toolchains.tool("wine64")], {**quiet, "DISPLAY": "", "WAYLAND_DISPLAY": ""}
 	if target == ARM64:
-		return [toolchains.tool("qemu-aarch64-static"), "-L", str(GLIBC["arm64"].place)], {}
+		return [toolchains.tool("qemu-aarch64-static"), "-L", str(GLIBC["arm64"].place)], {"GRASS_EMULATED": "1"}
 	# Here: with the C library of 2020, if the library was linked against it.
 	place = toolchains.glibc(target[1])
 	if place is None or not toolchains.can_link_old_glibc(*target):
@@ -77,8 +77,9 @@ def registered(target, quick=False):
 	return run(target, program(target, "host/host"), library(target, quick), ENTRY)
 
 
-def same_registration(target, quick):
-	ours, theirs = registered(toolchains.HERE).splitlines(True), registered(target, quick).splitlines(True)
+def same_lines(here, there):
+	"""Failure unless both texts are the same, and long."""
+	ours, theirs = here.splitlines(True), there.splitlines(True)
 	if len(ours) < 100:
 		raise Failure(f"only {len(ours)} lines are listed: {ours}")
 	for line, (one, other) in enumerate(zip(ours, theirs), 1):
@@ -86,6 +87,15 @@ def same_registration(target, quick):
 			raise Failure(f"line {line} is {other!r}, on this machine {one!r}")
 	if len(ours) != len(theirs):
 		raise Failure(f"{len(theirs)} lines instead of {len(ours)}")
+
+
+def same_registration(target, quick):
+	same_lines(registered(toolchains.HERE), registered(target, quick))
+
+
+def same_bits(target):
+	here = subprocess.run([program(toolchains.HERE, "bits/bits")], capture_output=True, text=True, check=True).stdout
+	same_lines(here, run(target, program(target, "bits/bits"), limit=STEP_LIMIT))
 
 
 def dump(target, option, quick):
@@ -118,6 +128,8 @@ def checks(target, quick):
 		yield f"{kind}: needs glibc 2.31 at most, and no libstdc++", lambda: only_old_glibc(target, quick)
 	if target != toolchains.HERE:
 		yield f"{kind}: loads, and registers what the library for this machine does", lambda: same_registration(target, quick)
+	if target != toolchains.HERE and not quick:
+		yield f"{kind}: steps 100 random scenes to the bits that they have on this machine", lambda: same_bits(target)
 
 
 def check(tally, only, every):
@@ -144,13 +156,13 @@ def prepare(layers):
 		*([toolchains.QEMU] if ARM64 in targets else []),
 		*([ARM64_ENGINE] if "arm64" in layers else []),
 	)
-	build.scons("extension", "host")
+	build.scons("extension", "host", *(["bits"] if {"windows", "arm64"} & set(layers) else []))
 	for layer, target in (("windows", WINDOWS), ("arm64", ARM64)):
 		options = (f"platform={target[0]}", f"arch={target[1]}")
 		if "platforms" in layers:
 			build.scons("extension", "host", "quick=yes", *options)
 		if layer in layers:
-			build.scons("extension", "host", "unit", *(["stress"] if layer == "windows" else []), *options)
+			build.scons("extension", "host", "bits", "unit", *(["stress"] if layer == "windows" else []), *options)
 
 
 def run_layer(layer, only):

@@ -4,6 +4,7 @@
 
 #include "draw_params.h"
 #include "pass_through.h"
+#include "sampled.h"
 
 #include <Eigen/Geometry>
 
@@ -24,10 +25,10 @@ float standing_height(int p_shape) {
 
 TEST_CASE_TEMPLATE(
 		"Whatever passes at 0.5 to 1000 m/s, lengths hold to 1e-3 and no knot is deeper than 1e-4 m after the step", M, Direct, Pbd) {
-	for (const Step step : { step_lanes, step_scalar_double }) {
+	for (const Step step : sampled<Step>({ step_lanes, step_scalar_double })) {
 		for (const int shape : SHAPES) {
 			for (const float speed : { 0.5f, 1.0f, 5.0f, 20.0f, 100.0f, 1000.0f }) {
-				for (const float lift : { 0.0f, 0.1f, 0.25f }) {
+				for (const float lift : sampled({ 0.0f, 0.1f, 0.25f })) {
 					if (step != step_lanes && lift > 0.0f) {
 						continue;
 					}
@@ -150,7 +151,7 @@ TEST_CASE_TEMPLATE("A pressed blade stays above the ground and below what presse
 
 TEST_CASE_TEMPLATE("A blade is mashed between two shapes and comes back", M, Direct, Pbd) {
 	for (const int shape : SHAPES) {
-		for (const Step step : ALL_STEPS) {
+		for (const Step step : sampled(ALL_STEPS)) {
 			CAPTURE(shape);
 			BladeScene scene(M::METHOD);
 			scene.step_function = step;
@@ -237,7 +238,7 @@ TEST_CASE_TEMPLATE(
 	const auto direction = [&] {
 		return Eigen::Vector3f(float(uniform(-1.0, 1.0)), float(uniform(-1.0, 1.0)), float(uniform(-1.0, 1.0))).normalized();
 	};
-	for (int round = 0; round < 60; round++) {
+	for (int round = 0; round < sampled(60); round++) {
 		CAPTURE(round);
 		BladeScene scene(M::METHOD);
 		scene.step_function = ALL_STEPS[round % 3];

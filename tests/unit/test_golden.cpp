@@ -6,6 +6,7 @@
 // and say in the commit which step of the solver changed them.
 // They are the same on every platform: nothing here comes from the C library's sin(), cos() or exp() (core/base/functions.h), no product is
 // fused into a sum, and Eigen adds one number after the other.
+#include "bit_hash.h"
 #include "blade_scene.h"
 
 #include "core/paint/brush.h"
@@ -14,10 +15,6 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <cstdint>
-#include <iomanip>
-#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -25,34 +22,6 @@ using namespace grass;
 using namespace grass::test;
 
 namespace {
-
-// FNV-1a of the bits of floats.
-class BitHash {
-public:
-	void add(std::span<const float> p_values) {
-		for (const float value : p_values) {
-			add_bits(std::bit_cast<uint32_t>(value));
-		}
-	}
-	std::string str() const {
-		std::ostringstream text;
-		text << std::hex << std::setw(16) << std::setfill('0') << _state;
-		return text.str();
-	}
-
-private:
-	void add_bits(uint32_t p_bits) {
-		for (int byte = 0; byte < 4; byte++) {
-			_state = (_state ^ ((p_bits >> (8 * byte)) & 255u)) * 0x100000001b3u;
-		}
-	}
-	uint64_t _state = 0xcbf29ce484222325u;
-};
-
-void add_tile(BitHash &r_hash, const TileState &p_tile) {
-	r_hash.add({ &p_tile.knots[0][0][0], sizeof(p_tile.knots) / sizeof(float) });
-	r_hash.add({ &p_tile.twist[0][0], sizeof(p_tile.twist) / sizeof(float) });
-}
 
 // Bent blades that nothing touches swing up.
 void swing(BladeScene &r_scene) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "sampled.h"
+
 #include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_file.h"
 
@@ -8,14 +10,15 @@
 #include <random>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
 // Damaged files that a test tries; under sanitizers each takes twenty times as long.
 #if defined(GRASS_IS_SANITIZED)
-constexpr int ROUNDS = 150;
+const int ROUNDS = 150;
 #else
-constexpr int ROUNDS = 1500;
+const int ROUNDS = sampled(1500);
 #endif
 
 // Runs of equal bytes as (count, byte).
