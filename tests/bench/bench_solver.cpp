@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/solver.md quotes; with `speed`, the last
 // alone.
-//   g++ -std=c++20 -O2 -ffp-contract=off -Wno-psabi -I EIGEN -Iextension -Itests/unit tests/bench/bench_solver.cpp
-//       extension/core/{step_lanes,step_lanes_16,step_scalar,collider,hull,solver_params}.cpp -o bench_solver
 #include "blade_scene.h"
 
 #include <chrono>
