@@ -138,8 +138,6 @@ func test_what_other_grass_hides_is_not_missed() -> void:
 	await drawn()
 	var full := await picture()
 	assert_less(drawn_blades, 0.2 * field.get_statistics().drawn_blades, "most are not drawn")
-	thinned.save_png("user://pictures/hidden_thinned.png")
-	full.save_png("user://pictures/hidden_full.png")
 	var horizon := 0  # the first row of the grass
 	while is_green(full.get_pixel(SIZE.x / 2, horizon)) == false and horizon < SIZE.y - 1:
 		horizon += 1
