@@ -13,6 +13,7 @@
 #include "nodes/grass_exclusion_3d.h"
 #include "nodes/grass_field.h"
 #include "nodes/grass_fill_rule.h"
+#include "nodes/grass_force_3d.h"
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
@@ -40,6 +41,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
 		GDREGISTER_CLASS(grass::GrassExclusion3D);
+		GDREGISTER_CLASS(grass::GrassForce3D);
 		GDREGISTER_CLASS(grass::GrassField);
 		grass::register_map_files();
 	}

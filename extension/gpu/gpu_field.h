@@ -25,6 +25,7 @@ struct StepRecords {
 	std::vector<Eigen::Vector4f> planes;
 	std::vector<SlotGrowth> growth;
 	std::vector<GrassStep> species;
+	std::vector<GrassForce> forces;
 	GrassStep step;
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
@@ -104,7 +105,7 @@ private:
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
-	std::array<GpuBuffer *, 16> buffers();
+	std::array<GpuBuffer *, 17> buffers();
 	void fit_tables();
 	void make_pool_texture();
 	void make_before_texture();
@@ -124,7 +125,7 @@ private:
 	bool _table_changed = true; // since the last cull
 
 	// Written by the main thread's records every step, read by simulate, one step long.
-	GpuBuffer _slot_records, _colliders, _collider_list, _planes;
+	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
 	// Written and read by simulate, as long as the field: knots of awake tiles, now and a step before in two halves; which half is which;
 	// twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;

@@ -20,6 +20,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
 	growth.assign(p_input.growth.begin(), p_input.growth.end());
+	forces.assign(p_input.forces.begin(), p_input.forces.end());
 	species.assign(p_input.species.begin(), p_input.species.end());
 	copy_ms = clock.lap();
 }
@@ -74,6 +75,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
+	uploaded += _forces.upload(std::span<const GrassForce>(p_records.forces));
 	for (const SlotGrowth &growth : p_records.growth) {
 		uploaded += _growth.write(growth.slot * int64_t(sizeof(growth.blades)), std::span<const vec4>(growth.blades));
 		if (_kind.species) {
@@ -88,6 +90,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
 		pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
+		pass->bind_buffer(GRASS_BINDING_FORCES, _forces.rid());
 	}
 	{
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE);

@@ -16,6 +16,14 @@ void FieldBodies::collect(const Field &p_field, const Transform3D &p_transform, 
 	_registered.collect(p_transform, tick, _colliders);
 }
 
+void FieldBodies::add_forces(std::span<const Force> p_forces) {
+	for (size_t i = 0; i < p_forces.size(); i++) {
+		if (p_forces[i].reach() > 0.0) {
+			_colliders.push_back(p_forces[i].make_shape(int(i)));
+		}
+	}
+}
+
 void FieldBodies::forget_motion() {
 	_tracker.forget_motion();
 	_registered.forget_motion();

@@ -21,6 +21,8 @@ public:
 
 	// Poses every collider for a tick of p_delta seconds of p_field, which stands at p_transform (orthonormal).
 	void collect(const Field &p_field, const godot::Transform3D &p_transform, double p_teleport_speed, double p_delta);
+	// After that: what wakes tiles for the forces of the tick.
+	void add_forces(std::span<const Force> p_forces);
 	std::span<ColliderShape> get_colliders() { return _colliders; }
 	// Time has passed without collect(): the way from where bodies were last is no motion.
 	void forget_motion();

@@ -3,6 +3,8 @@
 
 #include "draw/patch_texture.h"
 
+#include <godot_cpp/variant/packed_vector4_array.hpp>
+
 #include <cmath>
 #include <utility>
 
@@ -51,12 +53,38 @@ bool FieldUniforms::keep_wind_clock(const Set &p_set) {
 	return std::exchange(_drawn_clock, _clock) != _clock;
 }
 
-bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta) {
+bool FieldUniforms::blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces) {
 	const double speed = p_properties.param(PARAM_WIND_SPEED);
-	if (speed > 0.0) {
+	const bool blows = speed > 0.0 || p_has_forces;
+	if (blows) {
 		_wind.advance(p_delta, speed, p_properties.param(PARAM_GUST_SIZE));
 	}
-	return speed > 0.0;
+	return blows;
+}
+
+void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set) {
+	if (p_forces.empty() && _forces == 0) {
+		return;
+	}
+	_forces = p_forces.size();
+	p_set("force_count", int64_t(_forces));
+	if (p_forces.empty()) {
+		return;
+	}
+	PackedVector4Array places, blows, rings, beats;
+	for (const Force &force : p_forces) {
+		const GrassForce record = force.pack(p_grid);
+		const Eigen::Vector3f place = force.place.cast<float>();
+		places.push_back({ place.x(), place.y(), place.z(), record.place.w });
+		for (const auto &[array, values] :
+				{ std::pair(&blows, record.blow), std::pair(&rings, record.ring), std::pair(&beats, record.beat) }) {
+			array->push_back({ values.x, values.y, values.z, values.w });
+		}
+	}
+	p_set("force_place", places);
+	p_set("force_blow", blows);
+	p_set("force_ring", rings);
+	p_set("force_beat", beats);
 }
 
 // Colours of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.

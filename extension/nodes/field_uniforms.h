@@ -4,10 +4,12 @@
 
 #include "core/blades/wind.h"
 #include "core/field/field_setup.h"
+#include "core/forces/force.h"
 #include "draw/species_look.h"
 #include "nodes/field_properties.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace grass {
@@ -25,8 +27,10 @@ public:
 	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
 	bool keep_wind_clock(const Set &p_set);
 
-	// The wind blows for p_delta seconds. False where there is none.
-	bool blow(const FieldProperties &p_properties, double p_delta);
+	// Of blades.
+	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set);
+	// The wind, or p_has_forces, blows for p_delta seconds. False where there is none.
+	bool blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces);
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
@@ -35,6 +39,7 @@ private:
 	WindClock _wind;
 	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
 	Cards _cards;
+	size_t _forces = 0; // that the shaders have
 };
 
 } // namespace grass

@@ -5,10 +5,7 @@
 #include "nodes/params.h"
 #include "nodes/watch_resource.h"
 
-#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
@@ -94,18 +91,14 @@ void GrassExclusion3D::_notification(int p_what) {
 		case NOTIFICATION_EXIT_WORLD:
 			in_tree.erase(this);
 			revision++;
-			free_picture();
+			_picture.free();
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			revision++;
-			if (_instance.is_valid()) {
-				RenderingServer::get_singleton()->instance_set_transform(_instance, get_global_transform());
-			}
+			_picture.follow(*this);
 			break;
 		case NOTIFICATION_VISIBILITY_CHANGED:
-			if (_instance.is_valid()) {
-				RenderingServer::get_singleton()->instance_set_visible(_instance, is_visible_in_tree());
-			}
+			_picture.follow(*this);
 			break;
 	}
 }
@@ -133,32 +126,9 @@ Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 }
 
 void GrassExclusion3D::update_picture() {
-	if (!Engine::get_singleton()->is_editor_hint() || in_tree.count(this) == 0) {
-		return;
+	if (in_tree.count(this) > 0) {
+		_picture.show(*this, make_picture(), COLOR);
 	}
-	RenderingServer *server = RenderingServer::get_singleton();
-	_picture = make_picture();
-	if (!_instance.is_valid()) {
-		_material.instantiate();
-		_material->set_shading_mode(BaseMaterial3D::SHADING_MODE_UNSHADED);
-		_material->set_albedo(COLOR);
-		_instance = server->instance_create();
-		server->instance_set_scenario(_instance, get_world_3d()->get_scenario());
-		server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
-		server->instance_geometry_set_material_override(_instance, _material->get_rid());
-	}
-	server->instance_set_base(_instance, _picture->get_rid());
-	server->instance_set_transform(_instance, get_global_transform());
-	server->instance_set_visible(_instance, is_visible_in_tree());
-}
-
-void GrassExclusion3D::free_picture() {
-	if (_instance.is_valid()) {
-		RenderingServer::get_singleton()->free_rid(_instance);
-		_instance = RID();
-	}
-	_picture.unref();
-	_material.unref();
 }
 
 void GrassExclusion3D::_bind_methods() {

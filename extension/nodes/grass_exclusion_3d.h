@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/base/tunable.h"
+#include "nodes/editor_picture.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/shape3d.hpp>
-#include <godot_cpp/classes/standard_material3d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 
@@ -44,16 +44,13 @@ protected:
 private:
 	void changed();
 	void update_picture();
-	void free_picture();
 	godot::Ref<godot::ArrayMesh> make_picture() const;
 
 	godot::Ref<godot::Shape3D> _shape;
 	godot::PackedVector2Array _outline;
 	double _fade = FADE.initial;
 	bool _enabled = true;
-	godot::Ref<godot::ArrayMesh> _picture; // what the editor shows
-	godot::Ref<godot::StandardMaterial3D> _material; // of it
-	godot::RID _instance; // of both
+	EditorPicture _picture;
 };
 
 } // namespace grass

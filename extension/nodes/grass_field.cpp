@@ -83,6 +83,7 @@ void GrassField::leave() {
 
 void GrassField::physics_tick(double p_delta) {
 	build();
+	_forces.pass(p_delta);
 	if (!_standing.stands() || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
@@ -99,9 +100,11 @@ void GrassField::physics_tick(double p_delta) {
 		_bodies.forget_motion();
 	}
 	update_map();
+	gather_forces();
 	_bodies.collect(_standing.get_field(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
+	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
-	_standing.tick(_bodies.get_colliders(), p_delta);
+	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta);
 	emit_visits();
 }
 
@@ -146,7 +149,8 @@ void GrassField::frame(double p_delta) {
 	build();
 	update_fill();
 	if (_standing.stands()) {
-		_standing.blow(p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
+		gather_forces();
+		_standing.blow(_forces.get(), p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
 	}
 }
 

@@ -5,6 +5,7 @@
 
 #include "nodes/field_bodies.h"
 #include "nodes/field_filler.h"
+#include "nodes/field_forces.h"
 #include "nodes/field_host.h"
 #include "nodes/field_maker.h"
 #include "nodes/field_monitors.h"
@@ -120,6 +121,9 @@ public:
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
 	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
+	// Blasts and gusts of air; p_duration: seconds. See FORCE_SPEED and others in core/forces/force.h.
+	void blast(const godot::Vector3 &p_global_position, double p_speed, double p_radius, double p_duration);
+	void push(const godot::Vector3 &p_global_position, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
 	void unregister_collider(godot::Node3D *p_node);
 	int64_t bake_ground(const godot::Rect2 &p_region = godot::Rect2(), int64_t p_mask = GroundRays::ALL_LAYERS);
@@ -148,6 +152,7 @@ private:
 	void emit_visits();
 	void emit_leaving();
 	void emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
+	void gather_forces() { _forces.gather(*this, _properties.size); }
 	void recover(double p_delta);
 	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
@@ -185,6 +190,7 @@ private:
 	StandingField _standing{ _properties };
 	FieldFiller _filler;
 	FieldBodies _bodies;
+	FieldForces _forces;
 	FieldWork _work{ *this, _standing, _properties };
 	Recovery _recovery;
 

@@ -2,8 +2,10 @@
 // The methods that scripts call: each checks its arguments and passes them on.
 #include "nodes/grass_field.h"
 
+#include "convert.h"
 #include "nodes/build_info.h"
 #include "nodes/main_thread.h"
+#include "nodes/params.h"
 #include "nodes/statistics_dictionary.h"
 
 #include <algorithm>
@@ -167,6 +169,8 @@ FieldStatistics GrassField::find_statistics() const {
 	_maker.add_to(statistics);
 	_bodies.add_to(statistics);
 	_filler.add_to(statistics);
+	statistics.forces = int64_t(_forces.get().size());
+	statistics.forces_left_out = _forces.get_left_out();
 	statistics.blades = get_blade_count();
 	statistics.gather_ms = _gather_ms;
 	statistics.frame_ms = _frame_ms;
@@ -276,6 +280,31 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
 	}
 	return _filler.fill(_properties.map, p_rule, { this, field_transform(), MapRegion::of_grid(_standing.get_field().get_grid()) });
+}
+
+void GrassField::blast(const Vector3 &p_global_position, double p_speed, double p_radius, double p_duration) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(!p_global_position.is_finite(), message("blast() needs a place of finite numbers."));
+	Force force;
+	force.place = to_eigen(p_global_position);
+	force.speed = checked(FORCE_SPEED, p_speed, label());
+	force.radius = checked(FORCE_RADIUS, p_radius, label());
+	force.duration = checked(FORCE_DURATION, p_duration, label());
+	_forces.push(force);
+}
+
+void GrassField::push(const Vector3 &p_global_position, const Vector3 &p_velocity, double p_radius, double p_duration) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(
+			!p_global_position.is_finite() || !p_velocity.is_finite(), message("push() needs a place and a velocity of finite numbers."));
+	Force force;
+	force.kind = ForceKind::WIND;
+	force.place = to_eigen(p_global_position);
+	force.direction = to_eigen(p_velocity);
+	force.speed = checked(FORCE_SPEED, p_velocity.length(), label());
+	force.radius = checked(FORCE_RADIUS, p_radius, label());
+	force.duration = checked(FORCE_DURATION, p_duration, label());
+	_forces.push(force);
 }
 
 void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {

@@ -273,6 +273,10 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("bake_ground", "region", "mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
 	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
+	ClassDB::bind_method(D_METHOD("blast", "global_position", "speed", "radius", "duration"), &GrassField::blast,
+			DEFVAL(FORCE_SPEED.initial), DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
+	ClassDB::bind_method(D_METHOD("push", "global_position", "velocity", "radius", "duration"), &GrassField::push,
+			DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
 	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);

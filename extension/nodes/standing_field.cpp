@@ -196,15 +196,16 @@ bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
 	return _field.begin_tick(*_backend, _properties.method, p_is_listened, p_delta);
 }
 
-void StandingField::tick(std::span<ColliderShape> p_colliders, double p_delta) {
+void StandingField::tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta) {
 	_field.set_params(_properties.field_params(_species));
-	if (_field.tick(*_backend, p_colliders, p_delta)) {
+	if (_field.tick(*_backend, p_colliders, p_delta, p_forces)) {
 		request_draw();
 	}
 }
 
-void StandingField::blow(double p_delta) {
-	if (_uniforms.blow(_properties, p_delta) && _field.is_seen()) {
+void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
+	_uniforms.set_forces(p_forces, _field.get_grid(), uniform_setter(false));
+	if (_uniforms.blow(_properties, p_delta, !p_forces.empty()) && _field.is_seen()) {
 		set_wind_clock();
 		_wind_updates++;
 	}

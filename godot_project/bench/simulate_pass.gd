@@ -108,7 +108,8 @@ func set_up(
 		[growth],
 		[],
 		[],
-		[twists]
+		[twists],
+		[planes]  # no force blows
 	]
 	for binding in bound.size():
 		if bound[binding].is_empty():

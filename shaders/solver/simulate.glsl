@@ -22,6 +22,7 @@
 #include "base/hash.inc"
 #include "blades/clump.inc"
 #include "blades/blade.inc"
+#include "blades/force.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 layout(constant_id = GRASS_CONSTANT_METHOD) const int METHOD = GRASS_METHOD_DIRECT;
@@ -60,6 +61,10 @@ layout(set = 0, binding = GRASS_BINDING_COLLIDER_LIST, std430) restrict readonly
 };
 layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer PlaneBuffer {
 	vec4 planes[];
+};
+// What moves the air: those whose bits the slot has.
+layout(set = 0, binding = GRASS_BINDING_FORCES, std430) restrict readonly buffer ForceBuffer {
+	GrassForce forces[];
 };
 
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
@@ -175,6 +180,23 @@ int find_species(uint p_blade) {
 }
 #endif
 
+// [Eq W6] What forces do to the blade, by the air at its root.
+void find_push() {
+	push = vec3(0.0);
+	push_drag = 0.0;
+	vec3 air = vec3(0.0);
+	for (uint left = slot.list.w >> GRASS_SLOT_FORCES; left != 0u; left &= left - 1u) {
+		GrassForce force = forces[findLSB(left)];
+		vec2 tiles = vec2(slot.tile.xy - force.anchor.xy) * step.field.x;
+		vec3 from = root + vec3(tiles.x, 0.0, tiles.y) - force.place.xyz;
+		air += grass_force_air(force.place.w, force.blow, force.ring, force.beat, from);
+	}
+	if (air != vec3(0.0)) {
+		push_drag = grass_force_drag(length(air));
+		push = air * (push_drag * (METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0));
+	}
+}
+
 void find_blade(uint p_blade) {
 	int blade = int(slot.list.x + p_blade);
 #ifdef GRASS_SPECIES
@@ -199,6 +221,7 @@ void find_blade(uint p_blade) {
 		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
 	}
 	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
+	find_push();
 	energy = 0.0;
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }

@@ -43,7 +43,7 @@ float gust_at(const Eigen::Vector2f &p_place, const WindClock &p_clock, const Wi
 }
 glsl::GrassWind wind_at(const Eigen::Vector2f &p_place, float p_along, const WindClock &p_clock, const WindParams &p_wind) {
 	return glsl::grass_wind_at(to_glsl(p_place), p_along, MIDDLE, wrapped(p_clock), to_glsl(p_wind.velocity),
-			glsl::vec2(p_wind.gust_size, p_wind.gust_strength));
+			glsl::vec2(p_wind.gust_size, p_wind.gust_strength), glsl::vec2(0.0f));
 }
 
 std::vector<Eigen::Vector3f> blade_of(const Patch &p_patch, int p_blade) {

@@ -43,6 +43,13 @@ static_assert(offsetof(GrassCollider, position_before) == 48);
 static_assert(offsetof(GrassCollider, rotation_before) == 64);
 static_assert(offsetof(GrassCollider, size) == 80);
 
+static_assert(sizeof(GrassForce) == 80 && std::is_trivially_copyable_v<GrassForce>);
+static_assert(offsetof(GrassForce, anchor) == 0);
+static_assert(offsetof(GrassForce, place) == 16);
+static_assert(offsetof(GrassForce, blow) == 32);
+static_assert(offsetof(GrassForce, ring) == 48);
+static_assert(offsetof(GrassForce, beat) == 64);
+
 static_assert(sizeof(GrassStep) == 128 && std::is_trivially_copyable_v<GrassStep>);
 static_assert(sizeof(GrassStep) <= 128, "a push constant may be no larger everywhere");
 static_assert(offsetof(GrassStep, pbd_motion) == 0);

@@ -11,6 +11,8 @@ namespace grass::glsl {
 
 #include "blades/blade.inc"
 #include "blades/wind.inc"
+
+#include "blades/force.inc"
 #undef GRASS_FUNCTION
 
 } // namespace grass::glsl

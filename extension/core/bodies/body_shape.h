@@ -38,6 +38,10 @@ struct ColliderShape {
 	double friction = 0.5; // 0: blades slide freely along it, 1: they stick.
 	std::vector<Eigen::Vector4f> planes; // Hull only, in the shape's space: n.xyz, d; n.x <= d inside; metres.
 	ColliderPose now, before; // At the end and at the start of the step; equal after a teleport.
+	// Which of StepInput::forces it is: then it wakes tiles as a body does, and touches nothing.
+	int force = NO_FORCE;
+	static constexpr int NO_FORCE = -1;
+	uint64_t revision = 0; // of a force: another one whenever it blows otherwise than in the step before
 
 	// From a transform into field space; scale and shear are left out.
 	static ColliderPose make_pose(const Eigen::Affine3d &p_transform);

@@ -141,7 +141,7 @@ bool Field::resume() {
 	return has_passed;
 }
 
-bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta) {
+bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces) {
 	CpuClock clock;
 	_tiles.report_energy(r_simulator.read_energy());
 	_tiles.stir(r_simulator.is_complete() ? _regrown : all_tiles());
@@ -154,11 +154,15 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
 		return false;
 	}
-	step(r_simulator, p_delta);
+	step(r_simulator, p_delta, p_forces);
 	return true;
 }
 
-void Field::step(Simulator &r_simulator, double p_delta) {
+void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces) {
+	_forces.clear();
+	for (const Force &force : p_forces) {
+		_forces.push_back(force.pack(_setup.grid));
+	}
 	StepInput input;
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
@@ -166,6 +170,7 @@ void Field::step(Simulator &r_simulator, double p_delta) {
 	input.sharp = _tiles.get_sharp();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();
+	input.forces = _forces;
 	input.growth = grow_tiles();
 	input.step = _clock.advance(_params.solver, p_delta);
 	_species_steps.clear();

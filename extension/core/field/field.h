@@ -8,6 +8,7 @@
 #include "core/field/field_setup.h"
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
+#include "core/forces/force.h"
 #include "core/map/field_map.h"
 #include "core/plants/field_blades.h"
 #include "core/tiles/tiles.h"
@@ -50,8 +51,9 @@ public:
 	bool begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta);
 	// True once after ticks that were left out: bodies have moved meanwhile, and must not sweep grass on the way.
 	bool resume();
-	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved.
-	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta);
+	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are among
+	// the colliders.
+	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces = {});
 
 	const FieldSetup &get_setup() const { return _setup; }
 	const TileGrid &get_grid() const { return _setup.grid; }
@@ -79,7 +81,7 @@ private:
 	void set_method(Method p_method);
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
-	void step(Simulator &r_simulator, double p_delta);
+	void step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces);
 	Eigen::Vector3d root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) const;
 
 	FieldSetup _setup;
@@ -91,6 +93,7 @@ private:
 	TileManager _tiles;
 	StepClock _clock;
 	std::vector<GrassStep> _species_steps; // of this tick
+	std::vector<GrassForce> _forces; // of this tick
 	std::vector<SlotGrowth> _growth; // of this tick
 	TileRange _regrown; // tiles below which the map changed since the last tick
 	bool _is_seen = true; // in the last frame; where no frames are drawn, always

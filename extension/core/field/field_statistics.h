@@ -21,6 +21,7 @@ struct FieldStatistics {
 	bool is_seen = false; // or a shadow of it
 	int64_t bodies = 0;
 	BodyReads reads;
+	int64_t forces = 0, forces_left_out = 0; // that blow over it; that it has no room for
 	TileStatistics tile_work;
 	BackendStatistics backend_work;
 	DrawnStatistics drawn;

@@ -24,7 +24,7 @@ public:
 	Change update(const TileManager &p_tiles, std::span<const ColliderShape> p_colliders) {
 		std::vector<uint64_t> now;
 		for (size_t i = 0; i < p_colliders.size(); i++) {
-			if (p_colliders[i].owner != 0 && p_tiles.has_met_grass(i)) {
+			if (p_colliders[i].owner != 0 && p_colliders[i].force == ColliderShape::NO_FORCE && p_tiles.has_met_grass(i)) {
 				now.push_back(p_colliders[i].owner);
 			}
 		}

@@ -8,6 +8,7 @@
 #include "core/solver/tile_state.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace grass {
@@ -36,6 +37,33 @@ Eigen::Vector3f bend_of(const TileState &p_state) {
 		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
 	}
 	return sum / float(BLADES);
+}
+
+glsl::vec4 to_glsl(const vec4 &p_a) {
+	return { p_a.x, p_a.y, p_a.z, p_a.w };
+}
+
+// [Eq W6] What forces do to the blades, by the air at their roots.
+void find_push(const TileState &p_state, const GrassSlot &p_slot, const StepInput &p_input, TilePush &r_push) {
+	for (int b = 0; b < BLADES; b++) {
+		glsl::vec3 air(0.0f);
+		for (uint32_t left = p_slot.list.w >> GRASS_SLOT_FORCES; left != 0; left &= left - 1) {
+			const size_t index = size_t(std::countr_zero(left));
+			if (index >= p_input.forces.size()) {
+				break;
+			}
+			const GrassForce &force = p_input.forces[index];
+			const float x = float(p_slot.tile.x - force.anchor.x) * p_input.step.field.x,
+						z = float(p_slot.tile.y - force.anchor.y) * p_input.step.field.x;
+			const glsl::vec3 from(
+					p_state.root[0][b] + x - force.place.x, p_state.root[1][b] - force.place.y, p_state.root[2][b] + z - force.place.z);
+			air += glsl::grass_force_air(force.place.w, to_glsl(force.blow), to_glsl(force.ring), to_glsl(force.beat), from);
+		}
+		r_push.drag[b] = glsl::grass_force_drag(glsl::length(air));
+		r_push.load[0][b] = air.x * r_push.drag[b];
+		r_push.load[1][b] = air.y * r_push.drag[b];
+		r_push.load[2][b] = air.z * r_push.drag[b];
+	}
 }
 
 } // namespace
@@ -166,12 +194,19 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileS
 			colliders.push_back(collider);
 		}
 	}
+	TilePush push;
+	TileState &state = *_slots[size_t(p_slot.tile.w)];
+	state.push = p_slot.list.w >> GRASS_SLOT_FORCES != 0 ? &push : nullptr;
+	if (state.push != nullptr) {
+		find_push(state, p_slot, p_input, push);
+	}
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
 	const std::span<const GrassStep> steps =
 			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
-	_energy[slot] = p_step(*_slots[slot], steps, blend, colliders);
-	_bends[slot] = bend_of(*_slots[slot]);
+	_energy[slot] = p_step(state, steps, blend, colliders);
+	state.push = nullptr;
+	_bends[slot] = bend_of(state);
 }
 
 std::vector<Eigen::Vector3f> CpuPool::get_knots(int p_slot, int p_blade) const {

@@ -78,6 +78,7 @@ void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h,
 	r_step.pbd_motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
 		float(1.0 - exponential(-bend * bend / p_params.iterations)) };
 	const double weight = at_tip.pull / (tip.w * tip.w);
+	r_step.free_motion.x = float(std::sqrt(weight));
 	r_step.load = { float(p_params.load[0] * weight), float(p_params.load[1] * weight), float(p_params.load[2] * weight), 0.0f };
 }
 

@@ -29,6 +29,7 @@ struct StepInput {
 	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
 	std::span<const SlotGrowth> growth = {}; // Of fields with a map or species: every fresh slot, and those below which it changed.
 	std::span<const GrassStep> species = {}; // Of fields with species: `step` as each of them takes it.
+	std::span<const GrassForce> forces = {}; // Bits of GrassSlot.list.w, from GRASS_SLOT_FORCES on, say which of them move a tile.
 	std::span<const uint8_t> sharp = {}; // Of the colliders: not 0 where a segment of a blade may lie across one, see is_sharp().
 };
 

@@ -89,6 +89,15 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 	r_terms.stiffer = own(&GrassStep::energy, &vec4::w);
 }
 
+// [Eq W6]
+template <class T> GRASS_INLINE void add_push(StepTerms<T> &r_terms, const TilePush &p_push, int p_first) {
+	const Vec3<T> push = { load<T>(&p_push.load[0][p_first]), load<T>(&p_push.load[1][p_first]), load<T>(&p_push.load[2][p_first]) };
+	const T drag = load<T>(&p_push.drag[p_first]);
+	r_terms.load = r_terms.load + push * (r_terms.is_direct ? T(1.0f) : r_terms.free_span * r_terms.free_span);
+	r_terms.drag = r_terms.drag + drag;
+	r_terms.keep = r_terms.keep / (T(1.0f) + drag * r_terms.seconds);
+}
+
 template <class T>
 GRASS_INLINE float step_tile(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
@@ -111,7 +120,11 @@ GRASS_INLINE float step_tile(
 			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
 		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
-		step_blade(blade, terms);
+		StepTerms<T> own = terms;
+		if (r_state.push != nullptr) {
+			add_push(own, *r_state.push, first);
+		}
+		step_blade(blade, own);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
 			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);

@@ -8,6 +8,12 @@
 
 namespace grass {
 
+// What forces do to the blades of a tile in a step, [Eq W6]: acceleration, m/s^2, and drag, 1/s. Lives for one step.
+struct alignas(64) TilePush {
+	float load[3][GRASS_BLADES_PER_TILE];
+	float drag[GRASS_BLADES_PER_TILE];
+};
+
 // One blade beside the other within each knot's component, as the GPU's buffers have them. Metres, blade space. Rest pose
 // and roots are made when the tile wakes, knots change every step.
 struct alignas(64) TileState {
@@ -18,6 +24,7 @@ struct alignas(64) TileState {
 	float width[2][GRASS_BLADES_PER_TILE]; // x and z of where a blade's width points at the root
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];
+	const TilePush *push; // of this step; null where no force moves the tile
 };
 
 } // namespace grass

@@ -53,6 +53,7 @@ void TileManager::reset() {
 	_places.assign(size_t(_params.pool_size), {});
 	_lives.assign(size_t(_params.pool_size), {});
 	_entries.assign(size_t(_params.pool_size), 0);
+	_forces.assign(size_t(_params.pool_size), 0);
 	_signatures.assign(size_t(_params.pool_size), 0);
 	_signatures_before.assign(size_t(_params.pool_size), 0);
 	_bends.clear();
@@ -156,11 +157,11 @@ size_t TileManager::get_memory_usage() const {
 	for (const SlotSet *set : { &_free, &_used, &_settling, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		sets += set->get_memory_usage();
 	}
-	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_bends) + bytes(_signatures) +
-			bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) +
-			bytes(_has_met) + bytes(_meetings) + bytes(_asleep) + bytes(_found) + bytes(_meetings_awake) + bytes(_meetings_asleep) +
-			bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() + bytes(_calm) +
-			bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
+	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_forces) + bytes(_bends) +
+			bytes(_signatures) + bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) +
+			bytes(_range_colliders) + bytes(_has_met) + bytes(_meetings) + bytes(_asleep) + bytes(_found) + bytes(_meetings_awake) +
+			bytes(_meetings_asleep) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
+			bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
 }
 
 } // namespace grass

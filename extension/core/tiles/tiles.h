@@ -262,6 +262,7 @@ private:
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
 	std::vector<uint32_t> _entries; // of this step: colliders; then where in the collider list the next of them is written
+	std::vector<uint16_t> _forces; // of this step: bits of those that move the tile
 	SlotSet _free, _used, _settling;
 	// Of this step: met by a collider; by one that moves, comes or has left; by none; awake since; not simulated, since calm and out of
 	// view or since still; the others.

@@ -8,7 +8,8 @@
 
 namespace grass {
 
-// Drops the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use.
+// Drops the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use. Forces have no entries in
+// the list: a bit in each tile's record is all.
 void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	_planes.clear();
@@ -16,9 +17,12 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	std::fill(_entries.begin(), _entries.end(), 0);
 	size_t kept = 0;
 	uint32_t last = std::numeric_limits<uint32_t>::max();
+	std::fill(_forces.begin(), _forces.end(), 0);
 	for (const Meeting &meeting : _meetings) { // rising by collider
-		const int slot = meeting.slot;
-		if (!_skipped.has(slot)) {
+		const int slot = meeting.slot, force = p_colliders[meeting.collider].force;
+		if (force != ColliderShape::NO_FORCE) {
+			_forces[size_t(slot)] |= uint16_t(1u << force);
+		} else if (!_skipped.has(slot)) {
 			if (meeting.collider != last) {
 				last = meeting.collider;
 				pack_collider(p_colliders[last]);
@@ -49,7 +53,8 @@ void TileManager::write_records() {
 		const Place &place = _places[size_t(slot)];
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
-		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped;
+		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
+				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
 		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags }, { blend_of(slot), 0.0f, 0.0f, 0.0f } };
 		entries += count;
 	}

@@ -35,7 +35,7 @@ uint64_t sign_of(const ColliderShape &p_shape) {
 		signature = mix(signature, uint64_t(std::llround(p_shape.now.position[i] / PLACE_STEP)));
 		signature = mix(signature, uint64_t(std::llround(turn[i] / TURN_STEP)));
 	}
-	return signature;
+	return p_shape.force == ColliderShape::NO_FORCE ? signature : mix(signature, p_shape.revision);
 }
 
 } // namespace
@@ -81,7 +81,7 @@ void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 		meeting.slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
 		if (meeting.collider != last) {
 			last = meeting.collider;
-			_statistics.colliders++;
+			_statistics.colliders += p_colliders[last].force == ColliderShape::NO_FORCE;
 			sign = sign_of(p_colliders[last]);
 		}
 		uint64_t &signature = _signatures[size_t(meeting.slot)];

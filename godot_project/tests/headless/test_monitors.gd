@@ -22,6 +22,8 @@ const STATISTICS: Array[String] = [
 	"refused",
 	"capped",
 	"bodies",
+	"forces",
+	"forces_left_out",
 	"body_reads",
 	"shape_reads",
 	"engine_calls",

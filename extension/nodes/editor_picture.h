@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Lines that the editor shows of a node which nothing else shows.
+#pragma once
+
+#include <godot_cpp/classes/array_mesh.hpp>
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/standard_material3d.hpp>
+#include <godot_cpp/variant/color.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+namespace grass {
+
+class EditorPicture {
+public:
+	~EditorPicture() { free(); }
+
+	// Shows p_mesh at p_node, which is in a world. Only in the editor.
+	void show(const godot::Node3D &p_node, const godot::Ref<godot::ArrayMesh> &p_mesh, const godot::Color &p_color);
+	void follow(const godot::Node3D &p_node); // its place, and whether it is visible
+	void free();
+
+private:
+	godot::Ref<godot::ArrayMesh> _mesh;
+	godot::Ref<godot::StandardMaterial3D> _material; // of it
+	godot::RID _instance; // of both
+};
+
+} // namespace grass

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_forces.h"
+
+#include "convert.h"
+#include "nodes/grass_force_3d.h"
+
+#include <godot_cpp/classes/world3d.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+void FieldForces::push(const Force &p_force) {
+	_pushes.push_back(p_force);
+	_pushes.back().sanitise();
+}
+
+void FieldForces::pass(double p_delta) {
+	for (Force &push : _pushes) {
+		push.age += p_delta;
+	}
+	std::erase_if(_pushes, [](const Force &p_push) { return p_push.is_over(); });
+}
+
+void FieldForces::add(const Force &p_force, const Transform3D &p_to_field, const Vector2 &p_size) {
+	Force force = p_force;
+	force.place = to_eigen(p_to_field.xform(to_godot(p_force.place)));
+	force.direction = to_eigen(p_to_field.basis.xform(to_godot(p_force.direction)));
+	force.sanitise();
+	const bool reaches =
+			std::abs(force.place.x()) < 0.5 * p_size.x + force.radius && std::abs(force.place.z()) < 0.5 * p_size.y + force.radius;
+	if (reaches && force.speed_now() != 0.0) {
+		_forces.push_back(force);
+	}
+}
+
+void FieldForces::gather(const FieldHost &p_host, const Vector2 &p_size) {
+	_forces.clear();
+	_left_out = 0;
+	if (_pushes.empty() && !GrassForce3D::is_any_in_tree()) {
+		return;
+	}
+	const Transform3D to_field = p_host.field_transform().affine_inverse();
+	for (const Force &push : _pushes) {
+		add(push, to_field, p_size);
+	}
+	const Ref<World3D> world = p_host.as_node().get_world_3d();
+	for (const GrassForce3D *node : GrassForce3D::get_blowing()) {
+		if (node->get_world_3d() == world) {
+			add(node->get_force(), to_field, p_size);
+		}
+	}
+	if (_forces.size() > GRASS_MAX_FORCES) {
+		std::ranges::stable_sort(
+				_forces, std::greater(), [](const Force &p_force) { return std::abs(p_force.speed_now()) * p_force.radius; });
+		_left_out = int(_forces.size()) - GRASS_MAX_FORCES;
+		_forces.resize(GRASS_MAX_FORCES);
+	}
+}
+
+} // namespace grass
