@@ -25,7 +25,7 @@ EMPTY = ROOT / "tests/release/project"  # a project with a field that knows noth
 PLACE = "addons/grass_field"
 PER_LIBRARY = release.SIZE_MOST // len(release.TARGETS)
 RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
-SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "shaders", "godot_project")
+SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "shaders", "tests", "godot_project")
 
 
 class Skip(Exception):

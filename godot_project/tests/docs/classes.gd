@@ -85,6 +85,33 @@ func grass_field_bend_at() -> void:
 	assert_ne(stage.looked_along, Vector3.ZERO, "something lies in the grass there")
 
 
+func grass_field_blast() -> void:
+	var stage := await staged()
+	stage.call("_on_exploded")
+	await ticks(15)
+	assert_greater(stage.field.bend_at(stage.get("global_position") + Vector3(1.5, 0, 0)).x, 0.2, "away from it")
+
+
+func grass_field_push() -> void:
+	var stage := await staged()
+	stage.call("_on_door_slammed")
+	await ticks(10)
+	assert_greater(stage.field.bend_at(stage.get("global_position")).x, 0.05)
+
+
+func grass_force3d() -> void:
+	var stage := await ran()
+	await ticks(30)
+	assert_greater(stage.field.get_awake_tile_count(), 50, "the rotor blows")
+
+
+func grass_force3d_fire() -> void:
+	var stage := await ran()
+	assert_true(stage.locals.grenade.is_blowing())
+	await ticks(10)
+	assert_greater(stage.field.get_awake_tile_count(), 20)
+
+
 func grass_field_cut() -> void:
 	var stage := await staged()
 	assert_greater(stage.hay, 0.01, "m³")

@@ -106,3 +106,27 @@ func presets_presets() -> void:
 	var field := node.get_child(0) as GrassField
 	assert_true(field.species[0].card is Texture2D, "wheat has ears")
 	assert_greater(field.get_blade_count(), 100000)
+
+
+func forces_forces() -> void:
+	var stage := await staged()
+	var place := Vector3(1, 0, 1)
+	stage.call("_on_grenade_exploded", place)
+	await ticks(15)
+	var bend := stage.field.bend_at(place + Vector3(1.5, 0, 0))
+	assert_greater(bend.x, 0.2, "away from the grenade")
+	await ticks(120)
+	stage.call("_on_door_slammed", place)
+	await ticks(5)
+	assert_eq(stage.field.get_statistics().forces, 1)
+
+
+func forces_forces_2() -> void:
+	var stage := await staged()
+	var helicopter := Node3D.new()
+	helicopter.position = Vector3(0, 3, 0)
+	add_child(helicopter)
+	stage.call("add_rotor", helicopter)
+	await ticks(60)
+	assert_greater(stage.field.bend_at(Vector3(3, 0, 0)).x, 0.1, "out of the ring")
+	assert_less(stage.field.bend_at(Vector3(-3, 0, 0)).x, -0.1)

@@ -36,9 +36,12 @@ func test_forces_move_both_alike() -> void:
 		assert_less(share, MANY)
 		await ticks(160)
 		var left := difference(tiles)
-		print("    parity of method %d: %s of a blade's length in the wind, %d %% apart in the blast, %s after it" % [
-			method, String.num_scientific(most), 100 * share, String.num_scientific(left)
-		])
+		print(
+			(
+				"    parity of method %d: %s of a blade's length in the wind, %d %% apart in the blast, %s after it"
+				% [method, String.num_scientific(most), 100 * share, String.num_scientific(left)]
+			)
+		)
 		assert_less(left, AFTER_FORCES)
 		assert_eq(gpu.get_statistics().forces, 2, "the blast is over")
 		assert_greater(gpu.get_statistics().free_tile_steps, 0, "a force is no collider")

@@ -41,6 +41,17 @@ func test_meadow() -> void:
 			assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)), ground, 0.1)
 
 
+func test_forces() -> void:
+	await open("forces")
+	await ticks(30)
+	assert_eq(field.get_statistics().forces, 2, "the rotor and the whirl")
+	await ticks(45)
+	assert_eq(field.get_statistics().forces, 3, "and a blast")
+	var blast: Vector3 = place.get_node("Blast").global_position
+	assert_greater(field.bend_at(blast + Vector3(2, 0, 0)).x, 0.3)
+	assert_less(field.bend_at(blast + Vector3(-2, 0, 0)).x, -0.3)
+
+
 func test_lawn() -> void:
 	await open("lawn")
 	var on_disk := FileAccess.get_md5("res://demo/lawn.grassmap")
