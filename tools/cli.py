@@ -83,7 +83,8 @@ def parser():
 	bench.add_argument(
 		"--only",
 		metavar="PART",
-		help="only this one of those in the engine: draw, simulate, sleep, cpu, change, species, kernel; of paper: a table",
+		help="only this one of those in the engine: draw, meadow, forces, simulate, sleep, cpu, questions, change, species, kernel; "
+		"of paper: a table",
 	)
 
 	commands.add_parser("docs", help="make the site, out/site")

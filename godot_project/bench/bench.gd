@@ -2,7 +2,7 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    what the part's file begins with: draw, meadow, simulate, sleep, cpu, questions, change, species, kernel, accuracy;
+##   --only PART    what the part's file begins with: draw, meadow, forces, simulate, sleep, cpu, questions, change, species, kernel, accuracy;
 ##                  paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
@@ -19,6 +19,7 @@ const Change := preload("res://bench/bench_change.gd")
 const Kernel := preload("res://bench/bench_kernel.gd")
 const Accuracy := preload("res://bench/bench_accuracy.gd")
 const Meadow := preload("res://bench/bench_meadow.gd")
+const Forces := preload("res://bench/bench_forces.gd")
 const Species := preload("res://bench/bench_species.gd")
 const PaperTable1 := preload("res://bench/paper_table1.gd")
 const PaperPasses := preload("res://bench/paper_passes.gd")
@@ -40,7 +41,7 @@ func _ready() -> void:
 	var only := _argument("--only", "")
 	var spirv := _argument("--spirv", "")
 	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
-	for script: GDScript in [Draw, Meadow, Simulate, Sleep, Cpu, Questions, Change, Species, Kernel, Accuracy]:
+	for script: GDScript in [Draw, Meadow, Forces, Simulate, Sleep, Cpu, Questions, Change, Species, Kernel, Accuracy]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])
 		if not part.FILE.begins_with(only) or arguments.has(""):

@@ -202,6 +202,7 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
 	for i in 4:
 		uniforms.append(_uniform([8, 9, 10, 13][i], RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
+	uniforms.append(_uniform(14, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [own[2]]))  # no force blows
 	return _device.uniform_set_create(uniforms, _shader, 0)
 
 
