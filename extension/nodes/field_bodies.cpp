@@ -14,6 +14,7 @@ void FieldBodies::collect(const Field &p_field, const Transform3D &p_transform, 
 	_tracker.set_box(p_transform, half, p_delta);
 	_tracker.collect(p_transform, tick, _colliders);
 	_registered.collect(p_transform, tick, _colliders);
+	_wheels.collect(p_transform, tick, _colliders);
 }
 
 void FieldBodies::add_forces(std::span<const Force> p_forces) {
@@ -27,6 +28,7 @@ void FieldBodies::add_forces(std::span<const Force> p_forces) {
 void FieldBodies::forget_motion() {
 	_tracker.forget_motion();
 	_registered.forget_motion();
+	_wheels.forget_motion();
 }
 
 void FieldBodies::add_to(FieldStatistics &r_statistics) const {

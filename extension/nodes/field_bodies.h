@@ -8,6 +8,7 @@
 #include "core/field/visitors.h"
 #include "nodes/body_tracker.h"
 #include "nodes/node_colliders.h"
+#include "nodes/vehicle_wheels.h"
 
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ class FieldBodies {
 public:
 	BodyTracker &get_tracker() { return _tracker; }
 	NodeColliders &get_registered() { return _registered; }
+	VehicleWheels &get_wheels() { return _wheels; }
 
 	// Poses every collider for a tick of p_delta seconds of p_field, which stands at p_transform (orthonormal).
 	void collect(const Field &p_field, const godot::Transform3D &p_transform, double p_teleport_speed, double p_delta);
@@ -38,6 +40,7 @@ public:
 private:
 	BodyTracker _tracker;
 	NodeColliders _registered;
+	VehicleWheels _wheels;
 	std::vector<ColliderShape> _colliders; // of this tick
 	Visitors _visitors;
 };

@@ -14,6 +14,7 @@
 #include "core/tiles/tiles.h"
 #include "core/wear/recovery.h"
 #include "draw/look_params.h"
+#include "nodes/vehicle_wheels.h"
 
 #include <array>
 
@@ -42,6 +43,7 @@ enum FieldParamId {
 	PARAM_DENSITY,
 	PARAM_FOLLOW_SLOPE,
 	PARAM_REGROWTH,
+	PARAM_WHEEL_WEAR,
 	PARAM_CLUMP_SIZE,
 	PARAM_CLUMP_HEIGHT,
 	PARAM_CLUMP_LEAN,
@@ -83,6 +85,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
 	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
 	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },
+	FieldParam{ PARAM_WHEEL_WEAR, WHEEL_WEAR, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_HEIGHT, CLUMP_HEIGHT, Effect::REBUILD, "Clumps" },
 	FieldParam{ PARAM_CLUMP_LEAN, CLUMP_LEAN, Effect::REBUILD, "Clumps" },

@@ -14,6 +14,8 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -75,6 +77,7 @@ void GrassField::leave() {
 	set_process_internal(false);
 	set_physics_process_internal(false);
 	_bodies.get_tracker().stop();
+	_bodies.get_wheels().clear();
 	_standing.drop_backend();
 	emit_leaving();
 	_standing.clear();
@@ -105,7 +108,18 @@ void GrassField::physics_tick(double p_delta) {
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
 	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta);
+	wear_tracks(p_delta);
 	emit_visits();
+}
+
+// Wheels that slip leave tracks.
+void GrassField::wear_tracks(double p_delta) {
+	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
+	if (wear > 0.0) {
+		for (const VehicleWheels::Slip &slip : _bodies.get_wheels().find_slips()) {
+			_work.trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0));
+		}
+	}
 }
 
 // Grass that was worn or cut recovers.
@@ -207,6 +221,7 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	(void)p_body_shape; // see BodyTracker::body_changed()
 	(void)p_area_shape; // the area has one shape
 	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
+	_bodies.get_wheels().body_changed(p_status, p_instance_id);
 }
 
 AABB GrassField::_get_aabb() const {

@@ -153,6 +153,7 @@ private:
 	void emit_leaving();
 	void emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
 	void gather_forces() { _forces.gather(*this, _properties.size); }
+	void wear_tracks(double p_delta);
 	void recover(double p_delta);
 	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);

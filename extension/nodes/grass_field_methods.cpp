@@ -324,7 +324,7 @@ void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) 
 void GrassField::unregister_collider(Node3D *p_node) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs the node."));
-	_bodies.get_registered().remove(p_node);
+	_bodies.get_registered().remove(p_node->get_instance_id());
 }
 
 } // namespace grass

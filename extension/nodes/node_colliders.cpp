@@ -35,9 +35,11 @@ void NodeColliders::judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, c
 	r_entry.before.translation() = from;
 }
 
-bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape) {
+bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_local, uint64_t p_owner) {
 	Entry entry;
 	entry.node_id = p_node->get_instance_id();
+	entry.owner = p_owner != 0 ? p_owner : entry.node_id;
+	entry.local = p_local;
 	entry.shape = p_shape;
 	read_shape(p_shape->get_rid(), entry.tracked);
 	if (entry.tracked.usable) {
@@ -46,10 +48,8 @@ bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape) {
 	return entry.tracked.usable;
 }
 
-void NodeColliders::remove(const Node3D *p_node) {
-	const uint64_t id = p_node->get_instance_id();
-	_entries.erase(
-			std::remove_if(_entries.begin(), _entries.end(), [id](const Entry &p_entry) { return p_entry.node_id == id; }), _entries.end());
+void NodeColliders::remove(uint64_t p_node_id) {
+	std::erase_if(_entries, [p_node_id](const Entry &p_entry) { return p_entry.node_id == p_node_id; });
 }
 
 void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
@@ -70,12 +70,12 @@ void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick
 			entry.has_before = false;
 			continue;
 		}
-		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.tracked.offset;
+		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.local * entry.tracked.offset;
 		judge_motion(entry, now, p_tick);
 		ColliderShape collider = entry.tracked.shape;
 		scale_shape(collider, now.linear());
 		collider.friction = NODE_FRICTION;
-		collider.owner = entry.node_id;
+		collider.owner = entry.owner;
 		collider.set_poses(entry.before, now);
 		r_colliders.push_back(collider);
 		entry.before = now;

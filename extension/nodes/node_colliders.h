@@ -11,9 +11,10 @@ namespace grass {
 
 class NodeColliders {
 public:
-	// False, and adds nothing, if the shape cannot bend grass.
-	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
-	void remove(const godot::Node3D *p_node); // with all its shapes
+	// False, and adds nothing, if the shape cannot bend grass. p_local: of the shape in the node; p_owner: whose it is, 0: the node's.
+	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape,
+			const Eigen::Affine3d &p_local = Eigen::Affine3d::Identity(), uint64_t p_owner = 0);
+	void remove(uint64_t p_node_id); // with all its shapes
 	// Appends every shape, posed in the field's space. p_field: the field's transform (orthonormal).
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion(); // see BodyTracker
@@ -21,7 +22,8 @@ public:
 
 private:
 	struct Entry {
-		uint64_t node_id;
+		uint64_t node_id, owner;
+		Eigen::Affine3d local; // of the shape in the node
 		godot::Ref<godot::Shape3D> shape;
 		TrackedShape tracked;
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // of the shape, in field space

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The wheels of vehicles, which are rays to the physics server, as cylinders that press the grass; and where they slip.
+#pragma once
+
+#include "nodes/node_colliders.h"
+
+#include <godot_cpp/classes/vehicle_wheel3d.hpp>
+
+#include <map>
+#include <vector>
+
+namespace grass {
+
+// How fast a wheel that slips entirely wears the grass, in wear a second. 0: none leaves tracks. Usual 0.5 to 5.
+inline constexpr Tunable WHEEL_WEAR{ "wheel_wear", "1/s", 0.0, 20.0, 0.1, 0.0 };
+
+class VehicleWheels {
+public:
+	// Where a wheel slips on the ground.
+	struct Slip {
+		godot::Vector3 place; // global
+		double radius; // of the track, metres
+		double share; // 1: it slips entirely
+	};
+
+	// A shape of a body comes into the field's box or leaves it, see BodyTracker::body_changed().
+	void body_changed(int64_t p_status, int64_t p_instance_id);
+	void clear();
+	// Appends every wheel, posed in the field's space. p_field: the field's transform (orthonormal).
+	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+	void forget_motion() { _colliders.forget_motion(); }
+	std::vector<Slip> find_slips() const;
+
+private:
+	struct Vehicle {
+		int overlaps = 0;
+		std::vector<uint64_t> wheels; // ids of VehicleWheel3D nodes
+	};
+	void add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle);
+
+	std::map<uint64_t, Vehicle> _vehicles; // by id: the order of colliders is the same in every run
+	NodeColliders _colliders;
+};
+
+} // namespace grass
