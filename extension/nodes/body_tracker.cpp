@@ -32,7 +32,8 @@ constexpr int JUMP_TICKS = 6;
 
 } // namespace
 
-void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Callable &p_woke, uint32_t p_mask) {
+void BodyTracker::start(
+		const RID &p_space, const Callable &p_changed, const Callable &p_area_changed, const Callable &p_woke, uint32_t p_mask) {
 	stop();
 	_woke = p_woke;
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
@@ -44,6 +45,7 @@ void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Cal
 	server->area_set_collision_mask(_area, p_mask);
 	server->area_set_monitorable(_area, false);
 	server->area_set_monitor_callback(_area, p_changed);
+	server->area_set_area_monitor_callback(_area, p_area_changed);
 	server->area_set_space(_area, p_space);
 }
 

@@ -28,7 +28,9 @@ public:
 	// Watches a box, see set_box(). p_changed is called with the five arguments of
 	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed(). p_woke is called with the id of a
 	// body's RID, and must hand it to body_woke().
-	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_woke, uint32_t p_mask);
+	// p_area_changed: of areas, with the arguments of area_set_area_monitor_callback.
+	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_area_changed,
+			const godot::Callable &p_woke, uint32_t p_mask);
 	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
 	// p_delta: seconds of a tick.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);

@@ -19,6 +19,7 @@ void FieldForces::push(const Force &p_force) {
 }
 
 void FieldForces::pass(double p_delta) {
+	_areas.pass(p_delta);
 	for (Force &push : _pushes) {
 		push.age += p_delta;
 	}
@@ -40,12 +41,15 @@ void FieldForces::add(const Force &p_force, const Transform3D &p_to_field, const
 void FieldForces::gather(const FieldHost &p_host, const Vector2 &p_size) {
 	_forces.clear();
 	_left_out = 0;
-	if (_pushes.empty() && !GrassForce3D::is_any_in_tree()) {
+	if (_pushes.empty() && _areas.is_empty() && !GrassForce3D::is_any_in_tree()) {
 		return;
 	}
 	const Transform3D to_field = p_host.field_transform().affine_inverse();
 	for (const Force &push : _pushes) {
 		add(push, to_field, p_size);
+	}
+	for (const Force &wind : _areas.get_forces()) {
+		add(wind, to_field, p_size);
 	}
 	const Ref<World3D> world = p_host.as_node().get_world_3d();
 	for (const GrassForce3D *node : GrassForce3D::get_blowing()) {

@@ -65,7 +65,8 @@ void GrassField::enter() {
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
-				callable_mp(this, &GrassField::_body_woke), uint32_t(_properties.collision_mask));
+				callable_mp(this, &GrassField::_area_changed), callable_mp(this, &GrassField::_body_woke),
+				uint32_t(_properties.collision_mask));
 	}
 	_standing.begin_passes();
 	request_rebuild();
@@ -78,6 +79,7 @@ void GrassField::leave() {
 	set_physics_process_internal(false);
 	_bodies.get_tracker().stop();
 	_bodies.get_wheels().clear();
+	_forces.get_areas().clear();
 	_standing.drop_backend();
 	emit_leaving();
 	_standing.clear();
@@ -222,6 +224,13 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	(void)p_area_shape; // the area has one shape
 	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
 	_bodies.get_wheels().body_changed(p_status, p_instance_id);
+}
+
+void GrassField::_area_changed(int64_t p_status, const RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape) {
+	(void)p_area;
+	(void)p_other_shape;
+	(void)p_own_shape;
+	_forces.get_areas().area_changed(p_status, p_instance_id);
 }
 
 AABB GrassField::_get_aabb() const {

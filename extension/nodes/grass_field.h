@@ -157,6 +157,7 @@ private:
 	void recover(double p_delta);
 	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
+	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
 
 	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
 	void request_rebuild();

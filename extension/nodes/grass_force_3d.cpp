@@ -18,19 +18,19 @@ namespace grass {
 namespace {
 
 // Nodes enter and leave on the main thread.
-std::set<GrassForce3D *> in_tree;
+std::set<GrassForce3D *> forces_in_tree;
 
-const Color COLOR(0.55f, 0.85f, 0.95f);
+const Color FORCE_COLOR(0.55f, 0.85f, 0.95f);
 
 } // namespace
 
 bool GrassForce3D::is_any_in_tree() {
-	return !in_tree.empty();
+	return !forces_in_tree.empty();
 }
 
 std::vector<const GrassForce3D *> GrassForce3D::get_blowing() {
 	std::vector<const GrassForce3D *> blowing;
-	std::ranges::copy_if(in_tree, std::back_inserter(blowing), [](const GrassForce3D *p_force) { return p_force->is_blowing(); });
+	std::ranges::copy_if(forces_in_tree, std::back_inserter(blowing), [](const GrassForce3D *p_force) { return p_force->is_blowing(); });
 	std::ranges::sort(blowing, {}, [](const GrassForce3D *p_force) { return p_force->get_instance_id(); });
 	return blowing;
 }
@@ -100,14 +100,14 @@ PackedStringArray GrassForce3D::_get_configuration_warnings() const {
 void GrassForce3D::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_ENTER_WORLD:
-			in_tree.insert(this);
+			forces_in_tree.insert(this);
 			_force.age = 0.0;
 			set_notify_transform(true);
 			set_physics_process_internal(true);
 			update_picture();
 			break;
 		case NOTIFICATION_EXIT_WORLD:
-			in_tree.erase(this);
+			forces_in_tree.erase(this);
 			set_physics_process_internal(false);
 			_is_fired = false;
 			_picture.free();
@@ -124,11 +124,11 @@ void GrassForce3D::_notification(int p_what) {
 }
 
 void GrassForce3D::update_picture() {
-	if (in_tree.count(this) > 0) {
+	if (forces_in_tree.count(this) > 0) {
 		Ref<SphereShape3D> sphere;
 		sphere.instantiate();
 		sphere->set_radius(real_t(_force.radius));
-		_picture.show(*this, sphere->get_debug_mesh(), COLOR);
+		_picture.show(*this, sphere->get_debug_mesh(), FORCE_COLOR);
 	}
 }
 

@@ -161,6 +161,52 @@ func test_forces_of_another_world_or_hidden_ones_do_not_blow() -> void:
 	assert_eq(field.get_statistics().forces, 0)
 
 
+func add_windy_area(properties := {}) -> Area3D:
+	var area := Area3D.new()
+	var shape := CollisionShape3D.new()
+	shape.shape = BoxShape3D.new()
+	shape.shape.size = Vector3(6, 3, 6)
+	area.add_child(shape)
+	var source := Node3D.new()
+	source.name = "Source"
+	source.rotation.y = PI / 2  # its -z is -x
+	area.add_child(source)
+	area.wind_source_path = ^"Source"
+	area.wind_attenuation_factor = 0.0
+	for property: String in properties:
+		area.set(property, properties[property])
+	add_child(area)
+	return area
+
+
+func test_the_wind_of_an_area_blows() -> void:
+	var field := add_meadow()
+	await ticks(2)
+	var rest := lean_at(field, Vector3(1, 0, 0))
+	var area := add_windy_area({wind_force_magnitude = 12.0})
+	await ticks(60)
+	assert_eq(field.get_statistics().forces, 1)
+	var lean := lean_at(field, Vector3(1, 0, 0)) - rest
+	assert_greater(-lean.x, 0.15, "along -z of its source: %s" % lean)
+	area.wind_force_magnitude = 0.0
+	await ticks_to_sleep(field)
+	assert_eq(field.get_statistics().forces, 0)
+	area.wind_force_magnitude = 12.0
+	await ticks(5)
+	assert_eq(field.get_statistics().forces, 1)
+	area.free()
+	await ticks_to_sleep(field)
+	assert_eq(field.get_statistics().forces, 0)
+
+
+func test_an_area_without_a_source_does_not_blow() -> void:
+	var field := add_meadow()
+	add_windy_area({wind_force_magnitude = 12.0, wind_source_path = ^""})
+	add_windy_area({wind_force_magnitude = 12.0, collision_layer = 2})
+	await ticks(10)
+	assert_eq(field.get_statistics().forces, 0)
+
+
 func test_no_body_enters_with_a_force() -> void:
 	var field := add_meadow()
 	var entered := []
