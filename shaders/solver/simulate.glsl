@@ -180,10 +180,10 @@ int find_species(uint p_blade) {
 }
 #endif
 
-// [Eq W6] What forces do to the blade, by the air at its root.
-void find_push() {
-	push = vec3(0.0);
-	push_drag = 0.0;
+// [Eq W6] What forces do to the blade, by the air at its root. Called in one place: each copy costs registers.
+void find_air_load() {
+	air_load = vec3(0.0);
+	air_drag = 0.0;
 	vec3 air = vec3(0.0);
 	for (uint left = slot.list.w >> GRASS_SLOT_FORCES; left != 0u; left &= left - 1u) {
 		GrassForce force = forces[findLSB(left)];
@@ -192,8 +192,8 @@ void find_push() {
 		air += grass_force_air(force.place.w, force.blow, force.ring, force.beat, from);
 	}
 	if (air != vec3(0.0)) {
-		push_drag = grass_force_drag(length(air));
-		push = air * (push_drag * (METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0));
+		air_drag = grass_force_drag(length(air));
+		air_load = air * (air_drag * (METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0));
 	}
 }
 
@@ -221,7 +221,6 @@ void find_blade(uint p_blade) {
 		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
 	}
 	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
-	find_push();
 	energy = 0.0;
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
@@ -279,6 +278,7 @@ void main() {
 		if (count < uint(GRASS_BLADES_PER_TILE)) {
 			find_blade(blade_of[thread]);
 		}
+		find_air_load();
 		load_rest(is_fresh);
 		if (step.contact.x >= 1.0) { // else no time passes
 			step_blade(slot.list.z);

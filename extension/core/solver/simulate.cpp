@@ -44,7 +44,7 @@ glsl::vec4 to_glsl(const vec4 &p_a) {
 }
 
 // [Eq W6] What forces do to the blades, by the air at their roots.
-void find_push(const TileState &p_state, const GrassSlot &p_slot, const StepInput &p_input, TilePush &r_push) {
+void find_air_load(const TileState &p_state, const GrassSlot &p_slot, const StepInput &p_input, AirLoad &r_air) {
 	for (int b = 0; b < BLADES; b++) {
 		glsl::vec3 air(0.0f);
 		for (uint32_t left = p_slot.list.w >> GRASS_SLOT_FORCES; left != 0; left &= left - 1) {
@@ -59,10 +59,10 @@ void find_push(const TileState &p_state, const GrassSlot &p_slot, const StepInpu
 					p_state.root[0][b] + x - force.place.x, p_state.root[1][b] - force.place.y, p_state.root[2][b] + z - force.place.z);
 			air += glsl::grass_force_air(force.place.w, to_glsl(force.blow), to_glsl(force.ring), to_glsl(force.beat), from);
 		}
-		r_push.drag[b] = glsl::grass_force_drag(glsl::length(air));
-		r_push.load[0][b] = air.x * r_push.drag[b];
-		r_push.load[1][b] = air.y * r_push.drag[b];
-		r_push.load[2][b] = air.z * r_push.drag[b];
+		r_air.drag[b] = glsl::grass_force_drag(glsl::length(air));
+		r_air.load[0][b] = air.x * r_air.drag[b];
+		r_air.load[1][b] = air.y * r_air.drag[b];
+		r_air.load[2][b] = air.z * r_air.drag[b];
 	}
 }
 
@@ -194,18 +194,18 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileS
 			colliders.push_back(collider);
 		}
 	}
-	TilePush push;
+	AirLoad air;
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
-	state.push = p_slot.list.w >> GRASS_SLOT_FORCES != 0 ? &push : nullptr;
-	if (state.push != nullptr) {
-		find_push(state, p_slot, p_input, push);
+	state.air = p_slot.list.w >> GRASS_SLOT_FORCES != 0 ? &air : nullptr;
+	if (state.air != nullptr) {
+		find_air_load(state, p_slot, p_input, air);
 	}
 	const float blend = p_slot.list.w & GRASS_SLOT_SETTLING ? p_slot.blend.x : 0.0f;
 	const size_t slot = size_t(p_slot.tile.w);
 	const std::span<const GrassStep> steps =
 			p_input.species.size() == size_t(_patch->species) ? p_input.species : std::span(&p_input.step, 1);
 	_energy[slot] = p_step(state, steps, blend, colliders);
-	state.push = nullptr;
+	state.air = nullptr;
 	_bends[slot] = bend_of(state);
 }
 

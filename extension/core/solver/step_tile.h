@@ -90,10 +90,10 @@ template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::sp
 }
 
 // [Eq W6]
-template <class T> GRASS_INLINE void add_push(StepTerms<T> &r_terms, const TilePush &p_push, int p_first) {
-	const Vec3<T> push = { load<T>(&p_push.load[0][p_first]), load<T>(&p_push.load[1][p_first]), load<T>(&p_push.load[2][p_first]) };
-	const T drag = load<T>(&p_push.drag[p_first]);
-	r_terms.load = r_terms.load + push * (r_terms.is_direct ? T(1.0f) : r_terms.free_span * r_terms.free_span);
+template <class T> GRASS_INLINE void add_air_load(StepTerms<T> &r_terms, const AirLoad &p_air, int p_first) {
+	const Vec3<T> accelerated = { load<T>(&p_air.load[0][p_first]), load<T>(&p_air.load[1][p_first]), load<T>(&p_air.load[2][p_first]) };
+	const T drag = load<T>(&p_air.drag[p_first]);
+	r_terms.load = r_terms.load + accelerated * (r_terms.is_direct ? T(1.0f) : r_terms.free_span * r_terms.free_span);
 	r_terms.drag = r_terms.drag + drag;
 	r_terms.keep = r_terms.keep / (T(1.0f) + drag * r_terms.seconds);
 }
@@ -121,8 +121,8 @@ GRASS_INLINE float step_tile(
 		}
 		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
 		StepTerms<T> own = terms;
-		if (r_state.push != nullptr) {
-			add_push(own, *r_state.push, first);
+		if (r_state.air != nullptr) {
+			add_air_load(own, *r_state.air, first);
 		}
 		step_blade(blade, own);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {

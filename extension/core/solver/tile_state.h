@@ -9,7 +9,7 @@
 namespace grass {
 
 // What forces do to the blades of a tile in a step, [Eq W6]: acceleration, m/s^2, and drag, 1/s. Lives for one step.
-struct alignas(64) TilePush {
+struct alignas(64) AirLoad {
 	float load[3][GRASS_BLADES_PER_TILE];
 	float drag[GRASS_BLADES_PER_TILE];
 };
@@ -24,7 +24,7 @@ struct alignas(64) TileState {
 	float width[2][GRASS_BLADES_PER_TILE]; // x and z of where a blade's width points at the root
 	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];
-	const TilePush *push; // of this step; null where no force moves the tile
+	const AirLoad *air; // of this step; null where no force moves the tile
 };
 
 } // namespace grass
