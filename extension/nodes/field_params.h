@@ -14,7 +14,6 @@
 #include "core/tiles/tiles.h"
 #include "core/wear/recovery.h"
 #include "draw/look_params.h"
-#include "nodes/vehicle_wheels.h"
 
 #include <array>
 

@@ -11,9 +11,6 @@
 
 namespace grass {
 
-// How fast a wheel that slips entirely wears the grass, in wear a second. 0: none leaves tracks. Usual 0.5 to 5.
-inline constexpr Tunable WHEEL_WEAR{ "wheel_wear", "1/s", 0.0, 20.0, 0.1, 0.0 };
-
 class VehicleWheels {
 public:
 	// Where a wheel slips on the ground.

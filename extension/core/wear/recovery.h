@@ -12,6 +12,8 @@ namespace grass {
 
 // Wear that goes in a minute; 1 is trampled bare. 0: it lasts, and so do paths that were painted. Usual in games 0 to 0.2.
 inline constexpr Tunable WEAR_RECOVERY{ "wear_recovery", "1/min", 0.0, 60.0, 0.001, 0.0 };
+// How fast a wheel that slips entirely wears the grass, in wear a second. 0: none leaves tracks. Usual 0.5 to 5.
+inline constexpr Tunable WHEEL_WEAR{ "wheel_wear", "1/s", 0.0, 20.0, 0.1, 0.0 };
 // By how much cut grass grows in a minute. 0: it stays short. Usual in games 0 to 50.
 inline constexpr Tunable REGROWTH{ "regrowth", "mm/min", 0.0, 10000.0, 0.1, 0.0 };
 
