@@ -12,6 +12,7 @@
 #include "nodes/field_properties.h"
 #include "nodes/field_work.h"
 #include "nodes/ground_rays.h"
+#include "nodes/other_light.h"
 #include "nodes/standing_field.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -184,6 +185,7 @@ private:
 	FieldMaker _maker;
 	StandingField _standing{ _properties };
 	FieldFiller _filler;
+	OtherLight _other_light;
 	FieldBodies _bodies;
 	FieldWork _work{ *this, _standing, _properties };
 	Recovery _recovery;
