@@ -40,6 +40,7 @@ void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	_material.instantiate();
 	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
+	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
 	_mesh.instantiate();
 	_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
 	_mesh->surface_set_material(0, _material);

@@ -26,6 +26,8 @@ inline constexpr std::array FIELD_COLORS = {
 
 // Share of dryness in tips and light clumps.
 inline constexpr Tunable DRY{ "dry", "", 0.0, 1.0, 0.01, 0.25 };
+// Width of the border in which a field gets thinner and lower. 0: it ends at once, for fields that lie side by side.
+inline constexpr Tunable BORDER_FADE{ "border_fade", "m", 0.0, 10.0, 0.1, 1.0 };
 // How dark the ground between the densest blades is. Use less on sparse lawns.
 inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that comes out of the other.

@@ -9,14 +9,15 @@ using namespace godot;
 
 namespace grass {
 
+bool is_compatibility() {
+	static const bool is = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+	return is;
+}
+
 namespace {
 
 // Tiles along a side whose numbers survive the 16-bit floats that the Compatibility renderer packs an instance's numbers in.
 constexpr int EXACT_TILES = 2048;
-
-bool is_compatibility() {
-	return RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
-}
 
 } // namespace
 

@@ -15,6 +15,8 @@
 
 namespace grass {
 
+bool is_compatibility(); // the renderer
+
 struct FieldProperties {
 	FieldProperties(); // defaults
 

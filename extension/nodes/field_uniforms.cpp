@@ -23,6 +23,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
 	p_set("debug_view", p_properties.debug_view);
 	p_set("follow_slope", p_setup.follow_slope);
+	p_set("other_light", _light);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
 			p_set(FIELD_PARAMS[i].tunable.name, p_properties.params[i]);
@@ -38,6 +39,13 @@ void FieldUniforms::set_wind(const FieldProperties &p_properties, const Set &p_s
 	const double angle = Math::deg_to_rad(p_properties.param(PARAM_WIND_DIRECTION)), speed = p_properties.param(PARAM_WIND_SPEED);
 	p_set("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
 	p_set("gust", Vector2(real_t(p_properties.param(PARAM_GUST_SIZE)), real_t(p_properties.param(PARAM_GUST_STRENGTH))));
+}
+
+void FieldUniforms::set_light(const Vector4 &p_other, const Set &p_set) {
+	if (_light != p_other) {
+		_light = p_other;
+		p_set("other_light", _light);
+	}
 }
 
 void FieldUniforms::set_wind_clock(const Set &p_set) {

@@ -23,6 +23,7 @@ public:
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
 	// p_species: those that stand. p_set: of blades and ground; p_set_blades: of blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set, const Set &p_set_blades);
+	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
 	void set_wind_clock(const Set &p_set);
 	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
 	bool keep_wind_clock(const Set &p_set);
@@ -38,6 +39,7 @@ private:
 
 	WindClock _wind;
 	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
+	godot::Vector4 _light;
 	Cards _cards;
 	size_t _forces = 0; // that the shaders have
 };

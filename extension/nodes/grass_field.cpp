@@ -179,6 +179,9 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	update_map();
 	const FieldView view = find_view();
+	if (is_compatibility() && !view.cameras.empty()) {
+		_standing.show_light(_other_light.find(this));
+	}
 	_standing.read_asked();
 	_standing.show_motion(view.has_motion);
 	_standing.follow(this, field_transform());

@@ -13,6 +13,7 @@
 #include "nodes/field_properties.h"
 #include "nodes/field_work.h"
 #include "nodes/ground_rays.h"
+#include "nodes/other_light.h"
 #include "nodes/standing_field.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -191,6 +192,7 @@ private:
 	FieldMaker _maker;
 	StandingField _standing{ _properties };
 	FieldFiller _filler;
+	OtherLight _other_light;
 	FieldBodies _bodies;
 	FieldForces _forces;
 	FieldWork _work{ *this, _standing, _properties };

@@ -56,6 +56,8 @@ public:
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _field.resume(); }
 	void tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta);
+	// A frame of a renderer that adds light in sRGB.
+	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
 	// A frame, before drawing begins: the wind blows.
 	void blow(std::span<const Force> p_forces, double p_delta);
 	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.

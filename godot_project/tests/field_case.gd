@@ -7,12 +7,14 @@ const KNOTS := 16  # of a blade
 const CLAMPED := 2  # knots at the root that never move
 
 
-## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide and without wind unless told.
+## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide, without wind and as dense at its
+## border as within unless told.
 func add_field(properties := {}) -> GrassField:
 	var field := GrassField.new()
 	field.name = "Meadow"
 	field.size = Vector2(4, 4)
 	field.wind_speed = 0.0
+	field.border_fade = 0.0
 	for property: String in properties:
 		field.set(property, properties[property])
 	add_child(field)

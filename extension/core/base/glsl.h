@@ -97,6 +97,9 @@ inline float floor(float p_a) {
 inline vec2 floor(const vec2 &p_a) {
 	return { std::floor(p_a.x), std::floor(p_a.y) };
 }
+inline vec2 abs(const vec2 &p_a) {
+	return { std::abs(p_a.x), std::abs(p_a.y) };
+}
 inline vec3 abs(const vec3 &p_a) {
 	return { std::abs(p_a.x), std::abs(p_a.y), std::abs(p_a.z) };
 }

@@ -6,6 +6,7 @@ const UNITS: Dictionary[String, String] = {
 	size = "m",
 	density = "blades/m²",
 	clump_size = "m",
+	border_fade = "m",
 	sleep_motion = "mm",
 	sleep_delay = "s",
 	settle_time = "s",

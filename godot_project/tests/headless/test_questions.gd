@@ -65,6 +65,26 @@ func test_only_blades_that_stand() -> void:
 	assert_near(share, 0.5, 0.12, "of the blades")
 
 
+func test_a_border_that_fades_is_in_the_picture_only() -> void:
+	var fields: Array[GrassField] = [add_field({border_fade = 0.0}), add_field({border_fade = 10.0})]
+	await ticks(1)
+	var tile := fields[0].get_tile_at(Vector3(1.9, 0, 0.25))
+	var upright := fields[0].get_tile_knots(tile)
+	add_held_body(ball(0.2), Vector3(1.9, 0.25, 0.25))
+	await ticks(20)
+	var answers := []
+	for field in fields:
+		var place := Vector3(1.95, 0, 0.4)
+		answers.append([field.height_at(place), field.density_at(place), field.is_grass_at(place), field.find_blades(place, 0.3)])
+		answers[-1].append(field.get_tile_knots(tile))
+		assert_ne(answers[-1][-1], upright, "the body bends the blades")
+	assert_eq(answers[0], answers[1])
+	var makings: int = fields[0].get_statistics().makings
+	fields[0].border_fade = 5.0
+	await ticks(2)
+	assert_eq(fields[0].get_statistics().makings, makings, "it is a number of the shaders")
+
+
 func test_what_is_not_there() -> void:
 	var field := add_field()
 	await ticks(1)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+## How a field ends: grass gets thinner and lower, soil has a soft edge. Runs in every renderer.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(192, 108)
+const PIXEL := 0.02  # metres
+const PICTURES := "user://pictures/"  # looked at by people
+
+
+## Straight from above, over a white floor.
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	DirAccess.make_dir_recursive_absolute(PICTURES)
+	var below := MeshInstance3D.new()
+	below.mesh = PlaneMesh.new()
+	below.mesh.size = Vector2(60, 60)
+	var white := StandardMaterial3D.new()
+	white.shading_mode = BaseMaterial3D.SHADING_MODE_UNSHADED
+	below.material_override = white
+	viewport.add_child(below)
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = PIXEL * SIZE.y
+
+
+func save(image: Image, name: String) -> void:
+	image.save_png(PICTURES + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
+
+
+## Mean luminance of each column.
+func columns(image: Image) -> PackedFloat32Array:
+	var means := PackedFloat32Array()
+	for x in image.get_width():
+		var sum := 0.0
+		for y in image.get_height():
+			sum += image.get_pixel(x, y).get_luminance()
+		means.append(sum / image.get_height())
+	return means
+
+
+## Metres between where the first fifth and the last fifth of the way from grass to floor is done.
+func width_of_border(image: Image) -> float:
+	var means := columns(image)
+	var inside := 0.0
+	for x in 30:
+		inside += means[x] / 30
+	var from := means.size()
+	var to := 0
+	for x in means.size():
+		var way := (means[x] - inside) / (means[-1] - inside)
+		from = mini(from, x) if way > 0.2 else from
+		to = x if way < 0.8 else to
+	return maxi(to - from, 0) * PIXEL
+
+
+func test_a_field_fades_at_its_border() -> void:
+	var field := add_seen_field({size = Vector2(16, 16), clump_tint = 0.0})
+	look(Vector3(7, 5, 0), Vector3(7, 0, 0))
+	var widths := PackedFloat32Array()
+	for fade: float in [0.0, 1.0, 2.0]:
+		field.border_fade = fade
+		await drawn()
+		var image := await picture()
+		save(image, "border_%d" % fade)
+		assert_greater(columns(image)[-1], 0.99, "floor outside")
+		widths.append(width_of_border(image))
+	print("    the border is %s m wide" % widths)
+	assert_less(widths[0], 0.2)
+	assert_greater(widths[1], 0.35)
+	assert_greater(widths[2], 1.5 * widths[1])
+
+
+## Blades hide most of the soil, so here are hardly any.
+func test_the_soil_has_a_soft_edge() -> void:
+	var map := GrassMap.new()
+	map.stroke(brush(GrassBrush.TOOL_PAINT, 1.0), Vector2(7, -4), Vector2(7, 4))
+	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, map = map, root_shade = 0.0})
+	await grown(field)
+	look(Vector3(7.8, 5, 0), Vector3(7.8, 0, 0))
+	await drawn()
+	var painted := await picture()
+	field.map = null
+	await grown(field)
+	look(Vector3(15, 5, 0), Vector3(15, 0, 0))
+	await drawn()
+	for picture: Array in [["painted", painted], ["own", await picture()]]:
+		var image: Image = picture[1]
+		save(image, "soil_" + picture[0])
+		var between := share_of(image, func(color: Color) -> bool: return absf(color.get_luminance() - 0.6) < 0.2)
+		print("    %s border: %.3f of the pixels are neither soil nor floor" % [picture[0], between])
+		assert_greater(share_of(image, func(color: Color) -> bool: return color.get_luminance() > 0.95), 0.1, "floor")
+		assert_greater(share_of(image, func(color: Color) -> bool: return color.get_luminance() < 0.4), 0.1, "soil")
+		assert_greater(between, 0.02)

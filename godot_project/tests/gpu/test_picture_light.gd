@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+## Whatever light falls on it, grass has the same mean colour in every renderer: Forward+, which runs first, writes down what it shows.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(192, 108)
+const PICTURES := "user://pictures/"  # looked at by people
+const MEANS := "user://renderers_agree.json"  # of Forward+
+const UNLIKE := 1.2  # the greatest distance of mean colours in CIE L*a*b*; 2 is just seen
+const MORE_UNLIKE := {"side, shadows of grass": 3.8, "soil, shadows": 2.3}  # in Compatibility
+
+var sun: DirectionalLight3D
+var environment: Environment
+
+
+func before() -> void:
+	open_view(SIZE)
+	DirAccess.make_dir_recursive_absolute(PICTURES)
+	sun = DirectionalLight3D.new()
+	viewport.add_child(sun)
+	environment = Environment.new()
+	environment.background_mode = Environment.BG_COLOR
+	environment.background_color = Color(0.4, 0.5, 0.7)
+	environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
+	environment.ambient_light_color = Color(0.75, 0.85, 1.0)
+	var world := WorldEnvironment.new()
+	world.environment = environment
+	viewport.add_child(world)
+
+
+## CIE 1976 L*a*b* of an sRGB colour, under D65.
+func to_lab(color: Color) -> Vector3:
+	var c := color.srgb_to_linear()
+	var x := (0.4124 * c.r + 0.3576 * c.g + 0.1805 * c.b) / 0.9505
+	var y := 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b
+	var z := (0.0193 * c.r + 0.1192 * c.g + 0.9505 * c.b) / 1.089
+	var f := func(t: float) -> float: return pow(t, 1.0 / 3.0) if t > 0.008856 else 7.787 * t + 16.0 / 116.0
+	return Vector3(116.0 * f.call(y) - 16.0, 500.0 * (f.call(x) - f.call(y)), 200.0 * (f.call(y) - f.call(z)))
+
+
+func mean(image: Image) -> Color:
+	var sum := Color(0, 0, 0, 0)
+	for y in image.get_height():
+		for x in image.get_width():
+			sum += image.get_pixel(x, y)
+	return sum / (image.get_width() * image.get_height())
+
+
+## Light from straight behind the eye: 0; from its right: 90.
+func shine(from: float, has_shadows: bool, ambient := 0.35) -> void:
+	sun.visible = true
+	sun.rotation_degrees = Vector3(-40, from, 0)
+	sun.shadow_enabled = has_shadows
+	environment.ambient_light_energy = ambient
+
+
+func under_a_sky() -> void:
+	var sky := Sky.new()
+	sky.sky_material = ProceduralSkyMaterial.new()
+	environment.sky = sky
+	environment.background_mode = Environment.BG_SKY
+	environment.ambient_light_source = Environment.AMBIENT_SOURCE_BG
+	await frames(90)  # the sky's light is looked at twice
+
+
+func test_all_renderers_show_the_same_colours() -> void:
+	var field := add_seen_field({size = Vector2(30, 30)})
+	look(Vector3(0, 1.7, 12), Vector3(0, 0, 9))
+	var means := {}
+	for light: String in [
+		"front",
+		"side",
+		"back",
+		"overcast",
+		"front, shadows",
+		"side, shadows",
+		"side, shadows of grass",
+		"shadows without a sky",
+		"soil, shadows",
+		"two species",
+		"tinted",
+		"sky, shadows"
+	]:
+		shine(0.0 if light.begins_with("front") else (180.0 if light == "back" else 90.0), light.contains("shadows"))
+		match light:
+			"overcast":
+				environment.ambient_light_energy = 1.0
+				sun.visible = false
+			"shadows without a sky":
+				environment.ambient_light_energy = 0.0
+			"soil, shadows":
+				field.density = 1.0
+				await grown(field)
+			"two species":
+				field.density = 256.0
+				field.species = [GrassSpecies.new(), GrassSpecies.new()]
+				await grown(field)
+			"tinted":
+				field.species = []
+				field.map = full_map()
+				field.map.stroke(brush(GrassBrush.TOOL_TINT, 9.0, {color = Color(0.8, 0.4, 0.1)}), Vector2(0, 9), Vector2(0, 9))
+				await grown(field)
+			"sky, shadows":
+				field.map = null
+				await grown(field)
+				await under_a_sky()
+		field.cast_shadow = int(light == "side, shadows of grass") as GeometryInstance3D.ShadowCastingSetting
+		await drawn()
+		var image := await picture()
+		image.save_png(PICTURES + "light, %s, %s.png" % [light, RenderingServer.get_current_rendering_method()])
+		means[light] = mean(image)
+	compare(means)
+
+
+func compare(means: Dictionary) -> void:
+	var renderer := RenderingServer.get_current_rendering_method()
+	if renderer == "forward_plus":
+		FileAccess.open(MEANS, FileAccess.WRITE).store_string(var_to_str(means))
+	if not FileAccess.file_exists(MEANS):
+		skip("Forward+ has not run here")
+		return
+	var wanted: Dictionary = str_to_var(FileAccess.get_file_as_string(MEANS))
+	for light: String in means:
+		var unlike := to_lab(means[light]).distance_to(to_lab(wanted[light]))
+		var color: Color = 100.0 * means[light]
+		print("    %s: (%.1f, %.1f, %.1f) %%, %.2f from Forward+" % [light, color.r, color.g, color.b, unlike])
+		assert_less(unlike, MORE_UNLIKE.get(light, UNLIKE) if renderer == "gl_compatibility" else UNLIKE, light)
