@@ -9,6 +9,7 @@
 #include "editor/grass_editor_plugin.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
+#include "nodes/grass_bone_colliders_3d.h"
 #include "nodes/grass_brush.h"
 #include "nodes/grass_exclusion_3d.h"
 #include "nodes/grass_field.h"
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassMap);
 		GDREGISTER_CLASS(grass::GrassExclusion3D);
 		GDREGISTER_CLASS(grass::GrassForce3D);
+		GDREGISTER_CLASS(grass::GrassBoneColliders3D);
 		GDREGISTER_CLASS(grass::GrassField);
 		grass::register_map_files();
 	}

@@ -5,7 +5,8 @@ using namespace godot;
 
 namespace grass {
 
-void FieldBodies::collect(const Field &p_field, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
+void FieldBodies::collect(
+		const Field &p_field, const Ref<World3D> &p_world, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
 	const TileGrid &grid = p_field.get_grid();
 	const double height = p_field.get_setup().blade_length();
 	const Vector3 half(
@@ -15,6 +16,7 @@ void FieldBodies::collect(const Field &p_field, const Transform3D &p_transform, 
 	_tracker.collect(p_transform, tick, _colliders);
 	_registered.collect(p_transform, tick, _colliders);
 	_wheels.collect(p_transform, tick, _colliders);
+	_bones.collect(p_world, p_transform, tick, _colliders);
 }
 
 void FieldBodies::add_forces(std::span<const Force> p_forces) {
@@ -29,6 +31,7 @@ void FieldBodies::forget_motion() {
 	_tracker.forget_motion();
 	_registered.forget_motion();
 	_wheels.forget_motion();
+	_bones.forget_motion();
 }
 
 void FieldBodies::add_to(FieldStatistics &r_statistics) const {

@@ -7,6 +7,7 @@
 #include "core/field/field_statistics.h"
 #include "core/field/visitors.h"
 #include "nodes/body_tracker.h"
+#include "nodes/bone_colliders.h"
 #include "nodes/node_colliders.h"
 #include "nodes/vehicle_wheels.h"
 
@@ -21,8 +22,9 @@ public:
 	NodeColliders &get_registered() { return _registered; }
 	VehicleWheels &get_wheels() { return _wheels; }
 
-	// Poses every collider for a tick of p_delta seconds of p_field, which stands at p_transform (orthonormal).
-	void collect(const Field &p_field, const godot::Transform3D &p_transform, double p_teleport_speed, double p_delta);
+	// Poses every collider for a tick of p_delta seconds of p_field, which stands in p_world at p_transform (orthonormal).
+	void collect(const Field &p_field, const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_transform,
+			double p_teleport_speed, double p_delta);
 	// After that: what wakes tiles for the forces of the tick.
 	void add_forces(std::span<const Force> p_forces);
 	std::span<ColliderShape> get_colliders() { return _colliders; }
@@ -41,6 +43,7 @@ private:
 	BodyTracker _tracker;
 	NodeColliders _registered;
 	VehicleWheels _wheels;
+	BoneColliders _bones;
 	std::vector<ColliderShape> _colliders; // of this tick
 	Visitors _visitors;
 };

@@ -106,7 +106,7 @@ void GrassField::physics_tick(double p_delta) {
 	}
 	update_map();
 	gather_forces();
-	_bodies.collect(_standing.get_field(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
+	_bodies.collect(_standing.get_field(), get_world_3d(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
 	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta);

@@ -12,29 +12,6 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-
-// The friction of an ordinary body, as the tracker scales it.
-constexpr double NODE_FRICTION = 0.5;
-
-} // namespace
-
-// A node has no velocity: only its motion shows it.
-void NodeColliders::judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
-	const Eigen::Vector3d nobody_knows = Eigen::Vector3d::Zero(), before = r_entry.before.translation(), now = p_now.translation();
-	if (!r_entry.has_before) {
-		r_entry.motion.start(now, nobody_knows, nobody_knows, p_tick);
-		r_entry.before = p_now;
-		r_entry.has_before = true;
-		return;
-	}
-	const Eigen::Vector3d from = r_entry.motion.follow(before, now, nobody_knows, p_tick);
-	if (from == now && from != before) { // put there
-		r_entry.before.linear() = p_now.linear();
-	}
-	r_entry.before.translation() = from;
-}
-
 bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_local, uint64_t p_owner) {
 	Entry entry;
 	entry.node_id = p_node->get_instance_id();
@@ -67,24 +44,22 @@ void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick
 		i++;
 		read_shape(entry.shape->get_rid(), entry.tracked);
 		if (!node->is_inside_tree() || !entry.tracked.usable) {
-			entry.has_before = false;
+			entry.motion.forget();
 			continue;
 		}
 		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.local * entry.tracked.offset;
-		judge_motion(entry, now, p_tick);
 		ColliderShape collider = entry.tracked.shape;
 		scale_shape(collider, now.linear());
-		collider.friction = NODE_FRICTION;
+		collider.friction = NodeMotion::FRICTION;
 		collider.owner = entry.owner;
-		collider.set_poses(entry.before, now);
+		entry.motion.pose(now, p_tick, collider);
 		r_colliders.push_back(collider);
-		entry.before = now;
 	}
 }
 
 void NodeColliders::forget_motion() {
 	for (Entry &entry : _entries) {
-		entry.has_before = false;
+		entry.motion.forget();
 	}
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "nodes/body_tracker.h"
+#include "nodes/node_motion.h"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/shape3d.hpp>
@@ -26,11 +27,8 @@ private:
 		Eigen::Affine3d local; // of the shape in the node
 		godot::Ref<godot::Shape3D> shape;
 		TrackedShape tracked;
-		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // of the shape, in field space
-		bool has_before = false;
-		Motion motion;
+		NodeMotion motion;
 	};
-	static void judge_motion(Entry &r_entry, const Eigen::Affine3d &p_now, const MotionTick &p_tick);
 
 	std::vector<Entry> _entries; // in the order in which they came
 };

@@ -12,6 +12,21 @@ func grass_brush() -> void:
 	assert_near(stage.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO), 0.04, 0.006, "metres")
 
 
+func grass_bone_colliders3d() -> void:
+	var stage := await staged()
+	var leg: Skeleton3D = stage.get_node("Skeleton3D")
+	var first := leg.get_bone_count()
+	for i in 2:
+		leg.add_bone("Bone%d" % i)
+		leg.set_bone_rest(first + i, Transform3D(Basis(), Vector3(0, 0.1 + 0.2 * i, 0)))
+	leg.set_bone_parent(first + 1, first)
+	leg.reset_bone_poses()
+	leg.position = Vector3(3, 0, 3)
+	stage.call("run")
+	await seen()
+	assert_true(stage.field.is_tile_awake(stage.field.get_tile_at(leg.position)))
+
+
 func grass_exclusion3d() -> void:
 	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
 	await frames(30)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What moves without physics, from tick to tick: only its places show how.
+#pragma once
+
+#include "core/bodies/body_shape.h"
+#include "core/bodies/motion.h"
+
+#include <Eigen/Geometry>
+
+namespace grass {
+
+class NodeMotion {
+public:
+	// The friction of an ordinary body, as the tracker scales it.
+	static constexpr double FRICTION = 0.5;
+
+	// It stands at p_now, field space, in this tick: sets both poses of r_collider.
+	void pose(const Eigen::Affine3d &p_now, const MotionTick &p_tick, ColliderShape &r_collider);
+	void forget() { _has_before = false; }
+
+private:
+	Eigen::Affine3d _before = Eigen::Affine3d::Identity();
+	bool _has_before = false;
+	Motion _motion;
+};
+
+} // namespace grass

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+## A skeleton without physics bends grass by capsules along its bones.
+extends "res://tests/field_case.gd"
+
+
+## Hip, knee and ankle above each other, 0.4 m apart; the last bone has no length.
+func add_leg(place: Vector3, properties := {}) -> Skeleton3D:
+	var skeleton := Skeleton3D.new()
+	for name: String in ["Hip", "Knee", "Ankle"]:
+		var index := skeleton.add_bone(name)
+		if index > 0:
+			skeleton.set_bone_parent(index, index - 1)
+			skeleton.set_bone_rest(index, Transform3D(Basis(), Vector3(0, -0.4, 0)))
+	skeleton.set_bone_rest(0, Transform3D(Basis(), Vector3(0, 0.85, 0)))
+	skeleton.reset_bone_poses()
+	skeleton.position = place
+	var bones := GrassBoneColliders3D.new()
+	for property: String in properties:
+		bones.set(property, properties[property])
+	skeleton.add_child(bones)
+	add_child(skeleton)
+	return skeleton
+
+
+func test_bones_bend_grass_as_they_swing() -> void:
+	var field := add_field()
+	var entered := []
+	field.body_entered_grass.connect(entered.append)
+	var leg := add_leg(Vector3(0.25, 0, 0.25))
+	await ticks(3)
+	assert_true(field.is_tile_awake(field.get_tile_at(leg.position)))
+	assert_eq(field.get_statistics().colliders, 2, "thigh and shin")
+	assert_eq(entered, [leg.get_child(0)])
+	var tile := field.get_tile_at(Vector3(0.25, 0, 0.75))
+	var rest := tile_knots(field, tile)
+	for step in 20:  # the leg swings towards +z
+		leg.set_bone_pose_rotation(0, Quaternion(Vector3.RIGHT, -0.06 * step))
+		await ticks(1)
+	assert_greater(farthest(tile_knots(field, tile), rest), 0.1, "metres: the foot has passed through")
+	leg.free()
+	await ticks_to_sleep(field)
+
+
+func test_which_bones_bend() -> void:
+	var field := add_field()
+	var leg := add_leg(Vector3(0.25, 0, 0.25), {bones = PackedStringArray(["Knee"])})
+	var bones: GrassBoneColliders3D = leg.get_child(0)
+	await ticks(3)
+	assert_eq(field.get_statistics().colliders, 1, "the shin")
+	bones.length_min = 0.5
+	await ticks(2)
+	assert_eq(field.get_statistics().colliders, 0, "too short")
+	bones.length_min = 0.1
+	bones.enabled = false
+	await ticks(2)
+	assert_eq(field.get_statistics().colliders, 0)
+	bones.enabled = true
+	bones.bones = PackedStringArray(["Tail"])
+	await ticks(2)
+	assert_eq(field.get_statistics().colliders, 0, "no such bone")
+
+
+func test_without_a_skeleton_it_bends_nothing() -> void:
+	var field := add_field()
+	var bones := GrassBoneColliders3D.new()
+	add_child(bones)
+	await ticks(3)
+	assert_eq(field.get_statistics().colliders, 0)
+
+
+func test_a_skeleton_that_is_put_elsewhere_leaves_the_grass_between_alone() -> void:
+	var field := add_field({size = Vector2(12, 4)})
+	var leg := add_leg(Vector3(-5, 0, 0.25))
+	await ticks(5)
+	leg.position.x = 5
+	await ticks(3)
+	assert_false(field.is_tile_awake(field.get_tile_at(Vector3(0, 0, 0.25))))
+	assert_true(field.is_tile_awake(field.get_tile_at(leg.position)))
