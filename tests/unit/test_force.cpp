@@ -199,3 +199,19 @@ TEST_CASE("force: a steady one lets its tiles become still, one that changes sti
 	step(manager, { force });
 	CHECK(manager.get_statistics().still == 0);
 }
+
+TEST_CASE("force: a steady one that turns, or blows otherwise, is another one") {
+	Force force = make_force(ForceKind::WIND);
+	force.age = 5.0;
+	const uint64_t before = force.make_shape(0).revision;
+	force.age = 6.0;
+	CHECK(force.make_shape(0).revision == before);
+	Force turned = force, faster = force, back = force, gusty = force;
+	turned.direction = { 0.0, 0.0, 1.0 };
+	faster.speed += 0.5;
+	back.speed = -back.speed;
+	gusty.turbulence = 0.2;
+	for (const Force &other : { turned, faster, back, gusty }) {
+		CHECK(other.make_shape(0).revision != before);
+	}
+}

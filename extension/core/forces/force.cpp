@@ -86,7 +86,11 @@ ColliderShape Force::make_shape(int p_index) const {
 	shape.size = { reached, is_ring() ? 2.0 * radius : reached, reached };
 	shape.now.position = shape.before.position = place;
 	shape.force = p_index;
-	shape.revision = turbulence > 0.0 || duration > 0.0 || age < 2.0 * RISE ? std::bit_cast<uint64_t>(age) : uint64_t(speed * 1e3);
+	const bool is_steady = turbulence <= 0.0 && duration <= 0.0 && age >= 2.0 * RISE;
+	shape.revision = uint64_t(kind);
+	for (const double part : { speed, direction.x(), direction.y(), direction.z(), is_steady ? 0.0 : age }) {
+		shape.revision = shape.revision * 1099511628211u + std::bit_cast<uint64_t>(part);
+	}
 	return shape;
 }
 

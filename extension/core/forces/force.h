@@ -43,7 +43,7 @@ struct Force {
 	bool is_over() const { return duration > 0.0 && age >= duration; }
 	// Speed of its air at its age where it is strongest, m/s.
 	double speed_now() const;
-	// Metres around its place beyond which its air is slower than GRASS_FORCE_WAKES; 0: everywhere.
+	// Metres around its place beyond which its air is slower than GRASS_FORCE_WAKES; 0 where all of it is.
 	double reach() const;
 	// As the shaders take it, relative to the tile of p_grid that it is over.
 	GrassForce pack(const TileGrid &p_grid) const;
