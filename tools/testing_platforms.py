@@ -95,7 +95,8 @@ def same_registration(target, quick):
 
 def same_bits(target):
 	here = subprocess.run([program(toolchains.HERE, "bits/bits")], capture_output=True, text=True, check=True).stdout
-	same_lines(here, run(target, program(target, "bits/bits"), limit=STEP_LIMIT))
+	there = run(target, program(target, "bits/bits"), limit=STEP_LIMIT)
+	same_lines(here, there.replace("\r\n", "\n"))  # as a program for Windows ends its lines
 
 
 def dump(target, option, quick):

@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_force_3d.h"
+#include "nodes/params.h"
 
 #include <godot_cpp/classes/world3d.hpp>
 
@@ -13,9 +14,29 @@ using namespace godot;
 
 namespace grass {
 
-void FieldForces::push(const Force &p_force) {
-	_pushes.push_back(p_force);
-	_pushes.back().sanitise();
+void FieldForces::blast(const Vector3 &p_place, double p_speed, double p_radius, double p_duration) {
+	ERR_FAIL_COND_MSG(!p_place.is_finite(), _host.message("blast() needs a place of finite numbers."));
+	Force force;
+	force.place = to_eigen(p_place);
+	push(force, p_speed, p_radius, p_duration);
+}
+
+void FieldForces::push(const Vector3 &p_place, const Vector3 &p_velocity, double p_radius, double p_duration) {
+	ERR_FAIL_COND_MSG(
+			!p_place.is_finite() || !p_velocity.is_finite(), _host.message("push() needs a place and a velocity of finite numbers."));
+	Force force;
+	force.kind = ForceKind::WIND;
+	force.place = to_eigen(p_place);
+	force.direction = to_eigen(p_velocity);
+	push(force, p_velocity.length(), p_radius, p_duration);
+}
+
+void FieldForces::push(Force &r_force, double p_speed, double p_radius, double p_duration) {
+	r_force.speed = checked(FORCE_SPEED, p_speed, _host.label());
+	r_force.radius = checked(FORCE_RADIUS, p_radius, _host.label());
+	r_force.duration = checked(FORCE_DURATION, p_duration, _host.label());
+	r_force.sanitise();
+	_pushes.push_back(r_force);
 }
 
 void FieldForces::pass(double p_delta) {
@@ -38,20 +59,20 @@ void FieldForces::add(const Force &p_force, const Transform3D &p_to_field, const
 	}
 }
 
-void FieldForces::gather(const FieldHost &p_host, const Vector2 &p_size) {
+void FieldForces::gather(const Vector2 &p_size) {
 	_forces.clear();
 	_left_out = 0;
 	if (_pushes.empty() && _areas.is_empty() && !GrassForce3D::is_any_in_tree()) {
 		return;
 	}
-	const Transform3D to_field = p_host.field_transform().affine_inverse();
+	const Transform3D to_field = _host.field_transform().affine_inverse();
 	for (const Force &push : _pushes) {
 		add(push, to_field, p_size);
 	}
 	for (const Force &wind : _areas.get_forces()) {
 		add(wind, to_field, p_size);
 	}
-	const Ref<World3D> world = p_host.as_node().get_world_3d();
+	const Ref<World3D> world = _host.as_node().get_world_3d();
 	for (const GrassForce3D *node : GrassForce3D::get_blowing()) {
 		if (node->get_world_3d() == world) {
 			add(node->get_force(), to_field, p_size);

@@ -21,6 +21,7 @@ public:
 	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that
 	// names p_method, outside of the tree.
 	virtual GrassMap *need_map(const char *p_method) = 0;
+	virtual godot::String label() const = 0; // of the node, for messages
 	// Returns p_text with the node's name before it, for an error; the first time also with what a bug report needs.
 	virtual godot::String message(const godot::String &p_text) const = 0;
 };

@@ -100,10 +100,7 @@ bool is_seeing(const Camera3D *p_camera, const Node3D *p_node) {
 			is_drawn(viewport);
 }
 
-} // namespace
-
-std::vector<ViewCamera> find_cameras(Node3D *p_node, const Eigen::Affine3d &p_field) {
-	SceneWatch::get_singleton()->start(p_node);
+std::vector<ViewCamera> find_cameras(const Node3D *p_node, const Eigen::Affine3d &p_field) {
 	std::vector<ViewCamera> views;
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
 		if (is_seeing(camera, p_node)) {
@@ -113,8 +110,8 @@ std::vector<ViewCamera> find_cameras(Node3D *p_node, const Eigen::Affine3d &p_fi
 	return views;
 }
 
-bool are_motion_vectors_read(Node3D *p_node) {
-	SceneWatch::get_singleton()->start(p_node);
+// Whether a picture is made with motion vectors: for TAA, FSR 2, or an effect that reads them.
+bool are_motion_vectors_read(const Node3D *p_node) {
 	const SceneWatch &scene = *SceneWatch::get_singleton();
 	const bool in_world = std::ranges::any_of(scene.get_environments(), [p_node](const WorldEnvironment *p_environment) {
 		return p_environment->get_viewport() != nullptr && p_environment->get_viewport()->find_world_3d() == p_node->get_world_3d() &&
@@ -125,8 +122,9 @@ bool are_motion_vectors_read(Node3D *p_node) {
 	});
 }
 
-std::vector<Eigen::Vector3f> find_falls(Node3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
-	SceneWatch::get_singleton()->start(p_node);
+// Where the shadow of a point p_height metres above the field ends, from there, for each directional light that casts shadows down on
+// it. At most p_farthest metres long; field space.
+std::vector<Eigen::Vector3f> find_falls(const Node3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
 	std::vector<Eigen::Vector3f> falls;
 	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
 		if (!sun->has_shadow() || !sun->is_visible_in_tree() || sun->get_world_3d() != p_node->get_world_3d() ||
@@ -140,6 +138,27 @@ std::vector<Eigen::Vector3f> find_falls(Node3D *p_node, const Eigen::Affine3d &p
 		}
 	}
 	return falls;
+}
+
+} // namespace
+
+FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, const FieldProperties &p_properties, const Field &p_field) {
+	SceneWatch::get_singleton()->start(p_node);
+	FieldView view;
+	const Eigen::Affine3d field = to_eigen(p_transform);
+	view.cameras = find_cameras(p_node, field);
+	if (view.cameras.empty()) {
+		return view;
+	}
+	view.lod = p_properties.lod();
+	view.has_motion = are_motion_vectors_read(p_node);
+	if (p_node->get_cast_shadows_setting() != GeometryInstance3D::SHADOW_CASTING_SETTING_OFF) {
+		const double distance = p_properties.param(PARAM_SHADOW_DISTANCE);
+		view.shadow_distance = float(distance);
+		view.shadow_margin = float(p_properties.param(PARAM_SHADOW_MARGIN));
+		view.falls = find_falls(p_node, field, p_field.get_setup().blade_height() + p_field.ground_range(), distance);
+	}
+	return view;
 }
 
 } // namespace grass

@@ -106,6 +106,30 @@ double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amo
 	return map->apply(MapShape::stroke(centre, centre, std::max(p_radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
 }
 
+void FieldWork::wear_tracks(const VehicleWheels &p_wheels, double p_delta) {
+	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
+	if (wear > 0.0) {
+		for (const VehicleWheels::Slip &slip : p_wheels.find_slips()) {
+			trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0));
+		}
+	}
+}
+
+void FieldWork::recover(double p_delta) {
+	const RecoveryRates rates = _properties.recovery_rates(_standing.get_species());
+	const Ref<GrassMap> &map = _properties.map;
+	if (map.is_null() || !map->is_readable() || rates.is_none()) {
+		return;
+	}
+	const Field &field = _standing.get_field();
+	const SharesAt shares = [&field](const Eigen::Vector2d &p_place) {
+		return field.get_setup().species->get_shares_at(p_place.cast<float>(), field.get_layers());
+	};
+	map.ptr()->change([&](PaintMap &r_map) {
+		return _recovery.step(r_map, field_region(), kind_of(field), rates, p_delta, field.get_setup().species ? shares : nullptr);
+	});
+}
+
 MapRegion FieldWork::bake_region(const Rect2 &p_region) const {
 	if (!p_region.has_area()) {
 		const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What a game does to the grass: it mows, mends, tramples and paints, and reads in the ground. All of that is kept in the field's map.
-// Places are global.
+// What is done to the grass: a game mows, mends, tramples and paints it and reads in the ground, wheels leave tracks, time mends. All
+// of that is kept in the field's map. Places are global.
 #pragma once
 
 #include "core/paint/lay_ground.h"
 #include "core/wear/mow.h"
+#include "core/wear/recovery.h"
 #include "nodes/field_host.h"
 #include "nodes/grass_brush.h"
 #include "nodes/standing_field.h"
+#include "nodes/vehicle_wheels.h"
 
 #include <godot_cpp/classes/shape3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -27,6 +29,12 @@ public:
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double trample(const godot::Vector3 &p_global, double p_radius, double p_amount);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
+	// Wheels that slip for p_delta seconds leave tracks.
+	void wear_tracks(const VehicleWheels &p_wheels, double p_delta);
+	// Grass that was worn or cut recovers for p_delta seconds.
+	void recover(double p_delta);
+	// The field has another map.
+	void forget_map() { _recovery.reset(); }
 
 	// Read the shape of the ground into the map, over a rectangle of places (field space, x and z in metres) or, where that is empty, over
 	// the whole field. At how many places, one a metre, there is ground.
@@ -45,6 +53,7 @@ private:
 	FieldHost &_host;
 	const StandingField &_standing;
 	const FieldProperties &_properties;
+	Recovery _recovery;
 };
 
 // As GrassField.cut() returns it.

@@ -4,7 +4,6 @@
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
-#include "core/field/grass_at.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
 
@@ -13,8 +12,6 @@
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
-
-#include <algorithm>
 
 using namespace godot;
 
@@ -92,7 +89,7 @@ void GrassField::physics_tick(double p_delta) {
 	if (!_standing.stands() || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	recover(p_delta);
+	_work.recover(p_delta);
 	if (!_standing.stands()) { // a listener of the map removed it
 		return;
 	}
@@ -105,39 +102,13 @@ void GrassField::physics_tick(double p_delta) {
 		_bodies.forget_motion();
 	}
 	update_map();
-	gather_forces();
+	_forces.gather(_properties.size);
 	_bodies.collect(_standing.get_field(), get_world_3d(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
 	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta);
-	wear_tracks(p_delta);
+	_work.wear_tracks(_bodies.get_wheels(), p_delta);
 	emit_visits();
-}
-
-// Wheels that slip leave tracks.
-void GrassField::wear_tracks(double p_delta) {
-	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
-	if (wear > 0.0) {
-		for (const VehicleWheels::Slip &slip : _bodies.get_wheels().find_slips()) {
-			_work.trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0));
-		}
-	}
-}
-
-// Grass that was worn or cut recovers.
-void GrassField::recover(double p_delta) {
-	const RecoveryRates rates = _properties.recovery_rates(_standing.get_species());
-	const Ref<GrassMap> &map = _properties.map;
-	if (map.is_valid() && map->is_readable() && !rates.is_none()) {
-		const Field &field = _standing.get_field();
-		const SharesAt shares = [&field](const Eigen::Vector2d &p_place) {
-			return field.get_setup().species->get_shares_at(p_place.cast<float>(), field.get_layers());
-		};
-		const MapRegion region = MapRegion::of_grid(field.get_grid());
-		map.ptr()->change([&](PaintMap &r_map) {
-			return _recovery.step(r_map, region, kind_of(field), rates, p_delta, field.get_setup().species ? shares : nullptr);
-		});
-	}
 }
 
 // Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Emitted last in
@@ -165,7 +136,7 @@ void GrassField::frame(double p_delta) {
 	build();
 	update_fill();
 	if (_standing.stands()) {
-		gather_forces();
+		_forces.gather(_properties.size);
 		_standing.blow(_forces.get(), p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
 	}
 }
@@ -178,7 +149,7 @@ void GrassField::_before_draw() {
 	}
 	CpuClock clock;
 	update_map();
-	const FieldView view = find_view();
+	const FieldView view = is_visible_in_tree() ? find_view(this, field_transform(), _properties, _standing.get_field()) : FieldView();
 	if (is_compatibility() && !view.cameras.empty()) {
 		_standing.show_light(_other_light.find(this));
 	}
@@ -197,29 +168,6 @@ void GrassField::_before_draw() {
 // Whether a script listens for bodies in the grass, seen or not.
 bool GrassField::is_listened_to() const {
 	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
-}
-
-// From all cameras; from none if it is hidden.
-FieldView GrassField::find_view() {
-	FieldView view;
-	if (!is_visible_in_tree()) {
-		return view;
-	}
-	const Eigen::Affine3d field = to_eigen(field_transform());
-	view.cameras = find_cameras(this, field);
-	if (view.cameras.empty()) {
-		return view;
-	}
-	view.lod = _properties.lod();
-	view.has_motion = are_motion_vectors_read(this);
-	if (get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF) {
-		const double distance = _properties.param(PARAM_SHADOW_DISTANCE);
-		view.shadow_distance = float(distance);
-		view.shadow_margin = float(_properties.param(PARAM_SHADOW_MARGIN));
-		view.falls =
-				find_falls(this, field, _standing.get_field().get_setup().blade_height() + _standing.get_field().ground_range(), distance);
-	}
-	return view;
 }
 
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {

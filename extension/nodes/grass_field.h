@@ -148,14 +148,10 @@ private:
 	void physics_tick(double p_delta);
 	void frame(double p_delta);
 	void _before_draw();
-	FieldView find_view();
 	bool is_listened_to() const;
 	void emit_visits();
 	void emit_leaving();
 	void emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
-	void gather_forces() { _forces.gather(*this, _properties.size); }
-	void wear_tracks(double p_delta);
-	void recover(double p_delta);
 	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
@@ -185,7 +181,7 @@ private:
 	bool has_tile(const godot::Vector2i &p_tile) const;
 	bool has_blades_of(const godot::PackedInt64Array &p_blades) const;
 	FieldStatistics find_statistics() const;
-	godot::String label() const; // of this node, for messages
+	godot::String label() const override;
 	godot::String message(const godot::String &p_text) const override;
 
 	FieldProperties _properties;
@@ -194,9 +190,8 @@ private:
 	FieldFiller _filler;
 	OtherLight _other_light;
 	FieldBodies _bodies;
-	FieldForces _forces;
+	FieldForces _forces{ *this };
 	FieldWork _work{ *this, _standing, _properties };
-	Recovery _recovery;
 
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	mutable bool _has_reported = false; // message() has named version and device

@@ -70,7 +70,7 @@ void GrassField::_species_changed() {
 void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	GRASS_MAIN_THREAD_ONLY();
 	watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed");
-	_recovery.reset();
+	_work.forget_map();
 	_filler.forget_map();
 	_is_map_bare = is_map_bare();
 	request_rebuild();

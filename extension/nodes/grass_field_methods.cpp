@@ -5,7 +5,6 @@
 #include "convert.h"
 #include "nodes/build_info.h"
 #include "nodes/main_thread.h"
-#include "nodes/params.h"
 #include "nodes/statistics_dictionary.h"
 
 #include <algorithm>
@@ -284,27 +283,12 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 
 void GrassField::blast(const Vector3 &p_global_position, double p_speed, double p_radius, double p_duration) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_COND_MSG(!p_global_position.is_finite(), message("blast() needs a place of finite numbers."));
-	Force force;
-	force.place = to_eigen(p_global_position);
-	force.speed = checked(FORCE_SPEED, p_speed, label());
-	force.radius = checked(FORCE_RADIUS, p_radius, label());
-	force.duration = checked(FORCE_DURATION, p_duration, label());
-	_forces.push(force);
+	_forces.blast(p_global_position, p_speed, p_radius, p_duration);
 }
 
 void GrassField::push(const Vector3 &p_global_position, const Vector3 &p_velocity, double p_radius, double p_duration) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_COND_MSG(
-			!p_global_position.is_finite() || !p_velocity.is_finite(), message("push() needs a place and a velocity of finite numbers."));
-	Force force;
-	force.kind = ForceKind::WIND;
-	force.place = to_eigen(p_global_position);
-	force.direction = to_eigen(p_velocity);
-	force.speed = checked(FORCE_SPEED, p_velocity.length(), label());
-	force.radius = checked(FORCE_RADIUS, p_radius, label());
-	force.duration = checked(FORCE_DURATION, p_duration, label());
-	_forces.push(force);
+	_forces.push(p_global_position, p_velocity, p_radius, p_duration);
 }
 
 void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) {
