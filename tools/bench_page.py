@@ -167,7 +167,8 @@ def page():
 		"",
 		"Today's figures, generated from the newest committed tables (`python3 -m tools.bench_page`). "
 		"[How to run them](HOWTO.md); [how the figures came about](history.md); "
-		"[accuracy against run time](accuracy.md); [beside the paper, and against MultiMeshes](paper.md).",
+		"[what the solver holds](solver.md); [accuracy against run time](accuracy.md); "
+		"[beside the paper, and against MultiMeshes](paper.md).",
 		"",
 		*simulation(),
 		*drawing(),

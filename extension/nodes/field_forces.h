@@ -13,8 +13,7 @@ namespace grass {
 
 class FieldForces {
 public:
-	FieldForces(const FieldHost &p_host) :
-			_host(p_host) {}
+	FieldForces(const FieldHost &p_host) : _host(p_host) {}
 
 	// Pushes of scripts. Places and velocities are global, p_duration is in seconds: see FORCE_SPEED and others in core/forces/force.h.
 	void blast(const godot::Vector3 &p_place, double p_speed, double p_radius, double p_duration);

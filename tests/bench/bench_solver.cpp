@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/solver.md quotes; with `speed`, the last
-// alone.
+// The solver's figures: time back to rest, sag, contact, blades per second. Prints what docs/benchmarks/solver.md quotes; with
+// `speed`, the last alone.
 #include "blade_scene.h"
 
 #include <chrono>
