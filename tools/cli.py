@@ -12,6 +12,7 @@ EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
   ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, presets) and says where its pictures are
+  ./grass gallery  renders the same grass in many lights
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
   ./grass format   formats every source
@@ -53,6 +54,11 @@ def parser():
 	demo.add_argument(
 		"--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU"
 	)
+
+	gallery = commands.add_parser("gallery", help="render the same grass in many lights, into out/gallery")
+	gallery.add_argument("--out", default=None, metavar="DIR", help="folder for the pictures (default: out/gallery)")
+	gallery.add_argument("--only", default="", metavar="VIEW", help="only this view")
+	gallery.add_argument("--page", metavar="DIR", help="instead, make the page of the docs from the pictures in DIR")
 
 	test = commands.add_parser("test", help="build and run the tests")
 	test.add_argument(
@@ -114,6 +120,10 @@ def dispatch(options):
 		film.record(options.out) if not options.recorded else film.encode_recorded(options.recorded)
 	elif options.command == "demo":
 		scenes.demo(options.place, options.out, options.size, options.method)
+	elif options.command == "gallery":
+		from tools import gallery
+
+		gallery.write_page(options.page) if options.page else gallery.render(options.out, options.only)
 	elif options.command == "bench":
 		if options.what == "stress":
 			return testing.stress_in_full()

@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "core/base/half.h"
+#include "core/plants/card_coverage.h"
 
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -28,6 +29,24 @@ Color mean_color(const Ref<Image> &p_image) {
 	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(COUNT));
 }
 
+// Each smaller version of an image shows as much of it.
+Ref<Image> with_kept_coverage(const Ref<Image> &p_image) {
+	PackedByteArray bytes = p_image->get_data();
+	const std::span<uint8_t> all(bytes.ptrw(), size_t(bytes.size()));
+	size_t begin = 0;
+	double coverage = 0.0;
+	for (int side = Cards::SIDE; side > 0 && begin < all.size(); side /= 2) {
+		const std::span<uint8_t> level = all.subspan(begin, std::min(size_t(4 * side * side), all.size() - begin));
+		if (begin == 0) {
+			coverage = card_coverage(level);
+		} else {
+			keep_card_coverage(level, coverage);
+		}
+		begin += level.size();
+	}
+	return Image::create_from_data(Cards::SIDE, Cards::SIDE, true, Image::FORMAT_RGBA8, bytes);
+}
+
 } // namespace
 
 Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
@@ -42,7 +61,7 @@ Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
 	image->convert(Image::FORMAT_RGBA8);
 	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
 	image->generate_mipmaps();
-	return image;
+	return with_kept_coverage(image);
 }
 
 bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks) {

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+## What grows in a view of the gallery, and the ground below it.
+extends Node3D
+
+const Terrain := preload("res://demo/terrain.gd")
+const PRESETS := "res://addons/grass_field/presets/%s.tres"
+const EARTH := Color(0.2, 0.2, 0.1)
+const SMALL := 20.0  # metres, the side of a field in software
+## Side of the field in metres, blades a square metre, species.
+const KINDS := {
+	meadow = [240.0, 600.0, ["meadow", "hay_meadow", "clover", "daisy"]],
+	hills = [96.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
+	painted = [120.0, 500.0, ["meadow", "tall_dry_grass", "daisy"]],
+	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
+}
+
+var kind: String
+var field := GrassField.new()
+
+var _is_small: bool
+var _terrain: StaticBody3D
+
+
+func _init(p_kind: String, is_small: bool) -> void:
+	kind = p_kind
+	_is_small = is_small
+	var row: Array = KINDS[kind]
+	field.size = Vector2.ONE * (SMALL if is_small else float(row[0]))
+	field.density = row[1]
+	field.wind_speed = 4.0
+	var species: Array[GrassSpecies] = []
+	for name: String in row[2]:
+		species.append(load(PRESETS % name))
+	field.species = species
+	add_child(field)
+	if kind == "hills":
+		_make_hills()
+	else:
+		add_child(_plain())
+	if kind == "painted":
+		field.map = GrassMap.new()
+		field.map.base_density = 1.0
+
+
+func _ready() -> void:
+	if kind == "hills":
+		field.bake_ground_from(_terrain.shape, _terrain.global_transform)
+	elif kind == "painted":
+		_paint()
+
+
+## A small field stands where the camera looks.
+func show_at(place: Vector3) -> void:
+	if _is_small and kind == "meadow":
+		field.position = Vector3(place.x, 0, place.z)
+
+
+## A place as far above the ground there as it is high.
+func on_ground(place: Vector3) -> Vector3:
+	if _terrain:
+		place.y += _terrain.height_at(place.x, place.z)
+	return place
+
+
+func facts() -> PackedStringArray:
+	return [
+		(
+			"%s: %d blades, %d a square metre, of %s"
+			% [kind, field.get_blade_count(), KINDS[kind][1], ", ".join(PackedStringArray(KINDS[kind][2]))]
+		)
+	]
+
+
+func _plain() -> MeshInstance3D:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	ground.mesh.size = Vector2(6000, 6000)
+	ground.mesh.material = _earth()
+	return ground
+
+
+func _earth() -> StandardMaterial3D:
+	var earth := StandardMaterial3D.new()
+	earth.albedo_color = EARTH
+	earth.roughness = 1.0
+	return earth
+
+
+func _make_hills() -> void:
+	_terrain = Terrain.new()
+	_terrain.size = 128
+	_terrain.relief = 6.0
+	_terrain.noise = FastNoiseLite.new()
+	_terrain.noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
+	_terrain.noise.seed = 4
+	_terrain.noise.frequency = 0.018
+	_terrain.noise.fractal_octaves = 3
+	_terrain.material = _earth()
+	add_child(_terrain)
+
+
+## A path that winds from the camera to the far side, and stands of the second species beside it.
+func _paint() -> void:
+	var path := GrassBrush.new()
+	path.tool = GrassBrush.TOOL_ERASE
+	path.radius = 1.3
+	path.strength = 1.0
+	var tall := GrassBrush.new()
+	tall.tool = GrassBrush.TOOL_SPECIES
+	tall.species = 2
+	tall.radius = 4.0
+	var before := Vector3(-2, 0, 40)
+	for i in range(1, 40):
+		var now := Vector3(5.0 * sin(0.35 * i) - 2.0 * cos(0.35 * i), 0, 40.0 - 2.0 * i)
+		field.paint(path, before, now)
+		before = now
+	for place: Vector3 in [Vector3(-9, 0, 4), Vector3(8, 0, -8), Vector3(-4, 0, -22)]:
+		field.paint(tall, place, place + Vector3(3, 0, -2))
