@@ -122,13 +122,13 @@ TEST_CASE("tiles: only time in which blades are simulated counts: what goes on m
 	CHECK(scene.is_simulated());
 	SUBCASE("its tile was out of view") {
 		const Frustum nothing = { Eigen::Vector4f(1.0f, 0.0f, 0.0f, -1e6f), Eigen::Vector4f(-1.0f, 0.0f, 0.0f, -1e6f) };
-		scene.manager.see(std::vector<Frustum>{ nothing }, 0.0f);
+		scene.manager.get_view().see(std::vector<Frustum>{ nothing }, 0.0f);
 		for (int i = 0; i < 20; i++) {
 			step(scene.manager, scene.balls);
 		}
 		CHECK(scene.manager.get_statistics().simulated == 0);
 		CHECK(scene.manager.get_statistics().still == 0);
-		scene.manager.see_all();
+		scene.manager.get_view().see_all();
 	}
 	SUBCASE("the field was") {
 		scene.manager.pass_unseen(60.0);

@@ -19,7 +19,7 @@ Frustum left_of(float p_x) {
 }
 
 void see_nothing(TileManager &r_manager) {
-	r_manager.see(std::vector<Frustum>{ left_of(-1000.0f) }, 0.0f);
+	r_manager.get_view().see(std::vector<Frustum>{ left_of(-1000.0f) }, 0.0f);
 }
 
 int steps(TileManager &r_manager, const std::vector<ColliderShape> &p_colliders, double p_seconds) {
@@ -41,7 +41,7 @@ TEST_CASE("view: in view, and where no view is known, every tile is simulated") 
 	TileManager manager = make_manager();
 	const ColliderShape ball = make_ball(manager, 3, 5);
 	CHECK(steps(manager, { ball }, 2.0) == 128);
-	manager.see(std::vector<Frustum>{ left_of(0.0f) }, 0.0f); // tile 3 lies at x = -8.25
+	manager.get_view().see(std::vector<Frustum>{ left_of(0.0f) }, 0.0f); // tile 3 lies at x = -8.25
 	CHECK(steps(manager, { ball }, 2.0) == 128);
 	CHECK(manager.get_statistics().unseen_steps == 0);
 }
@@ -68,7 +68,7 @@ TEST_CASE("view: a tile that is seen again goes on in its slot, where it stopped
 	see_nothing(manager);
 	steps(manager, { ball }, 1.0);
 	CHECK(steps(manager, { ball }, 60.0) == 0);
-	manager.see_all();
+	manager.get_view().see_all();
 	REQUIRE(step(manager, { ball }, TICK) == 1);
 	CHECK(manager.get_slots()[0].tile.w == slot);
 	CHECK(flags_of(manager.get_slots()[0]) == 0); // not fresh: its blades are where they were
@@ -97,7 +97,7 @@ TEST_CASE("view: seen again before that, it swings on and is led to rest") {
 	see_nothing(manager);
 	step(manager, { pushed(make_ball(manager, 3, 5)) }, TICK);
 	steps(manager, {}, 1.0);
-	manager.see_all();
+	manager.get_view().see_all();
 	CHECK(steps(manager, {}, 0.5) == 32);
 	int settled = 0;
 	for (int i = 0; i < 128; i++) {
@@ -112,7 +112,7 @@ TEST_CASE("view: a frustum, its margin, and several of them") {
 	const std::vector<ColliderShape> balls = { make_ball(manager, 3, 5), make_ball(manager, 23, 5), make_ball(manager, 36, 5) };
 	steps(manager, balls, 1.0);
 	const auto seen = [&](const std::vector<Frustum> &p_frustums, float p_margin) {
-		manager.see(p_frustums, p_margin);
+		manager.get_view().see(p_frustums, p_margin);
 		const int count = step(manager, balls, TICK);
 		CHECK(manager.get_statistics().list_entries == count);
 		return count;
@@ -125,11 +125,11 @@ TEST_CASE("view: a frustum, its margin, and several of them") {
 	CHECK(seen({ left_of(0.0f), right }, 0.0f) == 2);
 	CHECK(seen({}, 100.0f) == 0);
 	CHECK_FALSE(manager.is_field_seen());
-	manager.see(std::vector<Frustum>{ left_of(-10.5f) }, 0.4f);
+	manager.get_view().see(std::vector<Frustum>{ left_of(-10.5f) }, 0.4f);
 	CHECK_FALSE(manager.is_field_seen());
-	manager.see(std::vector<Frustum>{ left_of(-10.5f) }, 0.6f);
+	manager.get_view().see(std::vector<Frustum>{ left_of(-10.5f) }, 0.6f);
 	CHECK(manager.is_field_seen());
-	manager.see_all();
+	manager.get_view().see_all();
 	CHECK(manager.is_field_seen());
 	CHECK(step(manager, balls, TICK) == 3);
 }
@@ -183,12 +183,12 @@ TEST_CASE("view: tiles on hills are seen where their ground may be") {
 	manager.set_params(params);
 	Frustum above;
 	above.fill(Eigen::Vector4f(0.0f, -1.0f, 0.0f, -20.0f)); // y > 20 m
-	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	manager.get_view().see(std::vector<Frustum>{ above }, 0.0f);
 	CHECK(manager.is_field_seen());
 	above.fill(Eigen::Vector4f(0.0f, 1.0f, 0.0f, -1.5f)); // y < -1.5 m
-	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	manager.get_view().see(std::vector<Frustum>{ above }, 0.0f);
 	CHECK(manager.is_field_seen());
 	above.fill(Eigen::Vector4f(0.0f, 1.0f, 0.0f, -2.5f));
-	manager.see(std::vector<Frustum>{ above }, 0.0f);
+	manager.get_view().see(std::vector<Frustum>{ above }, 0.0f);
 	CHECK_FALSE(manager.is_field_seen());
 }

@@ -104,7 +104,7 @@ void Field::regrow(const TileRange &p_tiles) {
 
 void Field::see(const FieldView &p_view, bool p_is_visible) {
 	if (p_view.cameras.empty() && p_is_visible) {
-		_tiles.see_all();
+		_tiles.get_view().see_all();
 		_is_seen = true;
 		return;
 	}
@@ -116,7 +116,7 @@ void Field::see(const FieldView &p_view, bool p_is_visible) {
 	for (const Eigen::Vector3f &fall : p_view.falls) {
 		margin = std::max(margin, fall.norm());
 	}
-	_tiles.see(frustums, margin);
+	_tiles.get_view().see(frustums, margin);
 	_is_seen = _tiles.is_field_seen();
 }
 

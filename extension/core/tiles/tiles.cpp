@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which tiles wake. What meets them: tiles_meet.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
+// Which tiles wake. What meets them: tile_meetings.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
 // tiles_records.cpp.
 #include "core/tiles/tiles.h"
 
 #include <cmath>
 
 namespace grass {
-
-namespace {
-
-double limit(double p_value, double p_max, double p_default) {
-	return std::isnan(p_value) ? p_default : std::clamp(p_value, 0.0, p_max);
-}
-
-} // namespace
-
-TileParams TileParams::sanitised() const {
-	const TileParams defaults;
-	TileParams params = *this;
-	params.pool_size = std::clamp(pool_size, 0, MAX_POOL_SIZE);
-	params.sleep_delay = limit(sleep_delay, 3600.0, defaults.sleep_delay);
-	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
-	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
-	params.still_delay = limit(still_delay, 3600.0, defaults.still_delay);
-	params.overhang = limit(overhang, 100.0, defaults.overhang);
-	params.low = std::isfinite(low) ? low : defaults.low;
-	params.height = std::isfinite(height) ? height : defaults.height;
-	params.segment = limit(segment, 100.0, defaults.segment);
-	return params;
-}
 
 void TileManager::set_grid(const TileGrid &p_grid) {
 	if (!(p_grid == _grid)) {
@@ -63,13 +40,11 @@ void TileManager::reset() {
 		set->reset(_params.pool_size, false);
 	}
 	_slot_of_tile.reserve(_params.pool_size);
-	_place_of_tile.clear();
-	_meetings.clear();
+	_meetings.reset();
 	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be given away and live on
 	_record_count = 0;
 	_colliders.clear();
 	_collider_list.clear();
-	_planes.clear();
 	_statistics = {};
 }
 
@@ -79,7 +54,7 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 	_time += delta;
 	_step_number++;
 	begin_step();
-	find_met_tiles(p_colliders); // lines 1 to 9
+	_meetings.find({ _grid, _params, _bounds.get(), _slot_of_tile, _met, _stirred, _statistics }, p_colliders); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	sign_meetings(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25
@@ -89,22 +64,20 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
 }
 
 void TileManager::begin_step() {
-	_meetings.clear();
-	_to_activate.clear();
 	_yielding_known = false;
 	_record_count = 0;
-	find_tile_frustums();
+	_view.prepare(_grid, _params);
 }
 
 void TileManager::activate_tiles() {
 	_given_slots.clear();
-	for (const int tile : _to_activate) {
+	const std::vector<int> &wanted = _meetings.get_wanted();
+	for (const int tile : wanted) {
 		int slot = _free.take_lowest();
 		if (slot == SlotSet::NONE) {
-			slot = take_calmest_slot(_to_activate.size() - _given_slots.size());
+			slot = take_calmest_slot(wanted.size() - _given_slots.size());
 		}
 		_given_slots.push_back(slot);
-		_place_of_tile.erase(tile);
 		activate(slot, tile);
 	}
 }
@@ -158,10 +131,8 @@ size_t TileManager::get_memory_usage() const {
 		sets += set->get_memory_usage();
 	}
 	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_forces) + bytes(_bends) +
-			bytes(_signatures) + bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + bytes(_ranges) + bytes(_swept) +
-			bytes(_range_colliders) + bytes(_has_met) + bytes(_meetings) + bytes(_asleep) + bytes(_found) + bytes(_meetings_awake) +
-			bytes(_meetings_asleep) + bytes(_squares) + bytes(_to_activate) + bytes(_given_slots) + _place_of_tile.get_memory_usage() +
-			bytes(_calm) + bytes(_yielding) + bytes(_records) + bytes(_colliders) + bytes(_collider_list) + bytes(_planes) + bytes(_sharp);
+			bytes(_signatures) + bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + _meetings.get_memory_usage() +
+			bytes(_given_slots) + bytes(_calm) + bytes(_yielding) + bytes(_records) + _colliders.get_memory_usage() + bytes(_collider_list);
 }
 
 } // namespace grass

@@ -3,81 +3,19 @@
 // of section 5.2. Sees colliders and awake tiles only, never the field's other tiles.
 #pragma once
 
-#include "core/bodies/body_shape.h"
-#include "core/detail/lod.h"
-#include "core/solver/solver_params.h"
 #include "core/solver/step.h"
-#include "core/tiles/slot_map.h"
-#include "core/tiles/slot_set.h"
-#include "core/tiles/tile_bounds.h"
-#include "core/tiles/tile_map.h"
+#include "core/tiles/tile_colliders.h"
+#include "core/tiles/tile_meetings.h"
+#include "core/tiles/tile_params.h"
+#include "core/tiles/tile_view.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace grass {
-
-// SleepMode::TIMER: time from the last meeting to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
-// rest; above 5 s tiles are simulated that nothing moves in.
-inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
-// SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
-// stop; below 0.1 mm tiles are simulated that nobody sees move.
-inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1.0 };
-// Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
-inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
-
-// When a tile that no collider meets goes to sleep.
-enum class SleepMode {
-	TIMER, // sleep_delay after the last meeting: the paper's
-	ENERGY, // once its blades have been calm for a while
-};
-
-struct TileParams {
-	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
-
-	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
-	SleepMode sleep_mode = SleepMode::ENERGY;
-	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
-	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
-	double settle_time = SETTLE_TIME.initial; // Seconds.
-	// SleepMode::ENERGY: a tile on which nothing changed for so long is left as it is. Too short: blades stop while they still swing.
-	// Seconds.
-	double still_delay = SolverParams().calm_time();
-	double overhang = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
-	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
-	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
-	uint32_t seed = 0; // Of the tiles' starts in the patch.
-	double segment = 0.0; // Metres, of the longest blade. Too short: its edges meet no sharp bodies, see is_sharp().
-	bool is_mapped = false; // StepInput::growth says how the blades grow.
-
-	// The same within limits; NaN becomes the default.
-	TileParams sanitised() const;
-};
-
-// now: after the last update. The rest counts since the last reset.
-struct TileStatistics {
-	int awake = 0; // now: tiles that have a slot
-	int simulated = 0; // now: those of them that this step moves
-	int settling = 0; // now: those of them that are on the way back to rest
-	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
-	int colliders = 0; // now: that meet an awake tile
-	int list_entries = 0; // now: sum over the simulated tiles of their colliders
-	int high_water = 0; // most tiles ever awake at once
-	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
-	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
-	uint64_t still_steps = 0; // awake tiles that were not, since nothing changed on them
-	uint64_t woken = 0; // tiles that got a slot
-	uint64_t slept = 0; // tiles that came to rest and gave it back
-	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
-	uint64_t refused = 0; // colliders, one a step, that met tiles without a slot when the full pool had none to give
-	uint64_t looked_at = 0; // tiles tested against a collider
-	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
-	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
-};
 
 class TileManager {
 public:
@@ -94,12 +32,10 @@ public:
 	// Forgets all awake tiles and counts, without records: the backend empties its tile table too.
 	void reset();
 
-	// What is seen of the field from now on: tiles within one of the frustums (field space), or within p_margin metres of
-	// it. Out of view a tile is simulated only while something moves in it; it goes on where it stopped, or is at rest
-	// by then. Before the first call, and after see_all(), everything is seen.
-	void see(std::span<const Frustum> p_frustums, float p_margin);
-	void see_all() { _sees_all = true; }
-	bool is_field_seen() const; // any of its tiles, or what stands on them
+	// What is seen of the field. Out of view a tile is simulated only while something moves in it; it goes on where it stopped, or is at
+	// rest by then.
+	TileView &get_view() { return _view; }
+	bool is_field_seen() const { return _view.sees_field(_grid, _params); }
 	// The ground changed under these tiles: the next step moves those that are awake, even out of view.
 	void stir(const TileRange &p_tiles);
 	// p_delta seconds have passed in which nobody saw any of it and update() was not called.
@@ -113,14 +49,14 @@ public:
 
 	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
 	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
-	std::span<const GrassCollider> get_colliders() const { return _colliders; }
-	std::span<const uint8_t> get_sharp() const { return _sharp; } // of the colliders, see is_sharp()
+	std::span<const GrassCollider> get_colliders() const { return _colliders.get(); }
+	std::span<const uint8_t> get_sharp() const { return _colliders.get_sharp(); } // of the colliders, see is_sharp()
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
-	std::span<const Eigen::Vector4f> get_planes() const { return _planes; }
+	std::span<const Eigen::Vector4f> get_planes() const { return _colliders.get_planes(); }
 	const TileStatistics &get_statistics() const { return _statistics; }
 
 	// Never more entries than this in get_collider_list(), for buffers made once.
-	int get_list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * _params.pool_size); }
+	int get_list_capacity() const { return _params.list_capacity(); }
 
 	// Decides who is calm: goes to sleep, or gives way in a full pool. Left out: what is not finite, and what was measured
 	// before the tile was last met, thus also the energies of slots that were other tiles' then.
@@ -129,7 +65,7 @@ public:
 	// [Eq M5] Of an awake tile, as reported; zero of one at rest, and while nothing is known.
 	Eigen::Vector3f get_bend(int p_tile) const;
 	// Whether collider p_collider of the last update met grass: the box around the blades of a tile on which some stand.
-	bool has_met_grass(size_t p_collider) const { return p_collider < _has_met.size() && _has_met[p_collider] != 0; }
+	bool has_met_grass(size_t p_collider) const { return _meetings.has_met_grass(p_collider); }
 
 	int get_slot_of(int p_tile) const; // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
@@ -138,8 +74,6 @@ public:
 	size_t get_memory_usage() const; // Bytes; does not depend on the field's size.
 
 private:
-	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).
-	static constexpr int MIN_LIST_CAPACITY = 4096;
 	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
 	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
@@ -171,22 +105,6 @@ private:
 		float blend = 0.0f; // while settling: of this step's record; 1: at rest after it
 	};
 
-	// A frustum as tiles meet it: outside of a plane are those with x * first + z * second > third.
-	using TileFrustum = std::array<Eigen::Vector3f, 6>;
-
-	// A collider whose box meets that of a tile's blades. The tile goes by its place in _to_activate until it has a slot.
-	struct Meeting {
-		int slot; // ~place until the tile has one
-		uint32_t collider;
-	};
-
-	// A tile below a collider's box.
-	struct Found {
-		uint16_t x, z;
-		int slot;
-	};
-	static constexpr size_t QUEUED_BITS = 4096;
-
 	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Settling tiles before others,
 	// then by energy where it was reported, then by who was met longest ago, up to some minutes.
 	using Calm = uint64_t;
@@ -194,31 +112,6 @@ private:
 	static_assert(TileParams::MAX_POOL_SIZE <= 1 << SLOT_BITS);
 
 	void begin_step();
-	void find_met_tiles(std::span<ColliderShape> p_colliders);
-	TileRange find_range(const Bounds &p_swept) const;
-	void add_ranges(const ColliderShape &p_collider, uint32_t p_index);
-	template <typename F> void for_each_range(F &&p_meet);
-	void end_range(size_t p_range, std::vector<Meeting> &r_meetings) const;
-	void find_squares(const TileRange &p_range);
-	int meet_awake(size_t p_range, const SlotMap::Square *const *p_squares, bool p_moves);
-	int keep_met(int p_count, const Bounds &p_swept);
-	void meet_asleep_tiles();
-	int find_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, bool p_queued);
-	void queue_tiles(size_t p_range, const SlotMap::Square *const *p_squares, size_t p_room);
-	void meet_queued_tiles(size_t p_range, const SlotMap::Square *const *p_squares);
-	bool meets_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept);
-	static size_t queued_bit(int p_square_x, int p_square_z) {
-		return (uint32_t(p_square_x) * 73856093u ^ uint32_t(p_square_z) * 19349663u) % QUEUED_BITS;
-	}
-	void set_queued(int p_square_x, int p_square_z) {
-		const size_t bit = queued_bit(p_square_x, p_square_z);
-		_queued_squares[bit / 64] |= uint64_t(1) << bit % 64;
-	}
-	bool may_be_queued(int p_square_x, int p_square_z) const {
-		const size_t bit = queued_bit(p_square_x, p_square_z);
-		return (_queued_squares[bit / 64] >> bit % 64 & 1) != 0;
-	}
-
 	void activate_tiles();
 	void activate(int p_slot, int p_tile);
 	int take_calmest_slot(size_t p_wanted);
@@ -235,24 +128,18 @@ private:
 	void settle(int p_slot, double p_delta);
 	float blend_of(int p_slot) const { return _settling.has(p_slot) ? _lives[size_t(p_slot)].blend : 0.0f; }
 	void retire(int p_slot, bool p_is_at_rest);
-
-	void find_tile_frustums();
-	bool is_seen(const Place &p_place) const;
+	bool is_seen(int p_slot) const;
 	bool is_past(int p_slot) const;
 
 	void count_meetings(std::span<const ColliderShape> p_colliders);
-	void pack_collider(const ColliderShape &p_collider);
 	void write_records();
 	void write_list();
 
 	TileGrid _grid;
 	TileParams _params;
 	std::shared_ptr<const TileBounds> _bounds;
-	bool _sees_all = true;
+	TileView _view;
 	bool _has_passed_unseen = false; // since the last step
-	std::vector<Frustum> _frustums;
-	float _margin = 0.0f; // metres
-	std::vector<TileFrustum> _tile_frustums; // of _frustums, in this step
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
 
@@ -273,29 +160,17 @@ private:
 	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
 
-	// Of one step. _to_activate is the paper's ToActivateTileList without the tiles already active.
-	// Of the colliders, one each or one for each piece of a long way: tiles, boxes, whose.
-	std::vector<TileRange> _ranges;
-	std::vector<Bounds> _swept;
-	std::vector<uint32_t> _range_colliders;
-	std::vector<uint8_t> _has_met; // of the colliders: grass
-	std::vector<int> _asleep; // of the ranges: tiles
-	std::vector<Found> _found; // of a range
-	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other
-	std::vector<Meeting> _meetings, _meetings_awake, _meetings_asleep;
-	std::array<uint64_t, QUEUED_BITS / 64> _queued_squares{}; // a bit for the squares that hold a tile of _to_activate, and for others
-	std::vector<int> _to_activate, _given_slots;
-	TileMap _place_of_tile;
+	// Of one step.
+	TileMeetings _meetings;
+	std::vector<int> _given_slots; // to the tiles that the meetings want
 	std::vector<Calm> _calm; // of all that may give way
 	std::vector<Calm> _yielding; // those that will, calmest last
 	bool _yielding_known = false;
 
 	std::vector<GrassSlot> _records; // room for all there can be
 	size_t _record_count = 0;
-	std::vector<GrassCollider> _colliders;
-	std::vector<uint8_t> _sharp; // of the colliders, see is_sharp()
+	TileColliders _colliders;
 	std::vector<uint32_t> _collider_list;
-	std::vector<Eigen::Vector4f> _planes;
 	TileStatistics _statistics;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What TileManager hands to the backend.
-#include "core/bodies/collider.h"
 #include "core/tiles/tiles.h"
 
 #include <limits>
@@ -12,35 +11,26 @@ namespace grass {
 // the list: a bit in each tile's record is all.
 void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
-	_planes.clear();
-	_sharp.clear();
 	std::fill(_entries.begin(), _entries.end(), 0);
 	size_t kept = 0;
-	uint32_t last = std::numeric_limits<uint32_t>::max();
+	uint32_t last = std::numeric_limits<uint32_t>::max(), number = 0;
+	std::vector<TileMeetings::Meeting> &meetings = _meetings.get();
 	std::fill(_forces.begin(), _forces.end(), 0);
-	for (const Meeting &meeting : _meetings) { // rising by collider
+	for (const TileMeetings::Meeting &meeting : meetings) { // rising by collider
 		const int slot = meeting.slot, force = p_colliders[meeting.collider].force;
 		if (force != ColliderShape::NO_FORCE) {
 			_forces[size_t(slot)] |= uint16_t(1u << force);
 		} else if (!_skipped.has(slot)) {
 			if (meeting.collider != last) {
 				last = meeting.collider;
-				pack_collider(p_colliders[last]);
+				number = _colliders.add(p_colliders[last], _grid, _params.segment);
 			}
 			_entries[size_t(slot)]++;
-			_meetings[kept++] = { slot, uint32_t(_colliders.size() - 1) };
+			meetings[kept++] = { slot, number };
 		}
 	}
-	_meetings.resize(kept);
+	meetings.resize(kept);
 	_statistics.list_entries = int(kept);
-}
-
-void TileManager::pack_collider(const ColliderShape &p_collider) {
-	_colliders.push_back(p_collider.pack(_grid, int(_planes.size())));
-	_sharp.push_back(is_sharp(_colliders.back(), float(_params.segment)));
-	if (p_collider.type == GRASS_HULL) {
-		_planes.insert(_planes.end(), p_collider.planes.begin(), p_collider.planes.end());
-	}
 }
 
 // One record each of the awake tiles that are simulated.
@@ -73,8 +63,8 @@ void TileManager::write_records() {
 
 // Each tile's colliders, in the order in which update() got them.
 void TileManager::write_list() {
-	_collider_list.resize(_meetings.size());
-	for (const Meeting &meeting : _meetings) {
+	_collider_list.resize(_meetings.get().size());
+	for (const TileMeetings::Meeting &meeting : _meetings.get()) {
 		_collider_list[_entries[size_t(meeting.slot)]++] = meeting.collider;
 	}
 }

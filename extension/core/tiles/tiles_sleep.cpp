@@ -77,7 +77,7 @@ void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	uint64_t sign = 0;
 	_statistics.colliders = 0;
-	for (Meeting &meeting : _meetings) { // rising by collider
+	for (TileMeetings::Meeting &meeting : _meetings.get()) { // rising by collider
 		meeting.slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
 		if (meeting.collider != last) {
 			last = meeting.collider;
@@ -101,13 +101,13 @@ void TileManager::deactivate_tiles(double p_delta) {
 		keep_awake(slot, _stirred.has(slot));
 		const bool still = is_still(slot);
 		_statistics.still += still;
-		const bool is_skipped = still || (is_unstirred(slot) && !is_seen(_places[size_t(slot)]));
+		const bool is_skipped = still || (is_unstirred(slot) && !is_seen(slot));
 		_skipped.insert_if(slot, is_skipped);
 		_times[size_t(slot)].simulated += is_skipped ? 0.0 : p_delta;
 	}
 	_unmet.take_difference(_used, _met);
 	for (const int slot : _unmet) {
-		const bool is_unseen = is_unstirred(slot) && !is_seen(_places[size_t(slot)]);
+		const bool is_unseen = is_unstirred(slot) && !is_seen(slot);
 		if (blend_of(slot) >= 1.0f || ((is_unseen || _has_passed_unseen) && is_past(slot))) {
 			retire(slot, true);
 			_free.give_back(slot);
@@ -169,6 +169,28 @@ void TileManager::settle(int p_slot, double p_delta) {
 	const bool arrives = life.settle_left <= p_delta * 1.0001;
 	life.blend = arrives ? 1.0f : float(p_delta / life.settle_left);
 	life.settle_left -= p_delta;
+}
+
+void TileManager::stir(const TileRange &p_tiles) {
+	if (p_tiles.count() == 0) {
+		return;
+	}
+	for (const int slot : _used) {
+		const TileBounds::Tile tile = _places[size_t(slot)].tile;
+		if (p_tiles.has(tile.x, tile.z)) {
+			_stirred.insert(slot);
+		}
+	}
+}
+
+void TileManager::pass_unseen(double p_delta) {
+	_time += std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
+	_has_passed_unseen = true;
+}
+
+bool TileManager::is_seen(int p_slot) const {
+	const TileBounds::Tile tile = _places[size_t(p_slot)].tile;
+	return _view.sees(tile.x, tile.z);
 }
 
 // Announces that the slot's tile is at rest from now on, and leaves the slot to the caller. p_is_at_rest: the tile was at rest before.

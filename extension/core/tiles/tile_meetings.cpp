@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles colliders meet: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
-#include "core/tiles/tiles.h"
+#include "core/tiles/tile_meetings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,16 +29,39 @@ TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 
 } // namespace
 
-void TileManager::find_met_tiles(std::span<ColliderShape> p_colliders) {
+void TileMeetings::reset() {
+	_wanted.clear();
+	_place_of_tile.clear();
+	_meetings.clear();
+}
+
+size_t TileMeetings::get_memory_usage() const {
+	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
+	return bytes(_ranges) + bytes(_swept) + bytes(_range_colliders) + bytes(_has_met) + bytes(_asleep) + bytes(_found) + bytes(_squares) +
+			bytes(_meetings) + bytes(_meetings_awake) + bytes(_meetings_asleep) + bytes(_wanted) + _place_of_tile.get_memory_usage();
+}
+
+void TileMeetings::begin() {
+	for (const int tile : _wanted) {
+		_place_of_tile.erase(tile);
+	}
+	_wanted.clear();
+	_meetings.clear();
 	_ranges.clear();
 	_swept.clear();
 	_range_colliders.clear();
+	_squares.clear();
+}
+
+void TileMeetings::find(const Tiles &p_tiles, std::span<ColliderShape> p_colliders) {
+	_tiles = &p_tiles;
+	begin();
 	_has_met.assign(p_colliders.size(), 0);
 	int64_t total = 0;
 	for (ColliderShape &collider : p_colliders) {
 		const char *reason = nullptr;
 		const bool is_good = collider.sanitise(reason);
-		_statistics.bad_colliders += is_good ? 0 : 1;
+		_tiles->statistics.bad_colliders += is_good ? 0 : 1;
 		if (is_good) {
 			add_ranges(collider, uint32_t(&collider - p_colliders.data()));
 		}
@@ -48,24 +70,23 @@ void TileManager::find_met_tiles(std::span<ColliderShape> p_colliders) {
 		total += range.count();
 	}
 	// A body over more tiles than the pool holds, or bodies that together fill the list, get those around their centres.
-	const int64_t capacity = get_list_capacity();
+	const int64_t capacity = _tiles->params.list_capacity();
 	const int64_t share = total <= capacity ? capacity : std::max<int64_t>(1, capacity / int64_t(_ranges.size()));
-	const int64_t most = std::min<int64_t>(share, _params.pool_size);
+	const int64_t most = std::min<int64_t>(share, _tiles->params.pool_size);
 	int64_t left = capacity;
-	_squares.clear();
 	for (size_t i = 0; i < _ranges.size(); i++) {
 		TileRange &range = _ranges[i];
 		if (const int64_t limit = std::min(most, left); range.count() > limit) {
-			const TilePlace centre = _grid.get_place(p_colliders[_range_colliders[i]].now.position);
-			_statistics.capped += uint64_t(range.count());
+			const TilePlace centre = _tiles->grid.get_place(p_colliders[_range_colliders[i]].now.position);
+			_tiles->statistics.capped += uint64_t(range.count());
 			range = shrink(range, limit, centre.x, centre.z);
-			_statistics.capped -= uint64_t(range.count());
+			_tiles->statistics.capped -= uint64_t(range.count());
 		}
 		left -= range.count();
 		find_squares(range);
 	}
-	if (_bounds && total > GRASS_START_COUNT / 4) {
-		_bounds->prefetch();
+	if (_tiles->bounds && total > GRASS_START_COUNT / 4) {
+		_tiles->bounds->prefetch();
 	}
 	_asleep.resize(_ranges.size());
 	for_each_range([&](size_t p_range, const SlotMap::Square *const *p_squares) {
@@ -74,10 +95,11 @@ void TileManager::find_met_tiles(std::span<ColliderShape> p_colliders) {
 		end_range(p_range, _meetings);
 	});
 	meet_asleep_tiles();
+	_tiles = nullptr;
 }
 
 // Calls p_meet with the number of each range and its squares.
-template <typename F> void TileManager::for_each_range(F &&p_meet) {
+template <typename F> void TileMeetings::for_each_range(F &&p_meet) {
 	size_t square = 0;
 	for (size_t i = 0; i < _ranges.size(); i++) {
 		p_meet(i, &_squares[square]);
@@ -87,7 +109,7 @@ template <typename F> void TileManager::for_each_range(F &&p_meet) {
 
 // The tiles that the collider may meet: those under the box around all of its way. Where these are more than can be awake, those under
 // boxes around pieces of it: what crosses the field aslant in one step passes over few of the tiles between its ends.
-void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) {
+void TileMeetings::add_ranges(const ColliderShape &p_collider, uint32_t p_index) {
 	constexpr double MOST_PIECES = 256.0;
 	const auto add = [&](const Bounds &p_swept, const TileRange &p_range) {
 		_swept.push_back(p_swept);
@@ -97,9 +119,9 @@ void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) 
 	const Bounds swept = p_collider.get_swept_bounds();
 	const TileRange range = find_range(swept);
 	const Eigen::Vector3d way = p_collider.now.position - p_collider.before.position;
-	const double own = std::max(2.0 * p_collider.get_half_extents().norm(), 2.0 * _grid.get_tile_size());
+	const double own = std::max(2.0 * p_collider.get_half_extents().norm(), 2.0 * _tiles->grid.get_tile_size());
 	const double pieces = std::min(std::ceil(std::hypot(way.x(), way.z()) / own), MOST_PIECES);
-	if (range.count() <= _params.pool_size || pieces < 2.0) {
+	if (range.count() <= _tiles->params.pool_size || pieces < 2.0) {
 		add(swept, range);
 		return;
 	}
@@ -113,7 +135,7 @@ void TileManager::add_ranges(const ColliderShape &p_collider, uint32_t p_index) 
 }
 
 // After the last of several ranges of a collider: drops its second meeting with a tile, for boxes of neighbouring pieces overlap.
-void TileManager::end_range(size_t p_range, std::vector<Meeting> &r_meetings) const {
+void TileMeetings::end_range(size_t p_range, std::vector<Meeting> &r_meetings) const {
 	const uint32_t collider = _range_colliders[p_range];
 	const bool ends = p_range + 1 == _ranges.size() || _range_colliders[p_range + 1] != collider;
 	if (!ends || p_range == 0 || _range_colliders[p_range - 1] != collider) {
@@ -127,18 +149,18 @@ void TileManager::end_range(size_t p_range, std::vector<Meeting> &r_meetings) co
 }
 
 // Appends those of the range, row by row. Runs for all colliders before any of them is used, so that the memory is fetched side by side.
-void TileManager::find_squares(const TileRange &p_range) {
+void TileMeetings::find_squares(const TileRange &p_range) {
 	const TileRange squares = SlotMap::squares_of(p_range);
 	for (int z = squares.z_begin; z < squares.z_end; z++) {
 		for (int x = squares.x_begin; x < squares.x_end; x++) {
-			_squares.push_back(&_slot_of_tile.find_square(x * SlotMap::SIDE, z * SlotMap::SIDE));
+			_squares.push_back(&_tiles->slots.find_square(x * SlotMap::SIDE, z * SlotMap::SIDE));
 		}
 	}
 }
 
 // Notes the awake tiles of the range whose blades' box meets the collider's. Squares without any cost one look. Returns how many of the
 // range's tiles are asleep.
-int TileManager::meet_awake(size_t p_range, const SlotMap::Square *const *p_squares, bool p_moves) {
+int TileMeetings::meet_awake(size_t p_range, const SlotMap::Square *const *p_squares, bool p_moves) {
 	const TileRange range = _ranges[p_range], squares = SlotMap::squares_of(range);
 	_found.resize(std::max(_found.size(), size_t(range.count()) + 1));
 	Found *found = _found.data();
@@ -162,9 +184,10 @@ int TileManager::meet_awake(size_t p_range, const SlotMap::Square *const *p_squa
 	}
 	const int met = keep_met(count, _swept[p_range]);
 	const uint32_t collider = _range_colliders[p_range];
+	SlotSet &all_met = _tiles->met, &stirred = _tiles->stirred;
 	for (int n = 0; n < met; n++) {
-		_met.insert(found[n].slot);
-		_stirred.insert_if(found[n].slot, p_moves);
+		all_met.insert(found[n].slot);
+		stirred.insert_if(found[n].slot, p_moves);
 		_meetings.push_back({ found[n].slot, collider });
 	}
 	_has_met[collider] |= uint8_t(met > 0);
@@ -172,20 +195,20 @@ int TileManager::meet_awake(size_t p_range, const SlotMap::Square *const *p_squa
 }
 
 // Keeps those of the first p_count tiles in _found whose blades' box meets the collider's. Returns how many.
-int TileManager::keep_met(int p_count, const Bounds &p_swept) {
-	_statistics.looked_at += uint64_t(p_count);
-	return _bounds ? _bounds->keep_met(_found.data(), p_count, p_swept) : p_count;
+int TileMeetings::keep_met(int p_count, const Bounds &p_swept) {
+	_tiles->statistics.looked_at += uint64_t(p_count);
+	return _tiles->bounds ? _tiles->bounds->keep_met(_found.data(), p_count, p_swept) : p_count;
 }
 
 // Queues the tiles for activation that meet a collider without a slot, as many as can get one: slots that are free, and those of tiles
 // that nobody meets. Beyond that a crowd that covers many times the pool costs little more than looking up its squares.
-void TileManager::meet_asleep_tiles() {
-	const size_t room = size_t(_params.pool_size - _met.count());
+void TileMeetings::meet_asleep_tiles() {
+	const size_t room = size_t(_tiles->params.pool_size - _tiles->met.count());
 	_meetings_asleep.clear();
-	_queued_squares.fill(0);
+	_queued.clear();
 	for_each_range([&](size_t p_range, const SlotMap::Square *const *p_squares) {
 		if (_asleep[p_range] > 0) {
-			_to_activate.size() < room ? queue_tiles(p_range, p_squares, room) : meet_queued_tiles(p_range, p_squares);
+			_wanted.size() < room ? queue_tiles(p_range, p_squares, room) : meet_queued_tiles(p_range, p_squares);
 		}
 		end_range(p_range, _meetings_asleep);
 	});
@@ -198,7 +221,7 @@ void TileManager::meet_asleep_tiles() {
 }
 
 // Writes those of the range's tiles that sleep to _found, row by row. p_queued: only those that may be queued. Returns how many.
-int TileManager::find_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, bool p_queued) {
+int TileMeetings::find_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, bool p_queued) {
 	const TileRange squares = SlotMap::squares_of(p_range);
 	Found *found = _found.data();
 	int count = 0;
@@ -207,24 +230,24 @@ int TileManager::find_asleep(const TileRange &p_range, const SlotMap::Square *co
 			const int square_x = x / SlotMap::SIDE, square_z = z / SlotMap::SIDE;
 			const SlotMap::Square *square = p_squares[(square_z - squares.z_begin) * squares.width() + square_x - squares.x_begin];
 			found[count] = { uint16_t(x), uint16_t(z), SlotMap::NONE };
-			count += square->at(x, z) == SlotMap::NONE && (!p_queued || may_be_queued(square_x, square_z));
+			count += square->at(x, z) == SlotMap::NONE && (!p_queued || _queued.may_have(square_x, square_z));
 		}
 	}
 	return count;
 }
 
-void TileManager::queue_tiles(size_t p_range, const SlotMap::Square *const *p_squares, size_t p_room) {
+void TileMeetings::queue_tiles(size_t p_range, const SlotMap::Square *const *p_squares, size_t p_room) {
 	const uint32_t collider = _range_colliders[p_range];
 	const int met = keep_met(find_asleep(_ranges[p_range], p_squares, false), _swept[p_range]);
 	bool is_refused = false;
 	for (int n = 0; n < met; n++) {
-		const int x = _found[size_t(n)].x, z = _found[size_t(n)].z, tile = _grid.get_index(x, z);
+		const int x = _found[size_t(n)].x, z = _found[size_t(n)].z, tile = _tiles->grid.get_index(x, z);
 		int place = _place_of_tile.find(tile);
-		if (place == TileMap::NONE && _to_activate.size() < p_room) {
-			place = int(_to_activate.size());
-			_to_activate.push_back(tile);
+		if (place == TileMap::NONE && _wanted.size() < p_room) {
+			place = int(_wanted.size());
+			_wanted.push_back(tile);
 			_place_of_tile.insert(tile, place);
-			set_queued(x / SlotMap::SIDE, z / SlotMap::SIDE);
+			_queued.add(x / SlotMap::SIDE, z / SlotMap::SIDE);
 		}
 		if (place != TileMap::NONE) {
 			_meetings_asleep.push_back({ ~place, collider });
@@ -232,24 +255,24 @@ void TileManager::queue_tiles(size_t p_range, const SlotMap::Square *const *p_sq
 		is_refused = is_refused || place == TileMap::NONE;
 	}
 	_has_met[collider] |= uint8_t(met > 0);
-	_statistics.refused += is_refused;
+	_tiles->statistics.refused += is_refused;
 }
 
 // The same once no more slots are left.
-void TileManager::meet_queued_tiles(size_t p_range, const SlotMap::Square *const *p_squares) {
+void TileMeetings::meet_queued_tiles(size_t p_range, const SlotMap::Square *const *p_squares) {
 	const TileRange range = _ranges[p_range], squares = SlotMap::squares_of(range);
 	const uint32_t collider = _range_colliders[p_range];
 	bool any_queued = false;
 	for (int z = squares.z_begin; z < squares.z_end; z++) {
 		for (int x = squares.x_begin; x < squares.x_end; x++) {
-			any_queued = any_queued || may_be_queued(x, z);
+			any_queued = any_queued || _queued.may_have(x, z);
 		}
 	}
 	int joined = 0;
 	if (any_queued) {
 		const int met = keep_met(find_asleep(range, p_squares, true), _swept[p_range]);
 		for (int n = 0; n < met; n++) {
-			const int place = _place_of_tile.find(_grid.get_index(_found[size_t(n)].x, _found[size_t(n)].z));
+			const int place = _place_of_tile.find(_tiles->grid.get_index(_found[size_t(n)].x, _found[size_t(n)].z));
 			if (place != TileMap::NONE) {
 				_meetings_asleep.push_back({ ~place, collider });
 				joined++;
@@ -258,18 +281,18 @@ void TileManager::meet_queued_tiles(size_t p_range, const SlotMap::Square *const
 	}
 	const bool is_refused = _asleep[p_range] > joined && meets_asleep(range, p_squares, _swept[p_range]);
 	_has_met[collider] |= uint8_t(joined > 0 || is_refused);
-	_statistics.refused += is_refused;
+	_tiles->statistics.refused += is_refused;
 }
 
 // Whether the collider meets any tile that sleeps and is not queued. Those in the middle of the range are met most likely.
-bool TileManager::meets_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept) {
+bool TileMeetings::meets_asleep(const TileRange &p_range, const SlotMap::Square *const *p_squares, const Bounds &p_swept) {
 	const TileRange squares = SlotMap::squares_of(p_range);
 	const int width = p_range.width(), count = int(p_range.count());
 	for (int n = 0, at = count / 2; n < count; n++, at = at + 1 < count ? at + 1 : 0) {
 		const int x = p_range.x_begin + at % width, z = p_range.z_begin + at / width;
 		const SlotMap::Square *square =
 				p_squares[(z / SlotMap::SIDE - squares.z_begin) * squares.width() + x / SlotMap::SIDE - squares.x_begin];
-		if (square->at(x, z) != SlotMap::NONE || _place_of_tile.find(_grid.get_index(x, z)) != TileMap::NONE) {
+		if (square->at(x, z) != SlotMap::NONE || _place_of_tile.find(_tiles->grid.get_index(x, z)) != TileMap::NONE) {
 			continue;
 		}
 		_found[0] = { uint16_t(x), uint16_t(z), SlotMap::NONE };
@@ -281,11 +304,11 @@ bool TileManager::meets_asleep(const TileRange &p_range, const SlotMap::Square *
 }
 
 // The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.
-TileRange TileManager::find_range(const Bounds &p_swept) const {
-	if (p_swept.max.y() < _params.low || p_swept.min.y() > _params.height) {
+TileRange TileMeetings::find_range(const Bounds &p_swept) const {
+	if (p_swept.max.y() < _tiles->params.low || p_swept.min.y() > _tiles->params.height) {
 		return {};
 	}
-	return _grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _params.overhang);
+	return _tiles->grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _tiles->params.overhang);
 }
 
 } // namespace grass

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Which squares of tiles may hold one that waits for a slot: a bit for those that do, which others may share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace grass {
+
+class QueuedSquares {
+public:
+	void clear() { _bits.fill(0); }
+	// p_x, p_z: of the square, see SlotMap.
+	void add(int p_x, int p_z) { _bits[bit_of(p_x, p_z) / 64] |= uint64_t(1) << bit_of(p_x, p_z) % 64; }
+	bool may_have(int p_x, int p_z) const { return (_bits[bit_of(p_x, p_z) / 64] >> bit_of(p_x, p_z) % 64 & 1) != 0; }
+
+private:
+	static constexpr size_t COUNT = 4096;
+
+	static size_t bit_of(int p_x, int p_z) { return (uint32_t(p_x) * 73856093u ^ uint32_t(p_z) * 19349663u) % COUNT; }
+
+	std::array<uint64_t, COUNT / 64> _bits{};
+};
+
+} // namespace grass

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The colliders of a step as the passes read them.
+#pragma once
+
+#include "core/bodies/body_shape.h"
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class TileColliders {
+public:
+	void clear();
+	// p_segment: metres, of the longest blade, see is_sharp(). Returns the collider's number.
+	uint32_t add(const ColliderShape &p_collider, const TileGrid &p_grid, double p_segment);
+
+	std::span<const GrassCollider> get() const { return _colliders; }
+	std::span<const uint8_t> get_sharp() const { return _sharp; }
+	std::span<const Eigen::Vector4f> get_planes() const { return _planes; } // of hulls, one after the other
+	size_t get_memory_usage() const; // bytes
+
+private:
+	std::vector<GrassCollider> _colliders;
+	std::vector<uint8_t> _sharp; // of the colliders
+	std::vector<Eigen::Vector4f> _planes;
+};
+
+} // namespace grass

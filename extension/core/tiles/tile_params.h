@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What the choice of awake tiles goes by, and what it counts.
+#pragma once
+
+#include "core/solver/solver_params.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace grass {
+
+// SleepMode::TIMER: time from the last meeting to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
+// rest; above 5 s tiles are simulated that nothing moves in.
+inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
+// SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
+// stop; below 0.1 mm tiles are simulated that nobody sees move.
+inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1.0 };
+// Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
+inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
+
+// When a tile that no collider meets goes to sleep.
+enum class SleepMode {
+	TIMER, // sleep_delay after the last meeting: the paper's
+	ENERGY, // once its blades have been calm for a while
+};
+
+struct TileParams {
+	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
+
+	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
+	SleepMode sleep_mode = SleepMode::ENERGY;
+	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
+	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
+	double settle_time = SETTLE_TIME.initial; // Seconds.
+	// SleepMode::ENERGY: a tile on which nothing changed for so long is left as it is. Too short: blades stop while they still swing.
+	// Seconds.
+	double still_delay = SolverParams().calm_time();
+	double overhang = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
+	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
+	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
+	uint32_t seed = 0; // Of the tiles' starts in the patch.
+	double segment = 0.0; // Metres, of the longest blade. Too short: its edges meet no sharp bodies, see is_sharp().
+	bool is_mapped = false; // StepInput::growth says how the blades grow.
+
+	// The same within limits; NaN becomes the default.
+	TileParams sanitised() const;
+	// Never more pairs of a tile and a collider than this, for buffers made once.
+	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }
+
+private:
+	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).
+	static constexpr int MIN_LIST_CAPACITY = 4096;
+};
+
+// now: after the last update. The rest counts since the last reset.
+struct TileStatistics {
+	int awake = 0; // now: tiles that have a slot
+	int simulated = 0; // now: those of them that this step moves
+	int settling = 0; // now: those of them that are on the way back to rest
+	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
+	int colliders = 0; // now: that meet an awake tile
+	int list_entries = 0; // now: sum over the simulated tiles of their colliders
+	int high_water = 0; // most tiles ever awake at once
+	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
+	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
+	uint64_t still_steps = 0; // awake tiles that were not, since nothing changed on them
+	uint64_t woken = 0; // tiles that got a slot
+	uint64_t slept = 0; // tiles that came to rest and gave it back
+	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
+	uint64_t refused = 0; // colliders, one a step, that met tiles without a slot when the full pool had none to give
+	uint64_t looked_at = 0; // tiles tested against a collider
+	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
+	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
+};
+
+} // namespace grass

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "core/tiles/tile_view.h"
+
+#include <algorithm>
+
+namespace grass {
+
+void TileView::see(std::span<const Frustum> p_frustums, float p_margin) {
+	_sees_all = false;
+	_frustums.assign(p_frustums.begin(), p_frustums.end());
+	_margin = p_margin;
+}
+
+bool TileView::sees_field(const TileGrid &p_grid, const TileParams &p_params) const {
+	const float half_height = 0.5f * float(p_params.height - p_params.low);
+	const Eigen::Vector3f middle(0.0f, 0.5f * float(p_params.height + p_params.low), 0.0f);
+	const Eigen::Vector3f half(
+			float(0.5 * p_grid.get_size_x() + p_params.overhang), half_height, float(0.5 * p_grid.get_size_z() + p_params.overhang));
+	return _sees_all || std::any_of(_frustums.begin(), _frustums.end(), [&](const Frustum &p_frustum) {
+		return grass_tile_visible(p_frustum, middle, half, _margin, Eigen::Vector3f::Zero());
+	});
+}
+
+// grass_tile_visible() of all tiles' boxes, which differ in x and z only.
+void TileView::prepare(const TileGrid &p_grid, const TileParams &p_params) {
+	const Eigen::Vector3d first = p_grid.get_centre(0, 0) + Eigen::Vector3d(0.0, 0.5 * (p_params.height + p_params.low), 0.0);
+	const double side = p_grid.get_tile_size(), half_side = 0.5 * side + p_params.overhang;
+	const Eigen::Vector3d half(half_side, 0.5 * (p_params.height - p_params.low), half_side);
+	_tile_frustums.resize(_frustums.size());
+	for (size_t i = 0; i < _frustums.size(); i++) {
+		for (size_t k = 0; k < _frustums[i].size(); k++) {
+			const Eigen::Vector4d plane = _frustums[i][k].cast<double>();
+			const Eigen::Vector3d normal = plane.head<3>();
+			const double room = plane.w() + double(_margin) + normal.cwiseAbs().dot(half) - normal.dot(first);
+			_tile_frustums[i][k] = Eigen::Vector3d(side * normal.x(), side * normal.z(), room).cast<float>();
+		}
+	}
+}
+
+bool TileView::sees(int p_x, int p_z) const {
+	const float x = float(p_x), z = float(p_z);
+	return _sees_all || std::any_of(_tile_frustums.begin(), _tile_frustums.end(), [x, z](const TileFrustum &p_frustum) {
+		return std::none_of(p_frustum.begin(), p_frustum.end(),
+				[x, z](const Eigen::Vector3f &p_plane) { return x * p_plane.x() + z * p_plane.y() > p_plane.z(); });
+	});
+}
+
+} // namespace grass
