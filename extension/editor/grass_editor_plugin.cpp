@@ -6,6 +6,7 @@
 #include "editor/map_step.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/editor_resource_preview.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -24,6 +25,8 @@ void GrassEditorPlugin::_enter_tree() {
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_export_check.instantiate();
 	add_export_plugin(_export_check);
+	_species_preview.instantiate();
+	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(_species_preview);
 	set_process(true);
 }
 
@@ -34,6 +37,8 @@ void GrassEditorPlugin::_exit_tree() {
 	_ring.free();
 	remove_export_plugin(_export_check);
 	_export_check.unref();
+	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
+	_species_preview.unref();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_toolbar->queue_free();
 	_toolbar = nullptr;

@@ -8,6 +8,7 @@
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
+#include "editor/species_preview.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
@@ -60,6 +61,7 @@ private:
 
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<ExportCheck> _export_check;
+	godot::Ref<SpeciesPreview> _species_preview;
 	uint64_t _field_id = 0; // of the selected field; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;

@@ -32,6 +32,8 @@ public:
 	void set_param(Param p_param, double p_value);
 	double get_param(Param p_param) const;
 
+	const PatchParams &get_params() const { return _params; }
+
 	// Warnings about settings that are hardly intended. p_who: the patch's name in them.
 	godot::PackedStringArray find_warnings(const godot::String &p_who) const;
 

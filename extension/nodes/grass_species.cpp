@@ -100,6 +100,13 @@ void GrassSpecies::_part_changed() {
 }
 
 SpeciesLook GrassSpecies::get_look() {
+	if (_card_image.is_null()) {
+		_card_image = read_card(_card);
+	}
+	return make_look(_card_image);
+}
+
+SpeciesLook GrassSpecies::make_look(const Ref<Image> &p_card) const {
 	SpeciesLook look;
 	const Color root = _colors[SPECIES_ROOT_COLOR].srgb_to_linear(), tip = _colors[SPECIES_TIP_COLOR].srgb_to_linear();
 	for (size_t i = 0; i < look.colors.size(); i++) {
@@ -109,10 +116,7 @@ SpeciesLook GrassSpecies::get_look() {
 	}
 	look.dry_color = _colors[SPECIES_DRY_COLOR].srgb_to_linear();
 	look.dry = float(param(SPECIES_PARAM_DRY));
-	if (_card_image.is_null()) {
-		_card_image = read_card(_card);
-	}
-	look.card = _card_image;
+	look.card = p_card;
 	look.card_color = _colors[SPECIES_CARD_COLOR].srgb_to_linear();
 	look.card_share = float(param(SPECIES_PARAM_CARD_SHARE));
 	look.card_width = float(param(SPECIES_PARAM_CARD_WIDTH));

@@ -36,6 +36,7 @@ public:
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look(); // without canopies
+	SpeciesLook make_look(const godot::Ref<godot::Image> &p_card) const; // the same with an image of read_card()
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 	double get_card_size() const; // farthest from the tip, metres; 0: no card
 	// Two colours and no card: a field of it alone is drawn by shaders that know no species.

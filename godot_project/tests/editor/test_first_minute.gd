@@ -7,6 +7,7 @@ const EXTENSION := "res://addons/grass_field/grass_field.gdextension"
 const BARE := "`map` has nothing painted"
 
 var _updates := 0
+var _pictures: Dictionary[String, Texture2D] = {}
 
 
 ## The editor's list of nodes is made anew some time after a warning came or went.
@@ -190,3 +191,37 @@ func test_an_export_without_its_library_is_an_error() -> void:
 	file = FileAccess.open(EXTENSION, FileAccess.WRITE)
 	file.store_string(lists)
 	file.close()
+
+
+func _picture_came(_path: String, picture: Texture2D, _small: Texture2D, preset: String) -> void:
+	_pictures[preset] = picture
+
+
+func test_presets_have_pictures() -> void:
+	var paths := PackedStringArray()
+	for file in DirAccess.get_files_at("res://addons/grass_field/presets"):
+		if file.ends_with(".tres"):
+			paths.append("res://addons/grass_field/presets/" + file)
+	for path in paths:
+		# Of a resource that is being edited the editor keeps no picture on disk.
+		EditorInterface.get_resource_previewer().queue_edited_resource_preview(load(path), self, "_picture_came", path)
+	for i in 2000:
+		await frames(1)
+		if _pictures.size() == paths.size():
+			break
+	assert_eq(_pictures.size(), paths.size())
+	var sheet := Image.create_empty(4 * 128, 3 * 128, false, Image.FORMAT_RGBA8)
+	for i in paths.size():
+		var picture: Texture2D = _pictures.get(paths[i])
+		if not assert_true(picture != null, paths[i]):
+			continue
+		var image := picture.get_image()
+		image.resize(128, 128)
+		image.convert(Image.FORMAT_RGBA8)
+		var seen := 0
+		for y in range(0, 128, 4):
+			for x in range(0, 128, 4):
+				seen += int(image.get_pixel(x, y).a > 0.5)
+		assert_greater(seen, 100, paths[i])
+		sheet.blit_rect(image, Rect2i(0, 0, 128, 128), 128 * Vector2i(i % 4, i / 4))
+	sheet.save_png(ProjectSettings.globalize_path("res://").path_join("../presets.png"))

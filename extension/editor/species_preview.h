@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Pictures of GrassSpecies resources in the inspector and in the file dock.
+#pragma once
+
+#include <godot_cpp/classes/editor_resource_preview_generator.hpp>
+
+namespace grass {
+
+class SpeciesPreview : public godot::EditorResourcePreviewGenerator {
+	GDCLASS(SpeciesPreview, godot::EditorResourcePreviewGenerator)
+
+public:
+	bool _handles(const godot::String &p_type) const override;
+	bool _generate_small_preview_automatically() const override { return true; }
+	// Runs on a thread of the editor's.
+	godot::Ref<godot::Texture2D> _generate(const godot::Ref<godot::Resource> &p_resource, const godot::Vector2i &p_size,
+			const godot::Dictionary &p_metadata) const override;
+
+protected:
+	static void _bind_methods() {}
+};
+
+} // namespace grass

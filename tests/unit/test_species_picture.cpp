@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The editor's small picture of a species shows its colours, its height and its flowers.
+#include <doctest/doctest.h>
+
+#include "core/plants/species_picture.h"
+
+#include <array>
+
+using namespace grass;
+
+namespace {
+
+constexpr int SIDE = 64;
+
+PictureLook make_look(const Eigen::Vector3f &p_color) {
+	PictureLook look;
+	look.colors = { p_color, p_color };
+	return look;
+}
+
+// Mean of what is not clear, 0..255; w: the share that is not, 0..1.
+Eigen::Vector4d mean_of(const std::vector<uint8_t> &p_picture, int p_from_row = 0, int p_to_row = SIDE) {
+	Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+	for (int i = p_from_row * SIDE; i < p_to_row * SIDE; i++) {
+		const uint8_t *texel = &p_picture[size_t(4 * i)];
+		const double alpha = texel[3] / 255.0;
+		sum += alpha * Eigen::Vector4d(texel[0], texel[1], texel[2], 1.0);
+	}
+	return { sum.x() / std::max(sum.w(), 1e-9), sum.y() / std::max(sum.w(), 1e-9), sum.z() / std::max(sum.w(), 1e-9),
+		sum.w() / ((p_to_row - p_from_row) * SIDE) };
+}
+
+} // namespace
+
+TEST_CASE("a picture of a species has its colour, and room above the blades") {
+	const std::vector<uint8_t> picture = draw_species({}, make_look({ 0.05f, 0.4f, 0.02f }), SIDE);
+	REQUIRE(picture.size() == size_t(4 * SIDE * SIDE));
+	const Eigen::Vector4d mean = mean_of(picture);
+	CHECK(mean.y() > 1.5 * mean.x());
+	CHECK(mean.y() > 1.5 * mean.z());
+	CHECK(mean.w() > 0.2);
+	CHECK(mean_of(picture, 0, 2).w() < 0.05);
+	CHECK(mean_of(picture, SIDE / 2, SIDE).w() > mean_of(picture, 0, SIDE / 2).w());
+}
+
+TEST_CASE("dry blades and flowers show in it") {
+	PictureLook look = make_look({ 0.05f, 0.4f, 0.02f });
+	const Eigen::Vector4d green = mean_of(draw_species({}, look, SIDE));
+	look.dry = 1.0f;
+	look.dry_color = { 0.6f, 0.5f, 0.2f };
+	CHECK(mean_of(draw_species({}, look, SIDE)).x() > green.x() + 10.0);
+	look.dry = 0.0f;
+	const std::array<uint8_t, 16> red = { 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255 };
+	look.card = red;
+	look.card_side = 2;
+	look.card_share = 0.5f;
+	look.card_width = look.card_height = 0.08f;
+	CHECK(mean_of(draw_species({}, look, SIDE)).x() > green.x() + 20.0);
+}
+
+TEST_CASE("a species without blades has a clear picture") {
+	PatchParams none;
+	none.weights.fill(0.0);
+	CHECK(mean_of(draw_species(none, make_look({ 0.1f, 0.2f, 0.1f }), SIDE)).w() == 0.0);
+	CHECK(mean_of(draw_species({}, PictureLook(), SIDE)).w() == 0.0);
+	CHECK(draw_species({}, make_look({ 0.1f, 0.2f, 0.1f }), 0).empty());
+}
