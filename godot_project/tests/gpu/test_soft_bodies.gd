@@ -5,6 +5,7 @@ extends "res://tests/field_case.gd"
 
 func test_a_soft_ball_and_a_trimesh_bend_grass() -> void:
 	var field := add_field({size = Vector2(8, 4)})
+	await frames(2)
 	await compiled(field)
 	var sphere := SphereMesh.new()
 	sphere.radial_segments = 16
