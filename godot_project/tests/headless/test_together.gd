@@ -6,6 +6,7 @@ const PLACE := Vector2(0.25, 0.25)
 
 var _port: PacketPeerStream
 var _connection: StreamPeerTCP
+var _client := {}  # its pipes: who prints into one that is closed is killed
 var _pid := -1
 
 
@@ -16,10 +17,10 @@ func call_client() -> bool:
 		return false
 	var arguments: Array[String] = ["--headless", "--path", ProjectSettings.globalize_path("res://")]
 	arguments.append_array(["--script", "res://tests/fixtures/together_client.gd", "--", str(server.get_local_port())])
-	var process := OS.execute_with_pipe(OS.get_executable_path(), arguments)  # what it prints stays in the pipe
-	if not assert_false(process.is_empty(), "no second process"):
+	_client = OS.execute_with_pipe(OS.get_executable_path(), arguments)
+	if not assert_false(_client.is_empty(), "no second process"):
 		return false
-	_pid = process.pid
+	_pid = _client.pid
 	await wait_until(func() -> bool: return server.is_connection_available() or not OS.is_process_running(_pid), "the client calls")
 	_connection = server.take_connection()
 	server.stop()
