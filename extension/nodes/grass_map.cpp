@@ -170,8 +170,8 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 }
 
 PackedByteArray GrassMap::get_changes_since(const Ref<GrassMapSnapshot> &p_snapshot) const {
-	ERR_FAIL_COND_V_MSG(p_snapshot.is_null(), PackedByteArray(),
-			vformat("%s: get_changes_since() needs what take_snapshot() returned.", label()));
+	ERR_FAIL_COND_V_MSG(
+			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs what take_snapshot() returned.", label()));
 	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, _map, engine_codec())));
 }
 

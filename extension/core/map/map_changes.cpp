@@ -113,8 +113,8 @@ std::string apply(const Change &p_change, const PaintMap &p_before, const MapCod
 		return "are damaged: " + name_of(p_change) + " cannot be read";
 	}
 	const bool is_initial = texels == r_map.initial_texels(p_change.channel);
-	const bool has_room = r_map.set_texels(p_change.key, p_change.channel,
-			is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(texels)));
+	const bool has_room =
+			r_map.set_texels(p_change.key, p_change.channel, is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(texels)));
 	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " is out of reach, or this map is full";
 }
 
