@@ -28,10 +28,10 @@ Eigen::AlignedBox3d bounds_of(const Area3D &p_area) {
 	for (int i = 0; i < server->area_get_shape_count(rid); i++) {
 		TrackedShape shape;
 		read_shape(server->area_get_shape(rid, i), shape);
-		if (shape.usable) {
+		for (const ShapePart &part : shape.parts) {
 			const Eigen::Affine3d pose =
-					to_eigen(p_area.get_global_transform()) * to_eigen(server->area_get_shape_transform(rid, i)) * shape.offset;
-			const Eigen::Vector3d half = pose.linear().cwiseAbs() * shape.shape.get_half_extents();
+					to_eigen(p_area.get_global_transform()) * to_eigen(server->area_get_shape_transform(rid, i)) * part.offset;
+			const Eigen::Vector3d half = pose.linear().cwiseAbs() * part.shape.get_half_extents();
 			bounds.extend(Eigen::Vector3d(pose.translation() - half));
 			bounds.extend(Eigen::Vector3d(pose.translation() + half));
 		}

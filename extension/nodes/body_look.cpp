@@ -141,8 +141,10 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		_reads.shapes++;
 		const bool is_enabled = !r_body.disabled[size_t(index)];
 		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
-		const bool is_same = !read_shape(server->body_get_shape(r_body.rid, index), shape, &_reads.engine_calls) &&
-				transform == shape.transform && shape.enabled == is_enabled && shape.collider.friction == r_body.friction;
+		const bool was_changed = read_shape(server->body_get_shape(r_body.rid, index), shape, &_reads.engine_calls);
+		const bool was_split = split_mesh(shape);
+		const bool is_same = !was_changed && !was_split && transform == shape.transform && shape.enabled == is_enabled &&
+				shape.friction == r_body.friction;
 		_reads.engine_calls += 2;
 		if (is_same) {
 			continue;
@@ -151,51 +153,62 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		r_body.next_look_at_all = 0;
 		shape.transform = transform;
 		shape.enabled = is_enabled;
-		shape.has_pose = false;
-		shape.local = to_eigen(transform) * shape.offset;
-		shape.collider = shape.shape;
-		scale_shape(shape.collider, shape.local.linear());
-		shape.collider.friction = r_body.friction;
+		shape.friction = r_body.friction;
+		for (ShapePart &part : shape.parts) {
+			part.has_pose = false;
+			part.local = to_eigen(transform) * part.offset;
+			part.collider = part.shape;
+			scale_shape(part.collider, part.local.linear());
+			part.collider.friction = r_body.friction;
+		}
 	}
 	return has_changed;
 }
 
-// Once a field: the user may expect a body that moves to bend grass.
-void BodyTracker::warn_of_height_map(const Body &p_body, const TrackedShape &p_shape) {
-	if (p_shape.type != PhysicsServer3D::SHAPE_HEIGHTMAP || _has_warned_of_height_map) {
+// Once a field: the user may expect a body that moves to bend grass, and by its own form.
+void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
+	const bool is_height_map = p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP;
+	bool &has_warned = is_height_map ? _has_warned_of_height_map : _has_warned_of_mesh;
+	if (has_warned || !(is_height_map || p_shape.is_bound)) {
 		return;
 	}
-	_has_warned_of_height_map = true;
+	has_warned = true;
 	const Node *node = Object::cast_to<Node>(ObjectDB::get_instance(p_body.instance_id));
 	const String name = node == nullptr ? String("a body without a node") : vformat("'%s'", node->get_name());
-	WARN_PRINT(vformat(
-			"GrassField: %s moves and has a HeightMapShape3D, which bends no grass: grass takes height maps for ground. Give the body a "
-			"sphere, box, capsule, cylinder or convex polygon as well, or keep it still.",
-			name));
+	if (is_height_map) {
+		WARN_PRINT(vformat("GrassField: %s moves and has a HeightMapShape3D, which bends no grass: grass takes height maps for ground. "
+						   "Give the body a sphere, box, capsule, cylinder or convex polygon as well, or keep it still.",
+				name));
+	} else {
+		WARN_PRINT(vformat("GrassField: %s", why_bound(name)));
+	}
 }
 
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	const bool stands_still = r_body.before.matrix() == p_now.matrix();
 	for (TrackedShape &shape : r_body.shapes) {
-		if (!shape.enabled || !shape.usable) {
-			shape.has_pose = false;
-			if (shape.enabled && !stands_still) {
-				warn_of_height_map(r_body, shape);
+		if (shape.enabled && !stands_still) {
+			warn_of(r_body, shape);
+		}
+		for (ShapePart &part : shape.parts) {
+			if (!shape.enabled) {
+				part.has_pose = false;
+				continue;
 			}
-			continue;
+			if (_written == r_colliders.size()) {
+				r_colliders.emplace_back();
+			}
+			ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
+			collider = part.collider;
+			collider.owner = r_body.instance_id;
+			// It usually starts where it ended in the tick before.
+			collider.before = part.has_pose && !r_body.was_put ? part.pose : ColliderShape::make_pose(r_body.before * part.local);
+			collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * part.local);
+			part.pose = collider.now;
+			part.has_pose = true;
 		}
-		if (_written == r_colliders.size()) {
-			r_colliders.emplace_back();
-		}
-		ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
-		collider = shape.collider;
-		collider.owner = r_body.instance_id;
-		// It usually starts where it ended in the tick before.
-		collider.before = shape.has_pose && !r_body.was_put ? shape.pose : ColliderShape::make_pose(r_body.before * shape.local);
-		collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * shape.local);
-		shape.pose = collider.now;
-		shape.has_pose = true;
+		_mesh_pieces += shape.enabled && shape.is_split && !shape.is_bound ? int64_t(shape.parts.size()) : 0;
 	}
 }
 

@@ -251,6 +251,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	_has_field_before = true;
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
 	_written = 0;
+	_mesh_pieces = 0;
 	MotionTick tick = p_tick;
 	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {

@@ -51,6 +51,9 @@ public:
 
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
+	uint32_t get_mask() const { return _mask; }
+	// Convex pieces that trimeshes of moving bodies were handed on as in the last tick.
+	int64_t get_mesh_pieces() const { return _mesh_pieces; }
 
 private:
 	struct Body {
@@ -94,7 +97,7 @@ private:
 	bool look(Body &r_body);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
-	void warn_of_height_map(const Body &p_body, const TrackedShape &p_shape);
+	void warn_of(const Body &p_body, const TrackedShape &p_shape);
 	void read_traits(Body &r_body, int32_t p_count);
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
 	void watch_sleep(Body &r_body, bool p_watch);
@@ -116,7 +119,8 @@ private:
 	Eigen::Affine3d _from_world_before = Eigen::Affine3d::Identity();
 	bool _has_field_before = false;
 	int _ticks_since_jump = 1 << 30;
-	bool _has_warned_of_height_map = false;
+	bool _has_warned_of_height_map = false, _has_warned_of_mesh = false;
+	int64_t _mesh_pieces = 0; // in this tick
 	size_t _written = 0; // colliders in this tick
 	BodyReads _reads; // since it was made
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run

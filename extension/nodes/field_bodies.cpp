@@ -17,6 +17,7 @@ void FieldBodies::collect(
 	_registered.collect(p_transform, tick, _colliders);
 	_wheels.collect(p_transform, tick, _colliders);
 	_bones.collect(p_world, p_transform, tick, _colliders);
+	_soft_bodies.collect({ p_world, p_transform, half, _tracker.get_mask() }, tick, _colliders);
 }
 
 void FieldBodies::add_forces(std::span<const Force> p_forces) {
@@ -32,11 +33,16 @@ void FieldBodies::forget_motion() {
 	_registered.forget_motion();
 	_wheels.forget_motion();
 	_bones.forget_motion();
+	_soft_bodies.forget_motion();
 }
 
 void FieldBodies::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.bodies = get_count();
+	r_statistics.soft_bodies = _soft_bodies.get_count();
+	r_statistics.mesh_pieces = _tracker.get_mesh_pieces() + _registered.get_mesh_pieces();
 	r_statistics.reads = _tracker.get_reads();
+	r_statistics.reads.poses += _soft_bodies.get_reads().poses;
+	r_statistics.reads.engine_calls += _soft_bodies.get_reads().engine_calls;
 }
 
 } // namespace grass

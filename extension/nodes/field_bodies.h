@@ -9,6 +9,7 @@
 #include "nodes/body_tracker.h"
 #include "nodes/bone_colliders.h"
 #include "nodes/node_colliders.h"
+#include "nodes/soft_bodies.h"
 #include "nodes/vehicle_wheels.h"
 
 #include <span>
@@ -44,6 +45,7 @@ private:
 	NodeColliders _registered;
 	VehicleWheels _wheels;
 	BoneColliders _bones;
+	SoftBodies _soft_bodies;
 	std::vector<ColliderShape> _colliders; // of this tick
 	Visitors _visitors;
 };

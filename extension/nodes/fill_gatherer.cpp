@@ -44,10 +44,10 @@ FillObstacle obstacle_of(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_p
 	}
 	TrackedShape tracked;
 	read_shape(shape, tracked);
-	if (!tracked.usable) { // ground, rays
+	if (tracked.parts.empty()) { // ground, rays
 		return FillObstacle::line({});
 	}
-	return FillObstacle::solid(tracked.shape, p_pose * tracked.offset, p_height);
+	return FillObstacle::solid(tracked.parts[0].shape, p_pose * tracked.parts[0].offset, p_height);
 }
 
 FillObstacle outline_of(const PackedVector2Array &p_outline, const Eigen::Affine3d &p_pose) {

@@ -6,6 +6,7 @@
 #include "core/base/cpu_clock.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
+#include "nodes/scene_watch.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -57,6 +58,7 @@ bool GrassField::belongs_here() const {
 
 void GrassField::enter() {
 	FieldMonitors::add(this);
+	SceneWatch::get_singleton()->start(this);
 	set_process_internal(true);
 	set_physics_process_internal(true);
 	RenderingServer::get_singleton()->connect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));

@@ -2,6 +2,7 @@
 #include "nodes/grass_map.h"
 
 #include "convert.h"
+#include "core/map/map_changes.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
@@ -168,6 +169,29 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 	}
 }
 
+PackedByteArray GrassMap::get_changes_since(const Ref<GrassMapSnapshot> &p_snapshot) const {
+	ERR_FAIL_COND_V_MSG(
+			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs what take_snapshot() returned.", label()));
+	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, _map, engine_codec())));
+}
+
+bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
+	if (p_changes.is_empty()) {
+		return true; // nothing changed
+	}
+	if (!is_usable()) {
+		return false;
+	}
+	const AppliedChanges applied = grass::apply_changes(std::span(p_changes.ptr(), size_t(p_changes.size())), engine_codec(), _map);
+	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), String(applied.reason.c_str())));
+	if (applied.has_base_changed) {
+		tell_everywhere(applied.changed);
+	} else {
+		tell(applied.changed);
+	}
+	return true;
+}
+
 void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 	const std::vector<MapKey> changed = _map.compare(p_before);
 	_replacements++;
@@ -202,6 +226,8 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("fill", "rule", "region"), &GrassMap::fill);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
+	ClassDB::bind_method(D_METHOD("get_changes_since", "snapshot"), &GrassMap::get_changes_since);
+	ClassDB::bind_method(D_METHOD("apply_changes", "changes"), &GrassMap::apply_changes);
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
 	ClassDB::bind_method(D_METHOD("is_empty"), &GrassMap::is_empty);
 	ClassDB::bind_method(D_METHOD("get_chunks"), &GrassMap::get_chunks);

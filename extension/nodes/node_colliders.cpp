@@ -19,10 +19,10 @@ bool NodeColliders::add(const Node3D *p_node, const Ref<Shape3D> &p_shape, const
 	entry.local = p_local;
 	entry.shape = p_shape;
 	read_shape(p_shape->get_rid(), entry.tracked);
-	if (entry.tracked.usable) {
+	if (!entry.tracked.parts.empty()) {
 		_entries.push_back(entry);
 	}
-	return entry.tracked.usable;
+	return !entry.tracked.parts.empty();
 }
 
 void NodeColliders::remove(uint64_t p_node_id) {
@@ -30,6 +30,7 @@ void NodeColliders::remove(uint64_t p_node_id) {
 }
 
 void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+	_mesh_pieces = 0;
 	if (_entries.empty()) {
 		return;
 	}
@@ -42,24 +43,42 @@ void NodeColliders::collect(const Transform3D &p_field, const MotionTick &p_tick
 			continue;
 		}
 		i++;
+		const bool was_bound = entry.tracked.is_bound;
 		read_shape(entry.shape->get_rid(), entry.tracked);
-		if (!node->is_inside_tree() || !entry.tracked.usable) {
-			entry.motion.forget();
+		split_mesh(entry.tracked);
+		if (entry.tracked.is_bound && !was_bound) {
+			WARN_PRINT(vformat("GrassField: %s", why_bound(vformat("'%s'", node->get_name()))));
+		}
+		if (!node->is_inside_tree()) {
+			entry.motions.clear();
 			continue;
 		}
-		const Eigen::Affine3d now = field_from_world * to_eigen(node->get_global_transform()) * entry.local * entry.tracked.offset;
-		ColliderShape collider = entry.tracked.shape;
+		write(entry, field_from_world * to_eigen(node->get_global_transform()) * entry.local, p_tick, r_colliders);
+	}
+}
+
+// p_shape: where the shape stands, field space.
+void NodeColliders::write(
+		Entry &r_entry, const Eigen::Affine3d &p_shape, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+	const std::vector<ShapePart> &parts = r_entry.tracked.parts;
+	if (parts.size() != r_entry.motions.size()) { // other ones
+		r_entry.motions.assign(parts.size(), NodeMotion());
+	}
+	_mesh_pieces += r_entry.tracked.is_split && !r_entry.tracked.is_bound ? int64_t(parts.size()) : 0;
+	for (size_t i = 0; i < parts.size(); i++) {
+		const Eigen::Affine3d now = p_shape * parts[i].offset;
+		ColliderShape collider = parts[i].shape;
 		scale_shape(collider, now.linear());
 		collider.friction = NodeMotion::FRICTION;
-		collider.owner = entry.owner;
-		entry.motion.pose(now, p_tick, collider);
+		collider.owner = r_entry.owner;
+		r_entry.motions[i].pose(now, p_tick, collider);
 		r_colliders.push_back(collider);
 	}
 }
 
 void NodeColliders::forget_motion() {
 	for (Entry &entry : _entries) {
-		entry.motion.forget();
+		entry.motions.clear();
 	}
 }
 
@@ -69,13 +88,14 @@ bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, Coll
 	if (tracked.type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON) { // has no inside
 		return false;
 	}
-	if (tracked.usable) {
-		const Eigen::Affine3d pose = p_pose * tracked.offset;
-		r_shape = tracked.shape;
-		scale_shape(r_shape, pose.linear());
-		r_shape.set_poses(pose, pose);
+	if (tracked.parts.empty()) {
+		return false;
 	}
-	return tracked.usable;
+	const Eigen::Affine3d pose = p_pose * tracked.parts[0].offset;
+	r_shape = tracked.parts[0].shape;
+	scale_shape(r_shape, pose.linear());
+	r_shape.set_poses(pose, pose);
+	return true;
 }
 
 } // namespace grass

@@ -20,6 +20,7 @@ public:
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion(); // see BodyTracker
 	bool is_empty() const { return _entries.empty(); }
+	int64_t get_mesh_pieces() const { return _mesh_pieces; } // see BodyTracker
 
 private:
 	struct Entry {
@@ -27,10 +28,13 @@ private:
 		Eigen::Affine3d local; // of the shape in the node
 		godot::Ref<godot::Shape3D> shape;
 		TrackedShape tracked;
-		NodeMotion motion;
+		std::vector<NodeMotion> motions; // of its parts
 	};
 
+	void write(Entry &r_entry, const Eigen::Affine3d &p_shape, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+
 	std::vector<Entry> _entries; // in the order in which they came
+	int64_t _mesh_pieces = 0;
 };
 
 // A shape as the solver reads it, at a place in the field's space (scale counts, shear does not). False if it cannot bend

@@ -4,6 +4,7 @@
 #include "convert.h"
 #include "core/bodies/hull.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -17,10 +18,24 @@ namespace grass {
 
 namespace {
 
+// From the first look at a trimesh to its pieces. Fewer: the thread may not be done, and the tick waits.
+constexpr uint64_t SPLIT_TICKS = 8;
+
 void set_round(ColliderShape &r_shape, int p_type, const Dictionary &p_data, double p_cap) {
 	const double radius = p_data["radius"], height = p_data["height"];
 	r_shape.type = p_type;
 	r_shape.size = { radius, std::max(0.5 * height - p_cap * radius, 0.0), 0.0 };
+}
+
+void add_hull(TrackedShape &r_tracked, const Hull &p_hull) {
+	if (p_hull.planes.empty()) {
+		return;
+	}
+	ShapePart &part = r_tracked.parts.emplace_back();
+	part.shape.type = GRASS_HULL;
+	part.shape.size = p_hull.half_extents;
+	part.shape.planes = p_hull.planes;
+	part.offset.translation() = p_hull.centre;
 }
 
 void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
@@ -34,36 +49,28 @@ void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
 		WARN_PRINT_ONCE("GrassField: a ConvexPolygonShape3D has too many points or faces for the grass solver; grass meets a 26-sided "
 						"bound of it. Use a simpler shape to be exact.");
 	}
-	r_tracked.shape.type = GRASS_HULL;
-	r_tracked.shape.size = hull.half_extents;
-	r_tracked.shape.planes = hull.planes;
-	r_tracked.offset.translation() = hull.centre;
-	r_tracked.usable = !hull.planes.empty();
+	add_hull(r_tracked, hull);
 }
 
-// A trimesh on a moving body: the box around its faces.
-void set_bound(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
-	if (p_faces.is_empty()) {
-		r_tracked.usable = false;
-		return;
+// The box around the faces of a trimesh, see split_mesh().
+void set_box(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
+	Eigen::AlignedBox3d box;
+	for (int64_t i = 0; i < p_faces.size(); i++) {
+		box.extend(to_eigen(p_faces[i]));
 	}
-	WARN_PRINT_ONCE("GrassField: a moving body has a ConcavePolygonShape3D; grass meets the box around it. Give the body convex shapes to "
-					"be exact.");
-	Eigen::Vector3d low = to_eigen(p_faces[0]), high = low;
-	for (int64_t i = 1; i < p_faces.size(); i++) {
-		low = low.cwiseMin(to_eigen(p_faces[i]));
-		high = high.cwiseMax(to_eigen(p_faces[i]));
+	if (!box.isEmpty()) {
+		ShapePart &part = r_tracked.parts.emplace_back();
+		part.shape.type = GRASS_BOX;
+		part.shape.size = 0.5 * box.sizes();
+		part.offset.translation() = box.center();
 	}
-	r_tracked.shape.type = GRASS_BOX;
-	r_tracked.shape.size = 0.5 * (high - low);
-	r_tracked.offset.translation() = 0.5 * (high + low);
 }
 
 void convert(TrackedShape &r_tracked) {
-	ColliderShape &shape = r_tracked.shape;
-	shape.planes.clear();
-	r_tracked.offset.setIdentity();
-	r_tracked.usable = true;
+	r_tracked.parts.clear();
+	r_tracked.pieces = MeshPieces::Future();
+	r_tracked.is_split = r_tracked.is_bound = false;
+	ColliderShape shape;
 	switch (r_tracked.type) {
 		case PhysicsServer3D::SHAPE_SPHERE:
 			shape.type = GRASS_SPHERE;
@@ -81,13 +88,14 @@ void convert(TrackedShape &r_tracked) {
 			break;
 		case PhysicsServer3D::SHAPE_CONVEX_POLYGON:
 			set_hull(r_tracked, r_tracked.data);
-			break;
+			return;
 		case PhysicsServer3D::SHAPE_CONCAVE_POLYGON:
-			set_bound(r_tracked, Dictionary(r_tracked.data)["faces"]);
-			break;
+			set_box(r_tracked, Dictionary(r_tracked.data)["faces"]);
+			return;
 		default:
-			r_tracked.usable = false;
+			return;
 	}
+	r_tracked.parts.emplace_back().shape = shape;
 }
 
 } // namespace
@@ -111,6 +119,44 @@ bool read_shape(const RID &p_shape, TrackedShape &r_shape, int64_t *r_calls) {
 	r_shape.data = data;
 	convert(r_shape);
 	return true;
+}
+
+bool split_mesh(TrackedShape &r_shape) {
+	if (r_shape.type != PhysicsServer3D::SHAPE_CONCAVE_POLYGON || r_shape.is_split || r_shape.parts.empty()) {
+		return false;
+	}
+	const uint64_t now = Engine::get_singleton()->get_physics_frames();
+	if (!r_shape.pieces.valid()) {
+		const PackedVector3Array faces = Dictionary(r_shape.data)["faces"];
+		std::vector<Eigen::Vector3d> corners;
+		corners.reserve(size_t(faces.size()));
+		for (int64_t i = 0; i < faces.size(); i++) {
+			corners.push_back(to_eigen(faces[i]));
+		}
+		r_shape.pieces = MeshPieces::begin(std::move(corners));
+		r_shape.pieces_due = now + SPLIT_TICKS;
+	}
+	if (now < r_shape.pieces_due) {
+		return false;
+	}
+	const MeshPieces::Future pieces = r_shape.pieces;
+	r_shape.pieces = MeshPieces::Future();
+	r_shape.is_split = true;
+	r_shape.is_bound = pieces.get().empty();
+	if (r_shape.is_bound) {
+		return false;
+	}
+	r_shape.parts.clear();
+	for (const Hull &hull : pieces.get()) {
+		add_hull(r_shape, hull);
+	}
+	return true;
+}
+
+String why_bound(const String &p_name) {
+	return vformat("the ConcavePolygonShape3D of %s moves and has more than %d faces, or one that is not finite: it is not split into "
+				   "convex pieces, and grass meets the box around it. Give it a simpler mesh, or convex shapes.",
+			p_name, int64_t(MeshPieces::MAX_FACES));
 }
 
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/bodies/body_shape.h"
+#include "core/bodies/mesh_pieces.h"
 
 #include <Eigen/Geometry>
 
@@ -11,30 +12,46 @@
 #include <godot_cpp/variant/variant.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace grass {
 
-// A physics shape as the solver reads it, and what it was made from (to detect changes).
-struct TrackedShape {
-	godot::RID rid;
-	int64_t type = -1; // PhysicsServer3D.ShapeType
-	godot::Variant data; // PhysicsServer3D.shape_get_data
+// One shape of the solver.
+struct ShapePart {
 	ColliderShape shape;
 	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space
-	bool usable = false;
 
-	godot::Transform3D transform; // of the physics shape in its body
-	bool enabled = false;
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
 	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
 	ColliderPose pose; // in field space, as it was handed on in the last tick
 	bool has_pose = false; // it was handed on
 };
 
-// Reads shape p_shape of the physics server. Returns whether it changed. TrackedShape::usable: false if it bends no grass
-// (planes, rays, height maps).
+// A physics shape as the solver reads it, and what it was made from (to detect changes).
+struct TrackedShape {
+	godot::RID rid;
+	int64_t type = -1; // PhysicsServer3D.ShapeType
+	godot::Variant data; // PhysicsServer3D.shape_get_data
+	std::vector<ShapePart> parts; // one, but for a trimesh; none: it bends no grass
+	MeshPieces::Future pieces; // of a trimesh, while the box around it is its only part
+	uint64_t pieces_due = 0; // physics tick of the engine in which they take the box's place
+	bool is_split = false; // a trimesh, and its pieces were due
+	bool is_bound = false; // it has none: its box stays
+
+	godot::Transform3D transform; // of the physics shape in its body
+	bool enabled = false;
+	double friction = 0.0;
+};
+
+// Reads shape p_shape of the physics server. Returns whether it changed. Planes, rays and height maps have no parts; a trimesh has
+// the box around it.
 // r_calls: counts calls of the server, if given.
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_calls = nullptr);
+// To be called with a trimesh that moves, after each read: a thread splits it into convex pieces, which take the place of its box a fixed
+// number of ticks later. Whether they do now. Waits for the thread then, so that every replay sees the same.
+bool split_mesh(TrackedShape &r_shape);
+// Words of a warning where it could not be split. p_name: whose shape it is.
+godot::String why_bound(const godot::String &p_name);
 // Applies the scale of p_basis to the shape: poses hold rotation only.
 void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 

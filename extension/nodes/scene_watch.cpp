@@ -56,9 +56,10 @@ void SceneWatch::start(Node *p_inside) {
 	_cameras.clear();
 	_suns.clear();
 	_environments.clear();
+	_soft_bodies.clear();
 	tree->connect("node_added", callable_mp(this, &SceneWatch::_added));
 	tree->connect("node_removed", callable_mp(this, &SceneWatch::_removed));
-	for (const char *type : { "Camera3D", "DirectionalLight3D", "WorldEnvironment" }) {
+	for (const char *type : { "Camera3D", "DirectionalLight3D", "WorldEnvironment", "SoftBody3D" }) {
 		const TypedArray<Node> found = tree->get_root()->find_children("*", type, true, false);
 		for (int64_t i = 0; i < found.size(); i++) {
 			_added(Object::cast_to<Node>(found[i]));
@@ -70,12 +71,14 @@ void SceneWatch::_added(Node *p_node) {
 	add_node(p_node, _cameras);
 	add_node(p_node, _suns);
 	add_node(p_node, _environments);
+	add_node(p_node, _soft_bodies);
 }
 
 void SceneWatch::_removed(Node *p_node) {
 	remove_node(p_node, _cameras);
 	remove_node(p_node, _suns);
 	remove_node(p_node, _environments);
+	remove_node(p_node, _soft_bodies);
 }
 
 } // namespace grass

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The cameras, directional lights and environments in the scene tree. The tree's signals keep the lists, once for all fields: a search in
-// every frame would cost with the number of nodes.
+// The cameras, directional lights, environments and soft bodies in the scene tree. The tree's signals keep the lists, once for all fields:
+// a search in every frame would cost with the number of nodes.
 #pragma once
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/directional_light3d.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/object.hpp>
+#include <godot_cpp/classes/soft_body3d.hpp>
 #include <godot_cpp/classes/world_environment.hpp>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ public:
 	const std::vector<godot::Camera3D *> &get_cameras() const { return _cameras; }
 	const std::vector<godot::DirectionalLight3D *> &get_suns() const { return _suns; }
 	const std::vector<godot::WorldEnvironment *> &get_environments() const { return _environments; }
+	const std::vector<godot::SoftBody3D *> &get_soft_bodies() const { return _soft_bodies; }
 
 protected:
 	static void _bind_methods() {}
@@ -42,6 +44,7 @@ private:
 	std::vector<godot::Camera3D *> _cameras;
 	std::vector<godot::DirectionalLight3D *> _suns;
 	std::vector<godot::WorldEnvironment *> _environments;
+	std::vector<godot::SoftBody3D *> _soft_bodies;
 };
 
 } // namespace grass

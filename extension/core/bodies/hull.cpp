@@ -19,8 +19,6 @@ struct Plane {
 	double distance;
 };
 
-constexpr double MAX_COORDINATE = 1e5; // metres
-
 // How far the points reach along p_normal.
 double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 	double support = p_normal.dot(p_points.front());
@@ -34,7 +32,7 @@ double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 Points collect(std::span<const Eigen::Vector3d> p_points) {
 	Points points;
 	std::copy_if(p_points.begin(), p_points.end(), std::back_inserter(points),
-			[](const Eigen::Vector3d &p_point) { return p_point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= MAX_COORDINATE; });
+			[](const Eigen::Vector3d &p_point) { return p_point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= Hull::MAX_COORDINATE; });
 	const auto is_less = [](const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b) {
 		return std::lexicographical_compare(p_a.begin(), p_a.end(), p_b.begin(), p_b.end());
 	};
@@ -140,7 +138,7 @@ std::vector<Plane> find_faces(const Points &p_points, double p_size) {
 }
 
 // A bound with the directions to the faces, edges and corners of a cube as its normals.
-std::vector<Plane> make_bound(const Points &p_points) {
+std::vector<Plane> find_bound(const Points &p_points) {
 	std::vector<Plane> planes;
 	for (int i = 0; i < 27; i++) {
 		const Eigen::Vector3d direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
@@ -149,6 +147,22 @@ std::vector<Plane> make_bound(const Points &p_points) {
 		}
 	}
 	return planes;
+}
+
+void set_size(const Points &p_points, double p_margin, Hull &r_hull) {
+	for (const Eigen::Vector3d &point : p_points) {
+		r_hull.half_extents = r_hull.half_extents.cwiseMax(point.cwiseAbs());
+		r_hull.radius = std::max(r_hull.radius, point.norm());
+	}
+	r_hull.half_extents.array() += p_margin;
+	r_hull.radius += std::sqrt(3.0) * p_margin;
+}
+
+void add_planes(const std::vector<Plane> &p_planes, double p_margin, Hull &r_hull) {
+	for (const Plane &plane : p_planes) {
+		const Eigen::Vector3f normal = plane.normal.cast<float>();
+		r_hull.planes.emplace_back(normal.x(), normal.y(), normal.z(), float(plane.distance + p_margin));
+	}
 }
 
 } // namespace
@@ -161,22 +175,29 @@ Hull Hull::make(std::span<const Eigen::Vector3d> p_points) {
 	}
 	hull.centre = centre_points(points);
 	thicken(points);
-	for (const Eigen::Vector3d &point : points) {
-		hull.half_extents = hull.half_extents.cwiseMax(point.cwiseAbs());
-		hull.radius = std::max(hull.radius, point.norm());
-	}
+	set_size(points, 0.0, hull);
 	std::vector<Plane> planes;
 	if (points.size() <= size_t(MAX_POINTS)) {
 		planes = find_faces(points, hull.radius);
 	}
 	if (planes.size() < 4 || planes.size() > size_t(MAX_PLANES)) {
-		planes = make_bound(points);
+		planes = find_bound(points);
 		hull.is_bound = true;
 	}
-	for (const Plane &plane : planes) {
-		const Eigen::Vector3f normal = plane.normal.cast<float>();
-		hull.planes.emplace_back(normal.x(), normal.y(), normal.z(), float(plane.distance));
+	add_planes(planes, 0.0, hull);
+	return hull;
+}
+
+Hull Hull::make_bound(std::span<const Eigen::Vector3d> p_points, double p_margin) {
+	Hull hull;
+	hull.is_bound = true;
+	if (p_points.empty()) {
+		return hull;
 	}
+	Points points(p_points.begin(), p_points.end());
+	hull.centre = centre_points(points);
+	set_size(points, p_margin, hull);
+	add_planes(find_bound(points), p_margin, hull);
 	return hull;
 }
 

@@ -26,7 +26,10 @@ struct Hull {
 	// Points of a plane, a line or a single place get MIN_THICKNESS in the missing directions. Points that are not
 	// finite or beyond 100 km are left out.
 	static constexpr double MIN_THICKNESS = 1e-3; // Metres, each side of the plane.
+	static constexpr double MAX_COORDINATE = 1e5; // Metres.
 	static Hull make(std::span<const Eigen::Vector3d> p_points);
+	// The 26-sided bound of points that are finite, p_margin metres wider to each side: for points that move from tick to tick.
+	static Hull make_bound(std::span<const Eigen::Vector3d> p_points, double p_margin);
 };
 
 } // namespace grass

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/map_file.h"
 
+#include "core/map/map_bytes.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -14,18 +16,6 @@ namespace {
 constexpr char MAGIC[] = "GRASSMAP";
 constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 20, ENTRY_BYTES = 20, CHECKSUM_BYTES = 4;
 constexpr uint32_t ALL_CHANNELS = (1u << MAP_CHANNELS) - 1;
-
-void put(MapBytes &r_bytes, uint32_t p_value) {
-	const size_t at = r_bytes.size();
-	r_bytes.resize(at + 4);
-	std::memcpy(&r_bytes[at], &p_value, 4);
-}
-
-uint32_t get(std::span<const uint8_t> p_bytes, size_t p_at) {
-	uint32_t value;
-	std::memcpy(&value, &p_bytes[p_at], 4);
-	return value;
-}
 
 // Turns a channel's texels into their differences from the plane through their neighbours, or (p_back) these into texels.
 // Splits codes of 4 bytes, lowest bytes first, so that the high ones, which rarely change, lie together.
@@ -92,19 +82,6 @@ MapBytes pack_chunk(const MapChunk &p_chunk, const MapCodec &p_codec) {
 	return p_codec.pack(bytes);
 }
 
-bool are_codes(const MapTexels &p_texels, const MapChannelInfo &p_info) {
-	for (size_t i = 0; i < p_texels.size(); i += size_t(p_info.bytes)) {
-		int32_t code = p_texels[i];
-		if (p_info.bytes == 4) {
-			std::memcpy(&code, &p_texels[i], 4);
-		}
-		if (code < p_info.lowest || code > p_info.highest) {
-			return false;
-		}
-	}
-	return true;
-}
-
 // False if the bytes are not those of such a chunk.
 bool unpack_chunk(std::span<const uint8_t> p_packed, const MapKey &p_key, uint32_t p_channels, const MapCodec &p_codec, PaintMap &r_map) {
 	MapBytes bytes(chunk_size(p_channels));
@@ -132,6 +109,19 @@ std::string of_bytes(size_t p_there, size_t p_wanted) {
 
 } // namespace
 
+bool are_codes(const MapTexels &p_texels, const MapChannelInfo &p_info) {
+	for (size_t i = 0; i < p_texels.size(); i += size_t(p_info.bytes)) {
+		int32_t code = p_texels[i];
+		if (p_info.bytes == 4) {
+			std::memcpy(&code, &p_texels[i], 4);
+		}
+		if (code < p_info.lowest || code > p_info.highest) {
+			return false;
+		}
+	}
+	return true;
+}
+
 uint32_t checksum(std::span<const uint8_t> p_bytes) {
 	static const auto table = [] {
 		std::array<uint32_t, 256> made{};
@@ -155,17 +145,17 @@ MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec) {
 	PaintMap map = p_map;
 	map.compact();
 	MapBytes bytes(MAGIC, MAGIC + MAGIC_BYTES), payload;
-	put(bytes, MAP_FILE_VERSION);
-	put(bytes, uint32_t(map.initial_code(MAP_DENSITY, 0)));
-	put(bytes, uint32_t(map.get_chunks().size()));
+	put_u32(bytes, MAP_FILE_VERSION);
+	put_u32(bytes, uint32_t(map.initial_code(MAP_DENSITY, 0)));
+	put_u32(bytes, uint32_t(map.get_chunks().size()));
 	for (const auto &[key, chunk] : map.get_chunks()) {
 		const MapBytes packed = pack_chunk(chunk, p_codec);
 		for (const uint32_t value : { uint32_t(key.x), uint32_t(key.z), channels_of(chunk), uint32_t(packed.size()), checksum(packed) }) {
-			put(bytes, value);
+			put_u32(bytes, value);
 		}
 		payload.insert(payload.end(), packed.begin(), packed.end());
 	}
-	put(bytes, checksum(bytes));
+	put_u32(bytes, checksum(bytes));
 	bytes.insert(bytes.end(), payload.begin(), payload.end());
 	return bytes;
 }
@@ -174,7 +164,7 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
 		return "is no grass map: it does not begin with \"GRASSMAP\"";
 	}
-	const uint32_t version = get(p_bytes, MAGIC_BYTES);
+	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
 	if (version > MAP_FILE_VERSION) {
 		return "was saved by a newer version of this addon (format " + std::to_string(version) + ", this one reads up to " +
 				std::to_string(MAP_FILE_VERSION) + "). Update the addon to open it";
@@ -182,7 +172,7 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 	if (p_bytes.size() < HEADER_BYTES) {
 		return "is cut off: " + of_bytes(p_bytes.size(), HEADER_BYTES) + " of its header";
 	}
-	const uint32_t base = get(p_bytes, 12), count = get(p_bytes, 16);
+	const uint32_t base = get_u32(p_bytes, 12), count = get_u32(p_bytes, 16);
 	const size_t table_end = HEADER_BYTES + size_t(count) * ENTRY_BYTES;
 	if (version == 0 || base > 255 || count > PaintMap::MAX_CHUNKS) {
 		return "is damaged: its header makes no sense";
@@ -190,12 +180,12 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 	if (p_bytes.size() < table_end + CHECKSUM_BYTES) {
 		return "is cut off: " + of_bytes(p_bytes.size(), table_end + CHECKSUM_BYTES) + " of its table of chunks";
 	}
-	if (get(p_bytes, table_end) != checksum(p_bytes.first(table_end))) {
+	if (get_u32(p_bytes, table_end) != checksum(p_bytes.first(table_end))) {
 		return "is damaged: the checksum of its table of chunks is wrong";
 	}
 	size_t wanted = table_end + CHECKSUM_BYTES;
 	for (size_t n = 0; n < count; n++) {
-		wanted += get(p_bytes, HEADER_BYTES + n * ENTRY_BYTES + 12);
+		wanted += get_u32(p_bytes, HEADER_BYTES + n * ENTRY_BYTES + 12);
 	}
 	if (p_bytes.size() < wanted) {
 		return "is cut off: " + of_bytes(p_bytes.size(), wanted);
@@ -208,16 +198,16 @@ std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, 
 	size_t at = table_end + CHECKSUM_BYTES;
 	for (size_t n = 0; n < count; n++) {
 		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES;
-		const MapKey key{ int(get(p_bytes, entry)), int(get(p_bytes, entry + 4)) };
-		const uint32_t channels = get(p_bytes, entry + 8);
-		const auto packed = p_bytes.subspan(at, get(p_bytes, entry + 12));
+		const MapKey key{ int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) };
+		const uint32_t channels = get_u32(p_bytes, entry + 8);
+		const auto packed = p_bytes.subspan(at, get_u32(p_bytes, entry + 12));
 		at += packed.size();
 		if ((channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written on purpose
 			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
 				   "it";
 		}
 		const bool is_sound = channels != 0 && map.find(key) == nullptr;
-		if (!is_sound || checksum(packed) != get(p_bytes, entry + 16) || !unpack_chunk(packed, key, channels, p_codec, map)) {
+		if (!is_sound || checksum(packed) != get_u32(p_bytes, entry + 16) || !unpack_chunk(packed, key, channels, p_codec, map)) {
 			return "is damaged: its chunk " + std::to_string(n + 1) + " of " + std::to_string(count) + " cannot be read";
 		}
 	}

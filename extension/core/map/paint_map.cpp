@@ -71,6 +71,19 @@ int32_t PaintMap::initial_code(MapChannel p_channel, int p_component) const {
 	return p_channel == MAP_DENSITY ? _base_density : info_of(p_channel).initial[size_t(p_component)];
 }
 
+MapTexels PaintMap::initial_texels(MapChannel p_channel) const {
+	const MapChannelInfo &info = info_of(p_channel);
+	MapTexels texels(info.chunk_bytes());
+	for (size_t i = 0; i < size_t(info.side * info.side * info.components); i++) {
+		write_code(texels.data(), info, i, initial_code(p_channel, int(i) % info.components));
+	}
+	return texels;
+}
+
+void PaintMap::drop_empty() {
+	std::erase_if(_chunks, [](const auto &p_entry) { return p_entry.second.is_empty(); });
+}
+
 std::vector<MapKey> PaintMap::get_keys() const {
 	std::vector<MapKey> keys;
 	for (const auto &[key, chunk] : _chunks) {
@@ -116,14 +129,9 @@ MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	if (_chunks.size() >= MAX_CHUNKS && find(p_key) == nullptr) {
 		return nullptr;
 	}
-	const MapChannelInfo &info = info_of(p_channel);
 	std::shared_ptr<const MapTexels> &texels = _chunks[p_key].channels[size_t(p_channel)];
 	if (!texels) {
-		auto made = std::make_shared<MapTexels>(info.chunk_bytes());
-		for (size_t i = 0; i < size_t(info.side * info.side * info.components); i++) {
-			write_code(made->data(), info, i, initial_code(p_channel, int(i) % info.components));
-		}
-		texels = made;
+		texels = std::make_shared<const MapTexels>(initial_texels(p_channel));
 	} else if (texels.use_count() > 1) {
 		texels = std::make_shared<MapTexels>(*texels);
 	}

@@ -42,6 +42,7 @@ public:
 	void set_base_density(double p_density);
 	double get_base_density() const;
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
+	MapTexels initial_texels(MapChannel p_channel) const; // of a chunk
 
 	const std::map<MapKey, MapChunk> &get_chunks() const { return _chunks; }
 	std::vector<MapKey> get_keys() const;
@@ -61,6 +62,7 @@ public:
 	std::vector<MapKey> compare(const PaintMap &p_other) const;
 	// Frees texels that all have the initial codes again, and chunks without texels.
 	void compact();
+	void drop_empty(); // chunks without texels
 	void clear() { _chunks.clear(); }
 	bool is_empty() const { return _chunks.empty(); }
 	size_t get_memory_usage() const; // bytes; texels that snapshots share count in full

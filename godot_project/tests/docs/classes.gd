@@ -55,6 +55,13 @@ func grass_map() -> void:
 	assert_greater(saved.sample(GrassMap.CHANNEL_DENSITY, Vector2.ZERO), 0.0, "what was painted is in the file")
 
 
+func grass_map_get_changes_since() -> void:
+	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").map.base_density = 0.0)
+	var client := GrassMap.new()
+	assert_true(client.apply_changes(stage.locals.changes))
+	assert_greater(client.sample(GrassMap.CHANNEL_DENSITY, Vector2.ZERO), 0.0)
+
+
 func grass_map_set_ground() -> void:
 	var stage := await ran()
 	var highest := 0.0

@@ -75,6 +75,20 @@ func game_saving() -> void:
 	DirAccess.remove_absolute("user://save1.grassmap")
 
 
+func together_what_is_sent_what_lasts() -> void:
+	var stage := await staged()
+	var map: GrassMap = stage.field.map
+	var client := GrassMap.new()
+	client.data = map.data
+	map.stroke(brush(GrassBrush.TOOL_CUT, 1.0), Vector2.ZERO, Vector2(1, 0))
+	var changes: PackedByteArray = stage.call("take_changes")
+	assert_greater(changes.size(), 0)
+	assert_true((stage.call("take_changes") as PackedByteArray).is_empty(), "told already")
+	assert_true(client.apply_changes(changes))
+	assert_eq(client.data, map.data)
+	assert_true(stage.call("take_over", changes), "the server has it")
+
+
 func filling_once_or_live() -> void:
 	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").map.base_density = 0.0)
 	assert_eq(stage.field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1, 1)), 0.0, "undone")

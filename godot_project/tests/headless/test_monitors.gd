@@ -22,6 +22,8 @@ const STATISTICS: Array[String] = [
 	"refused",
 	"capped",
 	"bodies",
+	"soft_bodies",
+	"mesh_pieces",
 	"forces",
 	"forces_left_out",
 	"body_reads",

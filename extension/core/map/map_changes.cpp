@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "core/map/map_changes.h"
+
+#include "core/map/map_bytes.h"
+
+#include <algorithm>
+
+namespace grass {
+
+namespace {
+
+constexpr char MAGIC[] = "GRASSDIF";
+constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 24, ENTRY_BYTES = 24, CHECKSUM_BYTES = 4;
+constexpr size_t MOST_CHANGES = PaintMap::MAX_CHUNKS * MAP_CHANNELS;
+
+struct Change {
+	MapKey key;
+	MapChannel channel;
+	uint32_t before, after; // checksums
+	std::span<const uint8_t> packed;
+};
+
+struct Changes {
+	std::string reason;
+	uint32_t base_before = 0, base_after = 0;
+	std::vector<Change> list;
+};
+
+// Null where the map holds none.
+const MapTexels *find_texels(const PaintMap &p_map, const MapKey &p_key, size_t p_channel) {
+	const MapChunk *chunk = p_map.find(p_key);
+	return chunk != nullptr ? chunk->channels[p_channel].get() : nullptr;
+}
+
+// A channel's texels, also where the map holds none.
+MapTexels texels_of(const PaintMap &p_map, const MapKey &p_key, MapChannel p_channel) {
+	const MapTexels *texels = find_texels(p_map, p_key, size_t(p_channel));
+	return texels != nullptr ? *texels : p_map.initial_texels(p_channel);
+}
+
+void combine(MapTexels &r_texels, const MapTexels &p_other) {
+	for (size_t i = 0; i < r_texels.size(); i++) {
+		r_texels[i] ^= p_other[i];
+	}
+}
+
+Changes refuse(std::string p_reason) {
+	Changes changes;
+	changes.reason = std::move(p_reason);
+	return changes;
+}
+
+// The table, with all that can be wrong about it.
+Changes read_table(std::span<const uint8_t> p_bytes) {
+	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
+		return refuse("are no changes of a grass map: they do not begin with \"GRASSDIF\"");
+	}
+	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
+	if (version != MAP_CHANGES_VERSION) {
+		return refuse("are of another version of this addon (format " + std::to_string(version) + ", this one reads " +
+				std::to_string(MAP_CHANGES_VERSION) + "). Server and clients need the same");
+	}
+	if (p_bytes.size() < HEADER_BYTES + CHECKSUM_BYTES) {
+		return refuse("are cut off in their header");
+	}
+	const size_t end = p_bytes.size() - CHECKSUM_BYTES;
+	if (get_u32(p_bytes, end) != checksum(p_bytes.first(end))) {
+		return refuse("are damaged or cut off: their checksum is wrong");
+	}
+	Changes changes;
+	changes.base_before = get_u32(p_bytes, 12);
+	changes.base_after = get_u32(p_bytes, 16);
+	const size_t count = get_u32(p_bytes, 20);
+	if (changes.base_before > 255 || changes.base_after > 255 || count > MOST_CHANGES || HEADER_BYTES + count * ENTRY_BYTES > end) {
+		return refuse("are damaged: their header makes no sense");
+	}
+	size_t at = HEADER_BYTES + count * ENTRY_BYTES;
+	for (size_t n = 0; n < count; n++) {
+		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES, size = get_u32(p_bytes, entry + 20);
+		const uint32_t channel = get_u32(p_bytes, entry + 8);
+		if (channel >= MAP_CHANNELS || size > end - at) {
+			return refuse("are damaged: change " + std::to_string(n + 1) + " of " + std::to_string(count) + " makes no sense");
+		}
+		changes.list.push_back({ { int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) }, MapChannel(channel),
+				get_u32(p_bytes, entry + 12), get_u32(p_bytes, entry + 16), p_bytes.subspan(at, size) });
+		at += size;
+	}
+	return at == end ? changes : refuse("are damaged: they go on after their end");
+}
+
+std::string name_of(const Change &p_change) {
+	return "the " + std::string(info_of(p_change.channel).name) + " of chunk (" + std::to_string(p_change.key.x) + ", " +
+			std::to_string(p_change.key.z) + ")";
+}
+
+// r_map has its new base density by now.
+std::string apply(const Change &p_change, const PaintMap &p_before, const MapCodec &p_codec, PaintMap &r_map, bool &r_has_changed) {
+	const MapChannelInfo &info = info_of(p_change.channel);
+	MapTexels texels = texels_of(p_before, p_change.key, p_change.channel);
+	const uint32_t found = checksum(texels);
+	if (found != p_change.before && found != p_change.after) {
+		return "begin with another state of " + name_of(p_change) +
+				": changes before them are missing, or this map was changed otherwise. Take the whole `data` of the sender";
+	}
+	r_has_changed = found != p_change.after;
+	if (!r_has_changed) { // came before
+		return {};
+	}
+	MapTexels difference(info.chunk_bytes());
+	const bool is_whole = p_codec.unpack(p_change.packed, difference);
+	combine(texels, difference);
+	if (!is_whole || checksum(texels) != p_change.after || !are_codes(texels, info)) {
+		return "are damaged: " + name_of(p_change) + " cannot be read";
+	}
+	const bool is_initial = texels == r_map.initial_texels(p_change.channel);
+	const bool has_room =
+			r_map.set_texels(p_change.key, p_change.channel, is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(texels)));
+	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " is out of reach, or this map is full";
+}
+
+} // namespace
+
+MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const MapCodec &p_codec) {
+	MapBytes table, payload;
+	uint32_t count = 0;
+	for (const MapKey &key : p_after.compare(p_before)) {
+		for (int n = 0; n < MAP_CHANNELS; n++) {
+			const MapChannel channel = MapChannel(n);
+			if (find_texels(p_before, key, size_t(n)) == find_texels(p_after, key, size_t(n))) { // shared, or none
+				continue;
+			}
+			MapTexels texels = texels_of(p_before, key, channel);
+			const MapTexels after = texels_of(p_after, key, channel);
+			if (texels == after) {
+				continue;
+			}
+			const uint32_t sums[] = { checksum(texels), checksum(after) };
+			combine(texels, after);
+			const MapBytes packed = p_codec.pack(texels);
+			for (const uint32_t value : { uint32_t(key.x), uint32_t(key.z), uint32_t(n), sums[0], sums[1], uint32_t(packed.size()) }) {
+				put_u32(table, value);
+			}
+			payload.insert(payload.end(), packed.begin(), packed.end());
+			count++;
+		}
+	}
+	const uint32_t base_before = uint32_t(p_before.initial_code(MAP_DENSITY, 0)), base = uint32_t(p_after.initial_code(MAP_DENSITY, 0));
+	if (count == 0 && base_before == base) {
+		return {};
+	}
+	MapBytes bytes(MAGIC, MAGIC + MAGIC_BYTES);
+	for (const uint32_t value : { MAP_CHANGES_VERSION, base_before, base, count }) {
+		put_u32(bytes, value);
+	}
+	bytes.insert(bytes.end(), table.begin(), table.end());
+	bytes.insert(bytes.end(), payload.begin(), payload.end());
+	put_u32(bytes, checksum(bytes));
+	return bytes;
+}
+
+AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map) {
+	AppliedChanges applied;
+	const Changes changes = read_table(p_bytes);
+	applied.reason = changes.reason;
+	const uint32_t base = uint32_t(r_map.initial_code(MAP_DENSITY, 0));
+	if (applied.reason.empty() && base != changes.base_before && base != changes.base_after) {
+		applied.reason = "begin with another base density. Take the whole `data` of the sender";
+	}
+	if (!applied.reason.empty()) {
+		return applied;
+	}
+	PaintMap map = r_map;
+	map.set_base_density(info_of(MAP_DENSITY).value(int32_t(changes.base_after)));
+	applied.has_base_changed = base != changes.base_after;
+	for (const Change &change : changes.list) {
+		bool has_changed = false;
+		applied.reason = apply(change, r_map, p_codec, map, has_changed);
+		if (!applied.reason.empty()) {
+			return { applied.reason, {}, false };
+		}
+		if (has_changed && (applied.changed.empty() || applied.changed.back() != change.key)) {
+			applied.changed.push_back(change.key);
+		}
+	}
+	map.drop_empty();
+	r_map = std::move(map);
+	return applied;
+}
+
+} // namespace grass

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What changed between two states of a map, as bytes: for a server that tells its clients, in order. All numbers are little-endian.
+//
+//   0  8 bytes  "GRASSDIF"
+//   8  u32      version, MAP_CHANGES_VERSION
+//  12  u32      code of the base density before
+//  16  u32      after
+//  20  u32      changes, n
+//  24  n times  i32 x, i32 z, u32 channel, u32 checksum of its texels before, u32 after, u32 bytes: 24 bytes, rising by chunk and channel
+//      n times  the bytes: texels before ^ after, packed by the codec
+//      u32      checksum of all above
+//
+// A change fits a map whose texels there have the checksum before. So changes of other places may come in any order, those of the same
+// place in theirs, and one that comes twice does nothing.
+#pragma once
+
+#include "core/map/map_file.h"
+
+#include <string>
+
+namespace grass {
+
+inline constexpr uint32_t MAP_CHANGES_VERSION = 1;
+
+// Nothing where the maps are the same.
+MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const MapCodec &p_codec);
+
+struct AppliedChanges {
+	std::string reason; // why not, as the end of a sentence; "": all of them are in the map
+	std::vector<MapKey> changed; // chunks
+	bool has_base_changed = false;
+};
+
+// Changes r_map, or leaves it as it was.
+AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
+
+} // namespace grass
