@@ -44,6 +44,8 @@ public:
 	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
 	// Sets a uniform of the blade shader.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
+	// SurfaceHook::text of the blades; "": none. False if their shader does not compile with it.
+	virtual bool set_hook(const godot::String &p_text) = 0;
 
 	// Whether to measure BackendStatistics' times, which costs a little on the GPU.
 	virtual void set_measure_time(bool p_measure) = 0;

@@ -3,6 +3,7 @@
 
 #include "draw/blade_mesh.h"
 #include "draw/shared_shader.h"
+#include "draw/surface_hook.h"
 #include "render_shaders.gen.h"
 
 using namespace godot;
@@ -38,9 +39,21 @@ void BladeMaterials::set_features(int p_features) {
 		return;
 	}
 	_features = p_features;
+	set_shaders();
+}
+
+bool BladeMaterials::set_hook(const String &p_text) {
+	if (_hook != p_text) {
+		_hook = p_text;
+		set_shaders();
+	}
+	return is_compiled(shared_shader(shader::BLADE_GDSHADER, _features, _hook), _hook);
+}
+
+void BladeMaterials::set_shaders() {
 	for (const Made &made : _materials) {
-		made.material->set_shader(made.is_seen ? shared_shader(shader::BLADE_GDSHADER, p_features)
-											   : shared_shader(shader::SHADOW_GDSHADER, shadow_features(p_features)));
+		made.material->set_shader(made.is_seen ? shared_shader(shader::BLADE_GDSHADER, _features, _hook)
+											   : shared_shader(shader::SHADOW_GDSHADER, shadow_features(_features)));
 	}
 }
 

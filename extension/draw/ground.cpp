@@ -2,6 +2,7 @@
 #include "draw/ground.h"
 
 #include "draw/shared_shader.h"
+#include "draw/surface_hook.h"
 #include "render_shaders.gen.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -38,7 +39,8 @@ void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
 	_material.instantiate();
-	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0));
+	_features = p_mapped ? SHADER_MAP : 0;
+	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, _features));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
 	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
 	_mesh.instantiate();
@@ -61,6 +63,15 @@ void Ground::set_uniform(const StringName &p_name, const Variant &p_value) {
 	if (_material.is_valid()) {
 		_material->set_shader_parameter(p_name, p_value);
 	}
+}
+
+bool Ground::set_hook(const String &p_text) {
+	if (_material.is_null()) {
+		return true;
+	}
+	const Ref<Shader> shader = shared_shader(shader::GROUND_GDSHADER, _features, p_text);
+	_material->set_shader(shader);
+	return is_compiled(shader, p_text);
 }
 
 void Ground::free() {

@@ -24,6 +24,8 @@ public:
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
+	// SurfaceHook::text; "": none. False if the shader does not compile with it.
+	bool set_hook(const godot::String &p_text);
 	void free();
 	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
@@ -32,6 +34,7 @@ private:
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;
 	NodeFollower _follower;
+	int _features = 0;
 };
 
 } // namespace grass

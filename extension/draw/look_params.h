@@ -35,6 +35,9 @@ inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.75 };
 // Strength and Phong exponent of the highlight.
 inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.12 };
 inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };
+// Weather, for a field's surface_hook only: how wet the grass is, and how much snow lies on it.
+inline constexpr Tunable WETNESS{ "wetness", "", 0.0, 1.0, 0.01, 0.0 };
+inline constexpr Tunable SNOW{ "snow", "", 0.0, 1.0, 0.01, 0.0 };
 // 0: a thinned tile's blades keep their width; 1: they cover as much as all would.
 inline constexpr Tunable THIN_WIDENING{ "thin_widening", "", 0.0, 1.0, 0.01, 1.0 };
 

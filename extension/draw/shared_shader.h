@@ -4,6 +4,7 @@
 #pragma once
 
 #include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/variant/string.hpp>
 
 namespace grass {
 
@@ -14,8 +15,10 @@ enum ShaderFeature {
 	SHADER_CARDS = 4, // GRASS_CARDS; with SHADER_SPECIES only
 };
 
-// The shader of p_code (UTF-8, a string literal) with p_features, made by the first call and kept.
-godot::Ref<godot::Shader> shared_shader(const char *p_code, int p_features = 0);
+// The shader of p_code (UTF-8, a string literal) with p_features, made by the first call and kept. p_hook: SurfaceHook::text.
+godot::Ref<godot::Shader> shared_shader(const char *p_code, int p_features = 0, const godot::String &p_hook = godot::String());
+// Its text.
+godot::String make_shader_code(const char *p_code, int p_features, const godot::String &p_hook);
 // Makes it if it does not exist and this frame has time: some 20 ms in the engine. Returns whether it existed before.
 bool prepare_shader(const char *p_code, int p_features = 0);
 // Call when the library is unloaded.

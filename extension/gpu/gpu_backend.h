@@ -38,6 +38,7 @@ public:
 	void show_motion(bool p_is_read, bool p_has_blown) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	bool set_hook(const godot::String &p_text) override { return _materials.set_hook(p_text); }
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 

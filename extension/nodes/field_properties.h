@@ -7,6 +7,7 @@
 #include "core/detail/lod.h"
 #include "core/field/field_params.h"
 #include "core/wear/recovery.h"
+#include "nodes/field_hook.h"
 #include "nodes/field_params.h"
 #include "nodes/field_species.h"
 #include "nodes/grass_map.h"
@@ -34,6 +35,7 @@ struct FieldProperties {
 
 	godot::Vector2 size{ 32, 32 };
 	FieldSpecies species;
+	FieldHook hook;
 	godot::Ref<GrassMap> map;
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
 	bool simulated = true, measure_time = false, has_ground = true;

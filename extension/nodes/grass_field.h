@@ -77,6 +77,11 @@ public:
 	int64_t get_pool_tiles() const { return _properties.pool_tiles; }
 	void set_collision_mask(int64_t p_mask);
 	int64_t get_collision_mask() const { return _properties.collision_mask; }
+	// grass_field_hook.cpp: the user's include that the shaders call.
+	void set_surface_hook(const godot::Ref<godot::ShaderInclude> &p_include);
+	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return _properties.hook.get_include(); }
+	void set_hook_parameter(const godot::StringName &p_name, const godot::Variant &p_value); // null: as the include has it
+	godot::Variant get_hook_parameter(const godot::StringName &p_name) const;
 	void set_ground(bool p_ground) { _properties.has_ground = p_ground; }
 	bool has_ground() const { return _properties.has_ground; }
 	void set_debug_view(DebugView p_view);
@@ -139,6 +144,7 @@ protected:
 	void _validate_property(godot::PropertyInfo &p_property) const;
 	bool _set(const godot::StringName &p_name, const godot::Variant &p_value);
 	bool _get(const godot::StringName &p_name, godot::Variant &r_value) const;
+	void _get_property_list(godot::List<godot::PropertyInfo> *r_list) const;
 
 private:
 	// grass_field.cpp: the node's life, its ticks and its frames
@@ -170,6 +176,11 @@ private:
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	void _fill_rule_changed();
 	void _fill_pressed();
+
+	// grass_field_hook.cpp
+	void show_hook();
+	void compile_hook();
+	void _hook_changed();
 
 	// grass_field_methods.cpp
 	const godot::Node3D &as_node() const override { return *this; }

@@ -29,6 +29,7 @@ void GrassField::build() {
 	start_fill();
 	if (_maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
 		_standing.make(_maker.take(), this, field_transform());
+		show_hook();
 		report_warnings();
 	}
 	_maker.add_time(clock.lap());
@@ -188,6 +189,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (_standing.is_crowded()) {
 		warnings.push_back(_standing.crowded_warning());
 	}
+	_properties.hook.warn(warnings);
 	_filler.warn(_properties.map, warnings);
 	return warnings;
 }

@@ -144,10 +144,14 @@ bool is_species_property(const StringName &p_name) {
 
 // Scenes and scripts of 0.9.0 go on: a field without species gets one that has the value. One that has species did not read it.
 bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
+	GRASS_MAIN_THREAD_ONLY_V(true);
+	if (_properties.hook.set_property(p_name, p_value)) {
+		_properties.hook.hand_on(_standing.setter());
+		return true;
+	}
 	if (!is_species_property(p_name)) {
 		return false;
 	}
-	GRASS_MAIN_THREAD_ONLY_V(true);
 	if (_has_own_species || _properties.species.get().is_empty()) {
 		_has_own_species = true;
 		_properties.species.make_first(callable_mp(this, &GrassField::_species_changed))->set(p_name, p_value);
@@ -158,6 +162,9 @@ bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
 }
 
 bool GrassField::_get(const StringName &p_name, Variant &r_value) const {
+	if (_properties.hook.get_property(p_name, r_value)) {
+		return true;
+	}
 	if (!is_species_property(p_name)) {
 		return false;
 	}
@@ -233,6 +240,10 @@ void GrassField::_bind_methods() {
 				"_get_color", int(i));
 	}
 	add_numbers("Look");
+	ADD_GROUP("Surface", "");
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "surface_hook", PROPERTY_HINT_RESOURCE_TYPE, "ShaderInclude"),
+			set_surface_hook, get_surface_hook);
+	add_numbers("Surface");
 	ADD_GROUP("Level of Detail", "");
 	add_numbers("Level of Detail");
 	ADD_GROUP("Debug", "");
@@ -280,6 +291,8 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
 	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
+	ClassDB::bind_method(D_METHOD("set_hook_parameter", "name", "value"), &GrassField::set_hook_parameter);
+	ClassDB::bind_method(D_METHOD("get_hook_parameter", "name"), &GrassField::get_hook_parameter);
 	ADD_SIGNAL(MethodInfo("fill_finished"));
 	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));

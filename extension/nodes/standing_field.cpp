@@ -137,6 +137,16 @@ void StandingField::set_uniform(const StringName &p_name, const Variant &p_value
 	}
 }
 
+bool StandingField::update_hook() {
+	if (!_backend) {
+		return true;
+	}
+	const String &text = _properties.hook.get_text();
+	const bool is_compiled = _backend->set_hook(text) & _ground.set_hook(text);
+	_properties.hook.hand_on(setter());
+	return is_compiled;
+}
+
 // p_ground: of the ground, too, not of the blades alone.
 FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
 	return [this, p_ground](const char *p_name, const Variant &p_value) {

@@ -37,6 +37,8 @@ public:
 	void update_params();
 	void update_method();
 	void update_measuring();
+	// Draws with the properties' hook. False if the shaders do not compile with it.
+	bool update_hook();
 	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
 	// Colours and frequencies of the species. False if their change needs another field.
 	bool update_species();
@@ -75,6 +77,9 @@ public:
 	// Before a field stands: of the one that the properties describe.
 	TileGrid get_grid() const { return stands() ? _field.get_grid() : _properties.grid(); }
 	godot::AABB get_bounds() const;
+	FieldHook::Set setter() { // of blades and ground
+		return [this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); };
+	}
 	void measure_time(); // from now on, whatever the property says
 	int64_t get_memory_usage() const; // bytes
 	void add_to(FieldStatistics &r_statistics) const;

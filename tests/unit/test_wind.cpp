@@ -199,3 +199,36 @@ TEST_CASE("wind: a change of its speed moves no gust") {
 	clock.advance(1.0 / 60.0, 30.0, 7.0);
 	CHECK(std::abs(clock.roll - before) == doctest::Approx(30.0 / 60.0 / 7.0));
 }
+
+// As a script or a curve may change it, in each frame a little. The wind has blown for an hour, so whatever were a product of the time
+// and the wind would jump.
+TEST_CASE("wind: what changes little by little makes no gust jump") {
+	constexpr double FRAME = 1.0 / 60.0;
+	WindParams wind = blowing(3.0f, 0.0f);
+	WindClock clock = clock_at(3600.0, wind), product = clock;
+	const Eigen::Vector2f place(9.0f, -12.0f);
+	float most = 0.0f, most_of_tilt = 0.0f, most_of_product = 0.0f, total = 0.0f;
+	float gust = gust_at(place, clock, wind), of_product = gust;
+	glsl::vec2 tilt = wind_at(place, 1.0f, clock, wind).tilt;
+	for (int frame = 1; frame <= 1800; frame++) {
+		const float part = float(frame) / 1800.0f;
+		const float angle = 1.5f * part, speed = 3.0f + 6.0f * part;
+		wind.velocity = { speed * std::cos(angle), speed * std::sin(angle) };
+		wind.gust_strength = 0.6f + 0.4f * part;
+		clock.advance(FRAME, speed, wind.gust_size);
+		product.roll = std::fmod((3600.0 + frame * FRAME) * speed / wind.gust_size, GRASS_WIND_ROLL_PERIOD);
+		const float now = gust_at(place, clock, wind), product_now = gust_at(place, product, wind);
+		const glsl::vec2 tilt_now = wind_at(place, 1.0f, clock, wind).tilt;
+		most = std::max(most, std::abs(now - gust));
+		most_of_product = std::max(most_of_product, std::abs(product_now - of_product));
+		most_of_tilt = std::max(most_of_tilt, glsl::length(tilt_now - tilt));
+		total += std::abs(now - gust);
+		gust = now;
+		of_product = product_now;
+		tilt = tilt_now;
+	}
+	CHECK(total > 2.0f); // gusts come by
+	CHECK(most < 0.2f); // of gusts, which are 0..1
+	CHECK(most_of_tilt < 0.1f);
+	CHECK(most_of_product > 0.4f);
+}

@@ -122,6 +122,28 @@ func presets_presets() -> void:
 	assert_greater(field.get_blade_count(), 100000)
 
 
+func surface_hooks_surface_hooks() -> void:
+	var stage := await staged()
+	stage.call("let_it_snow")
+	await ticks(60)
+	assert_greater(stage.field.snow, 0.02)
+	assert_near(stage.field.get_hook_parameter("snow_depth"), 0.1, 1e-6)
+
+
+func surface_hooks_one_of_your_own() -> void:
+	var stage := await staged()
+	stage.call("show_height_lines")
+	await ticks(1)
+	assert_eq(stage.field.get_hook_parameter("line_color"), Color.CYAN)
+
+
+func surface_hooks_the_wind_over_time() -> void:
+	var stage := await staged()
+	stage.call("bring_a_storm")
+	await ticks(120)
+	assert_greater(stage.field.wind_speed, 3.0)
+
+
 func forces_forces() -> void:
 	var stage := await staged()
 	var place := Vector3(1, 0, 1)

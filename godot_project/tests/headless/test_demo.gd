@@ -52,6 +52,14 @@ func test_forces() -> void:
 	assert_less(field.bend_at(blast + Vector3(-2, 0, 0)).x, -0.3)
 
 
+func test_burning() -> void:
+	await open("burning")
+	await ticks(200)
+	assert_greater(place.fire.burnt, 5)
+	assert_greater(place.fire.get_burning(), 5)
+	assert_less(field.height_at(place.get_node("Start").global_position), 0.05, "stubble where it began")
+
+
 func test_lawn() -> void:
 	await open("lawn")
 	var on_disk := FileAccess.get_md5("res://demo/lawn.grassmap")

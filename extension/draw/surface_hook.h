@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A field's `surface_hook`, as its shaders take it (shaders/draw/surface.gdshaderinc).
+#pragma once
+
+#include <godot_cpp/classes/shader.hpp>
+#include <godot_cpp/classes/shader_include.hpp>
+#include <godot_cpp/core/property_info.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+#include <vector>
+
+namespace grass {
+
+struct SurfaceHook {
+	// A uniform of the include.
+	struct Uniform {
+		godot::PropertyInfo info;
+		godot::Variant initial; // what the include gives it
+	};
+
+	godot::String text; // what the shaders include; "": there is no hook, or it does not compile
+	std::vector<Uniform> uniforms;
+
+	const Uniform *find(const godot::StringName &p_name) const;
+};
+
+// Compiles the include alone, which takes some ms; the engine reports what is wrong with it.
+SurfaceHook compile_hook(const godot::Ref<godot::ShaderInclude> &p_include);
+
+// Whether the shader compiled. Without p_hook it is ours, and did.
+bool is_compiled(const godot::Ref<godot::Shader> &p_shader, const godot::String &p_hook);
+
+} // namespace grass

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// GrassField's surface hook: set, compiled, shown, its uniforms set.
+#include "nodes/grass_field.h"
+
+#include "nodes/main_thread.h"
+
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+void GrassField::set_surface_hook(const Ref<ShaderInclude> &p_include) {
+	GRASS_MAIN_THREAD_ONLY();
+	if (get_surface_hook() == p_include) {
+		return;
+	}
+	_properties.hook.set_include(p_include, callable_mp(this, &GrassField::_hook_changed));
+	compile_hook();
+}
+
+// After the engine has heard of it: its own shaders follow the include, too.
+void GrassField::_hook_changed() {
+	callable_mp(this, &GrassField::compile_hook).call_deferred();
+}
+
+void GrassField::compile_hook() {
+	_properties.hook.compile();
+	show_hook();
+	if (is_inside_tree()) { // else when the field is made
+		report_warnings();
+	}
+	notify_property_list_changed();
+}
+
+void GrassField::show_hook() {
+	if (!_standing.update_hook()) {
+		_properties.hook.reject();
+		_standing.update_hook();
+	}
+}
+
+void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_value) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(!_properties.hook.has(p_name),
+			message(vformat("set_hook_parameter() knows no `%s`. The uniforms of `surface_hook` are: %s.", p_name,
+					String(", ").join(_properties.hook.get_uniforms()))));
+	_properties.hook.set_value(p_name, p_value);
+	_standing.set_uniform(p_name, p_value);
+}
+
+Variant GrassField::get_hook_parameter(const StringName &p_name) const {
+	ERR_FAIL_COND_V_MSG(!_properties.hook.has(p_name), Variant(),
+			message(vformat("get_hook_parameter() knows no `%s`. The uniforms of `surface_hook` are: %s.", p_name,
+					String(", ").join(_properties.hook.get_uniforms()))));
+	return _properties.hook.get_value(p_name);
+}
+
+void GrassField::_get_property_list(List<PropertyInfo> *r_list) const {
+	_properties.hook.list(r_list);
+}
+
+} // namespace grass
