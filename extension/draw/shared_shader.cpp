@@ -21,6 +21,7 @@ Ref<Shader> shared_shader(const char *p_code, int p_features) {
 		head += p_features & SHADER_MAP ? "\n#define GRASS_MAP" : "";
 		head += p_features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
 		head += p_features & SHADER_CARDS ? "\n#define GRASS_CARDS" : "";
+		head += p_features & SHADER_PLANTS ? "\n#define GRASS_PLANTS" : "";
 		shader->set_code(String::utf8(p_code).replace("shader_type spatial;", head));
 	}
 	return shader;

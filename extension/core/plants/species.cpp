@@ -79,6 +79,7 @@ SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid 
 		record.cell = std::max(int32_t(std::lround(STAND_SIZE.clamp(params.stand_size) * units)), 1);
 		record.strength = int32_t(std::lround(STAND_STRENGTH.clamp(params.stand_strength) * 256.0));
 		record.limit = find_limit(total > 0.0 ? share / total : 0.0, record.strength);
+		record.stems = std::clamp(params.stems, 1, int(PLANT_STEMS.maximum));
 		record.salt = int32_t(grass_hash(p_seed + 0x5eed0000u + uint32_t(s)) >> 1);
 		_shares[size_t(s)] = share;
 	}
@@ -93,11 +94,12 @@ int SpeciesMix::find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_la
 	return painted < _count ? painted : -1;
 }
 
-// The twin of species_of() in shaders/draw/pose.gdshaderinc.
-int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+// The twin of species_of() in shaders/plants/choice.inc.
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const {
+	const Eigen::Vector2f root = p_root_of(p_blade);
 	const uint32_t tile_seed = uint32_t(grass_tile_hash(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) * 2048.0f);
 	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed), blade = uint32_t(p_blade);
-	const int x = grass_root_units(p_tile_x, p_root.x()), z = grass_root_units(p_tile_z, p_root.y());
+	const int x = grass_root_units(p_tile_x, root.x()), z = grass_root_units(p_tile_z, root.y());
 	if (p_layers) {
 		const float size = float(_grid.get_tile_size());
 		const int texel_x = grass_species_texel(
@@ -110,12 +112,19 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vec
 	}
 	for (int s = _count - 1; s > 0; s--) {
 		const SpeciesRecord &record = _records[size_t(s)];
-		if (grass_species_takes(uint32_t(x), uint32_t(z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
-					uint32_t(record.salt), grass_species_random(bits, blade, uint32_t(s)))) {
+		const uint32_t first = blade - blade % uint32_t(record.stems); // the stems of a plant are chosen together
+		const Eigen::Vector2f at = first == blade ? root : p_root_of(int(first));
+		const int own_x = grass_root_units(p_tile_x, at.x()), own_z = grass_root_units(p_tile_z, at.y());
+		if (grass_species_takes(uint32_t(own_x), uint32_t(own_z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
+					uint32_t(record.salt), grass_species_random(bits, first, uint32_t(s)))) {
 			return s;
 		}
 	}
 	return 0;
+}
+
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+	return choose(p_tile_x, p_tile_z, p_blade, [&p_root](int) { return p_root; }, p_layers);
 }
 
 std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {
