@@ -74,7 +74,7 @@ func _stalk(from: Vector3, to: Vector3, thick: float, thin: float, low: Color, h
 func _leaf(from: Vector3, along: Vector3, up: Vector3, width: float, teeth: int, low: Color, high: Color, widest := 0.4) -> void:
 	var across := along.cross(up).normalized()
 	var normal := across.cross(along).normalized()
-	var rows := 2 * teeth
+	var rows := maxi(2 * teeth, 3)
 	var last: PackedInt32Array = []
 	for row in rows + 1:
 		var t := float(row) / rows
@@ -208,7 +208,7 @@ func _grow_small_shrub() -> void:
 
 
 func _leaf_twig(from: Vector3, along: Vector3, out: Vector3, height: float) -> void:
-	const LEAVES := 9
+	const LEAVES := 11
 	for j in LEAVES:
 		var t := 0.2 + 0.8 * j / (LEAVES - 1)
 		var turn := 2.2 * j + _dice.randf_range(-0.4, 0.4)
@@ -216,8 +216,8 @@ func _leaf_twig(from: Vector3, along: Vector3, out: Vector3, height: float) -> v
 		var way := (side + along.normalized() * (0.6 if j < LEAVES - 1 else 3.0) + Vector3.UP * 0.25).normalized()
 		var fresh := clampf(0.3 * t + 0.55 * height + _dice.randf_range(-0.15, 0.15), 0.0, 1.0)
 		var color := Color(0.23, 0.32, 0.15).lerp(Color(0.5, 0.58, 0.26), fresh)
-		if _dice.randf() < 0.06:
-			color = Color(0.5, 0.27, 0.1)
-		var size := _dice.randf_range(0.085, 0.12)
+		if _dice.randf() < 0.04:
+			color = Color(0.52, 0.44, 0.2)
+		var size := _dice.randf_range(0.07, 0.1)
 		var up := (Vector3.UP + 0.4 * out + 0.3 * along.normalized()).normalized()
 		_leaf(from + along * t, way * size, up if absf(way.dot(up)) < 0.95 else out, 0.3 * size, 1, color.darkened(0.08), color, 0.5)

@@ -203,7 +203,7 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
 			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
 			const int stems = s < p_stems.size() ? p_stems[s] : 1;
-			const uint16_t *place = &first.texels[Patch::texel_index(blade - blade % stems, 0)];
+			const uint16_t *place = &first.texels[Patch::texel_index(blade / stems, 0)]; // plants side by side: every nth would stand in rows
 			root[0] = place[0];
 			root[1] = place[1];
 			root[3] = p_patches[s]->is_empty() ? 0 : root[3];

@@ -23,7 +23,7 @@ int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade) const {
 	if (!_species) {
 		return 0;
 	}
-	const auto root_of = [&](int p_of) { return get_root(p_tile_x, p_tile_z, p_of); };
+	const auto root_of = [this](int p_of) -> Eigen::Vector2f { return get_texel(p_of, 0).head<2>(); };
 	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map ? &_map->get_layers() : nullptr);
 }
 

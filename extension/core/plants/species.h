@@ -70,7 +70,7 @@ public:
 	int get_texel_units() const { return _texel_units; } // of a texel of the map
 	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades that nobody painted, 0..1
 
-	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // of a blade of the tile: its place there, 0..1
+	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // of a blade of the patch: its place in a tile, 0..1
 	// The species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
 	int choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const;
 	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // of one stem each
@@ -78,6 +78,9 @@ public:
 	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 
 private:
+	struct Place;
+
+	int find_painted(const Place &p_place, const MapLayers *p_layers) const;
 	int find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const;
 
 	TileGrid _grid;
