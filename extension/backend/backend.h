@@ -3,12 +3,14 @@
 // (Forward+, Mobile) and backend/cpu_backend.h (headless, Compatibility, and the oracle of the tests).
 #pragma once
 
+#include "core/detail/plant_cull.h"
 #include "core/detail/view.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
 #include "core/map/tile_cover.h"
+#include "draw/drawn_plant.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/string_name.hpp>
@@ -42,7 +44,10 @@ public:
 	virtual void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) = 0;
 	// For fields with a map: the cover of the tiles. Those in p_changed may differ from the last call.
 	virtual void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) = 0;
-	// Sets a uniform of the blade shader.
+	// The meshes of the field's species, after it was made: uniforms follow. p_plants_of: as PlantCull::choose() takes it; it must hold as
+	// long as the field.
+	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
+	// Sets a uniform of the shaders of blades and plants.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 	// SurfaceHook::text of the blades; "": none. False if their shader does not compile with it.
 	virtual bool set_hook(const godot::String &p_text) = 0;

@@ -26,6 +26,17 @@ constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with
 int rows_for(int p_highest_slot) {
 	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
 }
+// Grows the MultiMesh with what it shows.
+void show_instances(FieldInstance &r_instance, std::span<const float> p_instances) {
+	const int count = int(p_instances.size()) / GRASS_INSTANCE_FLOATS;
+	if (count > r_instance.capacity()) {
+		r_instance.reserve(int(std::bit_ceil(unsigned(count))));
+	}
+	PackedFloat32Array buffer;
+	buffer.resize(int64_t(r_instance.capacity()) * GRASS_INSTANCE_FLOATS);
+	std::ranges::copy(p_instances, buffer.ptrw());
+	r_instance.set_instances(buffer, count);
+}
 } // namespace
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
@@ -127,25 +138,52 @@ void CpuBackend::draw(const FieldView &p_view) {
 	}
 }
 
+int CpuBackend::find_slot(int p_tile) const {
+	const auto found = _slot_of_tile.find(p_tile);
+	return found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
+}
+
+void CpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
+	_materials.set(p_name, p_value);
+	_plants.set_uniform(p_name, p_value);
+}
+
+void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
+	const std::vector<int> rooms(p_plants.size(), FIRST_INSTANCES);
+	_plants.set(p_plants, rooms, shader_features(_setup), false, field_bounds(_setup, _cover.get()));
+	_plant_cull = {};
+	_plants_of = p_plants_of;
+	_tiles_changed = true;
+	_plants.set_uniform("patch_knots", _patch_texture);
+	_plants.set_uniform("pool_knots", _pool_texture);
+}
+
+void CpuBackend::choose_plants(const FieldView &p_view) {
+	PlantCull::Distances distances{};
+	for (const auto &plant : _plants.get()) {
+		distances[size_t(plant->species)] = plant->drawn.distance;
+	}
+	_plant_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, distances);
+	_statistics.drawn_plants = _statistics.left_out_plants = 0;
+	for (const auto &plant : _plants.get()) {
+		const int count = std::min(_plant_cull.get_count(plant->species), Plants::ROOM);
+		show_instances(plant->instance, _plant_cull.get_instances(plant->species).first(size_t(count) * GRASS_INSTANCE_FLOATS));
+		_statistics.drawn_plants += count;
+		_statistics.left_out_plants += _plant_cull.get_count(plant->species) - count;
+	}
+}
+
 void CpuBackend::choose_tiles(const FieldView &p_view) {
-	_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) {
-		const auto found = _slot_of_tile.find(p_tile);
-		return found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
-	});
+	_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); });
 	_statistics.left_out_tiles = _cull.get_left_out();
 	_statistics.drawn_blades = _cull.get_blades()[0];
 	_statistics.shadow_blades = _cull.get_blades()[1];
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		FieldInstance &instance = _levels[size_t(level)];
-		const int count = _cull.get_count(level);
-		if (count > instance.capacity()) {
-			instance.reserve(int(std::bit_ceil(unsigned(count))));
-		}
-		PackedFloat32Array buffer;
-		buffer.resize(int64_t(instance.capacity()) * GRASS_INSTANCE_FLOATS);
-		std::ranges::copy(_cull.get_instances(level), buffer.ptrw());
-		instance.set_instances(buffer, count);
-		_statistics.drawn_tiles[size_t(level)] = count;
+		show_instances(_levels[size_t(level)], _cull.get_instances(level));
+		_statistics.drawn_tiles[size_t(level)] = _cull.get_count(level);
+	}
+	if (!_plants.is_empty()) {
+		choose_plants(p_view);
 	}
 }
 
@@ -171,7 +209,7 @@ void CpuBackend::update_pool_texture() {
 			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
 	if (is_resized) {
 		_pool_texture = ImageTexture::create_from_image(image);
-		_materials.set("pool_knots", _pool_texture);
+		set_uniform("pool_knots", _pool_texture);
 	} else {
 		_pool_texture->update(image);
 	}
@@ -181,6 +219,8 @@ void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 	(void)p_changed; // culling reads the cover tile by tile
 	_cover = p_cover;
 	_tiles_changed = true;
+	_plant_cull.forget(); // other species may be painted now
+	_plants.set_bounds(field_bounds(_setup, _cover.get()));
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup, _cover.get()));
 	}
@@ -198,6 +238,7 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 		}
 		instance.follow(p_node, p_transform);
 	}
+	_plants.follow(p_node, p_transform);
 }
 
 std::vector<SimulatedKnots> CpuBackend::find_knots(std::span<const WantedBlade> p_blades) {
@@ -213,6 +254,7 @@ std::vector<SimulatedKnots> CpuBackend::find_knots(std::span<const WantedBlade> 
 
 BackendStatistics CpuBackend::get_statistics() {
 	BackendStatistics statistics = _statistics;
+	statistics.instance_updates += _plants.get_updates();
 	for (const FieldInstance &level : _levels) {
 		statistics.instance_updates += level.get_updates();
 	}
@@ -226,8 +268,8 @@ int64_t CpuBackend::get_memory_usage() const {
 	for (const FieldInstance &level : _levels) {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
-	return bytes +
-			int64_t(_cull.get_memory_usage() + _slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) +
+	return bytes + _plants.get_memory_usage() +
+			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() + _slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) +
 					_changed_slots.get_memory_usage());
 }
 

@@ -11,6 +11,7 @@
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/patch_texture.h"
+#include "draw/plants.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 
@@ -23,13 +24,16 @@ public:
 	explicit CpuBackend(const FieldSetup &p_setup);
 	~CpuBackend() override;
 
-	bool prepare(const FieldSetup &p_setup) override { return BladeMaterials::prepare(shader_features(p_setup)); }
+	bool prepare(const FieldSetup &p_setup) override {
+		return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup));
+	}
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void tidy() override;
 	void draw(const FieldView &p_view) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
-	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
 	bool set_hook(const godot::String &p_text) override { return _materials.set_hook(p_text); }
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
@@ -43,6 +47,8 @@ public:
 
 private:
 	void choose_tiles(const FieldView &p_view);
+	int find_slot(int p_tile) const; // of a tile in the pool, or GRASS_NO_SLOT
+	void choose_plants(const FieldView &p_view);
 	void update_pool_texture();
 
 	FieldSetup _setup;
@@ -65,6 +71,9 @@ private:
 	std::vector<uint16_t> _pool_texels;
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
 	TileCull _cull;
+	Plants _plants;
+	PlantCull _plant_cull;
+	PlantCull::PlantsOf _plants_of;
 };
 
 } // namespace grass

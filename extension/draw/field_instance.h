@@ -12,8 +12,8 @@
 
 namespace grass {
 
-// What an instance is for: the picture shows all visible blades; shadows need far fewer.
-enum class Role { PICTURE, SHADOWS };
+// What an instance is for: the picture shows all visible blades; shadows need far fewer. Plants with a mesh cast their own.
+enum class Role { PICTURE, SHADOWS, BOTH };
 
 class FieldInstance {
 public:
@@ -44,6 +44,7 @@ private:
 	int _capacity = 0;
 	bool _indirect = false;
 	Role _role = Role::PICTURE;
+	godot::GeometryInstance3D::ShadowCastingSetting _casting = godot::GeometryInstance3D::SHADOW_CASTING_SETTING_ON; // of Role::BOTH
 	NodeFollower _follower;
 };
 

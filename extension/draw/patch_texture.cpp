@@ -63,12 +63,13 @@ void free_shared_textures() {
 }
 
 int shader_features(const FieldSetup &p_setup) {
-	return (p_setup.is_mapped ? SHADER_MAP : 0) | (p_setup.species ? SHADER_SPECIES : 0) | (p_setup.card_size > 0.0f ? SHADER_CARDS : 0);
+	return (p_setup.is_mapped ? SHADER_MAP : 0) | (p_setup.species ? SHADER_SPECIES : 0) | (p_setup.card_size > 0.0f ? SHADER_CARDS : 0) |
+			(p_setup.has_plants ? SHADER_PLANTS : 0);
 }
 
 AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover) {
 	const double low = p_cover ? p_cover->get_low() : 0.0, high = p_cover ? p_cover->get_high() : 0.0;
-	const double margin = p_setup.blade_length() + p_setup.card_size; // a blade blown or pressed flat
+	const double margin = p_setup.blade_length() + p_setup.tip_size(); // a blade blown or pressed flat
 	const Vector3 half(real_t(0.5 * p_setup.grid.get_size_x() + margin), 0, real_t(0.5 * p_setup.grid.get_size_z() + margin));
 	return AABB(Vector3(0, real_t(low), 0) - half, 2.0 * half + Vector3(0, real_t(high - low + margin), 0));
 }

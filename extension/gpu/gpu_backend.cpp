@@ -54,6 +54,14 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 	return records;
 }
 
+// Plants within reach of a camera, if all blades were of the species.
+int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
+	const double size = p_setup.grid.get_tile_size();
+	const double side_x = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_x()) * size),
+				 side_z = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_z()) * size);
+	return int(std::min(side_x * side_z / (size * size) * GRASS_BLADES_PER_TILE + GRASS_BLADES_PER_TILE, double(Plants::ROOM)));
+}
+
 // A mesh with the levels from p_first to p_end as its surfaces.
 Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end, bool p_cards) {
 	Ref<ArrayMesh> mesh;
@@ -90,8 +98,8 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 }
 
 GpuBackend::~GpuBackend() {
-	_materials.set("pool_knots_before", Variant());
-	_materials.set("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
+	set_uniform("pool_knots_before", Variant());
+	set_uniform("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 
@@ -108,13 +116,24 @@ void GpuBackend::begin_passes(bool p_species, Method p_method) {
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_species = p_setup.species != nullptr;
 	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method }).can_simulate;
-	return BladeMaterials::prepare(shader_features(p_setup)) && has_passes && prepare_patch(p_setup.patch);
+	const bool has_plants = !p_setup.has_plants || prepare_plants(p_setup.is_mapped);
+	return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup)) && has_passes && has_plants && prepare_patch(p_setup.patch);
 }
 
 Prepared GpuBackend::prepare_passes(const PassKind &p_kind) {
 	RenderQueue::get_singleton()->post([field = _field, p_kind] { field->prepare(p_kind); });
 	std::lock_guard lock(_report->mutex);
 	return _report->prepared[p_kind.index()];
+}
+
+bool GpuBackend::prepare_plants(bool p_is_mapped) {
+	RenderQueue::get_singleton()->post([report = _report, p_is_mapped] {
+		const bool is_ready = PlantPasses::prepare(p_is_mapped);
+		std::lock_guard lock(report->mutex);
+		report->plants_prepared[p_is_mapped ? 1 : 0] = is_ready;
+	});
+	std::lock_guard lock(_report->mutex);
+	return _report->plants_prepared[p_is_mapped ? 1 : 0];
 }
 
 // Some megabytes.
@@ -140,7 +159,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
 	_materials.set_features(shader_features(_setup));
-	if (has_other_blades) {
+	if (has_other_blades) { // plants are set anew
 		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : make_patch_texture(*_setup.patch);
 		_materials.set("patch_knots", _patch_texture);
 		_materials.set("blade_length", _setup.blade_length());
@@ -186,8 +205,51 @@ void GpuBackend::step(const StepInput &p_input) {
 			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
 }
 
+void GpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
+	_materials.set(p_name, p_value);
+	if (_plants.is_empty()) {
+		return;
+	}
+	_plants.set_uniform(p_name, p_value);
+	if (p_name == StringName("map_pages")) {
+		_painted.pages = p_value;
+	} else if (p_name == StringName("map_species")) {
+		_painted.painted = p_value;
+	} else if (p_name == StringName("map_origin")) {
+		_painted.origin = p_value;
+	}
+}
+
+void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
+	(void)p_plants_of; // the GPU finds them
+	const bool has_any = std::ranges::any_of(p_plants, [](const DrawnPlant &p_plant) { return p_plant.model != nullptr; });
+	if (_plants.is_empty() && !has_any) {
+		return;
+	}
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup] { field->set_plants(setup, {}); }); // while they are still there
+	std::vector<int> rooms;
+	for (const DrawnPlant &plant : p_plants) {
+		rooms.push_back(plant_room(_setup, plant));
+	}
+	_plants.set(p_plants, rooms, shader_features(_setup), true, _bounds);
+	set_bounds(_bounds);
+	_painted = {};
+	set_uniform("patch_knots", _patch_texture);
+	set_uniform("pool_knots", _pool_texture);
+	set_uniform("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
+	set_uniform("is_flipped", _is_flipped);
+	std::vector<PlantTarget> targets;
+	for (const auto &plant : _plants.get()) {
+		targets.push_back({ plant->instance.multimesh(), plant->species, plant->instance.capacity(), int(plant->materials.size()),
+				plant->drawn.distance });
+	}
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup, targets] { field->set_plants(setup, targets); });
+}
+
 void GpuBackend::draw(const FieldView &p_view) {
-	RenderQueue::get_singleton()->post([field = _field, records = to_records(p_view, _setup), multimeshes = multimeshes(),
+	ViewRecords view = to_records(p_view, _setup);
+	view.painted = _painted;
+	RenderQueue::get_singleton()->post([field = _field, records = std::move(view), multimeshes = multimeshes(),
 											   measure = _measure] { field->draw(records, multimeshes, measure); });
 }
 
@@ -196,13 +258,13 @@ void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
 		_has_motion = p_is_read;
 		RenderQueue::get_singleton()->post(
 				[field = _field, texture = _has_motion ? _pool_before_texture : Ref<Texture2DRD>()] { field->set_motion(texture); });
-		_materials.set("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
+		set_uniform("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
 		set_bounds(_bounds);
 	}
 	const bool flip = _has_motion && (p_has_blown || _has_stepped) ? !_is_flipped : _has_motion && _is_flipped;
 	if (_is_flipped != flip) {
 		_is_flipped = flip;
-		_materials.set("is_flipped", _is_flipped);
+		set_uniform("is_flipped", _is_flipped);
 	}
 	_has_stepped = false;
 }
@@ -216,11 +278,13 @@ void GpuBackend::set_bounds(const AABB &p_bounds) {
 		picture.size.y = 2 * most;
 	}
 	_picture.set_bounds(picture);
+	_plants.set_bounds(picture);
 	_shadows.set_bounds(p_bounds);
 }
 
 void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_picture.follow(p_node, p_transform, _is_flipped);
+	_plants.follow(p_node, p_transform, _is_flipped);
 	_shadows.follow(p_node, p_transform);
 }
 
@@ -301,7 +365,7 @@ BackendStatistics GpuBackend::get_statistics() {
 	take_knots();
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics statistics = _report->statistics;
-	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates();
+	statistics.instance_updates = _picture.get_updates() + _shadows.get_updates() + _plants.get_updates();
 	statistics.compiling = CompileQueue::get().count_compiling();
 	statistics.knots_read = _knots_read;
 	statistics.knot_waits = _knot_waits;
@@ -313,7 +377,7 @@ int64_t GpuBackend::get_memory_usage() const {
 	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
-	return patch + instances + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes +
+	return patch + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes +
 			int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
 }
 

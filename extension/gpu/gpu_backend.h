@@ -7,6 +7,8 @@
 #include "core/field/knot_watch.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
+#include "draw/plants.h"
+#include "gpu/plant_passes.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/texture2drd.hpp>
@@ -37,7 +39,8 @@ public:
 	void draw(const FieldView &p_view) override;
 	void show_motion(bool p_is_read, bool p_has_blown) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
-	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override { _materials.set(p_name, p_value); }
+	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
 	bool set_hook(const godot::String &p_text) override { return _materials.set_hook(p_text); }
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
@@ -53,6 +56,7 @@ public:
 private:
 	FieldMultiMeshes multimeshes() const;
 	Prepared prepare_passes(const PassKind &p_kind);
+	bool prepare_plants(bool p_is_mapped);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
 	void take_knots();
@@ -67,6 +71,8 @@ private:
 	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second one for motion vectors
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
+	Plants _plants;
+	PaintedSpecies _painted; // for the pass that chooses plants, where there are any
 	godot::AABB _bounds; // of the blades
 	bool _has_motion = false; // somebody reads motion vectors
 	bool _is_flipped = false; // the picture's instance, see show_motion()

@@ -216,6 +216,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 		}
 	}
 	_pool_texture = _sampler = RID();
+	_plants.free();
 	_simulate.free();
 	_simulate_edges.free();
 	_simulate_free.free();
@@ -240,7 +241,7 @@ void GpuField::report_memory() {
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}
-	_report->statistics.buffer_bytes = bytes;
+	_report->statistics.buffer_bytes = bytes + _plants.get_memory_usage();
 }
 
 } // namespace grass

@@ -8,6 +8,7 @@
 #include "core/solver/slot_passes.h"
 #include "gpu/device.h"
 #include "gpu/knot_reader.h"
+#include "gpu/plant_passes.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
 
@@ -37,6 +38,7 @@ struct StepRecords {
 struct ViewRecords {
 	GrassView view;
 	std::vector<GrassCamera> cameras;
+	PaintedSpecies painted; // of fields with plants and a map
 };
 
 // The MultiMeshes that a field is drawn by.
@@ -68,6 +70,7 @@ struct GpuReport {
 	std::vector<Eigen::Vector3f> bends; // per slot
 	std::array<Prepared, PassKind::COUNT> prepared = {}; // by PassKind::index()
 	bool can_simulate = false; // the simulation pass is ready
+	std::array<bool, 2> plants_prepared = {}; // the pass that chooses plants: without a map, with one
 };
 
 class GpuField {
@@ -90,6 +93,8 @@ public:
 	void step(const StepRecords &p_records, bool p_measure);
 	// One frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
+	// The MultiMeshes of plants. Frees the command buffers of those before, which must still be there.
+	void set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	// p_before: gets a texture of where the last drawn frame showed the pool's blades; null: nobody reads motion vectors.
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
 	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
@@ -114,6 +119,7 @@ private:
 	void bind_simulate();
 	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
+	bool bind_plants(const ViewRecords &p_records);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void report_counts(int64_t p_uploaded);
 	void report_times();
@@ -152,6 +158,7 @@ private:
 	bool _has_kept = false; // since the last frame
 	bool _has_moved = false; // blades, since the copy was made
 	KnotReader _reader;
+	PlantPasses _plants;
 	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
 };
 

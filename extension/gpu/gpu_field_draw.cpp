@@ -39,6 +39,18 @@ bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	return true;
 }
 
+void GpuField::set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets) {
+	_plants.set(p_setup, p_targets);
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+	_report->statistics.drawn_plants = _report->statistics.left_out_plants = 0;
+}
+
+bool GpuField::bind_plants(const ViewRecords &p_records) {
+	return !_plants.is_empty() &&
+			_plants.bind({ _view.rid(), _cameras.rid(), _table.rid(), _cover.rid(), _patch, _sampler }, p_records.painted);
+}
+
 void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure) {
 	if (!_has_kept) {
 		keep_pool();
@@ -55,7 +67,8 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 	if (p_measure) {
 		report_times();
 	}
-	if (uploaded == 0 && !_table_changed && !_cull.has_changed()) {
+	const bool has_plants = bind_plants(p_records);
+	if (uploaded == 0 && !_table_changed && !_cull.has_changed() && !(has_plants && _plants.has_changed())) {
 		return; // the same view of the same tiles: the MultiMeshes are still right
 	}
 	_table_changed = false;
@@ -63,6 +76,9 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 		Stopwatch watch(p_measure, Stopwatch::CULL);
 		RenderingDevice *device = main_device();
 		device->buffer_clear(_counts.rid(), 0, uint32_t(_counts.size()));
+		if (has_plants) {
+			_plants.clear_counts();
+		}
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
 		const bool have_room = _tiles <= _instances && _tiles <= _shadow_instances; // all at once
 		const int64_t list = device->compute_list_begin();
@@ -73,6 +89,9 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
 			_cull.dispatch(list, to_bytes(std::span(&constants, 1)), phase == GRASS_CULL_FIT ? 1 : groups);
 			device->compute_list_add_barrier(list);
+		}
+		if (has_plants) {
+			_plants.dispatch(list, int(p_records.cameras.size()), p_records.painted);
 		}
 		device->compute_list_end();
 	}
@@ -100,6 +119,15 @@ void GpuField::report_counts(int64_t p_uploaded) {
 		statistics.left_out_tiles = { p_data.decode_u32(4 * COUNT_LEFT_OUT), p_data.decode_u32(4 * (COUNT_LEFT_OUT + 1)) };
 	};
 	RenderQueue::get_singleton()->read_later(_counts.rid(), COUNTS_TOLD * 4, receive);
+	if (!_plants.is_empty()) {
+		const auto receive_plants = [report = _report, targets = _plants.get_targets()](const PackedByteArray &p_data) {
+			if (p_data.size() >= GRASS_MAX_SPECIES * 4) {
+				std::lock_guard lock(report->mutex);
+				PlantPasses::tell(targets, p_data, report->statistics);
+			}
+		};
+		RenderQueue::get_singleton()->read_later(_plants.counts(), GRASS_MAX_SPECIES * 4, receive_plants);
+	}
 }
 
 } // namespace grass

@@ -67,6 +67,12 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.is_mapped = p_properties.map.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
 	setup.card_size = p_properties.species.find_card_size();
+	wanted.plants = p_properties.species.find_plants();
+	for (const DrawnPlant &plant : wanted.plants) {
+		setup.plant_size = std::max(setup.plant_size, plant.size());
+	}
+	const std::vector<int> stems = p_properties.species.find_stems();
+	setup.has_plants = setup.plant_size > 0.0f || std::ranges::any_of(stems, [](int p_stems) { return p_stems > 1; });
 	wanted.mix = p_properties.species.find_mix();
 	setup.species = p_properties.species.is_plain() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
 	wanted.species = p_properties.species.find_grown();

@@ -21,6 +21,7 @@ struct WantedField {
 	FieldSetup setup;
 	std::vector<SpeciesParams> mix;
 	std::vector<GrownSpecies> species;
+	std::vector<DrawnPlant> plants; // of the species
 	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
 	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
 };

@@ -122,16 +122,41 @@ std::vector<double> FieldSpecies::find_shares() const {
 }
 
 bool FieldSpecies::is_joined() const {
-	return _joined && _joined_from == find_patches() && _joined_shares == find_shares();
+	return _joined && _joined_from == find_patches() && _joined_shares == find_shares() && _joined_stems == find_stems();
 }
 
 std::shared_ptr<const Patch> FieldSpecies::join() const {
 	if (!is_joined()) {
 		_joined_from = find_patches();
 		_joined_shares = find_shares();
-		_joined = _joined_from.size() == 1 ? _joined_from[0] : std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares));
+		_joined_stems = find_stems();
+		const bool is_one = _joined_from.size() == 1 && _joined_stems[0] == 1;
+		_joined = is_one ? _joined_from[0] : std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares, _joined_stems));
 	}
 	return _joined;
+}
+
+std::vector<int> FieldSpecies::find_stems() const {
+	std::vector<int> stems;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		stems.push_back(species->get_stems());
+	}
+	return stems;
+}
+
+std::vector<DrawnPlant> FieldSpecies::find_plants() const {
+	std::vector<DrawnPlant> plants;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		DrawnPlant &plant = plants.emplace_back();
+		plant.model = species->find_plant();
+		plant.distance = float(species->get_plant_distance());
+		if (const std::shared_ptr<const Patch> patch = plant.model ? species->find_patch() : nullptr) {
+			plant.length = patch->mean_length;
+			plant.max_length = patch->max_length * CLUMP_TALLEST;
+			plant.blade_area = patch->mean_width * patch->mean_length;
+		}
+	}
+	return plants;
 }
 
 float FieldSpecies::find_card_size() const {
@@ -153,6 +178,10 @@ void FieldSpecies::warn(PackedStringArray &r_warnings) const {
 					vformat("`species` has an empty entry %d, which grows only where it is painted. Fill it or remove it.", int64_t(i)));
 		} else if (_list[i]->prepare_patch() && _list[i]->find_patch()->is_empty()) {
 			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _list[i]->find_patch()->empty_because));
+		}
+		if (_list[i].is_valid() && !_list[i]->get_plant_problem().is_empty()) {
+			r_warnings.push_back(vformat(
+					"`plant_mesh` of species %d is not drawn: %s It grows as blades.", int64_t(i), _list[i]->get_plant_problem()));
 		}
 		if (_list[i].is_valid() && _list[i]->get_patch().is_valid()) {
 			r_warnings.append_array(_list[i]->get_patch()->find_warnings(vformat("The patch of species %d", int64_t(i))));

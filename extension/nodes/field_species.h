@@ -6,6 +6,7 @@
 #include "core/blades/patch.h"
 #include "core/plants/species.h"
 #include "core/solver/solver_params.h"
+#include "draw/drawn_plant.h"
 #include "nodes/grass_species.h"
 
 #include <godot_cpp/variant/callable.hpp>
@@ -49,6 +50,9 @@ public:
 	std::vector<GrownSpecies> find_grown() const;
 	// Radius of the largest flower or seed head around its tip, metres; a card on a thinned tile is drawn larger.
 	float find_card_size() const;
+	// The meshes that species have, in the order of find_used(); null: none.
+	std::vector<DrawnPlant> find_plants() const;
+	std::vector<int> find_stems() const; // that share a root
 	bool is_joined() const; // the patch of join() is of the species as they are
 	// All species' blades as one patch, the same one until they change.
 	std::shared_ptr<const Patch> join() const;
@@ -62,6 +66,7 @@ private:
 	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares
 	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
 	mutable std::vector<double> _joined_shares;
+	mutable std::vector<int> _joined_stems;
 };
 
 } // namespace grass

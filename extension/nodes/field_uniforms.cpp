@@ -3,6 +3,7 @@
 
 #include "draw/patch_texture.h"
 
+#include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector4_array.hpp>
 
 #include <cmath>
@@ -112,8 +113,23 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 	p_set(DRY.name, p_species[0].species->get_param(SPECIES_PARAM_DRY));
 }
 
-void FieldUniforms::set_species(
-		const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set, const Set &p_set_blades) {
+// How plants with a mesh look as blades, and where they are.
+void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set) {
+	PackedVector4Array looks;
+	PackedVector2Array reaches;
+	for (const DrawnPlant &plant : p_plants) {
+		const Color color = plant.model ? plant.model->color : Color();
+		looks.push_back({ real_t(color.r), real_t(color.g), real_t(color.b), plant.cover() });
+		reaches.push_back({ plant.distance, plant.width() });
+	}
+	looks.resize(GRASS_MAX_SPECIES);
+	reaches.resize(GRASS_MAX_SPECIES);
+	p_set("plant_far", looks);
+	p_set("plant_reach", reaches);
+}
+
+void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species,
+		const std::vector<DrawnPlant> &p_plants, const Set &p_set, const Set &p_set_blades) {
 	set_colors(p_species, p_set);
 	if (!p_setup.species) {
 		return;
@@ -125,6 +141,15 @@ void FieldUniforms::set_species(
 		}
 	}
 	records.resize(4 * GRASS_MAX_SPECIES);
+	if (p_setup.has_plants) {
+		PackedInt32Array stems;
+		for (const SpeciesRecord &record : p_setup.species->get_records()) {
+			stems.push_back(record.stems);
+		}
+		stems.resize(GRASS_MAX_SPECIES);
+		p_set_blades("species_stems", stems);
+		set_plants(p_plants, p_set_blades);
+	}
 	p_set_blades("species_count", p_setup.species->get_count());
 	p_set_blades("species_mix", records);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());

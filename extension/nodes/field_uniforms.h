@@ -22,7 +22,8 @@ public:
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
 	// p_species: those that stand. p_set: of blades and ground; p_set_blades: of blades only.
-	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const Set &p_set, const Set &p_set_blades);
+	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
+			const Set &p_set, const Set &p_set_blades);
 	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
 	void set_wind_clock(const Set &p_set);
 	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
@@ -35,6 +36,7 @@ public:
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
+	static void set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set);
 	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
 
 	WindClock _wind;

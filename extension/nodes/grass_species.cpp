@@ -7,6 +7,7 @@
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <bit>
 #include <cmath>
 
 using namespace godot;
@@ -39,6 +40,29 @@ void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
 	watch_instead(_card, p_card, callable_mp(this, &GrassSpecies::_part_changed));
 	_card_image.unref();
 	emit_changed();
+}
+
+void GrassSpecies::set_plant_mesh(const Ref<Mesh> &p_mesh) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
+	watch_instead(_plant_mesh, p_mesh, callable_mp(this, &GrassSpecies::_part_changed));
+	_plant.reset();
+	emit_changed();
+}
+
+int GrassSpecies::get_stems() const {
+	return int(std::bit_floor(unsigned(param(SPECIES_PARAM_STEMS))));
+}
+
+std::shared_ptr<const PlantModel> GrassSpecies::find_plant() const {
+	if (_plant_mesh.is_valid() && !_plant) {
+		_plant = read_plant(_plant_mesh);
+	}
+	return _plant ? _plant->model : nullptr;
+}
+
+String GrassSpecies::get_plant_problem() const {
+	find_plant();
+	return _plant ? _plant->problem : String();
 }
 
 double GrassSpecies::get_card_size() const {
@@ -80,7 +104,7 @@ bool GrassSpecies::prepare_patch() const {
 }
 
 SpeciesParams GrassSpecies::get_mix() const {
-	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH) };
+	return { param(SPECIES_PARAM_SHARE), param(SPECIES_PARAM_STAND_SIZE), param(SPECIES_PARAM_STAND_STRENGTH), get_stems() };
 }
 
 SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
@@ -96,6 +120,7 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 
 void GrassSpecies::_part_changed() {
 	_card_image.unref(); // it may have been the card
+	_plant.reset(); // or the mesh
 	emit_changed();
 }
 
@@ -136,6 +161,8 @@ void GrassSpecies::_bind_methods() {
 
 	ClassDB::bind_method(D_METHOD("set_card", "card"), &GrassSpecies::set_card);
 	ClassDB::bind_method(D_METHOD("get_card"), &GrassSpecies::get_card);
+	ClassDB::bind_method(D_METHOD("set_plant_mesh", "mesh"), &GrassSpecies::set_plant_mesh);
+	ClassDB::bind_method(D_METHOD("get_plant_mesh"), &GrassSpecies::get_plant_mesh);
 
 	const auto add_numbers = [](int p_first, int p_last) {
 		for (int param = p_first; param <= p_last; param++) {
@@ -164,6 +191,9 @@ void GrassSpecies::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_card", "get_card");
 	add_colors(SPECIES_CARD_COLOR, SPECIES_CARD_COLOR);
 	add_numbers(SPECIES_PARAM_CARD_SHARE, SPECIES_PARAM_CARD_HEIGHT);
+	ADD_GROUP("Plant", "");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "plant_mesh", PROPERTY_HINT_RESOURCE_TYPE, "Mesh"), "set_plant_mesh", "get_plant_mesh");
+	add_numbers(SPECIES_PARAM_PLANT_DISTANCE, SPECIES_PARAM_STEMS);
 }
 
 } // namespace grass

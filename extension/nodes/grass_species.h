@@ -2,13 +2,17 @@
 // GrassSpecies: one of the kinds of plants that a GrassField mixes. Properties only.
 #pragma once
 
+#include "draw/plant_model.h"
 #include "draw/species_look.h"
 #include "nodes/grass_patch.h"
 #include "nodes/species_params.h"
 
 #include <godot_cpp/classes/gradient.hpp>
+#include <godot_cpp/classes/mesh.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
+
+#include <optional>
 
 namespace grass {
 
@@ -24,6 +28,8 @@ public:
 	godot::Ref<godot::Gradient> get_gradient() const { return _gradient; }
 	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
 	godot::Ref<godot::Texture2D> get_card() const { return _card; }
+	void set_plant_mesh(const godot::Ref<godot::Mesh> &p_mesh); // null: blades
+	godot::Ref<godot::Mesh> get_plant_mesh() const { return _plant_mesh; }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
@@ -39,8 +45,13 @@ public:
 	SpeciesLook make_look(const godot::Ref<godot::Image> &p_card) const; // the same with an image of read_card()
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 	double get_card_size() const; // farthest from the tip, metres; 0: no card
-	// Two colours and no card: a field of it alone is drawn by shaders that know no species.
-	bool is_plain() const { return _gradient.is_null() && _card.is_null(); }
+	// Two colours, no card, no mesh, one stem: a field of it alone is drawn by shaders that know no species.
+	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
+	int get_stems() const; // that share a root: a power of two
+	// The mesh as it is drawn, or null.
+	std::shared_ptr<const PlantModel> find_plant() const;
+	godot::String get_plant_problem() const; // why there is none, though a mesh is set; empty: there is one
+	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
 
 protected:
 	static void _bind_methods();
@@ -53,6 +64,8 @@ private:
 	godot::Ref<godot::Gradient> _gradient;
 	godot::Ref<godot::Texture2D> _card;
 	godot::Ref<godot::Image> _card_image; // of _card, read on first use
+	godot::Ref<godot::Mesh> _plant_mesh;
+	mutable std::optional<PlantReading> _plant; // of it, read on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

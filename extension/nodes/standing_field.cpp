@@ -47,6 +47,7 @@ void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, con
 			_properties.field_params(p_wanted.species));
 	_mix = std::move(p_wanted.mix);
 	_species = std::move(p_wanted.species);
+	_plants = std::move(p_wanted.plants);
 	_map = std::move(p_wanted.map);
 	_ground.free();
 	const FieldSetup &setup = _field.get_setup();
@@ -55,12 +56,23 @@ void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, con
 	}
 	if (_backend) {
 		_ground.create(setup.grid, setup.is_mapped);
+		set_plants();
 		follow(p_node, p_transform);
 		_uniforms.set_all(_properties, setup, uniform_setter(true));
 		set_wind_clock();
 		set_species_uniforms();
 		show_map();
 	}
+}
+
+void StandingField::set_plants() {
+	uint32_t with_mesh = 0;
+	for (size_t s = 0; s < _plants.size(); s++) {
+		with_mesh |= _plants[s].model ? 1u << s : 0u;
+	}
+	_backend->set_plants(_plants, [this, with_mesh](int p_x, int p_z, std::vector<StandingPlant> &r_plants) {
+		_field.get_blades().find_plants(p_x, p_z, with_mesh, r_plants);
+	});
 }
 
 void StandingField::make_backend() {
@@ -122,7 +134,8 @@ bool StandingField::update_species() {
 	const FieldSpecies &species = _properties.species;
 	const FieldSetup &setup = _field.get_setup();
 	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
-			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size) {
+			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size ||
+			species.find_plants() != _plants) {
 		return false;
 	}
 	set_species_uniforms();

@@ -88,7 +88,10 @@ private:
 	void make_backend();
 	void show_map();
 	void set_wind_clock();
-	void set_species_uniforms() { _uniforms.set_species(_field.get_setup(), _species, uniform_setter(true), uniform_setter(false)); }
+	void set_species_uniforms() {
+		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
+	}
+	void set_plants();
 	FieldUniforms::Set uniform_setter(bool p_ground);
 	bool leaves_tiles_out() const;
 
@@ -96,6 +99,7 @@ private:
 	Field _field;
 	std::vector<SpeciesParams> _mix; // as it was made
 	std::vector<GrownSpecies> _species;
+	std::vector<DrawnPlant> _plants; // of the species
 	std::unique_ptr<ShownMap> _map;
 	mutable MapLayers _layers_there; // of layers_at(): around one place
 	std::unique_ptr<Backend> _backend;

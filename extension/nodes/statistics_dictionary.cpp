@@ -67,6 +67,8 @@ Dictionary to_dictionary(const FieldStatistics &p_statistics) {
 	result["drawn_blades"] = backend.drawn_blades;
 	result["drawn_triangles"] = drawn.triangles[0];
 	result["left_out_tiles"] = backend.left_out_tiles[0];
+	result["drawn_plants"] = backend.drawn_plants;
+	result["left_out_plants"] = backend.left_out_plants;
 	result["shadow_tiles"] = drawn.tiles[1];
 	result["shadow_blades"] = backend.shadow_blades;
 	result["shadow_triangles"] = drawn.triangles[1];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## A field of each preset, one beside the other, as thick as it stands in nature. Started with `-- --out DIR` (`./grass demo presets`)
-## it takes a picture of each, then ends.
+## it takes a picture of each, then ends; with `--only NAME` of that one.
 extends Node3D
 
 const Shots := preload("res://demo/shots.gd")
@@ -19,16 +19,24 @@ const FIELDS := {
 	clover = [900.0, 6.0],
 	tundra = [1200.0, 6.0],
 	daisy = [600.0, 12.0],
+	fern = [40.0, 12.0],
+	ox_eye_daisy = [600.0, 12.0],
+	small_shrub = [32.0, 12.0],
 }
+
+var _shown: Array = FIELDS.keys()
 
 @onready var _camera: Camera3D = $Camera
 
 
 func _ready() -> void:
-	for name: String in FIELDS:
+	var arguments := OS.get_cmdline_user_args()
+	var only := arguments.find("--only")
+	if only >= 0 and only + 1 < arguments.size():
+		_shown = [arguments[only + 1]]
+	for name: String in _shown:
 		add_child(make(name))
 	_show(0)
-	var arguments := OS.get_cmdline_user_args()
 	var out := arguments.find("--out")
 	if out >= 0 and out + 1 < arguments.size():
 		await _record(arguments[out + 1])
@@ -53,24 +61,25 @@ static func make(name: String) -> GrassField:
 func _record(folder: String) -> void:
 	var shots := Shots.new(get_viewport(), folder)
 	await shots.warm_up()
-	for i in FIELDS.size():
+	for i in _shown.size():
 		_show(i)
-		await shots.take("preset_" + str(FIELDS.keys()[i]))
+		await shots.take("preset_" + str(_shown[i]))
 
 
 ## Looks at a field from its border: as far above its tips as they are high, or more.
 func _show(index: int) -> void:
-	var name: String = FIELDS.keys()[index]
+	var name: String = _shown[index]
 	var species: GrassSpecies = load(FOLDER + name + ".tres")
 	var side: float = FIELDS[name][1]
 	var height := species.patch.length_max
-	for i in FIELDS.size():
-		get_node(NodePath(str(FIELDS.keys()[i]).to_pascal_case())).visible = i == index
-	var eye := Vector3(SPACING * index, height + maxf(maxf(0.06 * side, 0.4 * height), 0.3), 0.5 * side + 0.5 * height)
-	_camera.look_at_from_position(eye, Vector3(SPACING * index, 0.4 * height, 0.5 * side - 2.5 * height - 0.1 * side))
+	for i in _shown.size():
+		get_node(NodePath(str(_shown[i]).to_pascal_case())).visible = i == index
+	var place: float = get_node(NodePath(name.to_pascal_case())).position.x
+	var eye := Vector3(place, height + maxf(maxf(0.06 * side, 0.4 * height), 0.3), 0.5 * side + 0.5 * height)
+	_camera.look_at_from_position(eye, Vector3(place, 0.4 * height, 0.5 * side - 2.5 * height - 0.1 * side))
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
 	var index: int = event.keycode - KEY_1
-	if event.is_pressed() and index >= 0 and index < FIELDS.size():
+	if event.is_pressed() and index >= 0 and index < _shown.size():
 		_show(index)

@@ -126,17 +126,7 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 	return choice;
 }
 
-bool casts_into(GrassCamera p_camera, vec3 p_middle, vec3 p_half) {
-	if (grass_tile_visible(p_camera.planes, p_middle, p_half, view.shadow.x, vec3(0.0))) {
-		return true;
-	}
-	for (uint i = 0u; i < view.counts.y; i++) {
-		if (grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0, view.falls[i].xyz)) {
-			return true;
-		}
-	}
-	return false;
-}
+#include "detail/casts.inc"
 
 // [Eq L7] Share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box.
 float in_sight(vec3 p_to_eye, float p_grown, float p_cut, float p_slope) {

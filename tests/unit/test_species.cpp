@@ -220,3 +220,38 @@ TEST_CASE("species: one, none with a share, too many and numbers that are none")
 	CHECK(found[1] == 0.0);
 	CHECK(found[0] > 0.2);
 }
+
+TEST_CASE("species: the stems of a plant are one species, in the share that was asked for, and painted whole") {
+	const SpeciesParams params[] = { { 0.7, 4.0, 0.3, 1 }, { 0.3, 4.0, 0.3, 8 } };
+	const SpeciesMix mix(params, SPECIES_GRID, 0);
+	const MapLayers layers = painted(10.0, 2), grass = painted(10.0, 1);
+	int plants = 0, blades = 0, inside = 0, in_grass = 0, border = 0;
+	for (int z = 40; z < 120; z++) {
+		for (int x = 40; x < 120; x++) {
+			for (int first = 0; first < GRASS_BLADES_PER_TILE; first += 8) {
+				const double distance = 0.5 * std::hypot(x + 0.5 - 80.0, z + 0.5 - 80.0);
+				std::array<int, 3> stems{}; // without paint, with their own, with the other's
+				for (int b = first; b < first + 8; b++) {
+					stems[0] += mix.choose(x, z, b, root_of, nullptr);
+					stems[1] += mix.choose(x, z, b, root_of, &layers);
+					stems[2] += mix.choose(x, z, b, root_of, &grass);
+				}
+				for (const int count : { stems[0], stems[1] }) {
+					CHECK((count == 0 || count == 8));
+				}
+				plants += stems[0] / 8;
+				blades += 8;
+				if (distance < 8.0) {
+					inside += stems[1] == 8;
+					in_grass += stems[2] != 0;
+				} else if (distance < 12.0) {
+					border += stems[1] == 8;
+				}
+			}
+		}
+	}
+	CHECK(double(8 * plants) / blades == doctest::Approx(0.3).epsilon(0.15));
+	CHECK(inside > 5000); // all of them: 804 tiles of 8 plants
+	CHECK(in_grass == 0);
+	CHECK(border > 1000);
+}

@@ -2,11 +2,13 @@
 // The patch that several species share, and the boxes of its tiles.
 #include "species_scene.h"
 
+#include "core/base/half.h"
 #include "core/tiles/tile_bounds.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace grass;
 using namespace grass::test;
@@ -57,4 +59,32 @@ TEST_CASE("tile_bounds: a tile's box holds the blades of whichever species they 
 	CHECK(both.get_height() == tall.get_height());
 	CHECK(both.get_overhang() >= small.get_overhang());
 	CHECK(both.get_overhang() == doctest::Approx(tall.get_overhang()).epsilon(0.02));
+}
+
+TEST_CASE("patches: the stems of a plant share a root, keep their shape, and point to all sides") {
+	const std::shared_ptr<const Patch> patches[] = { make_patch(0.4), make_patch(0.8, 7) };
+	const double shares[] = { 0.5, 0.5 };
+	const int stems[] = { 1, 4 };
+	const Patch joined = join_patches(patches, shares, stems);
+	const auto texel_of = [](const Patch &p_patch, int p_blade, int p_knot) {
+		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, p_knot)];
+		return Eigen::Vector3f(half_to_float(halves[0]), half_to_float(halves[1]), half_to_float(halves[2]));
+	};
+	for (int first = 0; first < GRASS_PATCH_BLADES; first += 404) {
+		const Eigen::Vector3f root = texel_of(joined, GRASS_PATCH_BLADES + first, 0);
+		CHECK(root.head<2>() == texel_of(*patches[0], first / 4, 0).head<2>());
+		for (int stem = 0; stem < 4; stem++) {
+			const int blade = GRASS_PATCH_BLADES + first + stem;
+			const Eigen::Vector3f own = texel_of(joined, blade, 0);
+			CHECK(own.head<2>() == root.head<2>());
+			const double turned = std::remainder(double(own.z() - root.z()) - stem * EIGEN_PI / 2.0, 2.0 * EIGEN_PI);
+			CHECK(std::abs(turned) < 4e-3); // 16-bit floats
+			for (int k = 1; k < GRASS_KNOTS; k++) {
+				const Eigen::Vector3f now = texel_of(joined, blade, k), before = texel_of(*patches[1], first + stem, k);
+				CHECK(now.y() == before.y());
+				CHECK(now.norm() == doctest::Approx(before.norm()).epsilon(1e-3));
+			}
+			CHECK(texel_of(joined, first + stem, 5) == texel_of(*patches[0], first + stem, 5)); // of the other species
+		}
+	}
 }

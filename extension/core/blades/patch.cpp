@@ -144,6 +144,22 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	measure(r_patch, p_blade);
 }
 
+// Turns a blade to its place around the root that it shares: p_stems of them, the first of which keeps its azimuth.
+void spread_stem(Patch &r_patch, int p_blade, int p_stems) {
+	const int stem = p_blade % p_stems;
+	uint16_t *root = &r_patch.texels[Patch::texel_index(p_blade, 0)];
+	const double first = half_to_float(r_patch.texels[Patch::texel_index(p_blade - stem, 0) + 2]), before = half_to_float(root[2]);
+	const double azimuth = TURN * (fraction(first / TURN + 0.5 + double(stem) / p_stems) - 0.5), angle = azimuth - before;
+	const double along_x = cosine(angle), along_z = sine(angle);
+	root[2] = float_to_half(float(azimuth));
+	for (int k = 1; k < GRASS_KNOTS; ++k) {
+		uint16_t *texel = &r_patch.texels[Patch::texel_index(p_blade, k)];
+		const double x = half_to_float(texel[0]), z = half_to_float(texel[2]);
+		texel[0] = float_to_half(float(x * along_x - z * along_z));
+		texel[2] = float_to_half(float(z * along_x + x * along_z));
+	}
+}
+
 } // namespace
 
 PatchParams::PatchParams() {
@@ -168,7 +184,7 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 	return patch;
 }
 
-Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares) {
+Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems) {
 	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });
 	if (found == p_patches.end()) {
 		Patch empty = generate_patch({});
@@ -186,10 +202,14 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 		joined.texels.insert(joined.texels.end(), own.texels.begin(), own.texels.end());
 		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
 			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
-			const uint16_t *place = &first.texels[Patch::texel_index(blade, 0)];
+			const int stems = s < p_stems.size() ? p_stems[s] : 1;
+			const uint16_t *place = &first.texels[Patch::texel_index(blade / stems, 0)]; // plants side by side: every nth would stand in rows
 			root[0] = place[0];
 			root[1] = place[1];
 			root[3] = p_patches[s]->is_empty() ? 0 : root[3];
+			if (stems > 1) {
+				spread_stem(joined, int(s) * GRASS_PATCH_BLADES + blade, stems);
+			}
 		}
 		const float share = float(p_shares[s]);
 		joined.max_length = std::max(joined.max_length, own.max_length);

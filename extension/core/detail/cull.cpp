@@ -10,13 +10,6 @@ namespace grass {
 
 namespace {
 
-bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
-	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
-	return grass_tile_visible(p_camera.planes, p_middle, p_half, p_view.shadow_margin, none) ||
-			std::any_of(p_view.falls.begin(), p_view.falls.end(),
-					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
-}
-
 // [Eq L7] Share of the tile's blades that p_camera needs. p_middle: of its box.
 float in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
 		const Eigen::Vector3f &p_middle) {
@@ -30,6 +23,13 @@ float in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodPa
 }
 
 } // namespace
+
+bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
+	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
+	return grass_tile_visible(p_camera.planes, p_middle, p_half, p_view.shadow_margin, none) ||
+			std::any_of(p_view.falls.begin(), p_view.falls.end(),
+					[&](const Eigen::Vector3f &p_fall) { return grass_tile_visible(p_camera.planes, p_middle, p_half, 0.0f, p_fall); });
+}
 
 void TileCull::choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of) {
 	for (std::vector<float> &instances : _instances) {

@@ -27,6 +27,9 @@ struct CullField {
 	std::array<uint32_t, 2> room = {}; // tiles that the MultiMeshes of picture and shadows hold
 };
 
+// Whether a camera sees a box within the margin, or its shadow.
+bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half);
+
 class TileCull {
 public:
 	using SlotOf = std::function<int(int)>; // of a tile in the pool; GRASS_NO_SLOT while it sleeps

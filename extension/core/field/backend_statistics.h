@@ -24,6 +24,7 @@ struct BackendStatistics {
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
 	std::array<int64_t, 2> left_out_tiles{}; // that had no room in the MultiMeshes of picture and shadows
+	int64_t drawn_plants = 0, left_out_plants = 0; // in the newest frame known: drawn by a mesh; without room
 	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, one a blade and read
 	int64_t knot_waits = 0; // GPU: times that the main thread waited for knots
 	int64_t knots_age = 0; // GPU, now: by how many steps what is known of knots is behind; 0 where nobody asks

@@ -241,7 +241,9 @@ std::vector<BladeNumber> Field::find_blades(const Eigen::Vector2d &p_place, doub
 	for (int z = tiles.z_begin; z < tiles.z_end; z++) {
 		for (int x = tiles.x_begin; x < tiles.x_end; x++) {
 			for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
-				const Eigen::Vector3d root = root_of(_blades.get_root(x, z, blade), x, z);
+				// Stems stand where their plant does.
+				const Eigen::Vector2f place = _setup.has_plants ? _blades.get_pose(x, z, blade).root : _blades.get_root(x, z, blade);
+				const Eigen::Vector3d root = root_of(place, x, z);
 				if (std::hypot(root.x() - p_place.x(), root.z() - p_place.y()) <= p_radius && _blades.stands(x, z, blade)) {
 					found.push_back(number_of(_setup.grid.get_index(x, z), blade));
 				}

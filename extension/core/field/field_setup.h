@@ -31,6 +31,8 @@ struct FieldSetup {
 	Method method = Method::DIRECT; // that it begins with
 
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
+	bool has_plants = false; // a species has a mesh, or several stems to a root
+	float plant_size = 0.0f; // farthest that a mesh reaches from its blade, metres; 0: no species has one
 
 	// Whether the meshes of one field fit the other, provided that the MultiMeshes are large enough.
 	bool has_meshes_of(const FieldSetup &p_other) const {
@@ -39,11 +41,13 @@ struct FieldSetup {
 	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows mostly finds room.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card.
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card or mesh.
 	// Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
-	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
-	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + card_size; }
+	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
+	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
+	// Beyond a blade: its card, its mesh.
+	float tip_size() const { return std::max(card_size, plant_size); }
 	// Of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
 	CullField cull_field() const {

@@ -19,16 +19,22 @@ int FieldBlades::first_of(int p_tile_x, int p_tile_z) const {
 	return int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
 }
 
+int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade) const {
+	if (!_species) {
+		return 0;
+	}
+	const auto root_of = [this](int p_of) -> Eigen::Vector2f { return get_texel(p_of, 0).head<2>(); };
+	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map ? &_map->get_layers() : nullptr);
+}
+
 FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
 	Pose pose;
 	pose.blade = first_of(p_tile_x, p_tile_z) + p_blade;
-	pose.root = get_root(p_tile_x, p_tile_z, p_blade);
+	pose.species = get_species(p_tile_x, p_tile_z, p_blade);
+	pose.blade += GRASS_PATCH_BLADES * pose.species;
+	pose.root = get_texel(pose.blade, 0).head<2>();
 	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), pose.root,
 			Eigen::Vector2f(float(_grid.get_tiles_x()), float(_grid.get_tiles_z())), float(_grid.get_tile_size()));
-	if (_species) {
-		pose.species = _species->choose(p_tile_x, p_tile_z, p_blade, pose.root, _map ? &_map->get_layers() : nullptr);
-		pose.blade += GRASS_PATCH_BLADES * pose.species;
-	}
 	pose.clump = clump_at(place, _clump);
 	if (_map) {
 		const Growth here = _map->get_layers().sample(place, _map->get_follow());
@@ -46,6 +52,15 @@ bool FieldBlades::stands(int p_tile_x, int p_tile_z, int p_blade) const {
 	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) + uint32_t(p_blade + GRASS_BLADES_PER_TILE);
 	const uint16_t width = _patch->texels[Patch::texel_index(pose.blade, 0) + 3];
 	return width != 0 && glsl::grass_presence(pose.density, glsl::grass_random(grass_hash(bits)).x) > 0.0f;
+}
+
+void FieldBlades::find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const {
+	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const int species = get_species(p_tile_x, p_tile_z, b), blade = first_of(p_tile_x, p_tile_z) + b + GRASS_PATCH_BLADES * species;
+		if ((p_species >> species & 1u) != 0 && _patch->texels[Patch::texel_index(blade, 0) + 3] != 0) {
+			r_plants.push_back({ uint8_t(b), uint8_t(species), get_texel(blade, 0).head<2>() });
+		}
+	}
 }
 
 Eigen::Vector3f FieldBlades::get_rest_knot(const Pose &p_pose, int p_knot) const {

@@ -79,6 +79,7 @@ SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid 
 		record.cell = std::max(int32_t(std::lround(STAND_SIZE.clamp(params.stand_size) * units)), 1);
 		record.strength = int32_t(std::lround(STAND_STRENGTH.clamp(params.stand_strength) * 256.0));
 		record.limit = find_limit(total > 0.0 ? share / total : 0.0, record.strength);
+		record.stems = std::clamp(params.stems, 1, int(PLANT_STEMS.maximum));
 		record.salt = int32_t(grass_hash(p_seed + 0x5eed0000u + uint32_t(s)) >> 1);
 		_shares[size_t(s)] = share;
 	}
@@ -93,29 +94,62 @@ int SpeciesMix::find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_la
 	return painted < _count ? painted : -1;
 }
 
-// The twin of species_of() in shaders/draw/pose.gdshaderinc.
-int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+// What choose() knows of a blade, or of a plant of several.
+struct SpeciesMix::Place {
+	int x, z; // units
+	uint32_t bits, blade; // of the tile; whose random numbers count
+};
+
+int SpeciesMix::find_painted(const Place &p_place, const MapLayers *p_layers) const {
+	if (!p_layers) {
+		return -1;
+	}
+	const float size = float(_grid.get_tile_size());
+	const uint32_t first = grass_species_random(p_place.bits, p_place.blade, GRASS_MAX_SPECIES),
+				   second = grass_species_random(p_place.bits, p_place.blade, GRASS_MAX_SPECIES + 1);
+	return find_painted(grass_species_texel(p_place.x, first, _texel_units, float(_grid.get_tiles_x()), size),
+			grass_species_texel(p_place.z, second, _texel_units, float(_grid.get_tiles_z()), size), p_layers);
+}
+
+// The twin of species_of() in shaders/plants/choice.inc.
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const {
 	const uint32_t tile_seed = uint32_t(grass_tile_hash(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) * 2048.0f);
-	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed), blade = uint32_t(p_blade);
-	const int x = grass_root_units(p_tile_x, p_root.x()), z = grass_root_units(p_tile_z, p_root.y());
-	if (p_layers) {
-		const float size = float(_grid.get_tile_size());
-		const int texel_x = grass_species_texel(
-				x, grass_species_random(bits, blade, GRASS_MAX_SPECIES), _texel_units, float(_grid.get_tiles_x()), size);
-		const int texel_z = grass_species_texel(
-				z, grass_species_random(bits, blade, GRASS_MAX_SPECIES + 1), _texel_units, float(_grid.get_tiles_z()), size);
-		if (const int painted = find_painted(texel_x, texel_z, p_layers); painted >= 0) {
-			return painted;
+	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), tile_seed);
+	const int start = int(grass_tile_start(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed));
+	const auto place_of = [&](int p_of, int p_in_patch) {
+		const Eigen::Vector2f root = p_root_of(p_in_patch);
+		return Place{ grass_root_units(p_tile_x, root.x()), grass_root_units(p_tile_z, root.y()), bits, uint32_t(p_of) };
+	};
+	const auto plant_of = [&](int p_stems) { // that the blade is a stem of
+		const int first = p_blade - p_blade % p_stems;
+		return place_of(first, (start + first) / p_stems);
+	};
+	const Place own = place_of(p_blade, start + p_blade);
+	for (int s = 0; s < _count && p_layers != nullptr; s++) { // a plant is painted whole, where it stands
+		const int stems = _records[size_t(s)].stems;
+		if (stems > 1 && find_painted(plant_of(stems), p_layers) == s) {
+			return s;
 		}
+	}
+	if (const int painted = find_painted(own, p_layers); painted >= 0 && _records[size_t(painted)].stems == 1) {
+		return painted;
 	}
 	for (int s = _count - 1; s > 0; s--) {
 		const SpeciesRecord &record = _records[size_t(s)];
-		if (grass_species_takes(uint32_t(x), uint32_t(z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
-					uint32_t(record.salt), grass_species_random(bits, blade, uint32_t(s)))) {
+		const Place at = record.stems > 1 ? plant_of(record.stems) : own; // the stems of a plant are chosen together
+		if (record.stems > 1 && find_painted(at, p_layers) >= 0) {
+			continue;
+		}
+		if (grass_species_takes(uint32_t(at.x), uint32_t(at.z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
+					uint32_t(record.salt), grass_species_random(bits, at.blade, uint32_t(s)))) {
 			return s;
 		}
 	}
 	return 0;
+}
+
+int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
+	return choose(p_tile_x, p_tile_z, p_blade, [&p_root](int) { return p_root; }, p_layers);
 }
 
 std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 
 namespace grass {
@@ -20,6 +21,8 @@ using std::floor;
 #define GRASS_FUNCTION inline
 #include "plants/species.inc"
 #undef GRASS_FUNCTION
+
+#include "plants/constants.inc"
 
 class MapLayers;
 
@@ -36,17 +39,25 @@ inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CARD_WIDTH{ "card_width", "m", 0.005, 1.0, 0.005, 0.05 };
 inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.05 };
 
+// From there on a plant with a mesh is drawn as a blade. Each costs its mesh's vertices until then.
+inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0, 30.0 };
+// Blades that share a root: 1, 2, 4 or 8. As many as grass_tile_start() is a multiple of, at most.
+inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0 };
+static_assert(GRASS_START_STRIDE % int(PLANT_STEMS.maximum) == 0);
+
 // Values outside of the tunables' ranges are clamped, NaN counts as the default.
 struct SpeciesParams {
 	double share = SPECIES_SHARE.initial;
 	double stand_size = STAND_SIZE.initial; // metres
 	double stand_strength = STAND_STRENGTH.initial;
+	int stems = 1; // a power of two
 	bool operator==(const SpeciesParams &) const = default;
 };
 
 // What grass_species_takes() reads of a species.
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
+	int32_t stems = 1; // that are chosen together
 };
 
 class SpeciesMix {
@@ -59,12 +70,17 @@ public:
 	int get_texel_units() const { return _texel_units; } // of a texel of the map
 	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades that nobody painted, 0..1
 
-	// The species of blade p_blade (0..63) of a tile. p_root: its place in the tile, 0..1; p_layers: of the map, or null.
-	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const;
+	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // of a blade of the patch: its place in a tile, 0..1
+	// The species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
+	int choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const;
+	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // of one stem each
 	// [Eq P4] The shares of the species among the blades around a place of the field: x, z in metres. They add up to 1.
 	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 
 private:
+	struct Place;
+
+	int find_painted(const Place &p_place, const MapLayers *p_layers) const;
 	int find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const;
 
 	TileGrid _grid;

@@ -144,6 +144,17 @@ func surface_hooks_the_wind_over_time() -> void:
 	assert_greater(stage.field.wind_speed, 3.0)
 
 
+func species_plants_with_a_mesh() -> void:
+	var node := Node3D.new()
+	node.set_script(block_script())
+	add_child(node)
+	await ticks(3)
+	var field := node.get_child(0) as GrassField
+	assert_true(field.species[0].plant_mesh is ArrayMesh)
+	var knots := [field.get_knots(Vector2i.ZERO, 0), field.get_knots(Vector2i.ZERO, 7)]
+	assert_eq(knots[0][0], knots[1][0], "eight fronds to a root")
+
+
 func forces_forces() -> void:
 	var stage := await staged()
 	var place := Vector3(1, 0, 1)

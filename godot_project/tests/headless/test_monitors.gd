@@ -45,6 +45,8 @@ const STATISTICS: Array[String] = [
 	"drawn_blades",
 	"drawn_triangles",
 	"left_out_tiles",
+	"drawn_plants",
+	"left_out_plants",
 	"shadow_tiles",
 	"shadow_blades",
 	"shadow_triangles",

@@ -48,6 +48,9 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 		tip_color = Color.GREEN,
 		dry_color = Color.BLUE,
 		card_color = Color.YELLOW,
+		plant_mesh = BoxMesh.new(),
+		plant_distance = 12.0,
+		stems = 4.0,
 	}
 	var changes: Array[int] = [0]
 	species.changed.connect(func() -> void: changes[0] += 1)
@@ -200,3 +203,57 @@ func test_wear_goes_at_the_rate_of_the_species_that_grows_there() -> void:
 	await ticks(120)
 	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(-1.25, 0)), 0.6, 0.03)
 	assert_near(map.sample(GrassMap.CHANNEL_WEAR, Vector2(1.25, 0)), 0.8, 0.03)
+
+
+func test_meshes_that_cannot_be_drawn_are_reported() -> void:
+	var high := PlaneMesh.new()
+	high.subdivide_width = 200
+	high.subdivide_depth = 100
+	var low := BoxMesh.new()
+	low.size = Vector3.ONE
+	var sunk := SurfaceTool.new()
+	sunk.append_from(low, 0, Transform3D(Basis(), Vector3(0, -2, 0)))
+	var reasons := {ArrayMesh.new(): "it has no vertices", high: "it has 20604 vertices", sunk.commit(): "nothing of it lies above y = 0"}
+	for mesh: Mesh in reasons:
+		var broken := make(0.5, 0.5, {plant_mesh = mesh})
+		expect_error("'Meadow': `plant_mesh` of species 1 is not drawn: " + reasons[mesh])
+		var field := add_field({species = [make(1.0), broken]})
+		await ticks(2)
+		assert_greater(field.get_blade_count(), 0, "it grows as blades")
+		broken.plant_mesh = low
+		await grown(field)  # and warns no more
+		field.free()
+
+
+## Groups of stems of one species, each at one place, and no more of them than the share asks for.
+func test_stems_of_a_plant_share_a_root() -> void:
+	var field := add_field({species = [make(0.8), make(0.2, 0.5, {stems = 4.0, stand_strength = 0.0})], size = Vector2(8, 8)})
+	await ticks(2)
+	var shared := 0
+	var plants := 0
+	var tiles := field.get_tiles()
+	for z in tiles.y:
+		for x in tiles.x:
+			for first in range(0, BLADES, 4):
+				var roots := {}
+				var tips := {}
+				for blade in range(first, first + 4):
+					if field.get_blade_species(Vector2i(x, z), blade) == 1:
+						var knots := field.get_knots(Vector2i(x, z), blade)
+						roots[knots[0]] = true
+						tips[knots[KNOTS - 1].snappedf(0.01)] = true
+				if not roots.is_empty():
+					plants += 1
+					shared += int(roots.size() == 1 and tips.size() == 4)
+	print("    %d of %d plants have four stems at one root" % [shared, plants])
+	assert_eq(shared, plants)
+	assert_near(4.0 * plants / field.get_blade_count(), 0.2, 0.03)
+	var ball_there := add_held_body(ball(0.5), Vector3(0, 0.3, 0))
+	await ticks(20)
+	var tile := field.get_tile_at(Vector3(0.1, 0, 0.1))
+	assert_true(field.is_tile_awake(tile))
+	for first in range(0, BLADES, 4):
+		if field.get_blade_species(tile, first) == 1:  # simulated stems keep their root
+			var root := field.get_knots(tile, first)[0]
+			assert_near(root.distance_to(field.get_knots(tile, first + 3)[0]), 0.0, 1e-6)
+	ball_there.free()

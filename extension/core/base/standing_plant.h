@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A blade of a tile that is drawn by its species' mesh: what chooses species tells the culling.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace grass {
+
+// A plant of a tile.
+struct StandingPlant {
+	uint8_t blade, species;
+	Eigen::Vector2f root; // place in the tile, 0..1
+};
+
+} // namespace grass

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Which plants are drawn by a mesh: those near the cameras that see their tiles. Twin of shaders/plants/plants.glsl.
+#pragma once
+
+#include "core/base/standing_plant.h"
+#include "core/detail/cull.h"
+
+#include <unordered_map>
+
+namespace grass {
+
+class PlantCull {
+public:
+	// Adds the plants of a tile to a list.
+	using PlantsOf = std::function<void(int p_x, int p_z, std::vector<StandingPlant> &r_plants)>;
+	using Distances = std::array<float, GRASS_MAX_SPECIES>; // metres, from there on plants are blades; 0: no mesh
+
+	// What is known of tiles no longer holds: another field or another map.
+	void forget() { _known.clear(); }
+	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const TileCull::SlotOf &p_slot_of,
+			const PlantsOf &p_plants_of, const Distances &p_distances);
+	// Of the last choice: GRASS_INSTANCE_FLOATS each.
+	std::span<const float> get_instances(int p_species) const { return _instances[size_t(p_species)]; }
+	int get_count(int p_species) const { return int(_instances[size_t(p_species)].size()) / GRASS_INSTANCE_FLOATS; }
+	size_t get_memory_usage() const; // bytes
+
+private:
+	using Plants = std::vector<StandingPlant>;
+
+	const Plants &find(int p_index, int p_x, int p_z, const PlantsOf &p_plants_of);
+
+	std::unordered_map<int, Plants> _known; // by tile; looked up only, so its order does not matter
+	std::array<std::vector<float>, GRASS_MAX_SPECIES> _instances;
+};
+
+} // namespace grass

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How one species of a field is drawn by a mesh.
+#pragma once
+
+#include "draw/plant_model.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace grass {
+
+struct DrawnPlant {
+	std::shared_ptr<const PlantModel> model; // null: as blades
+	float distance = 0.0f; // metres; from there on as blades
+	float length = 0.0f, max_length = 0.0f; // of the mean blade, and of the longest; metres
+	float blade_area = 0.0f; // width times length of the mean blade, m^2
+
+	bool operator==(const DrawnPlant &) const = default;
+	// Farthest that the mesh reaches from its blade, metres.
+	float size() const { return model ? model->reach * max_length : 0.0f; }
+	float width() const { return model ? 2.0f * model->reach * length : 0.0f; } // of the mean one, metres
+	float cover() const { return model ? model->area * length * length / std::max(blade_area, 1e-6f) : 0.0f; } // over its blade's
+};
+
+} // namespace grass

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "draw/plants.h"
+
+#include "core/base/layout.h"
+#include "draw/shared_shader.h"
+#include "render_shaders.gen.h"
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+int plant_features(int p_features) {
+	return p_features & (SHADER_MAP | SHADER_SPECIES);
+}
+
+std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_species, int p_features) {
+	std::vector<Ref<ShaderMaterial>> materials;
+	for (const PlantModel::Surface &surface : p_model.surfaces) {
+		Ref<ShaderMaterial> &material = materials.emplace_back();
+		material.instantiate();
+		material->set_shader(shared_shader(shader::PLANT_GDSHADER, plant_features(p_features)));
+		material->set_shader_parameter("segments", GRASS_SEGMENTS);
+		material->set_shader_parameter("plant_species", p_species);
+		material->set_shader_parameter("plant_color", surface.color);
+		material->set_shader_parameter("plant_scissor", surface.scissor);
+		if (surface.texture.is_valid()) {
+			material->set_shader_parameter("plant_texture", surface.texture);
+		}
+	}
+	return materials;
+}
+
+} // namespace
+
+bool Plants::prepare(int p_features) {
+	return (p_features & SHADER_PLANTS) == 0 || prepare_shader(shader::PLANT_GDSHADER, plant_features(p_features));
+}
+
+void Plants::set(
+		const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect, const AABB &p_bounds) {
+	_plants.clear();
+	for (size_t species = 0; species < p_plants.size(); species++) {
+		const DrawnPlant &drawn = p_plants[species];
+		if (!drawn.model) {
+			continue;
+		}
+		Plant &plant = *_plants.emplace_back(std::make_unique<Plant>());
+		plant.species = int(species);
+		plant.drawn = drawn;
+		plant.materials = make_materials(*drawn.model, plant.species, p_features);
+		const Ref<ArrayMesh> mesh = make_plant_mesh(*drawn.model);
+		for (size_t s = 0; s < plant.materials.size(); s++) {
+			mesh->surface_set_material(int32_t(s), plant.materials[s]);
+		}
+		plant.instance.create(mesh, p_rooms[species], p_indirect, p_bounds, Role::BOTH);
+	}
+}
+
+void Plants::set_uniform(const StringName &p_name, const Variant &p_value) {
+	for (const auto &plant : _plants) {
+		for (const Ref<ShaderMaterial> &material : plant->materials) {
+			material->set_shader_parameter(p_name, p_value);
+		}
+	}
+}
+
+void Plants::set_bounds(const AABB &p_bounds) {
+	for (const auto &plant : _plants) {
+		plant->instance.set_bounds(p_bounds);
+	}
+}
+
+void Plants::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, bool p_is_flipped) {
+	for (const auto &plant : _plants) {
+		plant->instance.follow(p_node, p_transform, p_is_flipped);
+	}
+}
+
+int64_t Plants::get_updates() const {
+	int64_t updates = 0;
+	for (const auto &plant : _plants) {
+		updates += plant->instance.get_updates();
+	}
+	return updates;
+}
+
+int64_t Plants::get_memory_usage() const {
+	int64_t bytes = 0;
+	for (const auto &plant : _plants) {
+		bytes += plant->drawn.model->get_memory_usage() + int64_t(plant->instance.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	}
+	return bytes;
+}
+
+} // namespace grass

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What draws a field's plants: for each species with a mesh a MultiMesh of its own, whose instances a backend writes, and materials.
+#pragma once
+
+#include "draw/drawn_plant.h"
+#include "draw/field_instance.h"
+
+#include <godot_cpp/classes/shader_material.hpp>
+#include <godot_cpp/variant/string_name.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+class Plants {
+public:
+	struct Plant {
+		int species;
+		DrawnPlant drawn;
+		FieldInstance instance;
+		std::vector<godot::Ref<godot::ShaderMaterial>> materials; // of the mesh's surfaces
+	};
+
+	// Plants of one species that are drawn at once, at most.
+	static constexpr int ROOM = 65536;
+
+	// Makes one missing shader of fields with p_features (ShaderFeature). Returns whether none was missing.
+	static bool prepare(int p_features);
+	// p_plants: by species. p_rooms: of their MultiMeshes. Uniforms must be set anew.
+	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,
+			const godot::AABB &p_bounds);
+	// Of the materials. A shader ignores what it has not.
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
+	void set_bounds(const godot::AABB &p_bounds);
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_flipped = false);
+
+	bool is_empty() const { return _plants.empty(); }
+	const std::vector<std::unique_ptr<Plant>> &get() const { return _plants; }
+	int64_t get_updates() const; // changes of the node that went to the renderer
+	int64_t get_memory_usage() const; // bytes
+
+private:
+	std::vector<std::unique_ptr<Plant>> _plants;
+};
+
+} // namespace grass

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The passes of a frame that choose the plants to draw by a mesh (shaders/plants/plants.glsl), one for each species that has one. Lives on
+// the render thread, in GpuField.
+#pragma once
+
+#include "core/field/backend_statistics.h"
+#include "core/field/field_setup.h"
+#include "core/plants/species.h"
+#include "gpu/device.h"
+
+#include <godot_cpp/classes/texture2d.hpp>
+#include <godot_cpp/classes/texture2d_array.hpp>
+#include <godot_cpp/variant/vector2.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+// Where species are painted: what the shaders of a field's map read.
+struct PaintedSpecies {
+	godot::Ref<godot::Texture2D> pages;
+	godot::Ref<godot::Texture2DArray> painted;
+	godot::Vector2 origin;
+};
+
+// A MultiMesh of plants.
+struct PlantTarget {
+	godot::RID multimesh;
+	int species, room, surfaces;
+	float distance; // metres; from there on plants are blades
+};
+
+class PlantPasses {
+public:
+	// Lets worker threads make the pass of such a field. Returns whether it is ready.
+	static bool prepare(bool p_is_mapped);
+	// p_setup: of several species; where there are no targets nothing of it is read.
+	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
+	bool is_empty() const { return _targets.empty(); }
+	// Buffers that cull.glsl reads, too, and the patch's texture.
+	struct Shared {
+		godot::RID view, cameras, table, cover, patch, sampler;
+	};
+	// Binds what has changed. False if the MultiMeshes are not there yet.
+	bool bind(const Shared &p_shared, const PaintedSpecies &p_painted);
+	// Whether a binding has changed since the last dispatch.
+	bool has_changed() const;
+	void dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &p_painted);
+	void clear_counts();
+	godot::RID counts() const { return _counts.rid(); }
+	std::vector<PlantTarget> get_targets() const;
+	// How many of these counts have room, and how many have not.
+	static void tell(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
+	int64_t get_memory_usage() const { return _mix.size() + _counts.size(); }
+	// Frees the MultiMeshes' command buffers, too: the engine never does (seen in 4.6).
+	void free();
+
+private:
+	struct Mix { // as plants.glsl has it
+		std::array<ivec4, GRASS_MAX_SPECIES> mix;
+		std::array<int32_t, GRASS_MAX_SPECIES> stems;
+		int32_t count, texel, unused[2];
+	};
+	struct Choosing {
+		PlantTarget target;
+		std::unique_ptr<GpuPass> pass;
+	};
+
+	TileGrid _grid;
+	bool _is_mapped = false, _is_new = false;
+	std::vector<Choosing> _targets;
+	GpuBuffer _mix, _counts; // of the species; plants chosen, by species
+};
+
+} // namespace grass

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: MIT
+## Plants with a mesh: they stand where blades stand, bend and are mown as those are, and far away they are blades.
+extends "res://tests/species_case.gd"
+
+const GREEN := Color(0.3, 0.6, 0.2)
+const VIOLET := Color(0.7, 0.1, 0.7)
+const LENGTH := 0.7  # metres, of all blades
+
+
+## A thin stalk without colour to count, and a violet box on its tip.
+func lollipop(side := 0.12, scissor := 0.0) -> ArrayMesh:
+	var tool := SurfaceTool.new()
+	var box := BoxMesh.new()
+	box.size = Vector3(side, side, side)
+	tool.append_from(box, 0, Transform3D(Basis(), Vector3(0, 1.0 - 0.5 * side, 0)))
+	box.size = Vector3(0.01, 1.0, 0.01)
+	tool.append_from(box, 0, Transform3D(Basis(), Vector3(0, 0.5, 0)))
+	var mesh := tool.commit()
+	var material := StandardMaterial3D.new()
+	material.albedo_color = VIOLET
+	if scissor > 0.0:
+		var image := Image.create_empty(8, 8, false, Image.FORMAT_RGBA8)
+		image.fill(Color(1, 1, 1, 0.3))
+		material.albedo_texture = ImageTexture.create_from_image(image)
+		material.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA_SCISSOR
+		material.alpha_scissor_threshold = scissor
+	mesh.surface_set_material(0, material)
+	return mesh
+
+
+func plant(share: float, properties := {}) -> GrassSpecies:
+	var own := {plant_mesh = lollipop(), length_min = LENGTH, length_max = LENGTH, width_min = 0.004, width_max = 0.004}
+	return make(share, GREEN, own.merged(properties, true))
+
+
+## Few of them, each of which can be looked up.
+func add_plants(species: Array[GrassSpecies], properties := {}) -> GrassField:
+	var sparse := {
+		species = species,
+		size = Vector2(6, 6),
+		density = 4.0,
+		ground = false,
+		border_fade = 0.0,
+		lod_far = 1000.0,
+		pixels_min = 0.0,
+		sleep_mode = GrassField.SLEEP_TIMER,
+		sleep_delay = 30.0
+	}
+	look(Vector3(0, 9, 5), Vector3.ZERO)
+	return add_seen_field(sparse.merged(properties, true))
+
+
+func heads(field: GrassField, of_species := 0) -> PackedVector3Array:
+	var found := PackedVector3Array()
+	var tiles := field.get_tiles()
+	for z in tiles.y:
+		for x in tiles.x:
+			for blade in BLADES:
+				if field.get_blade_species(Vector2i(x, z), blade) == of_species:
+					var knots := field.get_knots(Vector2i(x, z), blade)
+					found.append(knots[KNOTS - 1].lerp(knots[KNOTS - 2], 0.6))
+	return found
+
+
+func share_of_heads(image: Image, places: PackedVector3Array) -> float:
+	var seen := 0
+	for place in places:
+		seen += int(is_violet(image.get_pixelv(Vector2i(camera.unproject_position(place)))))
+	return float(seen) / maxi(places.size(), 1)
+
+
+func keep(image: Image, picture_name: String) -> void:
+	image.save_png(PICTURES + picture_name)
+	print("    %s" % ProjectSettings.globalize_path(PICTURES + picture_name))
+
+
+func test_plants_stand_on_their_species_and_bend_with_them() -> void:
+	var field := add_plants([make(0.5, GREEN), plant(0.5)])
+	await drawn()
+	var rest := heads(field, 1)
+	var grass := heads(field, 0)
+	var gpu := await picture()
+	keep(gpu, "plants.png")
+	print("    %d plants, heads seen on %.3f of them, on %.3f of the grass" % [
+		rest.size(), share_of_heads(gpu, rest), share_of_heads(gpu, grass)
+	])
+	assert_greater(share_of_heads(gpu, rest), 0.97)
+	assert_less(share_of_heads(gpu, grass), 0.35)
+	assert_eq(field.get_statistics().drawn_plants, rest.size())
+	assert_eq(field.get_statistics().left_out_plants, 0)
+	var body := add_held_body(ball(1.2), Vector3(0.2, 0.2, 0.2))
+	body.reparent(viewport)  # into its world
+	await ticks(30)
+	await drawn()
+	var bent := heads(field, 1)
+	var image := await picture()
+	keep(image, "plants_bent.png")
+	var moved := PackedVector3Array()
+	var left := PackedVector3Array()
+	for i in rest.size():
+		if rest[i].distance_to(bent[i]) > 0.25:
+			moved.append(bent[i])
+			left.append(rest[i])
+	print("    %d bent: seen where they are %.3f, where they were %.3f" % [
+		moved.size(), share_of_heads(image, moved), share_of_heads(image, left)
+	])
+	assert_greater(moved.size(), 3)
+	assert_greater(share_of_heads(image, moved), 0.7)
+	assert_less(share_of_heads(image, left), 0.5)
+
+
+func test_both_backends_draw_the_same_plants() -> void:
+	var map := full_map()
+	var field := add_plants([make(0.7, GREEN), plant(0.3, {stems = 4.0})], {map = map, density = 8.0})
+	map.stroke(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 2, strength = 1.0}), Vector2(-2, 0), Vector2(2, 0))
+	await drawn()
+	var gpu := await picture()
+	var count: int = field.get_statistics().drawn_plants
+	keep(gpu, "plants_painted.png")
+	assert_greater(count, 40)
+	assert_eq(count, heads(field, 1).size())
+	assert_greater(share_of_heads(gpu, heads(field, 1)), 0.85)  # heads of one root hide each other
+	field.backend = GrassField.BACKEND_CPU
+	await drawn()
+	assert_eq(field.get_statistics().backend, "CPU")
+	assert_eq(field.get_statistics().drawn_plants, count)
+	var off := difference(gpu, await picture())
+	print("    GPU and CPU: %d plants, mean difference %.5f" % [count, off.y])
+	assert_less(off.y, 0.003)
+
+
+func test_mown_plants_are_cut() -> void:
+	var map := full_map()
+	var field := add_plants([plant(1.0)], {map = map})
+	await drawn()
+	var before := share_of(await picture(), is_violet)
+	map.stroke(brush(GrassBrush.TOOL_CUT, 6.0, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
+	await drawn()
+	var image := await picture()
+	keep(image, "plants_mown.png")
+	print("    violet: %.4f, mown %.4f" % [before, share_of(image, is_violet)])
+	assert_greater(before, 0.01)
+	assert_less(share_of(image, is_violet), 0.25 * before)
+	assert_greater(share_of(image, is_violet), 0.0, "stalks are left")
+
+
+func test_alpha_scissor_cuts_what_is_transparent() -> void:
+	var species := plant(1.0)
+	add_plants([species])
+	await drawn()
+	assert_greater(share_of(await picture(), is_violet), 0.01)
+	species.plant_mesh = lollipop(0.12, 0.2)
+	await drawn()
+	assert_greater(share_of(await picture(), is_violet), 0.01, "0.3 is above 0.2")
+	species.plant_mesh = lollipop(0.12, 0.5)
+	await drawn()
+	assert_eq(share_of(await picture(), is_violet), 0.0, "0.3 is below 0.5")
+
+
+func test_far_plants_are_blades_of_their_colour() -> void:
+	# With a gradient the shaders of species stay, whatever else it has.
+	var species := plant(1.0, {width_min = 0.02, width_max = 0.02, gradient = Gradient.new()})
+	var field := add_plants([species])
+	await drawn()
+	var near := share_of(await picture(), is_violet)
+	var count: int = field.get_statistics().drawn_plants
+	var memory: int = field.get_statistics().memory
+	species.plant_distance = 2.0
+	await drawn()
+	var image := await picture()
+	keep(image, "plants_far.png")
+	print("    violet: near %.4f, as blades %.4f; %d plants" % [near, share_of(image, is_violet), count])
+	assert_greater(count, 100)
+	assert_eq(field.get_statistics().drawn_plants, 0)
+	assert_greater(share_of(image, is_violet), 0.3 * near)
+	species.plant_mesh = null
+	await drawn()
+	assert_eq(share_of(await picture(), is_violet), 0.0)
+	print("    %d bytes for plants" % [memory - int(field.get_statistics().memory)])
+	assert_greater(memory - int(field.get_statistics().memory), count * 80)  # instances alone
+	assert_less(memory - int(field.get_statistics().memory), count * 80 + 50000)
+
+
+func test_plants_cast_shadows() -> void:
+	var field := add_plants([plant(1.0)], {ground = true})
+	var lamp: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
+	lamp.shadow_enabled = true
+	lamp.directional_shadow_max_distance = 20.0
+	var shade := PackedFloat64Array()  # of plants, of blades
+	for mesh: Mesh in [lollipop(0.2), null]:
+		field.species[0].plant_mesh = mesh
+		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+		await drawn()
+		var without := await picture()
+		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
+		await drawn()
+		var image := await picture()
+		shade.append(difference(without, image).y)
+		if mesh != null:
+			keep(image, "plants_shadow.png")
+	print("    shadows change pixels in the mean by %.4f, those of blades by %.4f" % [shade[0], shade[1]])
+	assert_greater(shade[0], 0.001)
+	assert_greater(shade[0], 2.0 * shade[1])
