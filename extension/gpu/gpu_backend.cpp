@@ -117,7 +117,8 @@ bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_species = p_setup.species != nullptr;
 	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method }).can_simulate;
 	const bool has_plants = !p_setup.has_plants || prepare_plants(p_setup.is_mapped);
-	return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup)) && has_passes && has_plants && prepare_patch(p_setup.patch);
+	return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup)) && has_passes && has_plants &&
+			prepare_patch(p_setup.patch);
 }
 
 Prepared GpuBackend::prepare_passes(const PassKind &p_kind) {
@@ -249,8 +250,9 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 void GpuBackend::draw(const FieldView &p_view) {
 	ViewRecords view = to_records(p_view, _setup);
 	view.painted = _painted;
-	RenderQueue::get_singleton()->post([field = _field, records = std::move(view), multimeshes = multimeshes(),
-											   measure = _measure] { field->draw(records, multimeshes, measure); });
+	RenderQueue::get_singleton()->post([field = _field, records = std::move(view), multimeshes = multimeshes(), measure = _measure] {
+		field->draw(records, multimeshes, measure);
+	});
 }
 
 void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {

@@ -210,7 +210,7 @@ func test_presets_have_pictures() -> void:
 		if _pictures.size() == paths.size():
 			break
 	assert_eq(_pictures.size(), paths.size())
-	var sheet := Image.create_empty(4 * 128, 3 * 128, false, Image.FORMAT_RGBA8)
+	var sheet := Image.create_empty(4 * 128, 4 * 128, false, Image.FORMAT_RGBA8)
 	for i in paths.size():
 		var picture: Texture2D = _pictures.get(paths[i])
 		if not assert_true(picture != null, paths[i]):
