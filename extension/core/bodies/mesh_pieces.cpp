@@ -121,7 +121,7 @@ MeshPieces::Future MeshPieces::begin(Points p_corners) {
 	if (begun.size() == REMEMBERED) {
 		begun.pop_front();
 	}
-	const Future future = std::async(std::launch::async, [p_corners] { return make(p_corners); }).share();
+	Future future = std::async(std::launch::async, [p_corners] { return make(p_corners); }).share();
 	begun.emplace_back(std::move(p_corners), future);
 	return future;
 }
