@@ -17,7 +17,8 @@ std::map<Key, Ref<Shader>> shaders;
 
 // Hooks come and go, as nobody's own shaders do.
 void drop_unused() {
-	std::erase_if(shaders, [](const auto &p_entry) { return !std::get<2>(p_entry.first).empty() && p_entry.second->get_reference_count() == 1; });
+	std::erase_if(
+			shaders, [](const auto &p_entry) { return !std::get<2>(p_entry.first).empty() && p_entry.second->get_reference_count() == 1; });
 }
 } // namespace
 

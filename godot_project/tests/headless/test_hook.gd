@@ -4,7 +4,9 @@ extends "res://tests/field_case.gd"
 
 const HOOKS := "res://addons/grass_field/hooks/"
 const HEAD := "void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission) {\n"
-const GLOW := "uniform float ember_glow : hint_range(0, 4) = 0.5;\nuniform sampler2D ember_paint;\n" + HEAD + "\temission = vec3(ember_glow);\n}\n"
+const GLOW := (
+	"uniform float ember_glow : hint_range(0, 4) = 0.5;\nuniform sampler2D ember_paint;\n" + HEAD + "\temission = vec3(ember_glow);\n}\n"
+)
 
 
 func include(code: String) -> ShaderInclude:
