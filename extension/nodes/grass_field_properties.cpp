@@ -144,13 +144,16 @@ bool is_species_property(const StringName &p_name) {
 
 // Scenes and scripts of 0.9.0 go on: a field without species gets one that has the value. One that has species did not read it.
 bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
+	Variant now;
+	const bool is_hooks = _properties.hook.get_property(p_name, now);
+	if (!is_hooks && !is_species_property(p_name)) {
+		return false;
+	}
 	GRASS_MAIN_THREAD_ONLY_V(true);
-	if (_properties.hook.set_property(p_name, p_value)) {
+	if (is_hooks) {
+		_properties.hook.set_property(p_name, p_value);
 		_properties.hook.hand_on(_standing.setter());
 		return true;
-	}
-	if (!is_species_property(p_name)) {
-		return false;
 	}
 	if (_has_own_species || _properties.species.get().is_empty()) {
 		_has_own_species = true;

@@ -10,7 +10,7 @@ const HEATS := 0.55  # of what lights a cell, per second, from a burning neighbo
 const CARRIES := 0.35  # s/m: how much more a neighbour heats down the wind, per m/s
 const LOSES := 0.25  # of its heat that a cell loses in a second
 const STUBBLE := 0.04  # metres
-const WEAR := 0.5
+const WEAR := 0.12  # of a cell; neighbours add theirs
 const LIT := 1.0  # heat at which the driest cell burns
 const DAMP := 0.6  # how much more the dampest takes
 

@@ -19,7 +19,7 @@ const UNITS: Dictionary[String, String] = {
 	shadow_margin = "m",
 }
 const BAD: Array[float] = [NAN, INF, -INF, 0.0, -1.0, 1e30]
-const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "Look", "Level of Detail", "Debug"]
+const GROUPS: Array[String] = ["Field", "Map", "Clumps", "Simulation", "Wind", "Look", "Surface", "Level of Detail", "Debug"]
 
 
 ## The properties of the class itself that are stored in a scene.
