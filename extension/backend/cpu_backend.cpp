@@ -163,7 +163,8 @@ void CpuBackend::choose_plants(const FieldView &p_view) {
 	for (const auto &plant : _plants.get()) {
 		distances[size_t(plant->species)] = plant->drawn.distance;
 	}
-	_plant_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, distances);
+	_plant_cull.choose(
+			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, distances);
 	_statistics.drawn_plants = _statistics.left_out_plants = 0;
 	for (const auto &plant : _plants.get()) {
 		const int count = std::min(_plant_cull.get_count(plant->species), Plants::ROOM);
@@ -269,8 +270,8 @@ int64_t CpuBackend::get_memory_usage() const {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}
 	return bytes + _plants.get_memory_usage() +
-			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() + _slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) +
-					_changed_slots.get_memory_usage());
+			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
+					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _changed_slots.get_memory_usage());
 }
 
 } // namespace grass

@@ -23,7 +23,7 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_
 	_instance = server->instance_create();
 	server->instance_set_base(_instance, _multimesh);
 	server->instance_geometry_set_cast_shadows_setting(_instance,
-			p_role == Role::PICTURE		? RenderingServer::SHADOW_CASTING_SETTING_OFF
+			p_role == Role::PICTURE        ? RenderingServer::SHADOW_CASTING_SETTING_OFF
 					: p_role == Role::BOTH ? RenderingServer::SHADOW_CASTING_SETTING_ON
 										   : RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
 	_casting = GeometryInstance3D::SHADOW_CASTING_SETTING_ON;
@@ -47,9 +47,9 @@ void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 		RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(
 				_instance, RenderingServer::ShadowCastingSetting(int(setting)));
 	}
-	const bool unwanted = _role == Role::BOTH	 ? false
-			: _role == Role::PICTURE			 ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
-												 : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
+	const bool unwanted = _role == Role::BOTH ? false
+			: _role == Role::PICTURE          ? setting == GeometryInstance3D::SHADOW_CASTING_SETTING_SHADOWS_ONLY
+											  : setting == GeometryInstance3D::SHADOW_CASTING_SETTING_OFF;
 	Transform3D transform = p_transform;
 	if (p_is_flipped) {
 		transform.basis.scale_local(Vector3(1, -1, 1));

@@ -55,7 +55,7 @@ bool read_material(const Ref<Material> &p_material, PlantModel::Surface &r_surfa
 	r_surface.texture = material->get_texture(BaseMaterial3D::TEXTURE_ALBEDO);
 	const BaseMaterial3D::Transparency transparency = material->get_transparency();
 	r_surface.scissor = transparency == BaseMaterial3D::TRANSPARENCY_DISABLED ? 0.0f
-			: transparency == BaseMaterial3D::TRANSPARENCY_ALPHA_SCISSOR	  ? float(material->get_alpha_scissor_threshold())
+			: transparency == BaseMaterial3D::TRANSPARENCY_ALPHA_SCISSOR      ? float(material->get_alpha_scissor_threshold())
 																			  : 0.5f;
 	return material->get_flag(BaseMaterial3D::FLAG_ALBEDO_FROM_VERTEX_COLOR);
 }

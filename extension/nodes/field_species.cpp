@@ -180,8 +180,8 @@ void FieldSpecies::warn(PackedStringArray &r_warnings) const {
 			r_warnings.push_back(vformat("Species %d has no blades: %s", int64_t(i), _list[i]->find_patch()->empty_because));
 		}
 		if (_list[i].is_valid() && !_list[i]->get_plant_problem().is_empty()) {
-			r_warnings.push_back(vformat(
-					"`plant_mesh` of species %d is not drawn: %s It grows as blades.", int64_t(i), _list[i]->get_plant_problem()));
+			r_warnings.push_back(
+					vformat("`plant_mesh` of species %d is not drawn: %s It grows as blades.", int64_t(i), _list[i]->get_plant_problem()));
 		}
 		if (_list[i].is_valid() && _list[i]->get_patch().is_valid()) {
 			r_warnings.append_array(_list[i]->get_patch()->find_warnings(vformat("The patch of species %d", int64_t(i))));

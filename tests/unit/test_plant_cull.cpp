@@ -46,7 +46,8 @@ struct Garden {
 	void choose(const std::vector<ViewCamera> &p_cameras, const TileCover *p_cover = nullptr, int p_slot = GRASS_NO_SLOT) {
 		FieldView view;
 		view.cameras = p_cameras;
-		cull.choose(make_field(), view, p_cover, [p_slot](int) { return p_slot; }, plants_of, DISTANCES);
+		cull.choose(
+				make_field(), view, p_cover, [p_slot](int) { return p_slot; }, plants_of, DISTANCES);
 	}
 };
 

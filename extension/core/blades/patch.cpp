@@ -184,7 +184,8 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 	return patch;
 }
 
-Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems) {
+Patch join_patches(
+		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems) {
 	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });
 	if (found == p_patches.end()) {
 		Patch empty = generate_patch({});
@@ -203,7 +204,8 @@ Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std:
 		for (int blade = 0; blade < GRASS_PATCH_BLADES; blade++) {
 			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
 			const int stems = s < p_stems.size() ? p_stems[s] : 1;
-			const uint16_t *place = &first.texels[Patch::texel_index(blade / stems, 0)]; // plants side by side: every nth would stand in rows
+			const uint16_t *place =
+					&first.texels[Patch::texel_index(blade / stems, 0)]; // plants side by side: every nth would stand in rows
 			root[0] = place[0];
 			root[1] = place[1];
 			root[3] = p_patches[s]->is_empty() ? 0 : root[3];

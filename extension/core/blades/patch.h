@@ -73,6 +73,7 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 // The patches of several species as one. Blade b of each stands where blade b of the first one does, so that a root is known
 // before its species is. p_shares: of the species, for what is a mean. Species without blades get some of no width.
 // p_stems: of the species, powers of two: so many blades of one share a root and spread from it. Without: 1 each.
-Patch join_patches(std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems = {});
+Patch join_patches(
+		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems = {});
 
 } // namespace grass

@@ -69,7 +69,8 @@ void PlantCull::choose(const CullField &p_field, const FieldView &p_view, const 
 			const Eigen::Vector3f centre = p_field.grid.get_centre(x, z).cast<float>();
 			const float half_height = 0.5f * (p_field.height + ground.high - ground.low);
 			if (ground.is_bare() ||
-					!is_wanted(p_view, centre + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f), { side, half_height, side }, farthest)) {
+					!is_wanted(p_view, centre + Eigen::Vector3f(0.0f, ground.low + half_height, 0.0f), { side, half_height, side },
+							farthest)) {
 				continue;
 			}
 			const int index = p_field.grid.get_index(x, z), slot = p_slot_of(index);

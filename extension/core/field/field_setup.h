@@ -41,8 +41,8 @@ struct FieldSetup {
 	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows mostly finds room.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card or mesh.
-	// Metres.
+	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card or
+	// mesh. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
 	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }

@@ -149,7 +149,8 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 }
 
 int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const {
-	return choose(p_tile_x, p_tile_z, p_blade, [&p_root](int) { return p_root; }, p_layers);
+	return choose(
+			p_tile_x, p_tile_z, p_blade, [&p_root](int) { return p_root; }, p_layers);
 }
 
 std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const {

@@ -81,9 +81,12 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	var grass := heads(field, 0)
 	var gpu := await picture()
 	keep(gpu, "plants.png")
-	print("    %d plants, heads seen on %.3f of them, on %.3f of the grass" % [
-		rest.size(), share_of_heads(gpu, rest), share_of_heads(gpu, grass)
-	])
+	print(
+		(
+			"    %d plants, heads seen on %.3f of them, on %.3f of the grass"
+			% [rest.size(), share_of_heads(gpu, rest), share_of_heads(gpu, grass)]
+		)
+	)
 	assert_greater(share_of_heads(gpu, rest), 0.97)
 	assert_less(share_of_heads(gpu, grass), 0.35)
 	assert_eq(field.get_statistics().drawn_plants, rest.size())
@@ -101,9 +104,12 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 		if rest[i].distance_to(bent[i]) > 0.25:
 			moved.append(bent[i])
 			left.append(rest[i])
-	print("    %d bent: seen where they are %.3f, where they were %.3f" % [
-		moved.size(), share_of_heads(image, moved), share_of_heads(image, left)
-	])
+	print(
+		(
+			"    %d bent: seen where they are %.3f, where they were %.3f"
+			% [moved.size(), share_of_heads(image, moved), share_of_heads(image, left)]
+		)
+	)
 	assert_greater(moved.size(), 3)
 	assert_greater(share_of_heads(image, moved), 0.7)
 	assert_less(share_of_heads(image, left), 0.5)
