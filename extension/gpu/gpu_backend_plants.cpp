@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What GpuBackend does for plants with a mesh.
+#include "draw/patch_texture.h"
+#include "gpu/gpu_backend.h"
+#include "gpu/gpu_field.h"
+#include "gpu/render_queue.h"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Plants within reach of a camera, if all blades were of the species.
+int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
+	const double size = p_setup.grid.get_tile_size();
+	const double side_x = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_x()) * size),
+				 side_z = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_z()) * size);
+	return int(std::min(side_x * side_z / (size * size) * GRASS_BLADES_PER_TILE + GRASS_BLADES_PER_TILE, double(Plants::ROOM)));
+}
+
+} // namespace
+
+bool GpuBackend::prepare_plants(bool p_is_mapped) {
+	RenderQueue::get_singleton()->post([report = _report, p_is_mapped] {
+		const bool is_ready = PlantPasses::prepare(p_is_mapped);
+		std::lock_guard lock(report->mutex);
+		report->plants_prepared[p_is_mapped ? 1 : 0] = is_ready;
+	});
+	std::lock_guard lock(_report->mutex);
+	return _report->plants_prepared[p_is_mapped ? 1 : 0];
+}
+
+void GpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
+	_materials.set(p_name, p_value);
+	if (_plants.is_empty()) {
+		return;
+	}
+	_plants.set_uniform(p_name, p_value);
+	if (p_name == StringName("map_pages")) {
+		_painted.pages = p_value;
+	} else if (p_name == StringName("map_species")) {
+		_painted.painted = p_value;
+	} else if (p_name == StringName("map_origin")) {
+		_painted.origin = p_value;
+	}
+}
+
+void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
+	(void)p_plants_of; // the GPU finds them
+	const bool has_any = std::ranges::any_of(p_plants, [](const DrawnPlant &p_plant) { return p_plant.model != nullptr; });
+	if (_plants.is_empty() && !has_any) {
+		return;
+	}
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup] { field->set_plants(setup, {}); }); // while they are still there
+	std::vector<int> rooms;
+	for (const DrawnPlant &plant : p_plants) {
+		rooms.push_back(plant_room(_setup, plant));
+	}
+	_plants.set(p_plants, rooms, shader_features(_setup), true, _bounds);
+	set_bounds(_bounds);
+	_painted = {};
+	set_uniform("patch_knots", _patch_texture);
+	set_uniform("pool_knots", _pool_texture);
+	set_uniform("pool_knots_before", _has_motion ? Variant(_pool_before_texture) : Variant());
+	set_uniform("is_flipped", _is_flipped);
+	std::vector<PlantTarget> targets;
+	for (const auto &plant : _plants.get()) {
+		targets.push_back({ plant->instance.multimesh(), plant->species, plant->instance.capacity(), int(plant->materials.size()),
+				plant->drawn.distance });
+	}
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup, targets] { field->set_plants(setup, targets); });
+}
+
+} // namespace grass
