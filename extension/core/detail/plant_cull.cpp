@@ -81,13 +81,14 @@ void PlantCull::choose(const CullField &p_field, const FieldView &p_view, const 
 				if (distance <= 0.0f || !is_near(p_view, centre + Eigen::Vector3f(aside.x(), 0.0f, aside.y()), ground, distance)) {
 					continue;
 				}
+				const uint32_t start = grass_tile_start(column, row, p_field.seed) / GRASS_START_STRIDE;
+				const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
 				const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
 					0.0f, 1.0f, 0.0f, centre.y(), //
 					0.0f, 0.0f, 1.0f, centre.z(), //
 					float(x), float(z), float(plant.blade), 0.0f, //
-					float(grass_tile_start(column, row, p_field.seed) / GRASS_START_STRIDE),
-					float(slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF), grass_tile_hash(column, row, p_field.seed),
-					float(slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF) };
+					float(start), float(slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF),
+					grass_tile_hash(column, row, p_field.seed), float(high) };
 				std::vector<float> &instances = _instances[plant.species];
 				instances.insert(instances.end(), std::begin(values), std::end(values));
 			}

@@ -9,8 +9,8 @@ namespace grass {
 
 namespace {
 
-constexpr char MAGIC[] = "GRASSDIF";
-constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 24, ENTRY_BYTES = 24, CHECKSUM_BYTES = 4;
+constexpr char CHANGE_MAGIC[] = "GRASSDIF";
+constexpr size_t CHANGE_MAGIC_BYTES = 8, CHANGE_HEADER_BYTES = 24, CHANGE_ENTRY_BYTES = 24, CHANGE_CHECKSUM_BYTES = 4;
 constexpr size_t MOST_CHANGES = PaintMap::MAX_CHUNKS * MAP_CHANNELS;
 
 struct Change {
@@ -52,18 +52,18 @@ Changes refuse(std::string p_reason) {
 
 // The table, with all that can be wrong about it.
 Changes read_table(std::span<const uint8_t> p_bytes) {
-	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
+	if (p_bytes.size() < CHANGE_MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), CHANGE_MAGIC, CHANGE_MAGIC_BYTES) != 0) {
 		return refuse("are no changes of a grass map: they do not begin with \"GRASSDIF\"");
 	}
-	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
+	const uint32_t version = get_u32(p_bytes, CHANGE_MAGIC_BYTES);
 	if (version != MAP_CHANGES_VERSION) {
 		return refuse("are of another version of this addon (format " + std::to_string(version) + ", this one reads " +
 				std::to_string(MAP_CHANGES_VERSION) + "). Server and clients need the same");
 	}
-	if (p_bytes.size() < HEADER_BYTES + CHECKSUM_BYTES) {
+	if (p_bytes.size() < CHANGE_HEADER_BYTES + CHANGE_CHECKSUM_BYTES) {
 		return refuse("are cut off in their header");
 	}
-	const size_t end = p_bytes.size() - CHECKSUM_BYTES;
+	const size_t end = p_bytes.size() - CHANGE_CHECKSUM_BYTES;
 	if (get_u32(p_bytes, end) != checksum(p_bytes.first(end))) {
 		return refuse("are damaged or cut off: their checksum is wrong");
 	}
@@ -71,12 +71,13 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 	changes.base_before = get_u32(p_bytes, 12);
 	changes.base_after = get_u32(p_bytes, 16);
 	const size_t count = get_u32(p_bytes, 20);
-	if (changes.base_before > 255 || changes.base_after > 255 || count > MOST_CHANGES || HEADER_BYTES + count * ENTRY_BYTES > end) {
+	if (changes.base_before > 255 || changes.base_after > 255 || count > MOST_CHANGES ||
+			CHANGE_HEADER_BYTES + count * CHANGE_ENTRY_BYTES > end) {
 		return refuse("are damaged: their header makes no sense");
 	}
-	size_t at = HEADER_BYTES + count * ENTRY_BYTES;
+	size_t at = CHANGE_HEADER_BYTES + count * CHANGE_ENTRY_BYTES;
 	for (size_t n = 0; n < count; n++) {
-		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES, size = get_u32(p_bytes, entry + 20);
+		const size_t entry = CHANGE_HEADER_BYTES + n * CHANGE_ENTRY_BYTES, size = get_u32(p_bytes, entry + 20);
 		const uint32_t channel = get_u32(p_bytes, entry + 8);
 		if (channel >= MAP_CHANNELS || size > end - at) {
 			return refuse("are damaged: change " + std::to_string(n + 1) + " of " + std::to_string(count) + " makes no sense");
@@ -148,7 +149,7 @@ MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const 
 	if (count == 0 && base_before == base) {
 		return {};
 	}
-	MapBytes bytes(MAGIC, MAGIC + MAGIC_BYTES);
+	MapBytes bytes(CHANGE_MAGIC, CHANGE_MAGIC + CHANGE_MAGIC_BYTES);
 	for (const uint32_t value : { MAP_CHANGES_VERSION, base_before, base, count }) {
 		put_u32(bytes, value);
 	}

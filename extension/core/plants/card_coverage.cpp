@@ -26,7 +26,7 @@ void keep_card_coverage(std::span<uint8_t> r_rgba, double p_coverage) {
 	for (size_t i = ALPHA; i < r_rgba.size(); i += TEXEL) {
 		texels[r_rgba[i]]++;
 	}
-	const size_t wanted = size_t(std::lround(p_coverage * double(r_rgba.size() / TEXEL)));
+	const size_t all = r_rgba.size() / TEXEL, wanted = size_t(std::lround(p_coverage * double(all)));
 	// All above this alpha are drawn, and some of those that have it.
 	size_t edge = 255, above = 0;
 	while (edge > 0 && above + texels[edge] < wanted) {
