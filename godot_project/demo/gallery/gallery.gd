@@ -41,6 +41,7 @@ func show_view(name: String) -> void:
 		_place = Place.new(view.place, _options.size == "small")
 		add_child(_place)
 	_place.show_at(view.target)
+	_place.set_weather(view.with)
 	if _light:
 		_light.free()
 	_light = Light.new(view)

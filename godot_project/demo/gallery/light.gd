@@ -21,7 +21,8 @@ func _init(view: Dictionary) -> void:
 		"night":
 			_set_sky(Color(0.006, 0.009, 0.02), Color(0.015, 0.02, 0.035), 1.0)
 	for what: String in view.with:
-		call("_add_" + what)
+		if has_method("_add_" + what):  # the rest is the place's
+			call("_add_" + what)
 
 
 func _set_sky(top: Color, horizon: Color, energy: float) -> void:

@@ -4,6 +4,7 @@ extends Node3D
 
 const Terrain := preload("res://demo/terrain.gd")
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
+const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
 const EARTH := Color(0.2, 0.2, 0.1)
 const SMALL := 20.0  # metres, the side of a field in software
 ## Side of the field in metres, blades a square metre, species.
@@ -11,6 +12,7 @@ const KINDS := {
 	meadow = [240.0, 600.0, ["meadow", "hay_meadow", "clover", "daisy"]],
 	hills = [96.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
 	painted = [120.0, 500.0, ["meadow", "tall_dry_grass", "daisy"]],
+	plants = [40.0, 300.0, ["meadow", "fern", "ox_eye_daisy", "small_shrub"]],
 	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
 }
 
@@ -49,9 +51,16 @@ func _ready() -> void:
 		_paint()
 
 
+## Snow and rain, of what a view has with it.
+func set_weather(with: Array) -> void:
+	field.snow = 0.6 if "snow" in with else 0.0
+	field.wetness = 1.0 if "rain" in with else 0.0
+	field.surface_hook = load(WEATHER) if field.snow + field.wetness > 0.0 else null
+
+
 ## A small field stands where the camera looks.
 func show_at(place: Vector3) -> void:
-	if _is_small and kind == "meadow":
+	if _is_small and kind in ["meadow", "plants"]:
 		field.position = Vector3(place.x, 0, place.z)
 
 
