@@ -67,7 +67,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.is_mapped = p_properties.map.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
 	setup.card_size = p_properties.species.find_card_size();
-	wanted.plants = p_properties.species.find_plants();
+	wanted.plants = p_properties.species.find_plants(p_properties.param(PARAM_DENSITY));
 	for (const DrawnPlant &plant : wanted.plants) {
 		setup.plant_size = std::max(setup.plant_size, plant.size());
 	}

@@ -80,7 +80,7 @@ void FieldProperties::warn_of_blades(PackedStringArray &r_warnings) const {
 	if (species.prepare_patches() && species.join()->is_empty()) {
 		r_warnings.push_back(vformat("No grass grows: %s", species.join()->empty_because));
 	}
-	species.warn(r_warnings);
+	species.warn(r_warnings, param(PARAM_DENSITY));
 }
 
 void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {

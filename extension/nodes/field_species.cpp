@@ -144,12 +144,14 @@ std::vector<int> FieldSpecies::find_stems() const {
 	return stems;
 }
 
-std::vector<DrawnPlant> FieldSpecies::find_plants() const {
+std::vector<DrawnPlant> FieldSpecies::find_plants(double p_density) const {
 	std::vector<DrawnPlant> plants;
+	const std::vector<double> shares = find_shares();
 	for (const Ref<GrassSpecies> &species : find_used()) {
+		const double density = p_density * shares[plants.size()];
 		DrawnPlant &plant = plants.emplace_back();
 		plant.model = species->find_plant();
-		plant.distance = float(species->get_plant_distance());
+		plant.distance = float(near_plants(species->get_plant_distance(), density, plant.model ? plant.model->vertices : 0));
 		if (const std::shared_ptr<const Patch> patch = plant.model ? species->find_patch() : nullptr) {
 			plant.length = patch->mean_length;
 			plant.max_length = patch->max_length * CLUMP_TALLEST;
@@ -167,7 +169,19 @@ float FieldSpecies::find_card_size() const {
 	return float(most);
 }
 
-void FieldSpecies::warn(PackedStringArray &r_warnings) const {
+void FieldSpecies::warn_of_plants(int64_t p_species, double p_density, PackedStringArray &r_warnings) const {
+	const Ref<GrassSpecies> &species = _list[size_t(p_species)];
+	const int64_t vertices = species->find_plant()->vertices;
+	const double distance = species->get_plant_distance(), near = near_plants(distance, p_density, vertices);
+	if (near < distance) {
+		r_warnings.push_back(
+				vformat("`plant_mesh` of species %d is drawn up to %.1f m, not up to its `plant_distance`: it has %d vertices, "
+						"and %.1f plants stand on a square metre. Lower `density`, the species' `share`, or its vertices.",
+						p_species, near, vertices, p_density));
+	}
+}
+
+void FieldSpecies::warn(PackedStringArray &r_warnings, double p_density) const {
 	if (_list.size() > GRASS_MAX_SPECIES) {
 		r_warnings.push_back(
 				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
@@ -182,6 +196,9 @@ void FieldSpecies::warn(PackedStringArray &r_warnings) const {
 		if (_list[i].is_valid() && !_list[i]->get_plant_problem().is_empty()) {
 			r_warnings.push_back(
 					vformat("`plant_mesh` of species %d is not drawn: %s It grows as blades.", int64_t(i), _list[i]->get_plant_problem()));
+		}
+		if (_list[i].is_valid() && _list[i]->find_plant()) {
+			warn_of_plants(int64_t(i), p_density * find_shares()[i], r_warnings);
 		}
 		if (_list[i].is_valid() && _list[i]->get_patch().is_valid()) {
 			r_warnings.append_array(_list[i]->get_patch()->find_warnings(vformat("The patch of species %d", int64_t(i))));

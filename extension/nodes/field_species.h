@@ -50,17 +50,18 @@ public:
 	std::vector<GrownSpecies> find_grown() const;
 	// Radius of the largest flower or seed head around its tip, metres; a card on a thinned tile is drawn larger.
 	float find_card_size() const;
-	// The meshes that species have, in the order of find_used(); null: none.
-	std::vector<DrawnPlant> find_plants() const;
+	// The meshes that species have, in the order of find_used(); null: none. p_density: blades a square metre.
+	std::vector<DrawnPlant> find_plants(double p_density) const;
 	std::vector<int> find_stems() const; // that share a root
 	bool is_joined() const; // the patch of join() is of the species as they are
 	// All species' blades as one patch, the same one until they change.
 	std::shared_ptr<const Patch> join() const;
-	void warn(godot::PackedStringArray &r_warnings) const;
+	void warn(godot::PackedStringArray &r_warnings, double p_density) const;
 
 private:
 	std::vector<std::shared_ptr<const Patch>> find_patches() const;
 	std::vector<double> find_shares() const;
+	void warn_of_plants(int64_t p_species, double p_density, godot::PackedStringArray &r_warnings) const;
 
 	List _list; // may hold empty ones
 	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares

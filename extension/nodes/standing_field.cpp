@@ -135,7 +135,7 @@ bool StandingField::update_species() {
 	const FieldSetup &setup = _field.get_setup();
 	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
 			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size ||
-			species.find_plants() != _plants) {
+			species.find_plants(_properties.param(PARAM_DENSITY)) != _plants) {
 		return false;
 	}
 	set_species_uniforms();

@@ -255,3 +255,13 @@ TEST_CASE("species: the stems of a plant are one species, in the share that was 
 	CHECK(in_grass == 0);
 	CHECK(border > 1000);
 }
+
+TEST_CASE("plants with a mesh are drawn up to their distance, or as far as so many vertices stand") {
+	CHECK(near_plants(30.0, 0.1, 1000) == 30.0);
+	CHECK(near_plants(30.0, 100.0, 0) == 30.0); // no mesh
+	CHECK(near_plants(30.0, 0.0, 1000) == 30.0); // none grows
+	const double near = near_plants(30.0, 20.0, 1000);
+	CHECK(near < 30.0);
+	CHECK(20.0 * 1000.0 * 3.14159265 * near * near == doctest::Approx(NEAR_PLANT_VERTICES));
+	CHECK(near_plants(1000.0, 20.0, 1000) == near);
+}

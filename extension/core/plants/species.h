@@ -45,6 +45,13 @@ inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0
 inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0 };
 static_assert(GRASS_START_STRIDE % int(PLANT_STEMS.maximum) == 0);
 
+// Vertices of a species' plants around a camera, all the way round, at most: each is posed in the depth prepass, the picture and each
+// cascade of a shadow.
+inline constexpr double NEAR_PLANT_VERTICES = 2e6;
+
+// How far plants are drawn by their mesh, metres: p_distance, or less where more vertices would be near. p_density: plants a square metre.
+double near_plants(double p_distance, double p_density, int64_t p_vertices);
+
 // Values outside of the tunables' ranges are clamped, NaN counts as the default.
 struct SpeciesParams {
 	double share = SPECIES_SHARE.initial;

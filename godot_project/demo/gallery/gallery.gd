@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## The same grass in many lights and from many places: one view after the other, each with 4x MSAA and with TAA. Started with
 ## `-- --out DIR` (`./grass gallery`) it takes the pictures of all views and writes `gallery.json`, what they show, then ends.
-##   --only NAME    that view alone
+##   --only NAMES   these views alone, with commas between
 ##   --size small   small fields: for software rendering
 ## Else the keys left and right change the view.
 extends Node3D
@@ -10,7 +10,7 @@ const Views := preload("res://demo/gallery/views.gd")
 const Place := preload("res://demo/gallery/place.gd")
 const Light := preload("res://demo/gallery/light.gd")
 const COMPILING := 150_000  # milliseconds
-const SETTLE := {true: 6, false: 90}  # frames until TAA, fog and global light stand still: in software, on a GPU
+const SETTLE := {true: 6, false: 40}  # frames until TAA, fog and global light stand still: in software, on a GPU
 
 var shown := 0
 
@@ -55,11 +55,13 @@ func _record(folder: String) -> void:
 	var software: bool = RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
 	var rows: Array[Dictionary] = []
 	for name: String in Views.ALL:
-		if _options.only in ["", name]:
+		if not _options.only or name in _options.only.split(","):
 			show_view(name)
 			rows.append({name = name, about = Views.ALL[name].about, settings = Views.settings(name) + _place.facts()})
-			await _take(folder.path_join(name), SETTLE[software])
-			print("%s: %d blades" % [name, _place.field.get_blade_count()])
+			var times := await _take(folder.path_join(name), SETTLE[software])
+			if not software:
+				rows[-1].settings.append("GPU time of a frame: %.1f ms, %.1f ms" % times)
+			print("%s: %s; %.1f ms on the CPU" % [name, ", ".join(rows[-1].settings), _place.field.get_statistics().frame_ms])
 	var about := {device = RenderingServer.get_video_adapter_name(), views = rows}
 	var file := FileAccess.open(folder.path_join("gallery.json"), FileAccess.WRITE)
 	if file == null:
@@ -68,8 +70,11 @@ func _record(folder: String) -> void:
 	file.store_string(JSON.stringify(about, "\t") + "\n")
 
 
-func _take(path: String, settle: int) -> void:
+## Returns the GPU's milliseconds for a frame of each picture.
+func _take(path: String, settle: int) -> Array[float]:
+	var times: Array[float] = []
 	var viewport := get_viewport()
+	RenderingServer.viewport_set_measure_render_time(viewport.get_viewport_rid(), true)
 	for uses_taa: bool in [false, true]:
 		viewport.msaa_3d = Viewport.MSAA_DISABLED if uses_taa else Viewport.MSAA_4X
 		viewport.use_taa = uses_taa
@@ -78,9 +83,11 @@ func _take(path: String, settle: int) -> void:
 		while _place.field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
 			await get_tree().process_frame
 		await _frames(settle)
+		times.append(RenderingServer.viewport_get_measured_render_time_gpu(viewport.get_viewport_rid()))
 		var error := viewport.get_texture().get_image().save_jpg(path + ("_taa.jpg" if uses_taa else "_msaa.jpg"), 0.92)
 		if error != OK:
 			push_error("Gallery: cannot write %s (%s)." % [path, error_string(error)])
+	return times
 
 
 func _frames(count: int) -> void:

@@ -12,9 +12,12 @@ const KINDS := {
 	meadow = [240.0, 600.0, ["meadow", "hay_meadow", "clover", "daisy"]],
 	hills = [96.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
 	painted = [120.0, 500.0, ["meadow", "tall_dry_grass", "daisy"]],
-	plants = [40.0, 300.0, ["meadow", "fern", "ox_eye_daisy", "small_shrub"]],
+	plants = [40.0, 60.0, ["meadow", "fern", "ox_eye_daisy", "small_shrub"]],
 	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
 }
+
+## Shares of plants with a mesh, fewer than where they stand alone.
+const THINNED := {fern = 0.2, small_shrub = 0.04}
 
 var kind: String
 var field := GrassField.new()
@@ -33,6 +36,9 @@ func _init(p_kind: String, is_small: bool) -> void:
 	var species: Array[GrassSpecies] = []
 	for name: String in row[2]:
 		species.append(load(PRESETS % name))
+		if name in THINNED:
+			species[-1] = species[-1].duplicate()
+			species[-1].share = THINNED[name]
 	field.species = species
 	add_child(field)
 	if kind == "hills":
