@@ -122,3 +122,12 @@ func assert_waking_is_not_seen(field: GrassField) -> void:
 	await ticks(3)
 	if assert_greater(field.get_awake_tile_count(), 0):
 		assert_less(difference(asleep, await picture()).y, 5e-4)
+
+
+## Of all pixels.
+func mean(image: Image) -> Color:
+	var sum := Color(0, 0, 0, 0)
+	for y in image.get_height():
+		for x in image.get_width():
+			sum += image.get_pixel(x, y)
+	return sum / (image.get_width() * image.get_height())

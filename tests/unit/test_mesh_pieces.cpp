@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "hulls.h"
+
 #include "core/bodies/mesh_pieces.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +12,7 @@
 #include <numbers>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
@@ -52,19 +55,6 @@ Corners make_ring() {
 		}
 	}
 	return corners;
-}
-
-// How far a place is outside of all hulls; below 0: inside of one. Metres.
-double outside_of(const std::vector<Hull> &p_hulls, const Eigen::Vector3d &p_place) {
-	double least = std::numeric_limits<double>::infinity();
-	for (const Hull &hull : p_hulls) {
-		double most = -std::numeric_limits<double>::infinity();
-		for (const Eigen::Vector4f &plane : hull.planes) {
-			most = std::max(most, plane.head<3>().cast<double>().dot(p_place - hull.centre) - double(plane.w()));
-		}
-		least = std::min(least, most);
-	}
-	return least;
 }
 
 double farthest_corner(const std::vector<Hull> &p_hulls, const Corners &p_corners) {

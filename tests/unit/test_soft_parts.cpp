@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "hulls.h"
+
 #include "core/bodies/soft_parts.h"
 
 #include <doctest/doctest.h>
@@ -8,6 +10,7 @@
 #include <numbers>
 
 using namespace grass;
+using namespace grass::test;
 
 namespace {
 
@@ -54,19 +57,6 @@ std::vector<Eigen::Vector3d> places_of(const SoftParts &p_parts, const std::vect
 		places.push_back(p_points[size_t(point)]);
 	}
 	return places;
-}
-
-// How far a place is outside of all hulls; below 0: inside of one. Metres.
-double outside_of(const std::vector<Hull> &p_hulls, const Eigen::Vector3d &p_place) {
-	double least = std::numeric_limits<double>::infinity();
-	for (const Hull &hull : p_hulls) {
-		double most = -std::numeric_limits<double>::infinity();
-		for (const Eigen::Vector4f &plane : hull.planes) {
-			most = std::max(most, plane.head<3>().cast<double>().dot(p_place - hull.centre) - double(plane.w()));
-		}
-		least = hull.planes.empty() ? least : std::min(least, most);
-	}
-	return least;
 }
 
 } // namespace

@@ -23,14 +23,6 @@ func save(image: Image, name: String) -> void:
 	image.save_png(PICTURES + "hook_%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
 
 
-func mean(image: Image) -> Color:
-	var sum := Color(0, 0, 0, 0)
-	for y in image.get_height():
-		for x in image.get_width():
-			sum += image.get_pixel(x, y)
-	return sum / (image.get_width() * image.get_height())
-
-
 ## A picture of the field with a hook that shows `what`, an expression of s, as light of its own. Linear.
 func shown(field: GrassField, what: String) -> Color:
 	field.surface_hook = hook(HEAD + "\talbedo = vec3(0.0);\n\temission = vec3(%s);\n}\n" % what)

@@ -38,14 +38,6 @@ func to_lab(color: Color) -> Vector3:
 	return Vector3(116.0 * f.call(y) - 16.0, 500.0 * (f.call(x) - f.call(y)), 200.0 * (f.call(y) - f.call(z)))
 
 
-func mean(image: Image) -> Color:
-	var sum := Color(0, 0, 0, 0)
-	for y in image.get_height():
-		for x in image.get_width():
-			sum += image.get_pixel(x, y)
-	return sum / (image.get_width() * image.get_height())
-
-
 ## Light from straight behind the eye: 0; from its right: 90.
 func shine(from: float, has_shadows: bool, ambient := 0.35) -> void:
 	sun.visible = true
