@@ -5,8 +5,8 @@
 
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/image.hpp>
-#include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/packed_color_array.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
@@ -75,8 +75,8 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 	PackedVector2Array uvs = from[Mesh::ARRAY_TEX_UV];
 	PlantModel::Surface surface;
 	const bool shows_colors = read_material(p_mesh->surface_get_material(p_surface), surface) && colors.size() == places.size();
-	PackedByteArray tints;
-	tints.resize(places.size() * 4);
+	PackedFloat32Array tints;
+	tints.resize(places.size() * 3);
 	const bool has_normals = normals.size() == places.size();
 	normals.resize(places.size());
 	uvs.resize(places.size());
@@ -86,9 +86,9 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 		r_model.reach = std::max({ r_model.reach, float(std::hypot(place.x, place.z)), -float(place.y) });
 		normals.set(i, has_normals ? normals[i] : Vector3(0, 1, 0));
 		const Color tint = shows_colors ? colors[i] : Color(1, 1, 1);
-		const float channels[4] = { float(tint.r), float(tint.g), float(tint.b), float(tint.a) };
-		for (int64_t c = 0; c < 4; c++) {
-			tints.set(4 * i + c, uint8_t(std::lround(255.0f * std::clamp(channels[c], 0.0f, 1.0f))));
+		const float channels[3] = { float(tint.r), float(tint.g), float(tint.b) };
+		for (int64_t c = 0; c < 3; c++) {
+			tints.set(3 * i + c, std::clamp(channels[c], 0.0f, 1.0f));
 		}
 	}
 	if (indices.is_empty()) {
@@ -119,7 +119,7 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 } // namespace
 
 int64_t PlantModel::get_memory_usage() const {
-	constexpr int64_t VERTEX = 12 + 4 + 8 + 4; // place, normal, UV, colour
+	constexpr int64_t VERTEX = 12 + 4 + 8 + 12; // place, normal, UV, colour
 	return vertices * VERTEX + indices * (vertices > 65536 ? 4 : 2);
 }
 
@@ -166,7 +166,8 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 Ref<ArrayMesh> make_plant_mesh(const PlantModel &p_model) {
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
-	const int64_t format = int64_t(Mesh::ARRAY_CUSTOM_RGBA8_UNORM) << Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT;
+	// Not four bytes: the Compatibility renderer reads as many channels of a format as it has floats, so their red alone (seen in 4.6).
+	const int64_t format = int64_t(Mesh::ARRAY_CUSTOM_RGB_FLOAT) << Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT;
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, surface.arrays, TypedArray<Array>(), Dictionary(), format);
 	}

@@ -187,23 +187,37 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 	assert_less(memory - int(field.get_statistics().memory), count * 80 + 50000)
 
 
-func test_plants_cast_shadows() -> void:
-	var field := add_plants([plant(1.0)], {ground = true})
+## The mean change of a pixel by the shadows of plants, and by those of blades without a mesh.
+func shades(species: GrassSpecies, mesh: Mesh, picture_name: String) -> Vector2:
+	var field := add_plants([species], {ground = true})
 	var lamp: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
 	lamp.shadow_enabled = true
 	lamp.directional_shadow_max_distance = 20.0
-	var shade := PackedFloat64Array()  # of plants, of blades
-	for mesh: Mesh in [lollipop(0.2), null]:
-		field.species[0].plant_mesh = mesh
+	var shade := Vector2.ZERO
+	for of_blades in 2:
+		species.plant_mesh = null if of_blades else mesh
 		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 		await drawn()
 		var without := await picture()
 		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
 		await drawn()
 		var image := await picture()
-		shade.append(difference(without, image).y)
-		if mesh != null:
-			keep(image, "plants_shadow.png")
-	print("    shadows change pixels in the mean by %.4f, those of blades by %.4f" % [shade[0], shade[1]])
-	assert_greater(shade[0], 0.001)
-	assert_greater(shade[0], 2.0 * shade[1])
+		shade[of_blades] = difference(without, image).y
+		if not of_blades:
+			keep(image, picture_name)
+	print("    shadows change pixels in the mean by %.4f, those of blades by %.4f" % [shade.x, shade.y])
+	return shade
+
+
+func test_plants_cast_shadows() -> void:
+	var shade := await shades(plant(1.0), lollipop(0.2), "plants_shadow.png")
+	assert_greater(shade.x, 0.001)
+	assert_greater(shade.x, 2.0 * shade.y)
+
+
+func test_the_blade_of_a_near_plant_casts_no_shadow() -> void:
+	var gradient := Gradient.new()  # the shaders of species stay, whatever else it has
+	var wide := plant(1.0, {width_min = 0.08, width_max = 0.08, gradient = gradient})
+	var shade := await shades(wide, lollipop(0.01), "plants_shadow_thin.png")
+	assert_greater(shade.y, 0.001)
+	assert_less(shade.x, 0.4 * shade.y)
