@@ -106,14 +106,45 @@ func errors_of(frame_count: int, each_frame: Callable) -> Vector2:
 
 
 ## A field of few blades, one of which the camera sees, and nothing else: its tip.
-func add_one_blade(wind_speed: float) -> GrassField:
-	var field := add_seen_field({size = Vector2(2, 2), density = 4.0, wind_speed = wind_speed, ground = false})
+func add_one_blade(wind_speed: float, properties := {}) -> GrassField:
+	var sparse := {size = Vector2(2, 2), density = 4.0, wind_speed = wind_speed, ground = false}
+	var field := add_seen_field(sparse.merged(properties, true))
 	await ticks(2)
 	var knots := field.get_knots(Vector2i.ZERO, 0)
 	look(knots[9] + Vector3(0, 0, 0.4), knots[9])
 	camera.far = 0.8
 	await drawn()
 	return field
+
+
+## A green stalk, drawn in place of the blade.
+func stalks() -> Dictionary:
+	var box := BoxMesh.new()
+	box.size = Vector3(0.02, 1.0, 0.02)
+	var tool := SurfaceTool.new()
+	tool.append_from(box, 0, Transform3D(Basis(), Vector3(0, 0.5, 0)))
+	var mesh := tool.commit()
+	var material := StandardMaterial3D.new()
+	material.albedo_color = Color(0.2, 0.7, 0.1)
+	mesh.surface_set_material(0, material)
+	var species := GrassSpecies.new()
+	species.plant_mesh = mesh
+	return {species = [species] as Array[GrassSpecies]}
+
+
+func test_a_plant_in_the_wind() -> void:
+	var field := await add_one_blade(5.0, stalks())
+	assert_greater(field.get_statistics().drawn_plants, 0)
+	Engine.time_scale = 6.0
+	var found := await errors_of(40, func(_frame: int) -> void: pass)
+	Engine.time_scale = 1.0
+	assert_less(found.x, 0.5)
+	assert_greater(found.y, 1.0)
+
+
+func test_a_plant_that_a_ball_pushes() -> void:
+	var field := await add_one_blade(0.0, stalks())
+	await push_tip(field)
 
 
 func test_wind() -> void:
@@ -134,6 +165,10 @@ func test_a_field_that_moves() -> void:
 
 func test_a_blade_that_a_ball_pushes() -> void:
 	var field := await add_one_blade(0.0)
+	await push_tip(field)
+
+
+func push_tip(field: GrassField) -> void:
 	var tip := field.get_knots(Vector2i.ZERO, 0)[-1]
 	var body := AnimatableBody3D.new()
 	body.sync_to_physics = false
