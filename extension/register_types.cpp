@@ -18,6 +18,7 @@
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_path_3d.h"
 #include "nodes/grass_species.h"
 #include "nodes/scene_watch.h"
 
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
 		GDREGISTER_CLASS(grass::GrassExclusion3D);
+		GDREGISTER_CLASS(grass::GrassPath3D);
 		GDREGISTER_CLASS(grass::GrassForce3D);
 		GDREGISTER_CLASS(grass::GrassBoneColliders3D);
 		GDREGISTER_CLASS(grass::GrassField);
