@@ -91,6 +91,7 @@ void BrushToolbar::put_tool_down() {
 	for (Button *button : _tools) {
 		button->set_pressed(false);
 	}
+	_why->set_pressed(false);
 }
 
 void BrushToolbar::nudge(Number p_number, int p_notches) {

@@ -23,6 +23,7 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
+	_answer.create();
 	_export_check.instantiate();
 	add_export_plugin(_export_check);
 	_species_preview.instantiate();
@@ -35,6 +36,7 @@ void GrassEditorPlugin::_exit_tree() {
 	put_down();
 	_watch.forget();
 	_ring.free();
+	_answer.free();
 	remove_export_plugin(_export_check);
 	_export_check.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
@@ -110,9 +112,11 @@ void GrassEditorPlugin::finish_stroke() {
 void GrassEditorPlugin::put_down() {
 	finish_stroke();
 	_ring.hide();
+	_answer.hide();
 }
 
 void GrassEditorPlugin::_tool_changed() {
+	_answer.hide();
 	if (!_toolbar->has_tool()) {
 		put_down();
 	}

@@ -3,6 +3,7 @@
 // as the library is loaded; nothing to enable.
 #pragma once
 
+#include "editor/answer_view.h"
 #include "editor/brush_toolbar.h"
 #include "editor/export_check.h"
 #include "editor/ground_watch.h"
@@ -51,9 +52,10 @@ private:
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
 	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
+	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
-	void put_down(); // ends the stroke, hides the ring
+	void put_down(); // ends the stroke, hides the ring and the answer
 	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
 	void _bake_pressed();
@@ -66,6 +68,7 @@ private:
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	RingView _ring;
+	AnswerView _answer;
 	double _event_us = 0.0;
 };
 

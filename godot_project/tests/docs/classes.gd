@@ -155,6 +155,12 @@ func grass_field_density_at() -> void:
 	assert_near(stage.locals.speed, 5.0, 1e-6, "in a clearing")
 
 
+func grass_field_explain() -> void:
+	var stage := await ran()
+	assert_eq(stage.locals.why.reason, GrassField.REASON_NONE)
+	assert_true(stage.locals.why.text.contains("stands here"))
+
+
 func grass_field_fill() -> void:
 	var rule := GrassFillRule.new()
 	rule.density = 0.25

@@ -67,6 +67,8 @@ func test_a_hedge_is_planted_whatever_the_rule_says() -> void:
 	await frames(2)
 	assert_eq(_density(field, 0, 33), 1.0)
 	assert_eq(_density(field, -10, 32), 0.0, "what hands erased stays")
+	var answer := field.explain(Vector3(10, 0, 32))
+	assert_eq(answer.reason, GrassField.REASON_FILL_NODE)
 
 
 func test_a_path_of_some_fields_and_a_curve_of_two() -> void:
