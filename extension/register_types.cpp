@@ -54,6 +54,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
+		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
 		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
 		for (const std::string_view &text : grass::CLASS_DOCS) {

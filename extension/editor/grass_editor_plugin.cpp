@@ -28,6 +28,9 @@ void GrassEditorPlugin::_enter_tree() {
 	add_export_plugin(_export_check);
 	_species_preview.instantiate();
 	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(_species_preview);
+	_size_handles.instantiate();
+	_size_handles->create_materials();
+	add_node_3d_gizmo_plugin(_size_handles);
 	set_process(true);
 }
 
@@ -41,6 +44,8 @@ void GrassEditorPlugin::_exit_tree() {
 	_export_check.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
 	_species_preview.unref();
+	remove_node_3d_gizmo_plugin(_size_handles);
+	_size_handles.unref();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_toolbar->queue_free();
 	_toolbar = nullptr;

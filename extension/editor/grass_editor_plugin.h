@@ -9,6 +9,7 @@
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
+#include "editor/size_handles.h"
 #include "editor/species_preview.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -64,6 +65,7 @@ private:
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<ExportCheck> _export_check;
 	godot::Ref<SpeciesPreview> _species_preview;
+	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _field_id = 0; // of the selected field; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;

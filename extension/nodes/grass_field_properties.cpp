@@ -23,6 +23,7 @@ void GrassField::set_size(const Vector2 &p_size) {
 	_properties.size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
 	_properties.size.y = real_t(checked(FIELD_SIZE, p_size.y, label()));
 	request_rebuild();
+	update_gizmos();
 }
 
 void GrassField::set_seed(int64_t p_seed) {
