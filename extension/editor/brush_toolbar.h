@@ -46,6 +46,7 @@ public:
 	bool follows_ground() const; // bakes the ground under the brush, and where something moved
 	void put_tool_down(); // nothing is painted or asked until another is chosen
 	void show_species(const GrassField *p_field); // of the selected field, as they are now
+	void take_species(int64_t p_species); // in the hand, to plant it
 	void nudge(Number p_number, int p_notches);
 	godot::Color get_tool_color() const; // for the ring
 
@@ -76,6 +77,8 @@ private:
 	void _number_changed(double p_value);
 	void _color_changed(const godot::Color &p_color);
 	void _species_selected(int64_t p_index);
+	bool _can_take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
+	void _take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
 	void _channel_selected(int64_t p_index);
 	void _limits_pressed();
 	void _bake_pressed();

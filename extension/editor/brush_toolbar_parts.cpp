@@ -98,6 +98,14 @@ void BrushToolbar::add_numbers() {
 	_species->set_custom_minimum_size(Vector2(real_t(1.5 * WIDE * editor_scale()), 0));
 	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
 	add_child(_species);
+	for (size_t i = 0; i < _tools.size(); i++) { // a species that is dropped on either grows in the field
+		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
+			for (Control *control : { static_cast<Control *>(_tools[i]), static_cast<Control *>(_species) }) {
+				control->set_drag_forwarding(
+						Callable(), callable_mp(this, &BrushToolbar::_can_take_dragged), callable_mp(this, &BrushToolbar::_take_dragged));
+			}
+		}
+	}
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));

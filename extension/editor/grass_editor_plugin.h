@@ -60,6 +60,7 @@ private:
 	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
 	void _bake_pressed();
+	void _species_dropped(const godot::Array &p_species);
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
