@@ -18,6 +18,7 @@
 #include "nodes/grass_map.h"
 #include "nodes/grass_map_file.h"
 #include "nodes/grass_patch.h"
+#include "nodes/grass_path_3d.h"
 #include "nodes/grass_species.h"
 #include "nodes/scene_watch.h"
 
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
 		GDREGISTER_CLASS(grass::GrassExclusion3D);
+		GDREGISTER_CLASS(grass::GrassPath3D);
 		GDREGISTER_CLASS(grass::GrassForce3D);
 		GDREGISTER_CLASS(grass::GrassBoneColliders3D);
 		GDREGISTER_CLASS(grass::GrassField);
@@ -52,6 +54,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
+		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);
 		EditorPlugins::add_by_type<grass::GrassEditorPlugin>();
 		for (const std::string_view &text : grass::CLASS_DOCS) {

@@ -3,6 +3,7 @@
 #include "editor/brush_toolbar.h"
 
 #include "core/paint/brush_keys.h"
+#include "editor/species_drop.h"
 #include "editor/tool_info.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
@@ -91,6 +92,7 @@ void BrushToolbar::put_tool_down() {
 	for (Button *button : _tools) {
 		button->set_pressed(false);
 	}
+	_why->set_pressed(false);
 }
 
 void BrushToolbar::nudge(Number p_number, int p_notches) {
@@ -139,6 +141,24 @@ void BrushToolbar::_species_selected(int64_t p_index) {
 	_brush->set_species(_species->get_item_id(int32_t(p_index)));
 }
 
+void BrushToolbar::take_species(int64_t p_species) {
+	for (size_t i = 0; i < _tools.size(); i++) {
+		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
+			_tools[i]->set_pressed(true);
+		}
+	}
+	_species->set_chosen();
+	_brush->set_species(p_species);
+}
+
+bool BrushToolbar::_can_take_dragged(const Vector2 &, const Variant &p_dragged) {
+	return !find_dragged_species(p_dragged).is_empty();
+}
+
+void BrushToolbar::_take_dragged(const Vector2 &, const Variant &p_dragged) {
+	emit_signal("species_dropped", find_dragged_species(p_dragged));
+}
+
 void BrushToolbar::show_species(const GrassField *p_field) {
 	if (_brush->get_tool() != GrassBrush::TOOL_SPECIES) {
 		return;
@@ -181,6 +201,7 @@ void BrushToolbar::_menu_pressed(int64_t p_item) {
 void BrushToolbar::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("tool_changed"));
 	ADD_SIGNAL(MethodInfo("bake_pressed"));
+	ADD_SIGNAL(MethodInfo("species_dropped", PropertyInfo(Variant::ARRAY, "species")));
 	ADD_SIGNAL(MethodInfo("menu_pressed", PropertyInfo(Variant::INT, "item")));
 }
 

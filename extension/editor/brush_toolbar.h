@@ -7,6 +7,7 @@
 #include "nodes/grass_brush.h"
 
 #include <godot_cpp/classes/button.hpp>
+#include <godot_cpp/classes/button_group.hpp>
 #include <godot_cpp/classes/color_picker_button.hpp>
 #include <godot_cpp/classes/editor_spin_slider.hpp>
 #include <godot_cpp/classes/h_flow_container.hpp>
@@ -41,9 +42,11 @@ public:
 
 	godot::Ref<GrassBrush> get_brush() const { return _brush; }
 	bool has_tool() const { return _has_tool; }
+	bool is_asking() const { return _why->is_pressed(); } // why there is no grass under the cursor
 	bool follows_ground() const; // bakes the ground under the brush, and where something moved
-	void put_tool_down(); // nothing is painted until another is chosen
+	void put_tool_down(); // nothing is painted or asked until another is chosen
 	void show_species(const GrassField *p_field); // of the selected field, as they are now
+	void take_species(int64_t p_species); // in the hand, to plant it
 	void nudge(Number p_number, int p_notches);
 	godot::Color get_tool_color() const; // for the ring
 
@@ -58,6 +61,7 @@ private:
 	};
 
 	void add_tools();
+	void add_tool(godot::Button *p_button, const char *p_name, const godot::String &p_tooltip);
 	void add_numbers();
 	void add_limits();
 	void add_bake();
@@ -73,18 +77,21 @@ private:
 	void _number_changed(double p_value);
 	void _color_changed(const godot::Color &p_color);
 	void _species_selected(int64_t p_index);
+	bool _can_take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
+	void _take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
 	void _channel_selected(int64_t p_index);
 	void _limits_pressed();
 	void _bake_pressed();
 	void _menu_pressed(int64_t p_item);
 
 	godot::Ref<GrassBrush> _brush;
+	godot::Ref<godot::ButtonGroup> _group; // of which one is pressed, or none
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
 	SpeciesChoice *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
-	godot::Button *_limits = nullptr, *_bake = nullptr;
+	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr;
 	godot::PopupPanel *_limits_panel = nullptr;
 	godot::MenuButton *_menu = nullptr;
 	bool _has_tool = false, _showing = false;

@@ -5,7 +5,6 @@
 #include "editor/paint_stroke.h"
 #include "editor/tool_info.h"
 
-#include <godot_cpp/classes/button_group.hpp>
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/grid_container.hpp>
 #include <godot_cpp/classes/image.hpp>
@@ -35,6 +34,8 @@ BrushToolbar::BrushToolbar() {
 	add_numbers();
 	add_limits();
 	add_child(memnew(VSeparator));
+	_why = memnew(Button);
+	add_tool(_why, "Why", "Why is there no grass here? Point at a place.\nEsc: stop asking.");
 	add_bake();
 	add_menu();
 	_brush->connect("changed", callable_mp(this, &BrushToolbar::show_brush));
@@ -42,21 +43,24 @@ BrushToolbar::BrushToolbar() {
 }
 
 void BrushToolbar::add_tools() {
-	Ref<ButtonGroup> group;
-	group.instantiate();
-	group->set_allow_unpress(true);
+	_group.instantiate();
+	_group->set_allow_unpress(true);
 	for (const ToolInfo &info : TOOLS) {
-		Button *button = memnew(Button);
-		button->set_name(name_of(info.tool));
-		button->set_toggle_mode(true);
-		button->set_button_group(group);
-		button->set_theme_type_variation("FlatButton");
-		button->set_focus_mode(FOCUS_NONE); // keys stay with the view
-		button->set_tooltip_text(String(name_of(info.tool)) + ": " + info.tooltip + "\nShift: smooth. Esc: put the brush down.");
-		button->connect("toggled", callable_mp(this, &BrushToolbar::_tool_toggled));
-		add_child(button);
-		_tools.push_back(button);
+		_tools.push_back(memnew(Button));
+		const char *name = name_of(info.tool);
+		add_tool(_tools.back(), name, String(name) + ": " + info.tooltip + "\nShift: smooth. Esc: put the brush down.");
 	}
+}
+
+void BrushToolbar::add_tool(Button *p_button, const char *p_name, const String &p_tooltip) {
+	p_button->set_name(p_name);
+	p_button->set_toggle_mode(true);
+	p_button->set_button_group(_group);
+	p_button->set_theme_type_variation("FlatButton");
+	p_button->set_focus_mode(FOCUS_NONE); // keys stay with the view
+	p_button->set_tooltip_text(p_tooltip);
+	p_button->connect("toggled", callable_mp(this, &BrushToolbar::_tool_toggled));
+	add_child(p_button);
 }
 
 EditorSpinSlider *BrushToolbar::add_slider(
@@ -94,6 +98,14 @@ void BrushToolbar::add_numbers() {
 	_species->set_custom_minimum_size(Vector2(real_t(1.5 * WIDE * editor_scale()), 0));
 	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
 	add_child(_species);
+	for (size_t i = 0; i < _tools.size(); i++) { // a species that is dropped on either grows in the field
+		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
+			for (Control *control : { static_cast<Control *>(_tools[i]), static_cast<Control *>(_species) }) {
+				control->set_drag_forwarding(
+						Callable(), callable_mp(this, &BrushToolbar::_can_take_dragged), callable_mp(this, &BrushToolbar::_take_dragged));
+			}
+		}
+	}
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));
@@ -173,6 +185,7 @@ void BrushToolbar::load_icons() {
 	for (size_t i = 0; i < _tools.size(); i++) {
 		_tools[i]->set_button_icon(icon_of(TOOLS[i].icon));
 	}
+	_why->set_button_icon(icon_of(icon::WHY));
 	_limits->set_button_icon(get_theme_icon("AnimationFilter", "EditorIcons"));
 	_bake->set_button_icon(icon_of(icon::BAKE));
 	_menu->set_button_icon(get_theme_icon("GuiTabMenuHl", "EditorIcons"));

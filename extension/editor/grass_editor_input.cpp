@@ -2,6 +2,8 @@
 // What the mouse and the keys do in the 3D view while a GrassField is selected.
 #include "editor/grass_editor_plugin.h"
 
+#include "convert.h"
+
 #include <godot_cpp/classes/time.hpp>
 
 using namespace godot;
@@ -9,6 +11,9 @@ using namespace godot;
 namespace grass {
 
 namespace {
+
+constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres around the field that can be asked about; of the mark at the place
+const Color ASKED_COLOR(1.0f, 0.8f, 0.37f);
 
 StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
 	StrokeKeys keys;
@@ -20,9 +25,13 @@ StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
 } // namespace
 
 int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
-	if (find_field() == nullptr || _toolbar == nullptr || !_toolbar->has_tool() || p_camera == nullptr) {
+	const bool is_idle = _toolbar == nullptr || (!_toolbar->has_tool() && !_toolbar->is_asking());
+	if (is_idle || find_field() == nullptr || p_camera == nullptr) {
 		put_down();
 		return AFTER_GUI_INPUT_PASS;
+	}
+	if (_toolbar->is_asking()) {
+		return asking_input(p_camera, p_event);
 	}
 	if (const Ref<InputEventKey> key = p_event; key.is_valid()) {
 		return key_input(key);
@@ -37,6 +46,28 @@ int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<I
 		return result;
 	}
 	return AFTER_GUI_INPUT_PASS;
+}
+
+// The answer follows the cursor, the view turns as ever; a click selects nothing.
+int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
+	if (const Ref<InputEventKey> key = p_event; key.is_valid() && key->is_pressed() && key->get_keycode() == KEY_ESCAPE) {
+		_toolbar->put_tool_down();
+		return AFTER_GUI_INPUT_STOP;
+	}
+	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
+		GrassField *field = find_field();
+		if (const auto point = pick_ground(field, p_camera, motion->get_position(), ASKED_AROUND)) {
+			_ring.show(field, p_camera, *point, ASKED_RADIUS, 1.0, ASKED_COLOR);
+			const Vector3 place = field->field_transform().xform(to_godot(point->position));
+			_answer.show(p_camera, motion->get_position(), field->explain(place, p_camera)["text"]);
+		} else {
+			_ring.hide();
+			_answer.hide();
+		}
+	}
+	const Ref<InputEventMouseButton> button = p_event;
+	const bool is_click = button.is_valid() && button->get_button_index() == MOUSE_BUTTON_LEFT && !button->is_alt_pressed();
+	return is_click ? AFTER_GUI_INPUT_STOP : AFTER_GUI_INPUT_PASS;
 }
 
 int32_t GrassEditorPlugin::key_input(const Ref<InputEventKey> &p_key) {

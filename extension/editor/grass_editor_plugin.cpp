@@ -21,12 +21,17 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->hide();
 	_toolbar->connect("tool_changed", callable_mp(this, &GrassEditorPlugin::_tool_changed));
 	_toolbar->connect("bake_pressed", callable_mp(this, &GrassEditorPlugin::_bake_pressed));
+	_toolbar->connect("species_dropped", callable_mp(this, &GrassEditorPlugin::_species_dropped));
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
+	_answer.create();
 	_export_check.instantiate();
 	add_export_plugin(_export_check);
 	_species_preview.instantiate();
 	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(_species_preview);
+	_size_handles.instantiate();
+	_size_handles->create_materials();
+	add_node_3d_gizmo_plugin(_size_handles);
 	set_process(true);
 }
 
@@ -35,10 +40,13 @@ void GrassEditorPlugin::_exit_tree() {
 	put_down();
 	_watch.forget();
 	_ring.free();
+	_answer.free();
 	remove_export_plugin(_export_check);
 	_export_check.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
 	_species_preview.unref();
+	remove_node_3d_gizmo_plugin(_size_handles);
+	_size_handles.unref();
 	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_toolbar->queue_free();
 	_toolbar = nullptr;
@@ -110,9 +118,11 @@ void GrassEditorPlugin::finish_stroke() {
 void GrassEditorPlugin::put_down() {
 	finish_stroke();
 	_ring.hide();
+	_answer.hide();
 }
 
 void GrassEditorPlugin::_tool_changed() {
+	_answer.hide();
 	if (!_toolbar->has_tool()) {
 		put_down();
 	}
@@ -148,6 +158,36 @@ void GrassEditorPlugin::_bake_pressed() {
 		}
 		return found;
 	});
+}
+
+// They grow beside the field's own, and the last one is in the hand.
+void GrassEditorPlugin::_species_dropped(const Array &p_species) {
+	GrassField *field = find_field();
+	if (field == nullptr) {
+		return;
+	}
+	const TypedArray<GrassSpecies> before = field->get_species();
+	TypedArray<GrassSpecies> after = before.duplicate();
+	for (int64_t i = 0; i < p_species.size(); i++) {
+		if (!after.has(p_species[i])) {
+			after.push_back(p_species[i]);
+		}
+	}
+	if (after.size() > GRASS_MAX_SPECIES) {
+		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+				vformat("GrassField: a field grows %d species at most. Remove one from `species` first.", GRASS_MAX_SPECIES),
+				EditorToaster::SEVERITY_WARNING);
+		return;
+	}
+	if (after.size() > before.size()) {
+		EditorUndoRedoManager *history = get_undo_redo();
+		history->create_action("Add Grass Species", UndoRedo::MERGE_DISABLE, field);
+		history->add_do_property(field, "species", after);
+		history->add_undo_property(field, "species", before);
+		history->commit_action();
+	}
+	_toolbar->show_species(field);
+	_toolbar->take_species(after.find(p_species[p_species.size() - 1]) + 1);
 }
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {

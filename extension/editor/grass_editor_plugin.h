@@ -3,11 +3,13 @@
 // as the library is loaded; nothing to enable.
 #pragma once
 
+#include "editor/answer_view.h"
 #include "editor/brush_toolbar.h"
 #include "editor/export_check.h"
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
+#include "editor/size_handles.h"
 #include "editor/species_preview.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -51,21 +53,25 @@ private:
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
 	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
+	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
-	void put_down(); // ends the stroke, hides the ring
+	void put_down(); // ends the stroke, hides the ring and the answer
 	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
 	void _bake_pressed();
+	void _species_dropped(const godot::Array &p_species);
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<ExportCheck> _export_check;
 	godot::Ref<SpeciesPreview> _species_preview;
+	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _field_id = 0; // of the selected field; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	RingView _ring;
+	AnswerView _answer;
 	double _event_us = 0.0;
 };
 

@@ -4,9 +4,11 @@
 #include "backend/parallel.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/grass_path_3d.h"
 #include "nodes/watch_resource.h"
 
 #include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/core/object.hpp>
 
 using namespace godot;
 
@@ -19,6 +21,11 @@ namespace {
 constexpr int CHUNKS_A_FRAME = 4;
 // Nodes of the rule's groups notify nobody when they move: their places are read this often, frames.
 constexpr int FRAMES_BETWEEN_LOOKS = 15;
+
+// Changes with every node that rules follow by itself.
+uint64_t scene_revision() {
+	return GrassExclusion3D::get_revision() + GrassPath3D::get_revision();
+}
 
 void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 	Parallel *parallel = memnew(Parallel);
@@ -52,11 +59,23 @@ void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
 	_state = LiveFill(); // without it the map keeps what is filled
 }
 
+std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
+	if (_rule.is_null()) {
+		return {};
+	}
+	return Gathered{ _rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+}
+
+Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
+	return Object::cast_to<Node3D>(ObjectDB::get_instance(_gatherer.get_node_of(p_obstacle)));
+}
+
 void FieldFiller::look(const Place &p_place) {
 	_has_changed = false;
-	_revision = GrassExclusion3D::get_revision();
+	_revision = scene_revision();
 	_frames_to_look = FRAMES_BETWEEN_LOOKS;
-	_state.set(_rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform), p_place.region);
+	const auto now = gather(p_place);
+	_state.set(now->rule, now->sources, p_place.region);
 }
 
 void FieldFiller::start(const Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once) {
@@ -73,7 +92,7 @@ bool FieldFiller::update(const Ref<GrassMap> &p_map, const Place &p_place) {
 	if (_rule.is_null() || !_state.is_set() || !p_map->is_readable()) {
 		return false;
 	}
-	if (_has_changed || _revision != GrassExclusion3D::get_revision() || --_frames_to_look <= 0) {
+	if (_has_changed || _revision != scene_revision() || --_frames_to_look <= 0) {
 		look(p_place);
 	}
 	if (_state.get_waiting() > 0) {

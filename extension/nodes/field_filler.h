@@ -11,6 +11,8 @@
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
 
+#include <optional>
+
 namespace grass {
 
 class FieldFiller {
@@ -42,6 +44,14 @@ public:
 	// Fills by any rule, once. Returns square metres of full grass that came.
 	double fill(const godot::Ref<GrassMap> &p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
+	// What the rule asks now; nothing without one.
+	struct Gathered {
+		FillRule rule;
+		FillSources sources;
+	};
+	std::optional<Gathered> gather(const Place &p_place);
+	godot::Node3D *find_node(const FillObstacle *p_obstacle) const; // that it was gathered from last; null: gone
+
 	void warn(const godot::Ref<GrassMap> &p_map, godot::PackedStringArray &r_warnings) const;
 
 	void add_to(FieldStatistics &r_statistics) const;
@@ -56,7 +66,7 @@ private:
 	FillGatherer _gatherer;
 	bool _has_changed = false; // the rule, since it was looked at
 	bool _is_filling = false; // the map changes by the field's own doing
-	uint64_t _revision = 0; // of the exclusion nodes, when looked at
+	uint64_t _revision = 0; // of exclusions and paths, when looked at
 	bool _has_finished = false; // since the last update()
 	uint64_t _replacements = 0; // of the map's contents, as far as known
 	double _base_density = 0.0; // of the map, as far as known

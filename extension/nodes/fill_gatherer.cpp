@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_exclusion_3d.h"
+#include "nodes/grass_path_3d.h"
 #include "nodes/same_data.h"
 
 #include <godot_cpp/classes/collision_shape3d.hpp>
@@ -19,6 +20,8 @@
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
+
+#include <algorithm>
 
 using namespace godot;
 
@@ -56,6 +59,14 @@ FillObstacle outline_of(const PackedVector2Array &p_outline, const Eigen::Affine
 		corners.push_back(from_above(p_pose, Vector3(p_outline[i].x, 0, p_outline[i].y)));
 	}
 	return FillObstacle::outline(std::move(corners));
+}
+
+FillObstacle line_of(const PackedVector3Array &p_points, const Eigen::Affine3d &p_pose) {
+	std::vector<Eigen::Vector2d> line;
+	for (int64_t i = 0; i < p_points.size(); i++) {
+		line.push_back(from_above(p_pose, p_points[i]));
+	}
+	return FillObstacle::line(std::move(line));
 }
 
 // A node's origin, or the way of a Path3D.
@@ -96,6 +107,7 @@ FillSources FillGatherer::gather(const GrassFillRule &p_rule, const Node3D *p_no
 		entry.is_seen = false;
 	}
 	add_exclusions(p_rule);
+	add_paths();
 	add_distances(p_rule);
 	std::erase_if(_entries, [](const auto &p_entry) { return !p_entry.second.is_seen; });
 	const StringName mesh_group = p_rule.get_group(GrassFillRule::GROUP_MASK);
@@ -103,6 +115,11 @@ FillSources FillGatherer::gather(const GrassFillRule &p_rule, const Node3D *p_no
 	_sources.mesh = _sources.has_mesh ? find_mesh(mesh_group) : nullptr;
 	_field = nullptr;
 	return std::move(_sources);
+}
+
+uint64_t FillGatherer::get_node_of(const FillObstacle *p_obstacle) const {
+	const auto found = std::ranges::find_if(_entries, [&](const auto &p_entry) { return p_entry.second.obstacle.get() == p_obstacle; });
+	return p_obstacle == nullptr || found == _entries.end() ? 0 : found->first;
 }
 
 Eigen::Affine3d FillGatherer::pose_of(const Node3D *p_node) const {
@@ -181,12 +198,21 @@ void FillGatherer::add_distances(const GrassFillRule &p_rule) {
 	for (const Node3D *node : find_nodes(p_rule.get_group(GrassFillRule::GROUP_DISTANCE))) {
 		const Eigen::Affine3d pose = pose_of(node);
 		const PackedVector3Array points = points_of(node);
-		add(node, { pose.matrix(), points, { distance, fade, 0.0 } }, [&] {
-			std::vector<Eigen::Vector2d> line;
-			for (int64_t i = 0; i < points.size(); i++) {
-				line.push_back(from_above(pose, points[i]));
-			}
-			return FillObstacle::line(std::move(line));
+		add(node, { pose.matrix(), points, { distance, fade, 0.0 } }, [&] { return line_of(points, pose); });
+	}
+}
+
+void FillGatherer::add_paths() {
+	for (const GrassPath3D *path : GrassPath3D::get_all()) {
+		if (!path->is_enabled() || path->get_world_3d() != _field->get_world_3d() || !path->concerns(_field)) {
+			continue;
+		}
+		const Eigen::Affine3d pose = pose_of(path);
+		const PackedVector3Array points = path->get_points();
+		add(path, { pose.matrix(), points, { 0.5 * path->get_width(), path->get_fade(), double(path->get_mode()) } }, [&] {
+			FillObstacle line = line_of(points, pose);
+			line.set_planting(path->get_mode() == GrassPath3D::MODE_PLANT);
+			return line;
 		});
 	}
 }

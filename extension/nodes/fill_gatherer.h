@@ -15,13 +15,15 @@ class FillGatherer {
 public:
 	// p_node: the field, in the tree; p_field: its transform (orthonormal).
 	FillSources gather(const GrassFillRule &p_rule, const godot::Node3D *p_node, const godot::Transform3D &p_field);
+	// Id of the node that an obstacle of the last gathering was made from; 0: none.
+	uint64_t get_node_of(const FillObstacle *p_obstacle) const;
 
 private:
 	// What an obstacle was made from.
 	struct Source {
 		Eigen::Matrix4d pose = Eigen::Matrix4d::Zero(); // from the node's space into the field's
 		godot::Variant data; // of the shape, the outline or the curve
-		std::array<double, 3> numbers{}; // distance, fade, height; metres
+		std::array<double, 3> numbers{}; // distance, fade, height; metres. Of a path: half its width, fade, mode
 	};
 	struct Entry {
 		Source source;
@@ -30,6 +32,7 @@ private:
 	};
 
 	void add_exclusions(const GrassFillRule &p_rule);
+	void add_paths();
 	void add_shapes(const GrassFillRule &p_rule, const godot::Node *p_node);
 	void add_distances(const GrassFillRule &p_rule);
 	void add_shape(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape, double p_fade, double p_height);

@@ -3,6 +3,7 @@
 // frame, properties -> maker -> standing field when they change. No maths here.
 #pragma once
 
+#include "nodes/bare_answer.h"
 #include "nodes/field_bodies.h"
 #include "nodes/field_filler.h"
 #include "nodes/field_forces.h"
@@ -47,6 +48,28 @@ public:
 		DEBUG_VIEW_OFF = GRASS_DEBUG_OFF,
 		DEBUG_VIEW_AWAKE_TILES = GRASS_DEBUG_AWAKE,
 		DEBUG_VIEW_LOD = GRASS_DEBUG_LOD,
+	};
+
+	enum Reason : int64_t { // see explain()
+		REASON_NONE = int64_t(BareReason::NONE),
+		REASON_NOT_MADE = int64_t(BareReason::NOT_MADE),
+		REASON_HIDDEN = int64_t(BareReason::HIDDEN),
+		REASON_OUTSIDE = int64_t(BareReason::OUTSIDE),
+		REASON_LAYERS = int64_t(BareReason::LAYERS),
+		REASON_TOO_FAR = int64_t(BareReason::TOO_FAR),
+		REASON_NO_ROOM = int64_t(BareReason::NO_ROOM),
+		REASON_MAP = int64_t(BareReason::MAP),
+		REASON_PAINTED = int64_t(BareReason::PAINTED),
+		REASON_FILL_DENSITY = int64_t(BareReason::FILL_DENSITY),
+		REASON_FILL_MASK = int64_t(BareReason::FILL_MASK),
+		REASON_FILL_MESH = int64_t(BareReason::FILL_MESH),
+		REASON_FILL_SLOPE = int64_t(BareReason::FILL_SLOPE),
+		REASON_FILL_HEIGHT = int64_t(BareReason::FILL_HEIGHT),
+		REASON_FILL_NOISE = int64_t(BareReason::FILL_NOISE),
+		REASON_FILL_NODE = int64_t(BareReason::FILL_NODE),
+		REASON_WORN = int64_t(BareReason::WORN),
+		REASON_SHORT = int64_t(BareReason::SHORT),
+		REASON_CUT = int64_t(BareReason::CUT),
 	};
 
 	GrassField();
@@ -122,6 +145,8 @@ public:
 	double density_at(const godot::Vector3 &p_global_position);
 	double height_at(const godot::Vector3 &p_global_position);
 	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
+	// Why there is no grass, or less than there could be. p_camera: null: the viewport's.
+	godot::Dictionary explain(const godot::Vector3 &p_global_position, const godot::Camera3D *p_camera);
 	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
@@ -217,3 +242,4 @@ VARIANT_ENUM_CAST(grass::GrassField::SolverMethod);
 VARIANT_ENUM_CAST(grass::GrassField::SleepMode);
 VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
 VARIANT_ENUM_CAST(grass::GrassField::DebugView);
+VARIANT_ENUM_CAST(grass::GrassField::Reason);

@@ -7,6 +7,8 @@
 #include "nodes/main_thread.h"
 #include "nodes/statistics_dictionary.h"
 
+#include <godot_cpp/classes/viewport.hpp>
+
 #include <algorithm>
 
 using namespace godot;
@@ -216,6 +218,14 @@ double GrassField::height_at(const Vector3 &p_global_position) {
 Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(Vector3());
 	return prepare_places() ? places().bend_at(p_global_position) : Vector3();
+}
+
+Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
+	build();
+	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
+	return to_dictionary(explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera));
 }
 
 GrassMap *GrassField::need_map(const char *p_method) {

@@ -23,6 +23,7 @@ void GrassField::set_size(const Vector2 &p_size) {
 	_properties.size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
 	_properties.size.y = real_t(checked(FIELD_SIZE, p_size.y, label()));
 	request_rebuild();
+	update_gizmos();
 }
 
 void GrassField::set_seed(int64_t p_seed) {
@@ -277,6 +278,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::density_at);
 	ClassDB::bind_method(D_METHOD("height_at", "global_position"), &GrassField::height_at);
 	ClassDB::bind_method(D_METHOD("bend_at", "global_position"), &GrassField::bend_at);
+	ClassDB::bind_method(D_METHOD("explain", "global_position", "camera"), &GrassField::explain, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassField::cut);
 	ClassDB::bind_method(
 			D_METHOD("get_mown_share", "shape", "transform"), &GrassField::get_mown_share, DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
@@ -309,6 +311,25 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);
+	BIND_ENUM_CONSTANT(REASON_NONE);
+	BIND_ENUM_CONSTANT(REASON_NOT_MADE);
+	BIND_ENUM_CONSTANT(REASON_HIDDEN);
+	BIND_ENUM_CONSTANT(REASON_OUTSIDE);
+	BIND_ENUM_CONSTANT(REASON_LAYERS);
+	BIND_ENUM_CONSTANT(REASON_TOO_FAR);
+	BIND_ENUM_CONSTANT(REASON_NO_ROOM);
+	BIND_ENUM_CONSTANT(REASON_MAP);
+	BIND_ENUM_CONSTANT(REASON_PAINTED);
+	BIND_ENUM_CONSTANT(REASON_FILL_DENSITY);
+	BIND_ENUM_CONSTANT(REASON_FILL_MASK);
+	BIND_ENUM_CONSTANT(REASON_FILL_MESH);
+	BIND_ENUM_CONSTANT(REASON_FILL_SLOPE);
+	BIND_ENUM_CONSTANT(REASON_FILL_HEIGHT);
+	BIND_ENUM_CONSTANT(REASON_FILL_NOISE);
+	BIND_ENUM_CONSTANT(REASON_FILL_NODE);
+	BIND_ENUM_CONSTANT(REASON_WORN);
+	BIND_ENUM_CONSTANT(REASON_SHORT);
+	BIND_ENUM_CONSTANT(REASON_CUT);
 }
 
 } // namespace grass

@@ -170,3 +170,29 @@ TEST_CASE("fill: many threads write what one writes") {
 	CHECK(parallel.changed == serial.changed);
 	CHECK(double(serial.changed.size()) * CELLS_A_CHUNK >= double(serial.cells));
 }
+
+TEST_CASE("fill: what plants lets grass grow whatever the conditions say; only obstacles take of it") {
+	FillObstacle hedge = FillObstacle::line({ { -30.0, 0.0 }, { 30.0, 0.0 } });
+	hedge.set_clearance(2.0, 4.0);
+	hedge.set_planting(true);
+	FillObstacle yard = FillObstacle::solid(shape_of(GRASS_BOX, { 5.0, 1.0, 5.0 }), pose_of({ 20.0, 0.0, 0.0 }), 1.0);
+	const FillRule rule = rule_of({ { FILL_DENSITY, 0.2 }, { FILL_NOISE_COVER, 0.5 } });
+	PaintMap without, with;
+	fill_all(without, rule);
+	const FillSources sources = sources_of({ hedge, yard });
+	const FillResult result = fill_all(with, rule, sources);
+	CHECK(density_at(with, 0.0, 0.0) == 1.0);
+	CHECK(density_at(with, -10.0, 1.5) == 1.0);
+	CHECK(density_at(with, 20.0, 1.0) == 0.0); // the yard
+	for (double z = -40.0; z < 40.0; z += 1.25) {
+		CHECK(density_at(with, 3.25, z) >= density_at(without, 3.25, z) - 1e-9);
+		if (std::abs(z) > 7.0) {
+			CHECK(density_at(with, 3.25, z) == density_at(without, 3.25, z));
+		}
+	}
+	// Half of the fade counts: 60 m of 4 + 4 m, and the round ends.
+	FillSources lone = sources_of({ hedge });
+	const double area = filled(rule_of({ { FILL_DENSITY, 0.0 } }), lone);
+	CHECK(area == doctest::Approx(60.0 * 8.0 + PI * 16.8).epsilon(0.02)); // integral of the smooth fade around a point: 16.8 pi
+	CHECK(result.cells == 256 * 256);
+}

@@ -7,6 +7,17 @@
 using namespace grass;
 using namespace grass::test;
 
+TEST_CASE("fill_obstacle: a line reaches the squares that it comes near to, not all of its box") {
+	FillObstacle line = FillObstacle::line({ { -100.0, -100.0 }, { 100.0, 100.0 } });
+	line.set_clearance(2.0, 1.0);
+	const auto reaches = [&](double p_x, double p_z) { return line.reaches({ p_x, p_z }, { p_x + 64.0, p_z + 64.0 }); };
+	CHECK(reaches(0.0, 0.0));
+	CHECK(reaches(-64.0, 0.0)); // a corner
+	CHECK_FALSE(reaches(-100.0, 30.0));
+	CHECK_FALSE(reaches(200.0, 200.0));
+	CHECK_FALSE(FillObstacle::line({}).reaches({ 0.0, 0.0 }, { 64.0, 64.0 }));
+}
+
 TEST_CASE("fill: a distance is kept from points and lines, and grass comes back gradually") {
 	FillObstacle tree = FillObstacle::line({ { 3.0, -2.0 } });
 	tree.set_clearance(6.0, 0.0);

@@ -38,9 +38,8 @@ public:
 		}
 		const Eigen::Array2d low(p_key.x * MAP_CHUNK_SIZE, p_key.z * MAP_CHUNK_SIZE), high = low + MAP_CHUNK_SIZE;
 		for (const std::shared_ptr<const FillObstacle> &obstacle : p_sources.obstacles) {
-			const bool is_here = (obstacle->get_min().array() <= high).all() && (obstacle->get_max().array() >= low).all();
-			if (is_here && !obstacle->is_nowhere()) {
-				_obstacles.push_back(obstacle.get());
+			if (obstacle->reaches(low, high)) {
+				(obstacle->is_planting() ? _planted : _obstacles).push_back(obstacle.get());
 			}
 		}
 		if (p_sources.has_mesh) {
@@ -64,7 +63,7 @@ public:
 				int32_t after = before;
 				if (is_inside(centre)) {
 					filled.cells++;
-					const int32_t filling = _rule == nullptr ? base : DENSITY.code(ask(centre, texel));
+					const int32_t filling = _rule == nullptr ? base : DENSITY.code(std::max(ask(centre, texel), plant(centre)));
 					after = HandPaint{ _paint.code(0, i, j), _paint.code(1, i, j) }.over(filling);
 				}
 				(*texels)[texel] = uint8_t(after);
@@ -100,12 +99,25 @@ private:
 		return share > 0.0 ? share * _rule->noise_share(p_at) : 0.0;
 	}
 
+	// The density by what plants: only obstacles take of it.
+	double plant(const Eigen::Vector2d &p_at) {
+		double share = 0.0;
+		for (const FillObstacle *planted : _planted) {
+			share = std::max(share, 1.0 - planted->get_share({ p_at, 0.0 }));
+		}
+		const FillPlace place{ p_at, share > 0.0 && _asks_ground ? _ground.sample(0, p_at) : 0.0 };
+		for (size_t i = 0; i < _obstacles.size() && share > 0.0; i++) {
+			share *= _obstacles[i]->get_share(place);
+		}
+		return share;
+	}
+
 	const PaintMap &_map;
 	MapKey _key;
 	const MapRegion &_area;
 	const FillRule *_rule;
 	MapReader _ground, _normal, _density, _paint;
-	std::vector<const FillObstacle *> _obstacles;
+	std::vector<const FillObstacle *> _obstacles, _planted;
 	std::vector<double> _mesh_shares; // empty: the rule has no mesh
 	bool _asks_ground = false;
 };

@@ -117,6 +117,15 @@ void FillObstacle::set_clearance(double p_distance, double p_fade) {
 	_fade = std::max(p_fade, 0.0);
 }
 
+// The box around a winding path holds many squares that the path does not come near to.
+bool FillObstacle::reaches(const Eigen::Array2d &p_low, const Eigen::Array2d &p_high) const {
+	if (is_nowhere() || (get_min().array() > p_high).any() || (get_max().array() < p_low).any()) {
+		return false;
+	}
+	const Eigen::Vector2d centre = 0.5 * (p_low + p_high).matrix(), half = 0.5 * (p_high - p_low).matrix();
+	return _kind != Kind::LINE || outline_distance(centre) <= half.norm() + _distance + _fade;
+}
+
 double FillObstacle::get_share(const FillPlace &p_place) const {
 	const Eigen::Array2d at = p_place.at.array();
 	if (is_nowhere() || (at < get_min().array()).any() || (at > get_max().array()).any()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps filled grass away: a solid shape that stands in it, an outline on the ground, a point or a line to keep a
+// What keeps filled grass away, or plants it: a solid shape that stands in it, an outline on the ground, a point or a line to keep a
 // distance from, a mesh above it. Map space: x, z in metres from the field's centre, heights above the field.
 #pragma once
 
@@ -30,14 +30,19 @@ public:
 
 	// Up to which distance nothing grows, and over which further distance grass returns to full. Metres.
 	void set_clearance(double p_distance, double p_fade);
+	// Grass grows there whatever the rule's conditions say, instead of keeping away.
+	void set_planting(bool p_plants) { _plants = p_plants; }
+	bool is_planting() const { return _plants; }
 
-	// Share of the grass that stands: 0 within its distance .. 1.
+	// Share of the grass that stands: 0 within its distance .. 1. Where it plants, the share that it plants is what is missing to 1.
 	double get_share(const FillPlace &p_place) const;
 	// Distance in metres, horizontal for all but solid shapes; 0 or less within.
 	double get_distance(const FillPlace &p_place) const;
 	// Beyond this rectangle it changes nothing; empty (min > max) if it is nowhere.
 	Eigen::Vector2d get_min() const { return _min.array() - (_distance + _fade); }
 	Eigen::Vector2d get_max() const { return _max.array() + (_distance + _fade); }
+	// False: it changes nothing in this square.
+	bool reaches(const Eigen::Array2d &p_low, const Eigen::Array2d &p_high) const;
 	bool is_nowhere() const { return !(_min.array() <= _max.array()).all(); }
 
 private:
@@ -49,6 +54,7 @@ private:
 	double mesh_distance(const FillPlace &p_place) const;
 
 	Kind _kind;
+	bool _plants = false;
 	double _distance = 0.0, _fade = 0.0, _height = 0.0;
 	Eigen::Vector2d _min, _max; // of the shape itself
 	ColliderShape _shape;

@@ -34,6 +34,13 @@ func grass_exclusion3d() -> void:
 	assert_greater(stage.field.density_at(Vector3(7, 0, 7)), 0.5, "outside of it")
 
 
+func grass_path3d() -> void:
+	var stage := await ran(func(made: Stage) -> void: made.get_node("GrassField").fill_rule = GrassFillRule.new())
+	await frames(30)
+	assert_eq(stage.field.density_at(Vector3(0, 0, 2)), 0.0, "on the trail")
+	assert_greater(stage.field.density_at(Vector3(0, 0, 5)), 0.5, "beside it")
+
+
 func grass_fill_rule() -> void:
 	var tree := Node3D.new()
 	tree.add_to_group("trees")
@@ -146,6 +153,12 @@ func grass_field_density_at() -> void:
 	stage.field.paint(brush(GrassBrush.TOOL_ERASE, 2.0), HERE, HERE)
 	stage.call("run")
 	assert_near(stage.locals.speed, 5.0, 1e-6, "in a clearing")
+
+
+func grass_field_explain() -> void:
+	var stage := await ran()
+	assert_eq(stage.locals.why.reason, GrassField.REASON_NONE)
+	assert_true(stage.locals.why.text.contains("stands here"))
 
 
 func grass_field_fill() -> void:

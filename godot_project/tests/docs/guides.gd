@@ -97,6 +97,17 @@ func filling_once_or_live() -> void:
 	assert_less(cover, 1.0)
 
 
+func painting_why_is_there_no_grass_here() -> void:
+	var stage := await staged()
+	var yard := GrassExclusion3D.new()
+	yard.shape = BoxShape3D.new()
+	stage.player.add_child(yard)
+	stage.field.fill_rule = GrassFillRule.new()
+	await frames(30)
+	stage.call("run")
+	assert_eq(stage.locals.answer.node, yard)
+
+
 func painting_from_a_script() -> void:
 	var stage := await ran()
 	assert_less(stage.field.height_at(Vector3(0, 0, 0)), 0.2, "cut, from one end to the other")

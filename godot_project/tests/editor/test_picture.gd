@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The picture in docs/painting.md: toolbar, ring and strokes on a meadow that rises. Written beside the test's copy of the
-## project as painting.png; what can be told without eyes is checked.
+## The pictures in docs/painting.md: toolbar, ring and strokes on a meadow that rises; the answer to why there is no grass. Written
+## beside the test's copy of the project as painting.png and why.png; what can be told without eyes is checked.
 @tool
 extends "res://tests/editor/editor_case.gd"
 
@@ -89,3 +89,33 @@ func test_toolbar_ring_and_strokes() -> void:
 	assert_true(plugin.get_statistics().ring)
 	field.density = 144.0
 	await shoot("painting")
+
+
+func test_the_answer_beside_the_cursor() -> void:
+	await click(toolbar.get_node("Bake"))
+	var rule := GrassFillRule.new()
+	rule.slope_max = 12.0
+	rule.slope_fade = 3.0
+	field.fill_rule = rule
+	var path := GrassPath3D.new()
+	path.name = "Trail"
+	path.curve = Curve3D.new()
+	for point: Array in [[3.5, 2.5, -0.8], [1.5, 0, -1.5], [2.5, -3.2, 0.5], [1.0, -7, -1.5]]:
+		var way := Vector3(point[2], 0, -1.2)
+		path.curve.add_point(on(point[0], point[1]) + 0.03 * Vector3.UP, -way, way)
+	path.width = 1.0
+	path.fade = 0.3
+	EditorInterface.get_edited_scene_root().add_child(path)
+	path.owner = EditorInterface.get_edited_scene_root()
+	await frames(10)
+	await move(at(on(0, 0)))
+	await key(KEY_V)
+	await take("Why")
+	field.density = 144.0
+	await frames(10)
+	await move(at(on(1.5, 0)))
+	var panel: Control = get_tree().root.find_child("GrassAnswer", true, false)
+	assert_true(panel.get_child(0).text.contains("'Trail'"), panel.get_child(0).text)
+	await shoot("why")
+	await move(at(on(-2.4, -4)))
+	assert_true(panel.get_child(0).text.contains("slope"), panel.get_child(0).text)

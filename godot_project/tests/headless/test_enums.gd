@@ -48,6 +48,14 @@ func test_fill_rule_refuses_what_is_no_constant() -> void:
 	assert_eq(rule.mask_channel, GrassFillRule.MASK_BLUE)
 
 
+func test_path_refuses_what_is_no_constant() -> void:
+	var path := GrassPath3D.new()
+	path.mode = GrassPath3D.MODE_PLANT
+	check_refusals(path, "GrassPath3D", ["mode"])
+	assert_eq(path.mode, GrassPath3D.MODE_PLANT)
+	path.free()
+
+
 func test_patch_and_map_refuse_what_is_no_constant() -> void:
 	var patch := GrassPatch.new()
 	var map := GrassMap.new()
@@ -78,6 +86,7 @@ func test_hints_name_the_enums() -> void:
 		["GrassField", "set_backend", &"GrassField.BackendMode"],
 		["GrassField", "set_sleep_mode", &"GrassField.SleepMode"],
 		["GrassField", "set_debug_view", &"GrassField.DebugView"],
+		["GrassPath3D", "set_mode", &"GrassPath3D.Mode"],
 		["GrassBrush", "set_tool", &"GrassBrush.Tool"],
 		["GrassBrush", "set_falloff", &"GrassBrush.FalloffCurve"],
 		["GrassFillRule", "set_mask_channel", &"GrassFillRule.MaskChannel"],

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "core/field/bare_cause.h"
+
+#include "core/paint/hand_paint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+// Codes by which what a rule gives may differ from what the map has while the rule is still its cause: neighbours blend, and a fill may
+// be some frames late.
+constexpr int32_t SAME = 4;
+
+BareCause density_cause(const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at) {
+	constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
+	const Eigen::Array2i texel = (p_at.array() / DENSITY.texel_size()).floor().cast<int>();
+	const auto code = [&](MapChannel p_channel, int p_component) { return p_map.get_code(p_channel, p_component, texel.x(), texel.y()); };
+	const int32_t density = code(MAP_DENSITY, 0);
+	const HandPaint hand{ code(MAP_PAINT, 0), code(MAP_PAINT, 1) };
+	BareCause cause{ BareKind::MAP, DENSITY.value(density), 0.0, {} };
+	if (2 * hand.cover > HandPaint::FULL) {
+		cause.kind = BareKind::PAINTED;
+	} else if (p_rule != nullptr) {
+		cause.rule = find_fill_cause(p_map, *p_rule, p_sources, p_at);
+		if (std::abs(hand.over(DENSITY.code(cause.rule.density)) - density) <= SAME) {
+			cause.kind = BareKind::RULE;
+		}
+	}
+	return cause;
+}
+
+} // namespace
+
+BareCause find_bare_cause(
+		const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at, double p_height) {
+	BareCause least;
+	const auto weigh = [&least](const BareCause &p_cause) {
+		if (p_cause.share < least.share) {
+			least = p_cause;
+		}
+	};
+	const double wear = p_map.sample(MAP_WEAR, 0, p_at), cut = p_map.sample(MAP_CUT, 0, p_at);
+	weigh(density_cause(p_map, p_rule, p_sources, p_at));
+	weigh({ BareKind::WORN, 1.0 - wear * wear, 0.0, {} });
+	weigh({ BareKind::SHORT, p_map.sample(MAP_HEIGHT, 0, p_at), 0.0, {} });
+	weigh({ BareKind::CUT, cut < MAP_UNCUT && p_height > 0.0 ? std::min(1.0, cut / p_height) : 1.0, cut, {} });
+	return least;
+}
+
+} // namespace grass

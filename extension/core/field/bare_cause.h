@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Why a place of a field's map is bare, or has less grass than it could have: what leaves the least there.
+#pragma once
+
+#include "core/fill/fill_cause.h"
+
+#include <optional>
+
+namespace grass {
+
+enum class BareKind {
+	GRASS, // nothing takes grass away
+	MAP, // the map has none here, and neither a hand nor the rule says why
+	PAINTED, // a hand
+	RULE, // see BareCause::rule
+	WORN,
+	SHORT, // painted low
+	CUT,
+};
+
+struct BareCause {
+	BareKind kind = BareKind::GRASS;
+	double share = 1.0; // of the grass that it leaves, 0..1
+	double value = 0.0; // CUT: metres
+	FillCause rule; // RULE
+};
+
+// p_rule: what fills the map, if anything does. p_height: of uncut grass there, metres. p_at: x, z in metres.
+BareCause find_bare_cause(
+		const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at, double p_height);
+
+} // namespace grass
