@@ -97,14 +97,15 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
 		const PackedByteArray constants = to_bytes(std::span(&p_records.step, 1));
+		// What takes longest begins first, so that little is left to do when the last of it ends.
+		if (sharp > 0) {
+			_simulate_edges.dispatch(list, constants, slots);
+		}
 		if (sharp + free < slots) {
 			_simulate.dispatch(list, constants, slots);
 		}
 		if (free > 0) {
 			_simulate_free.dispatch(list, constants, slots);
-		}
-		if (sharp > 0) {
-			_simulate_edges.dispatch(list, constants, slots);
 		}
 		device->compute_list_end();
 	}

@@ -151,12 +151,17 @@ vec3 rest_of(int p_knot) {
 #include "solver/share.inc"
 #include "solver/shape.inc"
 #include "solver/near.inc"
-#include "solver/contact.inc"
 #include "solver/touch.inc"
 #include "solver/joint.inc"
 #include "solver/beyond.inc"
+#include "solver/pairs.inc"
+#include "solver/touches.inc"
+#include "solver/contact.inc"
 #include "solver/chain.inc"
 #include "solver/free.inc"
+#ifndef GRASS_FREE
+#include "solver/plan.inc"
+#endif
 #include "solver/finish.inc"
 #include "solver/direct.inc"
 #include "solver/solve.inc"
@@ -274,15 +279,18 @@ void main() {
 		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
 		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
 	}
-	if (thread < count) {
+	bool takes_step = thread < count;
+	if (takes_step) {
 		if (count < uint(GRASS_BLADES_PER_TILE)) {
 			find_blade(blade_of[thread]);
 		}
 		find_air_load();
 		load_rest(is_fresh);
-		if (step.contact.x >= 1.0) { // else no time passes
-			step_blade(slot.list.z);
-		}
+	}
+	if (step.contact.x >= 1.0) { // else no time passes
+		step_blade(takes_step, slot.list.z);
+	}
+	if (takes_step) {
 		atomicMax(liveliest, floatBitsToUint(measured_energy()));
 		vec3 bend = measure_bend() * BEND_UNITS;
 		for (int c = 0; c < 3; c++) {

@@ -127,9 +127,15 @@ inline BladeScene make_held(const Rest &p_rest, float p_rate, const SolverParams
 	return scene;
 }
 
+inline constexpr float AT = 0.004f; // metres, the solver's skin
+
+// Whether the shape stands on the blade's root: its clamp, which cannot get out, is inside.
+inline bool is_buried(const BladeScene &p_scene, int p_blade) {
+	return p_scene.depth_in(p_scene.tile_colliders()[0], p_blade, 1) > AT;
+}
+
 // Whether the shape holds the blade: it is at the surface, and its clamp, which could not get out, is outside.
 inline bool is_held(const BladeScene &p_scene, int p_blade) {
-	constexpr float AT = 0.004f; // metres, the solver's skin
 	const TileCollider collider = p_scene.tile_colliders()[0];
 	const Vec3<float> root = Vec3<float>{} - collider.centre;
 	const Eigen::Vector3f clamp = p_scene.knot(p_blade, 1);
@@ -144,6 +150,7 @@ inline bool is_held(const BladeScene &p_scene, int p_blade) {
 
 struct Count {
 	int held = 0, moving = 0; // of those, farther than 1e-5 of their length in a step
+	int buried = 0, moving_buried = 0;
 };
 
 // Watches each blade for a second.
@@ -161,9 +168,13 @@ inline Count count_moving(BladeScene &r_scene, float p_rate) {
 	}
 	Count count;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+		const int moves = most[b] > 1e-5f ? 1 : 0;
 		if (is_held(r_scene, b)) {
 			count.held++;
-			count.moving += most[b] > 1e-5f ? 1 : 0;
+			count.moving += moves;
+		} else if (is_buried(r_scene, b)) {
+			count.buried++;
+			count.moving_buried += moves;
 		}
 	}
 	return count;
@@ -176,6 +187,8 @@ inline Count count_moving(const std::vector<Rest> &p_rests, float p_rate, const 
 		const Count count = count_moving(scene, p_rate);
 		all.held += count.held;
 		all.moving += count.moving;
+		all.buried += count.buried;
+		all.moving_buried += count.moving_buried;
 	}
 	return all;
 }

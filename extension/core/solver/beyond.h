@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/matrix.h"
+#include "core/solver/near.h"
 #include "core/solver/touch.h"
 
 namespace grass {
@@ -21,6 +22,7 @@ template <class T> struct Stage {
 	T span; // seconds
 	bool is_part; // one of those that a step among what moves far is taken in
 	T most_depth; // of a contact that a solve can take back, metres; what is deeper is a blow
+	MaskOf<T> is_buried; // [Eq 46] a blow would not free it
 	T caution; // resistance of the joints to one solve, shares of their stiffness
 	T weight; // of a knot's inertia: 1 + drag; of a free blade, whose forces are asked for at a mean, over the weight of its end there
 	Vec3<T> base[GRASS_KNOTS]; // metres
@@ -54,7 +56,7 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Sta
 	const auto is_blow = p_touch.depth > p_stage.most_depth;
 	const T depth = select(is_blow, T(0.0f), p_touch.depth);
 	r_beyond.touches.depth = maximum(r_beyond.touches.depth, p_touch.depth);
-	r_beyond.touches.blow = maximum(r_beyond.touches.blow, select(is_blow, p_touch.depth, T(0.0f)));
+	r_beyond.touches.blow = maximum(r_beyond.touches.blow, select(is_blow & !p_stage.is_buried, p_touch.depth, T(0.0f)));
 	const T hard = p_own *
 			(p_weight * T(CONTACT_OVER_INERTIA) + p_bending * T(CONTACT_OVER_BENDING) / maximum(p_length * p_length, T(TINY_SQUARED)));
 	const T skin = maximum(p_length * T(SKIN), T(1e-12f));

@@ -38,9 +38,9 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 36] Whether no shared collider that may touch the blade is so fast that it carries it along.
-template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	const T most = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
+// [Eq 36], [Eq 46] Whether no shared collider that may touch the blade is faster than p_speed, blade lengths a second.
+template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms, float p_speed) {
+	const T most = p_blade.blade_length * (p_terms.seconds * T(p_speed));
 	auto is_fast = T(0.0f) > T(1.0f);
 	for (const TileCollider &collider : p_terms.colliders.first(std::min(p_terms.colliders.size(), size_t(GRASS_SHARED_COLLIDERS)))) {
 		is_fast =
@@ -168,14 +168,15 @@ GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const V
 // r_blade is at the start of the step, and those that take no part stay there. p_parts: of each blade; p_thin: see Near.
 template <class T>
 GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
-		const T &p_parts, const T &p_thin) {
+		const T &p_parts, const T &p_thin, const MaskOf<T> &p_is_buried) {
 	using Mask = MaskOf<T>;
 	StepTerms<T> terms = p_terms;
 	terms.iterations = 1;
 	const T most_move = p_terms.max_move * p_terms.step_ratio * r_blade.blade_length;
 	Start<T> part;
 	Stage<T> stage;
-	for (int parts = 2; parts <= most_parts(p_terms.iterations); parts *= 2) {
+	stage.is_buried = p_is_buried;
+	for (int parts = 2; parts <= p_terms.most_parts; parts *= 2) {
 		const Mask takes_part = (p_parts > T(float(parts) - 0.5f)) & (p_parts < T(float(parts) + 0.5f));
 		if (!any(takes_part)) {
 			continue;
@@ -210,14 +211,16 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Near<T> near = find_near(r_blade, p_terms);
-	const T parts = count_parts(r_blade, p_terms, near, fastest);
-	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near, is_free = !(is_near | is_in_parts);
+	const Mask is_buried = near.is_near & find_buried(r_blade, p_terms);
+	const Mask stays = is_buried & all_are_slow(r_blade, p_terms, BURY_BELOW);
+	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest));
+	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near & !stays, is_free = !(is_near | is_in_parts | stays);
 	const T seconds = p_terms.seconds;
 	const ChainTerms<T> chain = make_chain_terms(r_blade, p_terms);
 	Blade<T> parted;
 	if (any(is_in_parts)) {
 		parted = r_blade;
-		step_in_parts(parted, p_terms, chain, start, parts, near.thin);
+		step_in_parts(parted, p_terms, chain, start, parts, near.thin, is_buried);
 	}
 	const FreeStep<T> free = make_free_step(r_blade, p_terms, start);
 	const T euler_weight = T(1.0f) + p_terms.drag * seconds;
@@ -227,13 +230,14 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	stage.weight = select(is_free, free.weight / free.ahead, euler_weight);
 	stage.caution = select(is_free, T(0.0f), T(CAUTION));
 	stage.is_part = false;
+	stage.is_buried = is_buried;
 	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
 	const Mask none = is_near & !is_near;
 	Hold<Mask> hold{ none, none, none, none };
 	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
 			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
-		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms);
+		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms, CARRY_FROM);
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}
@@ -249,12 +253,14 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	if (has_free) {
 		go_to_middle(r_blade, stage, start, free, is_free, middle);
 	}
-	solve_stage(r_blade, p_terms, chain, start, stage, !is_in_parts, is_near, hold);
+	solve_stage(r_blade, p_terms, chain, start, stage, !(is_in_parts | stays), is_near, hold);
 	if (has_free) {
 		leave_middle(r_blade, free, is_free, middle);
 	}
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = start.place[k];
+		r_blade.knots[k] = select(stays, start.place[k], r_blade.knots[k]);
+		r_blade.twist[k - 1] = select(stays, start.twist[k - 1], r_blade.twist[k - 1]);
 	}
 	if (any(is_in_parts)) {
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {

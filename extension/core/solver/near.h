@@ -47,6 +47,19 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
+// [Eq 46] Whether a collider stands on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
+template <class T> GRASS_INLINE MaskOf<T> find_buried(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	MaskOf<T> is_buried = T(0.0f) > T(1.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
+		const auto is_within = dot(place, place) < T(collider.bound * collider.bound);
+		if (any(is_within)) {
+			is_buried = is_buried | (is_within & (find_face(collider, place).distance < T(0.0f)));
+		}
+	}
+	return is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
+}
+
 // [Eq 43] In how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far the step takes its fastest knot,
 // metres.
 template <class T>
@@ -55,7 +68,7 @@ GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms,
 	const T moved = maximum(p_near.moved, p_fastest * T(PART_OF_KNOT));
 	const T wanted = moved * T(float(p_terms.iterations)) / (p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
 	T parts(1.0f);
-	for (int i = 2; i <= most_parts(p_terms.iterations); i *= 2) {
+	for (int i = 2; i <= p_terms.most_parts; i *= 2) {
 		parts = select(is_asked & (wanted > parts), T(float(i)), parts);
 	}
 	return parts;
