@@ -15,13 +15,17 @@ namespace grass {
 
 namespace {
 constexpr real_t LIFT = 0.005f; // metres above the user's floor; less flickers with it, more shows at the field's edge
+
+int ground_features(int p_features) {
+	return p_features & ~SHADER_CARDS; // flowers are a colour there
+}
 } // namespace
 
-bool Ground::prepare(bool p_mapped) {
-	return prepare_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0);
+bool Ground::prepare(int p_features) {
+	return prepare_shader(shader::GROUND_GDSHADER, ground_features(p_features));
 }
 
-void Ground::create(const TileGrid &p_grid, bool p_mapped) {
+void Ground::create(const TileGrid &p_grid, int p_features) {
 	free();
 	const real_t x = real_t(0.5 * p_grid.get_size_x()), z = real_t(0.5 * p_grid.get_size_z());
 	PackedVector3Array vertices, normals;
@@ -39,7 +43,7 @@ void Ground::create(const TileGrid &p_grid, bool p_mapped) {
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
 	_material.instantiate();
-	_features = p_mapped ? SHADER_MAP : 0;
+	_features = ground_features(p_features);
 	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, _features));
 	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
 	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it

@@ -19,8 +19,8 @@ public:
 	~Ground() { free(); }
 
 	// Makes the shader that create() uses, if it does not exist. Returns whether it existed before.
-	static bool prepare(bool p_mapped);
-	void create(const TileGrid &p_grid, bool p_mapped); // p_mapped: soil only where the map has grass
+	static bool prepare(int p_features);
+	void create(const TileGrid &p_grid, int p_features); // with SHADER_MAP: soil only where the map has grass
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);

@@ -3,6 +3,7 @@
 
 #include "draw/frame_share.h"
 #include "draw/ground.h"
+#include "draw/patch_texture.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +34,7 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	if (!_wanted || !_wanted->bounds) {
 		return false;
 	}
-	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(_wanted->setup.is_mapped));
+	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(shader_features(_wanted->setup)));
 	return has_shaders && prepare_map(p_properties, in_parts) && has_time();
 }
 

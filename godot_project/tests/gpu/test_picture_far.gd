@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+## Where blades end the ground goes on: with their colour, in all light, without a line. Runs in every renderer.
+extends "res://tests/view_case.gd"
+
+const SIZE := Vector2i(96, 54)
+const FINER := 8  # times as many pixels a side show all blades of what SIZE shows by the ground alone
+const FRONT := Vector3(-35, 180, 0)  # rotations of the sun, for a camera that looks along -z
+const SIDE := Vector3(-50, 90, 0)
+const BACK := Vector3(-25, 0, 0)
+const PICTURES := "user://pictures/"  # looked at by people
+
+var sun: DirectionalLight3D
+
+
+func before() -> void:
+	open_view(SIZE)
+	add_light()
+	DirAccess.make_dir_recursive_absolute(PICTURES)
+	camera.far = 1000.0
+	camera.fov = 30.0
+	sun = viewport.get_child(1) as DirectionalLight3D
+
+
+func save(image: Image, name: String) -> void:
+	image.save_png(PICTURES + "%s_%s.png" % [name, RenderingServer.get_current_rendering_method()])
+
+
+func full_picture(size: Vector2i) -> Image:
+	viewport.size = size
+	picture_size = size
+	await drawn()
+	return await picture()
+
+
+## Mean light of the rows from `begin` to before `end`, and of all columns.
+func light_of(image: Image, begin: int, end: int) -> Color:
+	var sum := Color(0, 0, 0, 0)
+	for y in range(begin, end):
+		for x in image.get_width():
+			sum += image.get_pixel(x, y).srgb_to_linear()
+	return sum / ((end - begin) * image.get_width())
+
+
+## A field that is seen under `elevation` degrees, by a camera so far away that all of it is as large in the picture.
+func look_under(elevation: float) -> void:
+	var angle := deg_to_rad(elevation)
+	camera.fov = minf(30.0, 0.75 * elevation)
+	look(8.0 / tan(deg_to_rad(0.5 * camera.fov)) * Vector3(0, sin(angle), cos(angle)), Vector3.ZERO)
+
+
+## By a picture with so many pixels that every blade is drawn, and one with so few that none is.
+func assert_ground_is_like_blades(field: GrassField, name: String, most: float) -> void:
+	for elevation: float in [12.0, 25.0, 60.0]:
+		look_under(elevation)
+		for light: Vector3 in [FRONT, SIDE, BACK]:
+			sun.rotation_degrees = light
+			var fine := await full_picture(FINER * SIZE)
+			var drawn_blades: int = field.get_statistics().drawn_blades
+			var coarse := await full_picture(SIZE)
+			assert_less(field.get_statistics().drawn_blades, 0.05 * drawn_blades)
+			var blades := light_of(fine, 0, fine.get_height()).linear_to_srgb()
+			var ground := light_of(coarse, 0, SIZE.y).linear_to_srgb()
+			var text := "%s, %d degrees, sun %s: %s as blades, %s as ground" % [name, elevation, light, blades, ground]
+			print("    ", text)
+			assert_near(ground.g / blades.g, 1.0, most, text)
+			assert_near(ground.r / blades.r, 1.0, most, text)
+
+
+func test_the_ground_has_the_colour_of_the_blades() -> void:
+	var field := add_seen_field({size = Vector2(100, 100), wind_speed = 5.0})
+	await grown(field)
+	await assert_ground_is_like_blades(field, "meadow", 0.1)
+
+
+## The band of the picture in which blades end, and what lies before and behind it. Without clumps and wind, whose patches are no smaller.
+func test_there_is_no_line_where_blades_end() -> void:
+	var field := add_seen_field({size = Vector2(200, 200), clump_tint = 0.0, clump_height = 0.0})
+	await grown(field)
+	camera.fov = 75.0
+	look(Vector3(0, 20, 95), Vector3(0, 10, 75))
+	for light: Array in [["front", FRONT], ["back", BACK]]:
+		sun.rotation_degrees = light[1]
+		var image := await full_picture(Vector2i(480, 270))
+		save(image, "far_%s" % light[0])
+		assert_greater(field.get_statistics().drawn_tiles, 500, "blades near the eye")
+		assert_less(field.get_statistics().drawn_tiles, field.get_statistics().tiles / 5.0, "none far away")
+		var most := 0.0
+		var before := light_of(image, 110, 120).get_luminance()
+		for y in range(120, 260, 10):
+			var here := light_of(image, y, y + 10).get_luminance()
+			most = maxf(most, absf(here / before - 1.0))
+			before = here
+		print("    from ten rows to the next, sun in the %s: %.3f of the light at most" % [light[0], most])
+		assert_less(most, 0.08)
