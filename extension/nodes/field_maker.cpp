@@ -67,6 +67,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.seed = uint32_t(p_properties.seed);
 	setup.is_mapped = p_properties.map.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
+	setup.has_terrain = p_properties.terrain_texture.is_valid();
 	setup.card_size = p_properties.species.find_card_size();
 	wanted.plants = p_properties.species.find_plants(p_properties.param(PARAM_DENSITY));
 	for (const DrawnPlant &plant : wanted.plants) {

@@ -35,6 +35,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		p_set(FIELD_COLORS[i].name, p_properties.colors[i]);
 	}
+	p_set("terrain_texture", p_properties.terrain_texture);
 	set_wind(p_properties, p_set);
 }
 

@@ -237,7 +237,10 @@ void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
 
 void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_backend->follow(p_node, p_transform);
-	const bool is_carried = _properties.has_ground && _field.ground_relief() == 0.0; // it is flat
+	const bool is_carried = _properties.has_ground;
+	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
+		_ground.set_heights(cover->get_low(), cover->get_high());
+	}
 	_ground.follow(p_node, p_transform, is_carried);
 	if (_is_carried != is_carried) {
 		_is_carried = is_carried;

@@ -92,3 +92,89 @@ func test_there_is_no_line_where_blades_end() -> void:
 			before = here
 		print("    from ten rows to the next, sun in the %s: %.3f of the light at most" % [light[0], most])
 		assert_less(most, 0.08)
+
+
+func knoll_height(x: float, z: float) -> float:
+	return 2.0 * exp(-(x * x + z * z) / 30.0)
+
+
+## A field of 32 m with a knoll on its map, soil with hardly a blade on it.
+func add_knoll(properties := {}) -> GrassField:
+	var heights := Image.create_empty(65, 65, false, Image.FORMAT_RF)
+	for z in 65:
+		for x in 65:
+			heights.set_pixel(x, z, Color(knoll_height(0.5 * x - 16.0, 0.5 * z - 16.0), 0, 0))
+	var map := GrassMap.new()
+	map.base_density = 1.0
+	map.set_ground(heights, Rect2(-16.25, -16.25, 32.5, 32.5))
+	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, map = map}.merged(properties, true))
+	await grown(field)
+	return field
+
+
+## From the side, in a picture of 8 m, whose background shows where there is neither soil nor blade.
+func test_soil_follows_baked_hills() -> void:
+	await add_knoll()
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 8.0
+	look(Vector3(0, 1, 40), Vector3(0, 1, 0))
+	var image := await full_picture(Vector2i(160, 80))
+	save(image, "knoll")
+	var below := 0
+	var soil := 0
+	for x in 160:
+		for y in 80:
+			var across := (x + 0.5 - 80) * 0.1
+			var high := 1.0 - (y + 0.5 - 40) * 0.1
+			var is_sky := image.get_pixel(x, y).b > 0.5
+			if high > 0.1 and high < knoll_height(across, 0) - 0.15:
+				below += 1
+				soil += int(not is_sky)
+			elif high > knoll_height(across, 0) + 1.0:
+				assert_true(is_sky, "nothing stands %s m above the ground at %s" % [high, across])
+	assert_greater(below, 500)
+	assert_greater(float(soil) / below, 0.99, "the knoll hides what is behind it")
+
+
+func test_soil_has_a_soft_edge_on_baked_hills() -> void:
+	await add_knoll({root_shade = 0.0, soil_color = Color.BLACK})
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 2.0
+	look(Vector3(15.5, 20, 0), Vector3(15.5, 0, 0))
+	var image := await full_picture(Vector2i(192, 108))
+	save(image, "knoll_edge")
+	var sky := image.get_pixel(191, 50).b
+	assert_greater(share_of(image, func(color: Color) -> bool: return color.b > 0.97 * sky), 0.1, "nothing outside")
+	assert_greater(share_of(image, func(color: Color) -> bool: return color.b < 0.3 * sky), 0.1, "soil inside")
+	assert_greater(share_of(image, func(color: Color) -> bool: return absf(color.b / sky - 0.65) < 0.25), 0.02, "both between")
+
+
+## A terrain that is red on one side and blue on the other.
+func test_far_grass_and_roots_have_the_colour_of_the_terrain() -> void:
+	var colors := Image.create_empty(2, 1, false, Image.FORMAT_RGBA8)
+	colors.set_pixel(0, 0, Color(0.7, 0.1, 0.1))
+	colors.set_pixel(1, 0, Color(0.1, 0.1, 0.7))
+	var field := add_seen_field({size = Vector2(60, 60), density = 64.0, terrain_blend = 1.0})
+	await grown(field)
+	var makings: int = field.get_statistics().makings
+	field.terrain_texture = ImageTexture.create_from_image(colors)
+	await grown(field)
+	assert_eq(field.get_statistics().makings, makings + 1, "shaders for a terrain are others")
+	sun.rotation_degrees = SIDE
+	for at: float in [-16.0, 16.0]:
+		look(Vector3(at, 20, 40), Vector3(at, 0, 4))
+		camera.fov = 15.0
+		var far := light_of(await full_picture(SIZE), 0, SIZE.y)
+		look(Vector3(at, 1.0, 2), Vector3(at, 0, 0.5))
+		camera.fov = 60.0
+		var near := light_of(await full_picture(4 * SIZE), 0, 4 * SIZE.y)
+		print("    terrain at %s: %s far, %s near" % [at, far, near])
+		assert_greater(far.r / far.b if at < 0.0 else far.b / far.r, 5.0, "far grass is the terrain's")
+		assert_greater(near.r / near.b if at < 0.0 else near.b / near.r, 1.5, "near grass in part")
+		assert_greater(
+			near.g / near.b if at < 0.0 else near.g / near.r, 1.2 * (far.g / far.b if at < 0.0 else far.g / far.r), "tips stay green"
+		)
+	field.terrain_blend = 0.0
+	var plain := light_of(await full_picture(4 * SIZE), 0, 4 * SIZE.y)
+	assert_greater(plain.g, 1.1 * plain.b)
+	assert_eq(field.get_statistics().makings, makings + 1, "the share is a uniform")
