@@ -72,6 +72,30 @@ func test_the_ground_has_the_colour_of_the_blades() -> void:
 	await assert_ground_is_like_blades(field, "meadow", 0.1)
 
 
+## Each over all of the field: paint, wear, and mown grass.
+func test_the_ground_has_what_was_painted() -> void:
+	var field := add_seen_field({size = Vector2(100, 100)})
+	for tool: Array in [
+		["tinted", GrassBrush.TOOL_TINT, {color = Color(0.7, 0.2, 0.6), strength = 0.8}],
+		["worn", GrassBrush.TOOL_FLATTEN, {strength = 0.5}],
+		["mown", GrassBrush.TOOL_CUT, {cut_height = 0.2}],
+	]:
+		field.map = full_map()
+		field.map.stroke(brush(tool[1], 90.0, tool[2]), Vector2.ZERO, Vector2.ZERO)
+		await grown(field)
+		await assert_ground_is_like_blades(field, tool[0], 0.15)
+
+
+func test_the_ground_has_the_mix_of_species() -> void:
+	var dark := GrassSpecies.new()
+	dark.root_color = Color(0.1, 0.2, 0.3)
+	dark.tip_color = Color(0.2, 0.3, 0.5)
+	dark.share = 0.3
+	var field := add_seen_field({size = Vector2(100, 100), species = [GrassSpecies.new(), dark]})
+	await grown(field)
+	await assert_ground_is_like_blades(field, "two species", 0.12)
+
+
 ## The band of the picture in which blades end, and what lies before and behind it. Without clumps and wind, whose patches are no smaller.
 func test_there_is_no_line_where_blades_end() -> void:
 	var field := add_seen_field({size = Vector2(200, 200), clump_tint = 0.0, clump_height = 0.0})
