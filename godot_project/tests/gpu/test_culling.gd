@@ -170,7 +170,7 @@ func test_blades_end_where_the_ground_carries_them() -> void:
 	var properties := {size = Vector2(80, 80), density = 64.0}
 	var gpu := add_seen_field(properties)
 	var cpu := add_seen_field(properties.merged({backend = GrassField.BACKEND_CPU}))
-	look(Vector3(0, 15, 40), Vector3(0, 0, 20))
+	look(Vector3(0, 5, 40), Vector3(0, 0, 34))
 	await drawn()
 	var ended: int = gpu.get_statistics().drawn_tiles
 	assert_greater(ended, 0)
