@@ -26,7 +26,7 @@ BladeMaterials::BladeMaterials(int p_features) {
 
 namespace {
 int shadow_features(int p_features) {
-	return p_features & ~SHADER_CARDS; // cards throw no shadow
+	return p_features & ~(SHADER_CARDS | SHADER_TERRAIN); // cards throw no shadow
 }
 } // namespace
 

@@ -9,48 +9,103 @@
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
 
 namespace {
 constexpr real_t LIFT = 0.005f; // metres above the user's floor; less flickers with it, more shows at the field's edge
-} // namespace
 
-bool Ground::prepare(bool p_mapped) {
-	return prepare_shader(shader::GROUND_GDSHADER, p_mapped ? SHADER_MAP : 0);
+// The same on hills, metres for each metre of a cell's side: between its corners ground bows.
+constexpr double LIFT_OF_CELLS = 0.03;
+// Of the sheet on hills: metres, as the map's heights are apart; and along a side at most. More: vertices that nobody sees.
+constexpr double CELL = GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS;
+constexpr int MOST_CELLS = 256;
+
+int cells_along(double p_metres) {
+	return std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
 }
 
-void Ground::create(const TileGrid &p_grid, bool p_mapped) {
+int ground_features(int p_features) {
+	return p_features & ~SHADER_CARDS; // flowers are a colour there
+}
+} // namespace
+
+bool Ground::prepare(int p_features) {
+	return prepare_shader(shader::GROUND_GDSHADER, ground_features(p_features));
+}
+
+void Ground::create(const TileGrid &p_grid, int p_features) {
 	free();
-	const real_t x = real_t(0.5 * p_grid.get_size_x()), z = real_t(0.5 * p_grid.get_size_z());
+	_grid = p_grid;
+	_low = _high = 0.0f;
+	_material.instantiate();
+	_features = ground_features(p_features);
+	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, _features));
+	_material->set_shader_parameter("size", Vector2(real_t(p_grid.get_size_x()), real_t(p_grid.get_size_z())));
+	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
+	RenderingServer *server = RenderingServer::get_singleton();
+	_instance = server->instance_create();
+	make_mesh();
+	_follower.reset();
+	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+}
+
+void Ground::make_mesh() {
+	const double x = _grid.get_size_x(), z = _grid.get_size_z();
+	const bool is_flat = _low == 0.0f && _high == 0.0f;
+	const int columns = is_flat ? 1 : cells_along(x), rows = is_flat ? 1 : cells_along(z);
+	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max(x / columns, z / rows);
 	PackedVector3Array vertices, normals;
-	for (const Vector3 &corner : { Vector3(-x, LIFT, -z), Vector3(x, LIFT, -z), Vector3(x, LIFT, z), Vector3(-x, LIFT, z) }) {
-		vertices.push_back(corner);
-		normals.push_back(Vector3(0, 1, 0));
-	}
 	PackedInt32Array indices;
-	for (const int32_t index : { 0, 1, 2, 0, 2, 3 }) {
-		indices.push_back(index);
+	vertices.resize(int64_t(columns + 1) * (rows + 1));
+	normals.resize(vertices.size());
+	indices.resize(int64_t(columns) * rows * 6);
+	Vector3 *vertex = vertices.ptrw(), *normal = normals.ptrw();
+	for (int j = 0; j <= rows; j++) {
+		for (int i = 0; i <= columns; i++) {
+			*vertex++ = Vector3(real_t(x * i / columns - 0.5 * x), real_t(lift), real_t(z * j / rows - 0.5 * z));
+			*normal++ = Vector3(0, 1, 0);
+		}
+	}
+	int32_t *index = indices.ptrw();
+	for (int j = 0; j < rows; j++) {
+		for (int i = 0; i < columns; i++) {
+			const int32_t first = j * (columns + 1) + i, next = first + columns + 1;
+			for (const int32_t corner : { first, first + 1, next + 1, first, next + 1, next }) {
+				*index++ = corner;
+			}
+		}
 	}
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);
 	arrays[Mesh::ARRAY_VERTEX] = vertices;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
-	_material.instantiate();
-	_features = p_mapped ? SHADER_MAP : 0;
-	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, _features));
-	_material->set_shader_parameter("size", Vector2(2 * x, 2 * z));
-	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
-	_mesh.instantiate();
-	_mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
-	_mesh->surface_set_material(0, _material);
-	RenderingServer *server = RenderingServer::get_singleton();
-	_instance = server->instance_create();
-	server->instance_set_base(_instance, _mesh->get_rid());
-	_follower.reset();
-	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	Ref<ArrayMesh> mesh;
+	mesh.instantiate();
+	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
+	mesh->surface_set_material(0, _material);
+	RenderingServer::get_singleton()->instance_set_base(_instance, mesh->get_rid());
+	_mesh = mesh; // the last one may go now
+}
+
+void Ground::set_heights(float p_low, float p_high) {
+	if (!_instance.is_valid() || (p_low == _low && p_high == _high)) {
+		return;
+	}
+	const bool was_flat = _low == 0.0f && _high == 0.0f;
+	_low = p_low;
+	_high = p_high;
+	if (was_flat != (_low == 0.0f && _high == 0.0f)) {
+		make_mesh();
+	}
+	const real_t x = real_t(_grid.get_size_x()), z = real_t(_grid.get_size_z());
+	RenderingServer::get_singleton()->instance_set_custom_aabb(
+			_instance, AABB(Vector3(real_t(-0.5) * x, _low, real_t(-0.5) * z), Vector3(x, _high - _low + 1, z)));
 }
 
 void Ground::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, bool p_shown) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The soil between the blades: one quad over the field, so that the floor below does not shine through.
+// The soil between the blades: one sheet over the field, so that the floor below does not shine through. On baked hills it follows the
+// heights of the map, which its shader reads.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -19,9 +20,11 @@ public:
 	~Ground() { free(); }
 
 	// Makes the shader that create() uses, if it does not exist. Returns whether it existed before.
-	static bool prepare(bool p_mapped);
-	void create(const TileGrid &p_grid, bool p_mapped); // p_mapped: soil only where the map has grass
+	static bool prepare(int p_features);
+	void create(const TileGrid &p_grid, int p_features); // with SHADER_MAP: soil only where the map has grass
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
+	// The map's ground lies between these heights, metres above the field. Another mesh where it got hills, or lost them.
+	void set_heights(float p_low, float p_high);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	// SurfaceHook::text; "": none. False if the shader does not compile with it.
@@ -30,6 +33,10 @@ public:
 	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
 private:
+	void make_mesh();
+
+	TileGrid _grid;
+	float _low = 0.0f, _high = 0.0f;
 	godot::Ref<godot::ArrayMesh> _mesh;
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;

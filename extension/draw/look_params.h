@@ -32,6 +32,9 @@ inline constexpr Tunable BORDER_FADE{ "border_fade", "m", 0.0, 10.0, 0.1, 1.0 };
 inline constexpr Tunable ROOT_SHADE{ "root_shade", "", 0.0, 1.0, 0.01, 0.8 };
 // Share of the light on one face that comes out of the other.
 inline constexpr Tunable BACK_LIGHT{ "back_light", "", 0.0, 1.0, 0.01, 0.75 };
+// How much of their colour roots, soil and far grass take from the field's terrain_texture. 1: far away all of it, as the terrain beyond
+// the field has it.
+inline constexpr Tunable TERRAIN_BLEND{ "terrain_blend", "", 0.0, 1.0, 0.01, 0.7 };
 // Strength and Phong exponent of the highlight.
 inline constexpr Tunable SHEEN{ "sheen", "", 0.0, 1.0, 0.01, 0.12 };
 inline constexpr Tunable GLOSS{ "gloss", "", 1.0, 128.0, 1.0, 18.0 };

@@ -64,7 +64,7 @@ void free_shared_textures() {
 
 int shader_features(const FieldSetup &p_setup) {
 	return (p_setup.is_mapped ? SHADER_MAP : 0) | (p_setup.species ? SHADER_SPECIES : 0) | (p_setup.card_size > 0.0f ? SHADER_CARDS : 0) |
-			(p_setup.has_plants ? SHADER_PLANTS : 0);
+			(p_setup.has_plants ? SHADER_PLANTS : 0) | (p_setup.has_terrain ? SHADER_TERRAIN : 0);
 }
 
 AABB field_bounds(const FieldSetup &p_setup, const TileCover *p_cover) {

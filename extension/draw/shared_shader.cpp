@@ -28,6 +28,7 @@ String make_shader_code(const char *p_code, int p_features, const String &p_hook
 	head += p_features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
 	head += p_features & SHADER_CARDS ? "\n#define GRASS_CARDS" : "";
 	head += p_features & SHADER_PLANTS ? "\n#define GRASS_PLANTS" : "";
+	head += p_features & SHADER_TERRAIN ? "\n#define GRASS_TERRAIN" : "";
 	head += p_hook.is_empty() ? "" : "\n#define GRASS_HOOK";
 	const String code = String::utf8(p_code).replace("shader_type spatial;", head);
 	return p_hook.is_empty() ? code : code.replace("GRASS_HOOK_TEXT", p_hook);

@@ -14,6 +14,7 @@ enum ShaderFeature {
 	SHADER_SPECIES = 2, // GRASS_SPECIES
 	SHADER_CARDS = 4, // GRASS_CARDS; with SHADER_SPECIES only
 	SHADER_PLANTS = 8, // GRASS_PLANTS; likewise
+	SHADER_TERRAIN = 16, // GRASS_TERRAIN
 };
 
 // The shader of p_code (UTF-8, a string literal) with p_features, made by the first call and kept. p_hook: SurfaceHook::text.

@@ -116,7 +116,7 @@ Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const 
 			put(color.r, color.g, color.b, 1.0f);
 		}
 		put(look.dry_color.r, look.dry_color.g, look.dry_color.b, look.dry);
-		put(look.canopy_among_others, look.canopy_alone, 0.0f, 0.0f);
+		put(look.canopy_among_others, look.canopy_alone, look.blade_area, 0.0f);
 		const Color &tint = look.card_color, far = tint * p_cards.colors[s];
 		put(look.card_width, look.card_height, float(p_cards.layers[s]), look.card_share);
 		put(tint.r, tint.g, tint.b, 1.0f);

@@ -41,7 +41,7 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 	view.lod = { p_view.lod.far, p_view.lod.error, p_view.lod.pixels_min, p_view.lod.shadow_coarseness };
 	view.field = { float(p_setup.grid.get_tiles_x()), float(p_setup.grid.get_tiles_z()), float(p_setup.grid.get_tile_size()),
 		p_setup.blade_height() };
-	view.blades = { p_setup.blade_spread(), size.width, size.length, 0.0f };
+	view.blades = { p_setup.blade_spread(), size.width, size.length, p_view.lod.is_carried ? 1.0f : 0.0f };
 	view.shadow = { p_view.shadow_margin, p_view.shadow_distance, 0.0f, 0.0f };
 	const size_t falls = std::min(p_view.falls.size(), std::size(view.falls));
 	for (size_t i = 0; i < falls; i++) {

@@ -3,6 +3,7 @@
 
 #include "draw/frame_share.h"
 #include "draw/ground.h"
+#include "draw/patch_texture.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +34,7 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	if (!_wanted || !_wanted->bounds) {
 		return false;
 	}
-	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(_wanted->setup.is_mapped));
+	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(shader_features(_wanted->setup)));
 	return has_shaders && prepare_map(p_properties, in_parts) && has_time();
 }
 
@@ -66,6 +67,7 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.seed = uint32_t(p_properties.seed);
 	setup.is_mapped = p_properties.map.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
+	setup.has_terrain = p_properties.terrain_texture.is_valid();
 	setup.card_size = p_properties.species.find_card_size();
 	wanted.plants = p_properties.species.find_plants(p_properties.param(PARAM_DENSITY));
 	for (const DrawnPlant &plant : wanted.plants) {

@@ -12,6 +12,8 @@
 #include "nodes/field_species.h"
 #include "nodes/grass_map.h"
 
+#include <godot_cpp/classes/texture2d.hpp>
+
 #include <array>
 
 namespace grass {
@@ -37,6 +39,7 @@ struct FieldProperties {
 	FieldSpecies species;
 	FieldHook hook;
 	godot::Ref<GrassMap> map;
+	godot::Ref<godot::Texture2D> terrain_texture;
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
 	bool simulated = true, measure_time = false, has_ground = true;
 	Method method = SolverParams().method;

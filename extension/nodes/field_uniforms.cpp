@@ -3,6 +3,7 @@
 
 #include "draw/patch_texture.h"
 
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector4_array.hpp>
 
@@ -20,6 +21,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("tile_size", grid.get_tile_size());
 	const BladeSize size = p_setup.blade_size();
 	p_set("grass_cover", grass_lod_cover(size.width, size.length, float(grid.get_tile_size())));
+	p_set("grass_length", size.length);
 	p_set("clump", Vector4(p_setup.clump.size, p_setup.clump.height, p_setup.clump.lean, p_setup.clump.tint));
 	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
 	p_set("debug_view", p_properties.debug_view);
@@ -33,6 +35,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		p_set(FIELD_COLORS[i].name, p_properties.colors[i]);
 	}
+	p_set("terrain_texture", p_properties.terrain_texture);
 	set_wind(p_properties, p_set);
 }
 
@@ -148,10 +151,16 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 		}
 		stems.resize(GRASS_MAX_SPECIES);
 		p_set_blades("species_stems", stems);
-		set_plants(p_plants, p_set_blades);
+		set_plants(p_plants, p_set);
 	}
-	p_set_blades("species_count", p_setup.species->get_count());
-	p_set_blades("species_mix", records);
+	PackedFloat32Array shares;
+	for (int s = 0; s < p_setup.species->get_count(); s++) {
+		shares.push_back(float(p_setup.species->get_share(s)));
+	}
+	shares.resize(GRASS_MAX_SPECIES);
+	p_set("species_shares", shares);
+	p_set("species_count", p_setup.species->get_count());
+	p_set("species_mix", records);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = float(GRASS_LOD_FULLNESS * GRASS_LOD_FACING); // of width times length: seen from anywhere
@@ -168,7 +177,7 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	if (!are_made_of(_cards, looks)) {
 		_cards = make_cards(looks);
 	}
-	p_set_blades("species_look", make_look_texture(looks, _cards));
+	p_set("species_look", make_look_texture(looks, _cards));
 	if (_cards.textures.is_valid()) {
 		p_set_blades("card_textures", _cards.textures);
 	}

@@ -105,6 +105,8 @@ public:
 	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return _properties.hook.get_include(); }
 	void set_hook_parameter(const godot::StringName &p_name, const godot::Variant &p_value); // null: as the include has it
 	godot::Variant get_hook_parameter(const godot::StringName &p_name) const;
+	void set_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture); // null: none
+	godot::Ref<godot::Texture2D> get_terrain_texture() const { return _properties.terrain_texture; }
 	void set_ground(bool p_ground) { _properties.has_ground = p_ground; }
 	bool has_ground() const { return _properties.has_ground; }
 	void set_debug_view(DebugView p_view);

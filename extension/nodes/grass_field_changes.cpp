@@ -77,6 +77,18 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	request_rebuild();
 }
 
+// Shaders without a texture of the terrain have no line of it.
+void GrassField::set_terrain_texture(const Ref<Texture2D> &p_texture) {
+	GRASS_MAIN_THREAD_ONLY();
+	const bool had_one = _properties.terrain_texture.is_valid();
+	_properties.terrain_texture = p_texture;
+	if (had_one != p_texture.is_valid()) {
+		request_rebuild();
+	} else {
+		_standing.set_uniform("terrain_texture", p_texture);
+	}
+}
+
 // Nothing grows on it, nor will by a rule.
 bool GrassField::is_map_bare() const {
 	const Ref<GrassMap> &map = _properties.map;

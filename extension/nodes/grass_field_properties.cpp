@@ -239,6 +239,8 @@ void GrassField::_bind_methods() {
 	add_numbers("Wind");
 	ADD_GROUP("Look", "");
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "ground"), set_ground, has_ground);
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "terrain_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
+			set_terrain_texture, get_terrain_texture);
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color",
 				"_get_color", int(i));

@@ -55,7 +55,9 @@ void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, con
 		make_backend();
 	}
 	if (_backend) {
-		_ground.create(setup.grid, setup.is_mapped);
+		_ground.create(setup.grid, shader_features(setup));
+		_is_carried = false;
+		set_uniform("ground_carries", 0.0);
 		set_plants();
 		follow(p_node, p_transform);
 		_uniforms.set_all(_properties, setup, uniform_setter(true));
@@ -171,9 +173,8 @@ FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
 	};
 }
 
-// The ground has no wind.
 void StandingField::set_wind_clock() {
-	_uniforms.set_wind_clock(uniform_setter(false));
+	_uniforms.set_wind_clock(uniform_setter(true));
 }
 
 // All of it, to a backend that has not seen it yet.
@@ -236,7 +237,15 @@ void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
 
 void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	_backend->follow(p_node, p_transform);
-	_ground.follow(p_node, p_transform, _properties.has_ground && _field.ground_relief() == 0.0); // it is flat
+	const bool is_carried = _properties.has_ground;
+	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
+		_ground.set_heights(cover->get_low(), cover->get_high());
+	}
+	_ground.follow(p_node, p_transform, is_carried);
+	if (_is_carried != is_carried) {
+		_is_carried = is_carried;
+		_backend->set_uniform("ground_carries", _is_carried ? 1.0 : 0.0);
+	}
 }
 
 void StandingField::read_asked() {

@@ -105,6 +105,7 @@ private:
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
 	FieldUniforms _uniforms;
+	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
 	bool _is_measured = false; // somebody reads the monitors of times
 	int64_t _builds = 0; // backends made

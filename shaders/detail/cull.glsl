@@ -128,11 +128,12 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 
 #include "detail/casts.inc"
 
-// [Eq L7] Share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box.
-float in_sight(vec3 p_to_eye, float p_grown, float p_cut, float p_slope) {
+// [Eq L7] [Eq L9] Share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of it in one.
+float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p_slope) {
 	float height = p_cut < GRASS_UNCUT ? min(view.blades.z, p_cut) : view.blades.z;
 	float cover = p_grown * grass_lod_cover(view.blades.y, height, view.field.z);
-	return grass_lod_in_sight(cover, length(p_to_eye.xz), p_to_eye.y, height, p_slope);
+	float share = grass_lod_in_sight(cover, length(p_to_eye.xz), p_to_eye.y, height, p_slope);
+	return share * grass_lod_ends(height / (view.lod.z * p_pixel), share, view.blades.w);
 }
 
 // What the cameras need of a tile, for the picture and for shadows.
@@ -154,7 +155,7 @@ void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 		float pixel = pixel_at.x + pixel_at.y * lod_distance;
 		if (grass_tile_visible(cameras[i].planes, middle, half_extents, 0.0, vec3(0.0))) {
 			bool hides = pixel_at.y > 0.0 && view.lod.z > 0.0; // an orthogonal camera has no eye
-			float shown = hides ? in_sight(eye.xyz - middle, cover.grown, cover.cut, cover.slope) : 1.0;
+			float shown = hides ? in_sight(eye.xyz - middle, pixel, cover.grown, cover.cut, cover.slope) : 1.0;
 			add_need(r_seen, lod_distance, pixel, eye.w, shown);
 		}
 		if (eye_distance < view.shadow.y && casts_into(cameras[i], middle, half_extents)) {

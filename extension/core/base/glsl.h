@@ -138,6 +138,9 @@ template <Vector V> V normalize(const V &p_a) {
 	return p_a / length(p_a);
 }
 
+inline float mix(float p_a, float p_b, float p_t) {
+	return p_a * (1.0f - p_t) + p_b * p_t;
+}
 template <Vector V> V mix(const V &p_a, const V &p_b, float p_t) {
 	return p_a * (1.0f - p_t) + p_b * p_t;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shaders/blades/ says of clumps, rest poses and wind, as C++.
+// What shaders/blades/ says of clumps, rest poses, colours and wind, as C++.
 #pragma once
 
 #include "core/base/glsl.h"
@@ -10,6 +10,7 @@ namespace grass::glsl {
 #include "blades/clump.inc" // before the others, which want it
 
 #include "blades/blade.inc"
+#include "blades/color.inc"
 #include "blades/wind.inc"
 
 #include "blades/force.inc"

@@ -36,7 +36,7 @@ float at_least(float p_value, float p_min) {
 } // namespace
 
 LodParams LodParams::sanitised() const {
-	return { at_least(far, 0.001f), at_least(error, 0.0f), at_least(pixels_min, 0.0f), at_least(shadow_coarseness, 1.0f) };
+	return { at_least(far, 0.001f), at_least(error, 0.0f), at_least(pixels_min, 0.0f), at_least(shadow_coarseness, 1.0f), is_carried };
 }
 
 void LodNeed::add(const LodParams &p_params, const BladeSize &p_size, float p_distance, float p_near, float p_pixel, float p_in_sight) {

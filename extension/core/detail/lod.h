@@ -18,9 +18,10 @@ namespace glsl {
 #undef GRASS_CONSTANT
 #undef GRASS_FUNCTION
 } // namespace glsl
-using glsl::grass_lod_blades, glsl::grass_lod_blades_of_width, glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_in_sight,
-		glsl::grass_lod_left_out, glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank,
-		glsl::grass_lod_segments, glsl::grass_lod_shown;
+using glsl::grass_far_depth, glsl::grass_far_hidden, glsl::grass_far_meets, glsl::grass_lod_blades, glsl::grass_lod_blades_of_width,
+		glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_ends, glsl::grass_lod_in_sight, glsl::grass_lod_left_out,
+		glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_segments,
+		glsl::grass_lod_shown;
 
 // From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };
@@ -42,6 +43,7 @@ struct LodParams {
 	float error = float(LOD_ERROR.initial); // pixels
 	float pixels_min = float(PIXELS_MIN.initial); // pixels
 	float shadow_coarseness = float(SHADOW_COARSENESS.initial);
+	bool is_carried = false; // the ground has the grass's colour: blades end where they are too low to be seen as such
 
 	// The same with NaN and values out of range mended: 0.001 <= far, 0 <= error, 0 <= pixels_min, 1 <= shadow_coarseness.
 	LodParams sanitised() const;

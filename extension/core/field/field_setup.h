@@ -30,6 +30,7 @@ struct FieldSetup {
 
 	Method method = Method::DIRECT; // that it begins with
 
+	bool has_terrain = false; // a texture of the terrain gives it colour
 	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
 	bool has_plants = false; // a species has a mesh, or several stems to a root
 	float plant_size = 0.0f; // farthest that a mesh reaches from its blade, metres; 0: no species has one

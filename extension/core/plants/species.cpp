@@ -169,8 +169,9 @@ std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vect
 	float left = 1.0f;
 	for (int s = _count - 1; s > 0; s--) {
 		const SpeciesRecord &record = _records[size_t(s)];
-		const uint32_t noise = grass_stand_noise(uint32_t(units.x()), uint32_t(units.y()), uint32_t(record.cell), uint32_t(record.salt));
-		const float taken = left * float(share_below(record.limit, noise, record.strength));
+		const float taken = left *
+				grass_species_chance(uint32_t(units.x()), uint32_t(units.y()), uint32_t(record.cell), uint32_t(record.strength),
+						uint32_t(record.limit), uint32_t(record.salt));
 		shares[size_t(s)] = taken;
 		left -= taken;
 	}

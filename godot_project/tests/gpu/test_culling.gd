@@ -29,8 +29,8 @@ func count_in_view(field: GrassField, overhang: float, height: float) -> int:
 
 
 func test_draws_the_tiles_in_view() -> void:
-	var gpu := add_seen_field()
-	var cpu := add_seen_field({backend = GrassField.BACKEND_CPU})
+	var gpu := add_seen_field({ground = false})  # blades do not end far away
+	var cpu := add_seen_field({ground = false, backend = GrassField.BACKEND_CPU})
 	var counts := {}
 	for turn: Vector3 in [Vector3.ZERO, Vector3(0.1, 0.7, -0.05)]:
 		gpu.rotation = turn
@@ -164,3 +164,26 @@ func test_hidden_and_without_a_camera() -> void:
 	camera.position.x += 1.0
 	await drawn()
 	assert_greater(field.get_statistics().drawn_tiles, 0)
+
+
+func test_blades_end_where_the_ground_carries_them() -> void:
+	var properties := {size = Vector2(80, 80), density = 64.0}
+	var gpu := add_seen_field(properties)
+	var cpu := add_seen_field(properties.merged({backend = GrassField.BACKEND_CPU}))
+	look(Vector3(0, 5, 40), Vector3(0, 0, 34))
+	await drawn()
+	var ended: int = gpu.get_statistics().drawn_tiles
+	assert_greater(ended, 0)
+	for number: String in ["drawn_tiles", "drawn_blades", "drawn_triangles"]:
+		assert_eq(gpu.get_statistics()[number], cpu.get_statistics()[number], "GPU and CPU: " + number)
+	gpu.ground = false
+	await drawn()
+	assert_greater(gpu.get_statistics().drawn_tiles, 3 * ended, "without ground they go on")
+	gpu.ground = true
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 100.0
+	await drawn()
+	var all: int = gpu.get_statistics().drawn_tiles
+	gpu.ground = false
+	await drawn()
+	assert_eq(gpu.get_statistics().drawn_tiles, all, "an orthogonal camera sees all")

