@@ -9,23 +9,23 @@ namespace grass {
 
 namespace {
 
-constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
+constexpr const MapChannelInfo &CHANNEL = info_of(MAP_DENSITY);
 
 double mesh_share(const FillSources &p_sources, const Eigen::Array2i &p_texel) {
 	if (!p_sources.has_mesh || !p_sources.mesh) {
 		return p_sources.has_mesh ? 0.0 : 1.0;
 	}
-	const auto chunk = [](int p_index) { return int(std::floor(double(p_index) / DENSITY.side)); };
+	const auto chunk = [](int p_index) { return int(std::floor(double(p_index) / CHANNEL.side)); };
 	const MapKey key{ chunk(p_texel.x()), chunk(p_texel.y()) };
-	const int column = p_texel.x() - key.x * DENSITY.side, row = p_texel.y() - key.z * DENSITY.side;
-	return p_sources.mesh->get_shares(key)[size_t(row) * size_t(DENSITY.side) + size_t(column)];
+	const int column = p_texel.x() - key.x * CHANNEL.side, row = p_texel.y() - key.z * CHANNEL.side;
+	return p_sources.mesh->get_shares(key)[size_t(row) * size_t(CHANNEL.side) + size_t(column)];
 }
 
 } // namespace
 
 FillCause find_fill_cause(const PaintMap &p_map, const FillRule &p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at) {
-	const Eigen::Array2i texel = (p_at.array() / DENSITY.texel_size()).floor().cast<int>();
-	const Eigen::Vector2d at = (texel.cast<double>() + 0.5) * DENSITY.texel_size();
+	const Eigen::Array2i texel = (p_at.array() / CHANNEL.texel_size()).floor().cast<int>();
+	const Eigen::Vector2d at = (texel.cast<double>() + 0.5) * CHANNEL.texel_size();
 	const FillPlace place{ at, p_map.sample(MAP_GROUND, 0, at) };
 	const double tilt = std::min(1.0, std::hypot(p_map.sample(MAP_NORMAL, 0, at), p_map.sample(MAP_NORMAL, 1, at)));
 	const double slope = std::asin(tilt) * 180.0 / std::numbers::pi;
