@@ -22,6 +22,7 @@ TABLES = {
 	"flops": "2026-11-23-h200/flops.csv",
 	"sleep": "2026-11-21-h100/sleep.csv",
 	"cpu": "2026-11-21-epyc/cpu.csv",
+	"movers": "2026-11-23-xeon/movers.csv",
 	"change": "2026-11-21-epyc/change.csv",
 }
 FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv"}  # by file name; else NAME*.csv
@@ -142,6 +143,22 @@ def processor():
 	return lines + source("cpu")
 
 
+def movers():
+	lines = [
+		"## Movers: what one of each costs a tick",
+		"",
+		"One mover goes to and fro at 2 m/s. Shapes are what the solver meets of it; tiles are the awake ones, of 0.25 m2 each. Blades are "
+		"what costs: the times here are the CPU's, and grow with what is read of the mover.",
+	]
+	body = []
+	for row in read("movers")[1]:
+		parts = [f"{float(row[name]):.3f}" for name in ("gather_ms", "tiles_ms", "upload_ms")]
+		counts = [row["colliders"], row["awake_tiles"], row["engine_calls_a_tick"]]
+		body.append([row["mover"].replace("_", " "), *counts, *parts])
+	head = ["mover", "shapes", "tiles", "calls of the engine", "reading bodies, ms", "choosing tiles, ms", "uploading, ms"]
+	return lines + grid(head, body) + source("movers")
+
+
 def changes():
 	lines = [
 		"## Changing a standing field",
@@ -173,6 +190,7 @@ def page():
 		*simulation(),
 		*drawing(),
 		*processor(),
+		*movers(),
 		*changes(),
 		*sleeping(),
 	]

@@ -89,7 +89,7 @@ def parser():
 	bench.add_argument(
 		"--only",
 		metavar="PART",
-		help="only this one of those in the engine: draw, meadow, forces, simulate, sleep, cpu, questions, change, species, kernel; "
+		help="only this one of those in the engine: draw, meadow, forces, movers, simulate, sleep, cpu, questions, change, species, kernel; "
 		"of paper: a table",
 	)
 

@@ -11,7 +11,8 @@ from tools.places import BUILD, OUT, PROJECT
 from tools.say import Failure, progress, say
 
 LIMIT = 3600  # seconds
-BENCHES = ("draw", "simulate", "sleep", "cpu", "questions", "change", "species", "kernel")  # those in the engine that ./grass bench runs
+# those in the engine that ./grass bench runs
+BENCHES = ("draw", "meadow", "forces", "movers", "simulate", "sleep", "cpu", "questions", "change", "species", "kernel")
 SIZES = {"large": "1920x1080", "small": "1280x720"}
 
 

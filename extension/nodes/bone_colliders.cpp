@@ -42,6 +42,7 @@ void BoneColliders::collect(const godot::Ref<godot::World3D> &p_world, const god
 			}
 		}
 	}
+	_count = int64_t(motions.size());
 	_motions.swap(motions); // of bones that are still there
 }
 

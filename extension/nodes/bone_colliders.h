@@ -20,9 +20,11 @@ public:
 	void collect(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, const MotionTick &p_tick,
 			std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _motions.clear(); } // see BodyTracker
+	int64_t get_count() const { return _count; } // bones of the world in the last tick
 
 private:
 	std::map<std::pair<uint64_t, int>, NodeMotion> _motions; // by node and bone
+	int64_t _count = 0;
 };
 
 } // namespace grass

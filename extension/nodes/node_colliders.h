@@ -20,6 +20,7 @@ public:
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion(); // see BodyTracker
 	bool is_empty() const { return _entries.empty(); }
+	int64_t get_count() const { return int64_t(_entries.size()); }
 	int64_t get_mesh_pieces() const { return _mesh_pieces; } // see BodyTracker
 
 private:

@@ -41,6 +41,8 @@ Dictionary to_dictionary(const FieldStatistics &p_statistics) {
 	result["refused"] = int64_t(tiles.refused);
 	result["capped"] = int64_t(tiles.capped);
 	result["bodies"] = p_statistics.bodies;
+	result["wheels"] = p_statistics.wheels;
+	result["bones"] = p_statistics.bones;
 	result["soft_bodies"] = p_statistics.soft_bodies;
 	result["mesh_pieces"] = p_statistics.mesh_pieces;
 	result["forces"] = p_statistics.forces;

@@ -26,6 +26,7 @@ public:
 	// Appends every wheel, posed in the field's space. p_field: the field's transform (orthonormal).
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _colliders.forget_motion(); }
+	int64_t get_count() const { return _colliders.get_count(); } // wheels near the grass
 	std::vector<Slip> find_slips() const;
 
 private:

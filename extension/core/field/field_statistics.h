@@ -20,6 +20,7 @@ struct FieldStatistics {
 	int64_t awake_tiles = 0;
 	bool is_seen = false; // or a shadow of it
 	int64_t bodies = 0;
+	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of trimeshes that move
 	BodyReads reads;
 	int64_t forces = 0, forces_left_out = 0; // that blow over it; that it has no room for

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Hulls that change in every tick, and those of a split trimesh, reach the GPU as they reach the CPU.
+## Hulls that change in every tick, and those of a split trimesh, reach the GPU as they reach the CPU; a moving height map bends nothing.
 extends "res://tests/field_case.gd"
 
 
@@ -32,3 +32,18 @@ func test_a_soft_ball_and_a_trimesh_bend_grass() -> void:
 		assert_greater(farthest(tile_knots(field, tiles[i]), rest[i]), 0.2, "metres, tile %s" % tiles[i])
 	assert_true(all_finite(field, tiles))
 	assert_eq(field.get_statistics().bad_colliders, 0)
+
+
+func test_a_height_map_that_moves_warns_and_bends_nothing() -> void:
+	var field := add_field()
+	await frames(2)
+	await compiled(field)
+	var body := add_held_body(HeightMapShape3D.new(), Vector3(0, 0.3, 0))
+	body.name = "Barge"
+	await ticks(10)
+	expect_error("'Barge' moves and has a HeightMapShape3D")
+	for i in 10:
+		body.position.x += 0.05
+		await ticks(1)
+	assert_eq(field.get_statistics().backend, "GPU")
+	assert_eq(field.get_awake_tile_count(), 0)

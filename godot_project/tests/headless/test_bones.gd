@@ -30,6 +30,7 @@ func test_bones_bend_grass_as_they_swing() -> void:
 	await ticks(3)
 	assert_true(field.is_tile_awake(field.get_tile_at(leg.position)))
 	assert_eq(field.get_statistics().colliders, 2, "thigh and shin")
+	assert_eq(field.get_statistics().bones, 2)
 	assert_eq(entered, [leg.get_child(0)])
 	var tile := field.get_tile_at(Vector3(0.25, 0, 0.75))
 	var rest := tile_knots(field, tile)
@@ -38,6 +39,8 @@ func test_bones_bend_grass_as_they_swing() -> void:
 		await ticks(1)
 	assert_greater(farthest(tile_knots(field, tile), rest), 0.1, "metres: the foot has passed through")
 	leg.free()
+	await ticks(1)
+	assert_eq(field.get_statistics().bones, 0)
 	await ticks_to_sleep(field)
 
 

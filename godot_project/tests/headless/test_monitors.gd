@@ -22,6 +22,8 @@ const STATISTICS: Array[String] = [
 	"refused",
 	"capped",
 	"bodies",
+	"wheels",
+	"bones",
 	"soft_bodies",
 	"mesh_pieces",
 	"forces",
