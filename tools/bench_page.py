@@ -145,18 +145,14 @@ def processor():
 
 def movers():
 	lines = [
-		"## Movers: what one of each costs a tick",
+		"## Movers: what one of each does in a tick",
 		"",
-		"One mover goes to and fro at 2 m/s. Shapes are what the solver meets of it; tiles are the awake ones, of 0.25 m2 each. Blades are "
-		"what costs: the times here are the CPU's, and grow with what is read of the mover.",
+		"One mover goes to and fro at 2 m/s. Shapes are what the solver meets of it, tiles the awake ones (0.25 m2 each), calls those of the "
+		"engine that read it.",
 	]
-	body = []
-	for row in read("movers")[1]:
-		parts = [f"{float(row[name]):.3f}" for name in ("gather_ms", "tiles_ms", "upload_ms")]
-		counts = [row["colliders"], row["awake_tiles"], row["engine_calls_a_tick"]]
-		body.append([row["mover"].replace("_", " "), *counts, *parts])
-	head = ["mover", "shapes", "tiles", "calls of the engine", "reading bodies, ms", "choosing tiles, ms", "uploading, ms"]
-	return lines + grid(head, body) + source("movers")
+	columns = ("colliders", "awake_tiles", "tiles_looked_at_a_tick", "engine_calls_a_tick")
+	body = [[row["mover"].replace("_", " "), *(row[name] for name in columns)] for row in read("movers")[1]]
+	return lines + grid(["mover", "shapes", "tiles", "tiles looked at", "calls"], body) + source("movers")
 
 
 def changes():
