@@ -102,7 +102,7 @@ func _play_take(p_pack: StreamPeerBuffer, r_result: StreamPeerBuffer) -> int:
 	for i in steps if has_colliders else 0:
 		colliders.append(_bytes(p_pack, SimulatePass.COLLIDER_BYTES))
 	if keep == Keep.TIME:
-		var ms := _time(state, pushes)
+		var ms := _time(state, pushes, colliders)
 		r_result.put_u32(1)
 		r_result.put_float(ms)
 		return steps
@@ -157,11 +157,13 @@ func _track(
 	return _device.buffer_get_data(track, 0, kept * size)
 
 
-## Milliseconds of a frame, that is of all p_pushes: the best of some batches, as on the CPU.
-func _time(p_state: int, p_pushes: Array[PackedByteArray]) -> float:
+## Milliseconds of a frame, that is of all p_pushes: the best of some batches, as on the CPU. A collider is the same in every step.
+func _time(p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[PackedByteArray]) -> float:
 	var tiles := 8 if _software else TIMED_TILES
-	if not _set_up(tiles, p_state, 0):
+	if not _set_up(tiles, p_state, mini(p_colliders.size(), 1)):
 		return 0.0
+	if p_colliders:
+		_device.buffer_update(_pass.colliders, 0, SimulatePass.COLLIDER_BYTES, p_colliders[0])
 	var start := Time.get_ticks_msec()
 	while Time.get_ticks_msec() - start < WARM_UP * 1e3 and not _software:
 		_pass.time(p_pushes[0], tiles, BATCH * p_pushes.size())

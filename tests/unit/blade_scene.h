@@ -184,19 +184,21 @@ struct BladeScene {
 		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
 		return -find_face(p_collider, turned(inverse_of(p_collider.turn), offset)).distance;
 	}
+	// How deep a point of a segment, p_share along it, is in a collider, metres.
+	float depth_in(const TileCollider &p_collider, int p_blade, int p_segment, float p_share) const {
+		const Eigen::Vector3f along = knot(p_blade, p_segment + 1) - knot(p_blade, p_segment);
+		const Eigen::Vector3f place = knot(p_blade, p_segment) + along * p_share;
+		const Vec3<float> root{ tile->root[0][p_blade], tile->root[1][p_blade], tile->root[2][p_blade] };
+		const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - p_collider.centre);
+		return -find_face(p_collider, turned(inverse_of(p_collider.turn), offset)).distance;
+	}
 	// How deep a point of an edge is in a collider, metres: of the blades whose clamped segment is outside of all.
 	float edge_depth() const {
 		constexpr int POINTS = 16; // of an edge
 		float deepest = 0.0f;
 		for (const TileCollider &collider : tile_colliders()) {
 			for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-				const Vec3<float> root{ tile->root[0][b], tile->root[1][b], tile->root[2][b] };
-				const auto depth_at = [&](int p_segment, int p_point) {
-					const Eigen::Vector3f place =
-							knot(b, p_segment) + (knot(b, p_segment + 1) - knot(b, p_segment)) * (float(p_point) / POINTS);
-					const Vec3<float> offset = Vec3<float>{ place.x(), place.y(), place.z() } + (root - collider.centre);
-					return -find_face(collider, turned(inverse_of(collider.turn), offset)).distance;
-				};
+				const auto depth_at = [&](int p_segment, int p_point) { return depth_in(collider, b, p_segment, float(p_point) / POINTS); };
 				bool is_covered = false;
 				for (int i = 0; i <= POINTS; i++) {
 					is_covered = is_covered || depth_at(0, i) > 0.0f;
