@@ -69,15 +69,19 @@ inline std::vector<Sward> roll_over(float p_speed, double p_rate, double p_secon
 		scene.add(GRASS_SPHERE, { -0.7f, RADIUS, 0.0f }, { RADIUS, 0.0f, 0.0f });
 	}
 	std::vector<Sward> seen;
+	Sward before = look_at(scenes);
 	for (int i = 0; i < int(std::lround(p_seconds * p_rate)); i++) {
 		const auto place = [&](int p_step) { return Eigen::Vector3f(-0.7f + p_speed * float(p_step / p_rate), RADIUS, 0.0f); };
 		for (BladeScene &scene : scenes) {
 			BladeScene::place(scene.colliders[0], place(i), place(i + 1));
 			scene.step(1.0 / p_rate);
 		}
-		if ((i + 1) / p_rate * 30.0 >= double(seen.size()) + 1.0 - 1e-6) {
-			seen.push_back(look_at(scenes));
+		const Sward now = look_at(scenes);
+		const double late = double(i + 1) - double(seen.size() + 1) * p_rate / 30.0; // steps after the next look
+		if (late >= -1e-6) {
+			seen.push_back({ now.height + (before.height - now.height) * late, now.pressed + (before.pressed - now.pressed) * late });
 		}
+		before = now;
 	}
 	return seen;
 }

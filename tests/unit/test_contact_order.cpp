@@ -5,6 +5,9 @@
 #include "blade_scene.h"
 #include "sward.h"
 
+#include "core/solver/leaves.h"
+
+#include <array>
 #include <tuple>
 
 using namespace grass;
@@ -130,6 +133,24 @@ TEST_CASE(
 			CHECK(error.worst < 0.06);
 			MESSAGE(speed << " m/s, " << rate << " steps a second: height " << error.height << ", pressed " << error.pressed
 						  << ", at worst " << error.worst);
+		}
+	}
+}
+
+TEST_CASE("[Eq 43] parts of a step: at most 16, halved while longer than 1/400 s or no more than the iterations") {
+	const double seconds[] = { 0.1, 1.0 / 30.0, 1.0 / 60.0, 1.0 / 144.0, 1.0 / 240.0, 1.0 / 960.0, 1e-5 };
+	const std::pair<int, std::array<int, 7>> rows[] = {
+		{ 1, { 1, 1, 1, 1, 1, 1, 1 } },
+		{ 2, { 16, 16, 8, 4, 2, 2, 2 } },
+		{ 3, { 16, 16, 8, 4, 2, 2, 2 } },
+		{ 5, { 16, 16, 8, 4, 4, 4, 4 } },
+		{ 10, { 16, 16, 8, 8, 8, 8, 8 } },
+	};
+	for (const auto &[iterations, parts] : rows) {
+		for (size_t i = 0; i < parts.size(); i++) {
+			CAPTURE(iterations);
+			CAPTURE(seconds[i]);
+			CHECK(most_parts(iterations, float(seconds[i])) == parts[i]);
 		}
 	}
 }

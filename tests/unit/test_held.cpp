@@ -165,3 +165,37 @@ TEST_CASE("METHOD_DIRECT: a blade that is folded at its root and lies on the gro
 	scene.step_for(4.0);
 	CHECK(scene.distance_from_rest() < 0.01f);
 }
+
+TEST_CASE("METHOD_DIRECT: what rolls over a crate that stands on roots moves none of the blades below it") {
+	for (const int others : { 0, GRASS_SHARED_COLLIDERS }) {
+		CAPTURE(others);
+		BladeScene scene;
+		for (int i = 0; i < others; i++) { // before it in the list, and nowhere near
+			scene.add(GRASS_SPHERE, { 0.3f, 5.0f, 0.3f }, { 0.01f, 0.0f, 0.0f });
+		}
+		const Eigen::Vector3f high(0.0f, 0.9f, 0.0f), low(0.0f, 0.17f, 0.0f);
+		scene.add(GRASS_BOX, high, { 0.6f, 0.15f, 0.6f });
+		for (int i = 0; i < 240; i++) {
+			const auto place = [&](int p_step) { return Eigen::Vector3f(high + (low - high) * std::min(float(p_step) / 75.0f, 1.0f)); };
+			BladeScene::place(scene.colliders.back(), place(i), place(i + 1));
+			scene.step();
+		}
+		float highest = 0.0f;
+		for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
+			highest = std::max(highest, scene.knot(b, GRASS_KNOTS - 1).y() / scene.length);
+		}
+		CHECK(highest < LYING);
+		scene.add(GRASS_SPHERE, high, { 0.15f, 0.0f, 0.0f });
+		float most = 0.0f; // blade lengths a step
+		for (int i = 0; i < 60; i++) {
+			const auto place = [&](int p_step) { return Eigen::Vector3f(-0.5f + float(p_step) / 60.0f, 0.5f, 0.0f); };
+			BladeScene::place(scene.colliders.back(), place(i), place(i + 1));
+			BladeScene before;
+			*before.tile = *scene.tile;
+			scene.step();
+			most = std::max(most, scene.distance_from(before));
+		}
+		MESSAGE("the farthest goes " << most << " L in a step");
+		CHECK(most < 1e-5f);
+	}
+}

@@ -38,9 +38,9 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 36], [Eq 46] Whether no shared collider that may touch the blade is faster than p_speed, blade lengths a second.
-template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms, float p_speed) {
-	const T most = p_blade.blade_length * (p_terms.seconds * T(p_speed));
+// [Eq 36] Whether no shared collider that may touch the blade is faster than CARRY_FROM.
+template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	const T most = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
 	auto is_fast = T(0.0f) > T(1.0f);
 	for (const TileCollider &collider : p_terms.colliders.first(std::min(p_terms.colliders.size(), size_t(GRASS_SHARED_COLLIDERS)))) {
 		is_fast =
@@ -211,8 +211,8 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Near<T> near = find_near(r_blade, p_terms);
-	const Mask is_buried = near.is_near & find_buried(r_blade, p_terms);
-	const Mask stays = is_buried & all_are_slow(r_blade, p_terms, BURY_BELOW);
+	const Burial<T> burial = find_burial(r_blade, p_terms);
+	const Mask is_buried = near.is_near & burial.is_buried, stays = is_buried & burial.is_slow;
 	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest));
 	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near & !stays, is_free = !(is_near | is_in_parts | stays);
 	const T seconds = p_terms.seconds;
@@ -237,7 +237,7 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 	hold.may_stick = is_near & (!is_in_parts) & (fastest < r_blade.blade_length * (seconds * T(RUB_BELOW))) &
 			(T(float(p_terms.iterations)) > T(1.0f));
 	if (any(hold.may_stick)) {
-		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms, CARRY_FROM);
+		hold.may_stick = hold.may_stick & all_are_slow(r_blade, p_terms);
 		hold.may_be_held =
 				hold.may_stick & (fastest < r_blade.blade_length * (seconds * T(HOLD_BELOW))) & all_stand_still(r_blade, p_terms);
 	}

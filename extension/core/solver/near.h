@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of find_near() in shaders/solver/near.inc.
+// Which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of ask_near(),
+// find_burial() and count_parts() in shaders/solver/near.inc.
 #pragma once
 
 #include "core/solver/shape.h"
@@ -47,17 +48,25 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
-// [Eq 46] Whether a collider stands on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
-template <class T> GRASS_INLINE MaskOf<T> find_buried(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	MaskOf<T> is_buried = T(0.0f) > T(1.0f);
+// [Eq 46] Whether colliders stand on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
+template <class T> struct Burial {
+	MaskOf<T> is_buried;
+	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
+};
+template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	MaskOf<T> is_buried = T(0.0f) > T(1.0f), is_fast = is_buried;
+	const T most = p_blade.blade_length * (p_terms.seconds * T(BURY_BELOW));
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
-		const auto is_within = dot(place, place) < T(collider.bound * collider.bound);
-		if (any(is_within)) {
-			is_buried = is_buried | (is_within & (find_face(collider, place).distance < T(0.0f)));
+		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
+		if (any(is_inside)) {
+			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
+			is_buried = is_buried | is_inside;
+			is_fast = is_fast | (is_inside & (motion_of<T>(collider) > most));
 		}
 	}
-	return is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
+	is_buried = is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
+	return { is_buried, !is_fast };
 }
 
 // [Eq 43] In how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far the step takes its fastest knot,

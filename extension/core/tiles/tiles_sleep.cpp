@@ -131,8 +131,8 @@ bool TileManager::is_unstirred(int p_slot) const {
 	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
 }
 
-// Simulated for so long since it was stirred that its blades stand where they will stay. Those that two bodies mash, or whose root is
-// inside one, would tremble for ever.
+// Simulated for so long since it was stirred that its blades stand where they will stay. Those that two bodies mash would tremble
+// for ever.
 bool TileManager::is_still(int p_slot) const {
 	return _params.sleep_mode == SleepMode::ENERGY && _times[size_t(p_slot)].simulated >= _params.still_delay;
 }

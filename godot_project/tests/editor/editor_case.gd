@@ -19,6 +19,9 @@ func before() -> void:
 
 ## As every test finds it, whatever others did.
 func reset_brush() -> void:
+	var in_hand: BaseButton = toolbar.get_node("Why").button_group.get_pressed_button()
+	if in_hand:
+		in_hand.button_pressed = false
 	set_number("Radius", 1.0)
 	set_number("Strength", 0.5)
 	set_number("Hardness", 0.5)

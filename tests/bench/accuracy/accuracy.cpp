@@ -64,9 +64,10 @@ void measure_contact(const Config &p_config, const References &p_references, Err
 	r_errors.push_back({ "sphere_sweep", ms, difference(sphere_sweep(p_config), p_references.sweep) });
 	r_errors.push_back({ "slow_pass", ms, difference(slow_pass(p_config), p_references.slow_pass) });
 	r_errors.push_back({ "fast_pass", ms, difference(fast_pass(p_config), p_references.fast_pass) });
-	r_errors.push_back({ "plate", ms, plate(p_config) });
-	r_errors.push_back({ "post", ms, post(p_config) });
+	r_errors.push_back({ "plate", ms, standoff(p_config, PLATE) });
+	r_errors.push_back({ "post", ms, standoff(p_config, POST) });
 	if (p_config.step != step_on_tape) {
+		r_errors.push_back({ "tremble", ms, std::max(tremble(p_config, PLATE), tremble(p_config, POST)) });
 		r_errors.push_back({ "slow_ensemble", ms, difference(slow_ensemble(p_config), p_references.slow_ensemble).height });
 		r_errors.push_back({ "fast_ensemble", ms, difference(fast_ensemble(p_config), p_references.fast_ensemble).pressed });
 	}

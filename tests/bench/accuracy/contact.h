@@ -48,36 +48,54 @@ inline Track fast_pass(const Config &p_config) {
 	return pass_by(p_config, 5.0f, 48);
 }
 
-// How far from a body's surface it holds the blades that it has moved to p_to in two seconds: the mean, blade lengths. No blade that
-// it holds should be farther, and none in it.
-inline double standoff(
-		const Config &p_config, int p_shape, const Eigen::Vector3f &p_size, const Eigen::Vector3f &p_from, const Eigen::Vector3f &p_to) {
-	constexpr int MOVE = 120, FRAMES = 240, POINTS = 16; // POINTS: of a segment
-	BladeScene scene = make_scene(p_config, Keep::KNOTS, FRAMES * p_config.substeps, 1.0);
+// A body that moves from one place to another in two seconds and holds blades there.
+struct Press {
+	int shape;
+	Eigen::Vector3f size, from, to;
+};
+inline const Press PLATE = { GRASS_BOX, { 2.0f, 0.05f, 2.0f }, { 0.0f, 0.6f, 0.0f }, { 0.0f, 0.25f, 0.0f } };
+inline const Press POST = { GRASS_CAPSULE, { 0.03f, 1.0f, 0.0f }, { -0.04f, 0.3f, 0.0f }, { 0.05f, 0.3f, 0.0f } };
+constexpr int PRESS_FRAMES = 240; // until blades are held still
+
+inline BladeScene make_press(const Config &p_config, const Press &p_press) {
+	BladeScene scene = make_scene(p_config, Keep::KNOTS, PRESS_FRAMES * p_config.substeps, 1.0);
 	scene.params.friction = 0.0;
-	scene.add(p_shape, p_from, p_size);
-	const double half = std::sqrt(0.5);
-	if (p_shape == GRASS_CAPSULE) { // lying across
-		scene.colliders[0].rotation = scene.colliders[0].rotation_before = { float(half), 0.0f, 0.0f, float(half) };
+	scene.add(p_press.shape, p_press.from, p_press.size);
+	const float half = float(std::sqrt(0.5));
+	if (p_press.shape == GRASS_CAPSULE) { // lying across
+		scene.colliders[0].rotation = scene.colliders[0].rotation_before = { half, 0.0f, 0.0f, half };
 	}
-	const int moves = MOVE * p_config.substeps;
+	const int moves = PRESS_FRAMES / 2 * p_config.substeps;
 	const auto place = [&](int p_step) {
-		return Eigen::Vector3f(p_from + (p_to - p_from) * (float(std::min(p_step, moves)) / float(moves)));
+		return Eigen::Vector3f(p_press.from + (p_press.to - p_press.from) * (float(std::min(p_step, moves)) / float(moves)));
 	};
-	for (int i = 0; i < FRAMES * p_config.substeps; i++) {
+	for (int i = 0; i < PRESS_FRAMES * p_config.substeps; i++) {
 		BladeScene::place(scene.colliders[0], place(i), place(i + 1));
 		scene.step(FRAME / p_config.substeps);
 	}
-	const TileCollider body = scene.tile_colliders()[0];
+	return scene;
+}
+
+// How far a blade is from the body's surface, metres.
+inline float find_gap(const BladeScene &p_scene, int p_blade) {
+	constexpr int POINTS = 16; // of a segment
+	const TileCollider body = p_scene.tile_colliders()[0];
+	float gap = 1.0f;
+	for (int s = 1; s < GRASS_SEGMENTS; s++) {
+		for (int i = 0; i <= POINTS; i++) {
+			gap = std::min(gap, -p_scene.depth_in(body, p_blade, s, float(i) / POINTS));
+		}
+	}
+	return gap;
+}
+
+// How far from the body's surface it holds blades: the mean, blade lengths. None should be farther, and none in it.
+inline double standoff(const Config &p_config, const Press &p_press) {
+	const BladeScene scene = make_press(p_config, p_press);
 	double sum = 0.0;
 	int held = 0;
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
-		float gap = 1.0f; // metres
-		for (int s = 1; s < GRASS_SEGMENTS; s++) {
-			for (int i = 0; i <= POINTS; i++) {
-				gap = std::min(gap, -scene.depth_in(body, b, s, float(i) / POINTS));
-			}
-		}
+		const float gap = find_gap(scene, b);
 		if (gap < scene.length / GRASS_SEGMENTS) {
 			sum += std::abs(double(gap / scene.length));
 			held++;
@@ -86,11 +104,17 @@ inline double standoff(
 	return sum / std::max(held, 1);
 }
 
-inline double plate(const Config &p_config) {
-	return standoff(p_config, GRASS_BOX, { 2.0f, 0.05f, 2.0f }, { 0.0f, 0.6f, 0.0f }, { 0.0f, 0.25f, 0.0f });
-}
-inline double post(const Config &p_config) {
-	return standoff(p_config, GRASS_CAPSULE, { 0.03f, 1.0f, 0.0f }, { -0.04f, 0.3f, 0.0f }, { 0.05f, 0.3f, 0.0f });
+// The farthest that a knot of a held blade goes in a step, in half a second: blade lengths. A tape does not hold it.
+inline double tremble(const Config &p_config, const Press &p_press) {
+	BladeScene scene = make_press(p_config, p_press);
+	float most = 0.0f;
+	for (int i = 0; i < 30 * p_config.substeps; i++) {
+		BladeScene before;
+		*before.tile = *scene.tile;
+		scene.step(FRAME / p_config.substeps);
+		most = std::max(most, scene.distance_from(before));
+	}
+	return double(most);
 }
 
 // A ball at 5 m/s over the blades' roots, the same way again in every step: for the time that contact takes.
