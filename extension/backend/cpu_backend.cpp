@@ -159,12 +159,12 @@ void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 }
 
 void CpuBackend::choose_plants(const FieldView &p_view) {
-	PlantCull::Distances distances{};
+	PlantCull::Kinds kinds{};
 	for (const auto &plant : _plants.get()) {
-		distances[size_t(plant->species)] = plant->drawn.distance;
+		kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
 	}
 	_plant_cull.choose(
-			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, distances);
+			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, kinds);
 	_statistics.drawn_plants = _statistics.left_out_plants = 0;
 	for (const auto &plant : _plants.get()) {
 		const int count = std::min(_plant_cull.get_count(plant->species), Plants::ROOM);

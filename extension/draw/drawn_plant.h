@@ -2,6 +2,7 @@
 // How one species of a field is drawn by a mesh.
 #pragma once
 
+#include "core/detail/plant_cull.h"
 #include "draw/plant_model.h"
 
 #include <algorithm>
@@ -14,11 +15,16 @@ struct DrawnPlant {
 	float distance = 0.0f; // metres; from there on as blades
 	float length = 0.0f, max_length = 0.0f; // of the mean blade, and of the longest; metres
 	float blade_area = 0.0f; // width times length of the mean blade, m^2
+	int stems = 1; // that stay together
 
 	bool operator==(const DrawnPlant &) const = default;
 	// Farthest that the mesh reaches from its blade, metres.
 	float size() const { return model ? model->reach * max_length : 0.0f; }
 	float width() const { return model ? 2.0f * model->reach * length : 0.0f; } // of the mean one, metres
+	// What its plants are to the culling. p_tile_size: metres.
+	PlantKind kind(double p_tile_size) const {
+		return { distance, length, model ? model->area * length * length / float(p_tile_size * p_tile_size) : 0.0f, stems };
+	}
 	float cover() const { return model ? model->area * length * length / std::max(blade_area, 1e-6f) : 0.0f; } // over its blade's
 };
 

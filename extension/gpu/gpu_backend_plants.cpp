@@ -69,7 +69,7 @@ void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 	std::vector<PlantTarget> targets;
 	for (const auto &plant : _plants.get()) {
 		targets.push_back({ plant->instance.multimesh(), plant->species, plant->instance.capacity(), int(plant->materials.size()),
-				plant->drawn.distance });
+				plant->drawn.kind(_setup.grid.get_tile_size()) });
 	}
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, targets] { field->set_plants(setup, targets); });
 }

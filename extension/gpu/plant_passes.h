@@ -3,6 +3,7 @@
 // the render thread, in GpuField.
 #pragma once
 
+#include "core/detail/plant_cull.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
 #include "core/plants/species.h"
@@ -28,7 +29,7 @@ struct PaintedSpecies {
 struct PlantTarget {
 	godot::RID multimesh;
 	int species, room, surfaces;
-	float distance; // metres; from there on plants are blades
+	PlantKind kind;
 };
 
 class PlantPasses {

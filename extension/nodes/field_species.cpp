@@ -156,6 +156,7 @@ std::vector<DrawnPlant> FieldSpecies::find_plants(double p_density) const {
 			plant.length = patch->mean_length;
 			plant.max_length = patch->max_length * CLUMP_TALLEST;
 			plant.blade_area = patch->mean_width * patch->mean_length;
+			plant.stems = species->get_stems();
 		}
 	}
 	return plants;

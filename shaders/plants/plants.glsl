@@ -9,6 +9,7 @@
 #include "base/structs.inc"
 #include "base/hash.inc"
 #include "detail/levels.inc"
+#include "detail/lod.inc"
 #include "plants/constants.inc"
 #include "plants/species.inc"
 
@@ -16,8 +17,8 @@ layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
 layout(push_constant) uniform Phase {
 	ivec4 phase; // x: GRASS_PLANTS_*; y: the species; z: plants that the MultiMesh holds; w: surfaces of its mesh
-	vec4 box; // xy: tiles around a camera along x, z; z: metres, from there on plants are blades
-	vec4 map; // xy: map_origin
+	vec4 box; // xy: tiles around a camera along x, z; z: metres, from there on plants are blades; w unused
+	vec4 map; // xy: map_origin; z: metres, length of a mean plant; w: what one shows to an eye beside it, over a tile's ground
 };
 
 layout(set = 0, binding = GRASS_PLANTS_VIEW, std430) readonly buffer ViewBuffer {
@@ -73,6 +74,8 @@ ivec2 patch_texel(int p_blade, int p_knot) {
 #include "detail/casts.inc"
 #include "plants/choice.inc"
 
+shared uint plants_of_tile; // that are of the species
+
 // The first tile of the square around a camera, which lies inside of the field.
 ivec2 corner_of(uint p_camera) {
 	vec2 place = cameras[p_camera].eye.xz / tile_size + 0.5 * tiles;
@@ -106,7 +109,20 @@ bool is_near(vec3 p_root, float p_low, float p_high) {
 	return false;
 }
 
-void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_start) {
+// [Eq L13] Share of the tile's plants that is drawn. p_plants: of the species, on the tile; p_middle: of its box.
+float share_of(float p_plants, Cover p_cover, vec3 p_middle) {
+	float height = min(map.z, p_cover.cut);
+	float cover = p_plants * p_cover.grown * map.w * height / map.z;
+	float share = 0.0;
+	for (uint i = 0u; i < view.counts.x; i++) {
+		vec3 to_eye = cameras[i].eye.xyz - p_middle;
+		bool hides = cameras[i].pixel.y > 0.0 && view.lod.z > 0.0; // an orthogonal camera has no eye
+		share = max(share, hides ? grass_lod_in_sight(0.5 * cover, length(to_eye.xz), to_eye.y, height, p_cover.slope) : 1.0);
+	}
+	return grass_lod_plants(share, cover, view.shadow.y > 0.0 ? 1.0 : 0.0);
+}
+
+void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_start, float p_presence) {
 	uint place = atomicAdd(chosen[phase.y], 1u);
 	if (place >= uint(phase.z)) {
 		return;
@@ -118,7 +134,7 @@ void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_
 			1.0, 0.0, 0.0, p_centre.x,
 			0.0, 1.0, 0.0, p_centre.y,
 			0.0, 0.0, 1.0, p_centre.z,
-			float(p_tile.x), float(p_tile.y), float(gl_LocalInvocationID.x), 0.0,
+			float(p_tile.x), float(p_tile.y), float(gl_LocalInvocationID.x), p_presence,
 			float(p_start / uint(GRASS_START_STRIDE)), float(low), p_hash, float(high));
 	for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
 		instances[place * uint(GRASS_INSTANCE_FLOATS) + uint(i)] = values[i];
@@ -146,7 +162,8 @@ void choose() {
 	vec2 place = (vec2(tile) + 0.5 - 0.5 * tiles) * tile_size;
 	float reach = 0.5 * tile_size + view.blades.x;
 	vec3 half_extents = vec3(reach, 0.5 * (view.field.w + cover.high - cover.low), reach);
-	if (cover.low > cover.high || !is_wanted(vec3(place.x, cover.low + half_extents.y, place.y), half_extents)) {
+	vec3 middle = vec3(place.x, cover.low + half_extents.y, place.y);
+	if (cover.low > cover.high || !is_wanted(middle, half_extents)) {
 		return;
 	}
 	float hash = grass_tile_hash(uint(tile.x), uint(tile.y), view.counts.z);
@@ -155,13 +172,23 @@ void choose() {
 	vec2 root = texelFetch(patch_knots, patch_texel(int(start + blade), 0), 0).xy;
 	bool is_painted;
 	int species = species_of(tile, root, grass_tile_bits(uint(tile.x), uint(tile.y), uint(hash * 2048.0)), blade, int(start), is_painted);
-	if (species != phase.y) {
+	if (blade == 0u) {
+		plants_of_tile = 0u;
+	}
+	barrier();
+	if (species == phase.y) {
+		atomicAdd(plants_of_tile, 1u);
+	}
+	barrier();
+	float share = share_of(float(plants_of_tile), cover, middle);
+	float presence = species == phase.y ? grass_lod_plant(int(blade), species_stems[species], share, hash) : 0.0;
+	if (presence <= 0.0) {
 		return;
 	}
 	vec4 own = texelFetch(patch_knots, patch_texel(int(start + blade) + GRASS_PATCH_BLADES * species, 0), 0);
 	vec3 centre = vec3(place.x, 0.0, place.y);
 	if (own.w > 0.0 && is_near(centre + vec3(own.x - 0.5, 0.0, own.y - 0.5) * tile_size, cover.low, cover.high)) {
-		write_plant(tile, index, centre, hash, start);
+		write_plant(tile, index, centre, hash, start, presence);
 	}
 }
 

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 using namespace grass;
@@ -12,7 +13,7 @@ using namespace grass;
 namespace {
 
 constexpr int NONE = 0, NEAR = 1, FAR = 2; // species: without a mesh, with one up to 4 m, up to 8 m
-const PlantCull::Distances DISTANCES = { 0.0f, 4.0f, 8.0f };
+const PlantCull::Kinds KINDS = { PlantKind{}, PlantKind{ 4.0f, 0.5f, 0.0f, 1 }, PlantKind{ 8.0f, 0.5f, 0.0f, 1 } }; // they hide nothing
 
 // 40 m a side, tiles of 1 m.
 CullField make_field() {
@@ -47,7 +48,7 @@ struct Garden {
 		FieldView view;
 		view.cameras = p_cameras;
 		cull.choose(
-				make_field(), view, p_cover, [p_slot](int) { return p_slot; }, plants_of, DISTANCES);
+				make_field(), view, p_cover, [p_slot](int) { return p_slot; }, plants_of, KINDS);
 	}
 };
 
@@ -64,7 +65,7 @@ TEST_CASE("plant_cull: plants within their species' distance of a camera, each o
 		for (int z = 0; z < 40; z++) {
 			for (int x = 0; x < 40; x++) {
 				const Eigen::Vector3f centre = make_field().grid.get_centre(x, z).cast<float>();
-				const float limit = DISTANCES[size_t(species)];
+				const float limit = KINDS[size_t(species)].distance;
 				expected += (centre - eye).norm() < limit || (centre - other).norm() < limit;
 			}
 		}
@@ -104,4 +105,70 @@ TEST_CASE("plant_cull: none far from all cameras, none without a camera, and awa
 	garden.choose({ make_camera({ 0.0f, 1.0f, 0.0f }) }, nullptr, GRASS_SLOT_HALF + 5);
 	CHECK(garden.cull.get_instances(NEAR)[17] == 5.0f);
 	CHECK(garden.cull.get_instances(NEAR)[19] == 1.0f);
+}
+
+namespace {
+
+// Of a stand of 64 plants of four stems in each tile, which cover p_cover of the ground, seen p_above the tips: plants by tile.
+std::map<std::pair<int, int>, std::vector<int>> draw_stand(float p_cover, float p_above, bool p_has_shadows, float p_distance = 18.0f) {
+	const PlantCull::Kinds kinds = { PlantKind{ p_distance, 0.5f, p_cover / GRASS_BLADES_PER_TILE, 4 } };
+	const auto plants_of = [](int, int, std::vector<StandingPlant> &r_plants) {
+		for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
+			r_plants.push_back({ uint8_t(blade), 0, { 0.5f, 0.5f } });
+		}
+	};
+	FieldView view;
+	view.cameras = { make_camera({ 0.0f, 0.5f + p_above, 0.0f }) };
+	view.shadow_distance = p_has_shadows ? 100.0f : 0.0f;
+	PlantCull cull;
+	cull.choose(
+			make_field(), view, nullptr, [](int) { return GRASS_NO_SLOT; }, plants_of, kinds);
+	std::map<std::pair<int, int>, std::vector<int>> found;
+	const std::span<const float> all = cull.get_instances(0);
+	for (size_t at = 0; at < all.size(); at += GRASS_INSTANCE_FLOATS) {
+		found[{ int(all[at + INSTANCE_TILE]), int(all[at + INSTANCE_TILE + 1]) }].push_back(int(all[at + INSTANCE_BLADES]));
+	}
+	return found;
+}
+
+// Plants in a tile, in the mean of those between two distances.
+double mean_of(const std::map<std::pair<int, int>, std::vector<int>> &p_drawn, double p_from, double p_to) {
+	double sum = 0.0;
+	int tiles = 0;
+	for (int z = 0; z < 40; z++) {
+		for (int x = 0; x < 40; x++) {
+			const double away = make_field().grid.get_centre(x, z).norm();
+			if (away >= p_from && away < p_to) {
+				const auto found = p_drawn.find({ x, z });
+				sum += found == p_drawn.end() ? 0.0 : double(found->second.size());
+				tiles++;
+			}
+		}
+	}
+	return sum / tiles;
+}
+
+} // namespace
+
+TEST_CASE("[Eq L13] plants that others hide are not drawn, stems stay together, and shadows keep enough of them") {
+	constexpr float COVER = 16.0f, ABOVE = 1.2f;
+	constexpr double ALL = GRASS_BLADES_PER_TILE + GRASS_LOD_PLANT_FADE;
+	const auto drawn = draw_stand(COVER, ABOVE, false), shaded = draw_stand(COVER, ABOVE, true), sparse = draw_stand(0.1f, ABOVE, false);
+	CHECK(mean_of(drawn, 0.0, 0.8) == GRASS_BLADES_PER_TILE); // at the eye's feet
+	CHECK(mean_of(sparse, 0.0, 16.0) == GRASS_BLADES_PER_TILE); // nothing hides any
+	for (const double away : { 4.0, 8.0, 14.0 }) {
+		CAPTURE(away);
+		const double meets = COVER * away / (ABOVE + 0.25); // over the middle of the tile
+		CHECK(mean_of(drawn, away - 0.7, away + 0.7) == doctest::Approx(2.0 * GRASS_LOD_DEPTH / meets * ALL).epsilon(0.1));
+	}
+	CHECK(mean_of(shaded, 14.0, 16.0) == doctest::Approx(GRASS_LOD_SHADE / COVER * ALL).epsilon(0.05));
+	CHECK(mean_of(shaded, 0.0, 3.0) == doctest::Approx(mean_of(drawn, 0.0, 3.0)));
+	for (const auto &[tile, blades] : drawn) {
+		CHECK(blades.size() % 4 == 0);
+		CHECK(blades.back() == int(blades.size()) - 1); // the first ones, which are an even sample
+	}
+}
+
+TEST_CASE("[Eq L13] from above all plants are drawn") {
+	CHECK(mean_of(draw_stand(8.0f, 10.0f, false), 0.0, 2.0) == GRASS_BLADES_PER_TILE);
 }

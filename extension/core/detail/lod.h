@@ -20,8 +20,8 @@ namespace glsl {
 } // namespace glsl
 using glsl::grass_far_depth, glsl::grass_far_hidden, glsl::grass_far_meets, glsl::grass_lod_blades, glsl::grass_lod_blades_of_width,
 		glsl::grass_lod_coarser, glsl::grass_lod_cover, glsl::grass_lod_ends, glsl::grass_lod_in_sight, glsl::grass_lod_left_out,
-		glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_segments,
-		glsl::grass_lod_shown;
+		glsl::grass_lod_level, glsl::grass_lod_morph, glsl::grass_lod_needed, glsl::grass_lod_rank, glsl::grass_lod_plant,
+		glsl::grass_lod_plants, glsl::grass_lod_segments, glsl::grass_lod_shown;
 
 // From here on one eighth of the blades is drawn at most. The view's far end, or where the field ends for the eye.
 inline constexpr Tunable LOD_FAR{ "lod_far", "m", 1.0, 10000.0, 1.0, 100.0 };

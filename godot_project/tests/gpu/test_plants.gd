@@ -221,3 +221,45 @@ func test_the_blade_of_a_near_plant_casts_no_shadow() -> void:
 	var shade := await shades(wide, lollipop(0.01), "plants_shadow_thin.png")
 	assert_greater(shade.y, 0.001)
 	assert_less(shade.x, 0.4 * shade.y)
+
+
+## The outline of a frond in a few triangles: the preset's own would be drawn near the eye alone in so dense a stand.
+func simple_fern() -> ArrayMesh:
+	var tool := SurfaceTool.new()
+	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
+	for leaflet in 6:
+		var y := 0.2 + 0.13 * leaflet
+		for side: float in [-0.3, 0.3]:
+			for corner: Vector3 in [Vector3(0, y, 0), Vector3(side * (1.1 - y), y + 0.12, 0.03), Vector3(0, y + 0.14, 0)]:
+				tool.set_normal(Vector3(0, 0, 1))
+				tool.add_vertex(corner)
+	var mesh := tool.commit()
+	var material := StandardMaterial3D.new()
+	material.albedo_color = GREEN
+	mesh.surface_set_material(0, material)
+	return mesh
+
+
+## A dense stand of ferns, as a walker sees it.
+func test_plants_that_others_hide_are_not_drawn() -> void:
+	var fern: GrassSpecies = load("res://addons/grass_field/presets/fern.tres").duplicate()
+	fern.plant_mesh = simple_fern()
+	var stand := {size = Vector2(10, 20), density = 40.0, ground = true, pixels_min = 0.0}
+	var field := add_plants([fern], stand)
+	look(Vector3(0, 1.7, 9.0), Vector3(0, 0.5, 2.0))
+	await drawn()
+	var all := await picture()
+	keep(all, "plants_all.png")
+	var count: int = field.get_statistics().drawn_plants
+	field.pixels_min = ClassDB.class_get_property_default_value(&"GrassField", &"pixels_min")
+	await drawn()
+	var image := await picture()
+	keep(image, "plants_in_sight.png")
+	var left: int = field.get_statistics().drawn_plants
+	var off := difference(all, image)
+	print("    %d plants, %d in sight; mean colour %s and %s, mean difference %.4f" % [count, left, mean(all), mean(image), off.y])
+	assert_less(left, 0.8 * count)
+	assert_less(absf(mean(image).get_luminance() - mean(all).get_luminance()), 0.01)
+	field.backend = GrassField.BACKEND_CPU
+	await drawn()
+	assert_eq(field.get_statistics().drawn_plants, left)
