@@ -24,20 +24,20 @@ func _ready() -> void:
 	_flash.visible = false
 	add_child(_flash)
 	var clod := BoxMesh.new()
-	clod.size = Vector3(0.09, 0.07, 0.08)
+	clod.size = Vector3(0.06, 0.045, 0.05)
 	_earth.mesh = clod
 	_earth.material_override = Look.paint(Color(0.2, 0.15, 0.09), 1.0)
 	_earth.emitting = false
 	_earth.one_shot = true
 	_earth.explosiveness = 0.97
-	_earth.amount = 90
+	_earth.amount = 160
 	_earth.lifetime = 1.6
 	_earth.direction = Vector3.UP
 	_earth.spread = 55.0
 	_earth.initial_velocity_min = 4.0
 	_earth.initial_velocity_max = 11.0
 	_earth.scale_amount_min = 0.4
-	_earth.scale_amount_max = 1.8
+	_earth.scale_amount_max = 1.5
 	add_child(_earth)
 
 

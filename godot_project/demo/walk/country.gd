@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## The grass: a field in the middle, where everything happens, with a cell of its ground a metre; and four around it to
-## the edge of the hills, which need fewer blades, since nobody sees theirs one by one.
+## the edge of the hills, with fewer and wider blades, since nobody sees theirs one by one.
 extends Node3D
 
 const Hills := preload("res://demo/walk/hills.gd")
@@ -8,6 +8,8 @@ const PRESETS := "res://addons/grass_field/presets/%s.tres"
 const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
 const NEAR_DENSITY := 256.0  # blades a square metre
 const FAR_DENSITY := 64.0
+const FAR_WIDTH := 2.5  # times as wide
+const SOIL := Color(0.24, 0.27, 0.12)
 const FAR_POOL := 256  # tiles, of each far field: a jeep's
 const TRACK := 24.0  # metres, radius of the track
 ## Species of the middle, and their shares. The far fields have no plants with a mesh, which show up to 30 m only.
@@ -58,6 +60,8 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 	made.position = Vector3(rect.get_center().x, 0.0, rect.get_center().y)
 	made.density = density
 	made.border_fade = 0.0  # the next field goes on there
+	made.soil_color = SOIL
+	made.root_shade = 0.65
 	made.wheel_wear = 3.0
 	made.map = GrassMap.new()
 	made.map.base_density = 1.0
@@ -67,6 +71,10 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 		if is_near or preset not in WITH_MESH:
 			species.append((load(PRESETS % preset) as GrassSpecies).duplicate())
 			species[-1].share = SPECIES[preset]
+			if not is_near:
+				species[-1].patch = species[-1].patch.duplicate()
+				species[-1].patch.width_min *= FAR_WIDTH
+				species[-1].patch.width_max *= FAR_WIDTH
 	made.species = species
 	if not is_near:
 		made.pool_tiles = FAR_POOL

@@ -13,7 +13,7 @@ const SKY_STEPS := 48.0  # the sky is drawn again, which costs, when its light h
 ## Zenith, horizon, ambient light; by day, at dusk, by night, under clouds.
 const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(0.5, 0.58, 0.68)]
 const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
-const NIGHT: Array[Color] = [Color(0.008, 0.012, 0.03), Color(0.03, 0.04, 0.08), Color(0.035, 0.045, 0.085)]
+const NIGHT: Array[Color] = [Color(0.012, 0.02, 0.05), Color(0.06, 0.08, 0.14), Color(0.12, 0.15, 0.26)]
 const CLOUDS: Array[Color] = [Color(0.5, 0.54, 0.58), Color(0.68, 0.71, 0.74), Color(0.5, 0.53, 0.57)]
 
 var hour := 9.0
@@ -30,6 +30,7 @@ func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
 	_environment = world.environment.duplicate(true)  # the file's own stays as it is
 	world.environment = _environment
 	_sky = _environment.sky.sky_material
+	_sky.sun_angle_max = 8.0  # degrees of glow around it
 	_environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	_environment.reflected_light_source = Environment.REFLECTION_SOURCE_DISABLED
 	_environment.sky.radiance_size = Sky.RADIANCE_SIZE_32  # nothing takes light from it
@@ -47,7 +48,7 @@ func advance(delta: float, clouds: float) -> void:
 	_sun.basis = Basis(Vector3.UP, way - 0.35) * Basis(Vector3.RIGHT, -maxf(sin(way), 0.06) * NOON_HEIGHT)
 	var is_day := height > 0.0
 	_sun.light_color = LOW_SUN.lerp(SUN, smoothstep(0.05, 0.5, height)) if is_day else MOON
-	var strength := 1.5 * smoothstep(0.0, 0.18, height) if is_day else 0.16 * smoothstep(0.0, 0.2, -height)
+	var strength := 1.5 * smoothstep(0.0, 0.18, height) if is_day else 0.4 * smoothstep(0.0, 0.2, -height)
 	_sun.light_energy = strength * (1.0 - 0.85 * clouds)
 	_sun.visible = _sun.light_energy > 0.001
 	_set_air(clouds)
@@ -71,4 +72,4 @@ func _set_air(clouds: float) -> void:
 ## Of night, dusk and day, in this order as it gets light; greyer under clouds, which show by day.
 func _mix(which: int, clouds: float) -> Color:
 	var clear := NIGHT[which].lerp(DUSK[which], minf(2.0 * light, 1.0)).lerp(DAY[which], maxf(2.0 * light - 1.0, 0.0))
-	return clear.lerp(CLOUDS[which] * lerpf(0.04, 0.85, light), clouds)
+	return clear.lerp(CLOUDS[which] * lerpf(0.04, 1.0, light), clouds)

@@ -5,7 +5,7 @@ extends Camera3D
 const MOUSE := 0.0025  # radians a pixel
 const STICK := 2.6  # radians a second
 const STEEPEST := 1.35  # radians
-const BEHIND := Vector3(0.0, 0.9, 3.2)  # metres from the head, third person
+const BEHIND := Vector3(0.7, 0.6, 3.2)  # metres from the head, third person
 const CHASE := Vector3(0.0, 2.3, 6.5)  # metres from the jeep
 const LAZINESS := 3.5  # how fast the chase follows, a second
 const LEAST := 0.4  # metres above the ground
@@ -31,7 +31,7 @@ func _init() -> void:
 
 func set_up(hills: Hills) -> void:
 	_hills = hills
-	lamp = Look.add_lamp(self, Vector3(0.15, 0.1, 0.0), 9.0, 28.0)
+	lamp = Look.add_lamp(self, Vector3(0.15, 0.1, 0.0), 14.0, 28.0)
 	lamp.shadow_enabled = true
 
 

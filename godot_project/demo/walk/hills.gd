@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The ground: a square of hills with collision, a height a metre, level in its middle; and bare hills around it to the
-## horizon, which are only seen. The grass draws the ground that it grows on by itself.
+## The ground: a square of hills with collision, a height a metre, level in its middle; and hills to the horizon, which are
+## only seen. Where grass grows it draws the ground by itself, and these lie a little lower.
 extends StaticBody3D
 
 const STEP := 4  # metres from one height of the noise to the next; those between are smooth
@@ -90,14 +90,10 @@ func _mesh() -> ArrayMesh:
 			var along := points[mini(z + 1, count - 1) * count + x] - points[maxi(z - 1, 0) * count + x]
 			normals.append(along.cross(across).normalized())
 	var indices := PackedInt32Array()
-	var inside := int(0.5 * side / FAR_STEP)
-	var middle := int(0.5 * (count - 1))
 	for z in count - 1:
 		for x in count - 1:
-			var is_square := x >= middle - inside and x < middle + inside and z >= middle - inside and z < middle + inside
-			if not is_square:
-				var first := z * count + x
-				indices.append_array([first, first + 1, first + count, first + 1, first + count + 1, first + count])
+			var first := z * count + x
+			indices.append_array([first, first + 1, first + count, first + 1, first + count + 1, first + count])
 	var arrays := []
 	arrays.resize(Mesh.ARRAY_MAX)
 	arrays[Mesh.ARRAY_VERTEX] = points

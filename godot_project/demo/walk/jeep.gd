@@ -6,18 +6,18 @@ extends VehicleBody3D
 const Look := preload("res://demo/walk/look.gd")
 const Country := preload("res://demo/walk/country.gd")
 const MASS := 900.0  # kg
-const POWER := 4200.0  # newtons, of all wheels
+const POWER := 2400.0  # newtons, of each wheel where it begins to roll; less and less up to the top speed
 const TOP_SPEED := 16.0  # m/s
 const BRAKE := 60.0
 const IDLE_BRAKE := 1.5
-const GRIP := 1.1  # of a tyre on earth: in first gear wheels spin a little
+const GRIP := 0.9  # of a tyre on earth: with all of its power wheels spin at first
 const STEERING := 0.55  # radians at rest, less at speed
 const STEER_FAST := 1.8  # radians a second
 const RADIUS := 0.4  # metres, of a wheel
 const WHEELS: Array[Vector3] = [Vector3(0.78, 0.5, 1.25), Vector3(-0.78, 0.5, 1.25), Vector3(0.78, 0.5, -1.25), Vector3(-0.78, 0.5, -1.25)]
 const GREEN := Color(0.28, 0.31, 0.2)
 const DARK := Color(0.07, 0.07, 0.07)
-const TREAD := 0.12  # wear of a wheel that rolls over
+const TREAD := 0.3  # wear of a wheel that rolls over
 const TREAD_STEP := 0.3  # metres
 const REACH := 3.5  # metres, from which one gets in
 const DOOR := Vector3(1.9, 0.6, 0.2)  # where one gets out
@@ -36,7 +36,7 @@ func _ready() -> void:
 		_add_wheel(place)
 	_add_look()
 	for x: float in [-0.5, 0.5]:
-		lamps.append(Look.add_lamp(self, Vector3(x, 0.85, 1.7), 12.0, 40.0))
+		lamps.append(Look.add_lamp(self, Vector3(x, 0.85, 1.7), 30.0, 45.0))
 		lamps[-1].rotation = Vector3(-0.06, PI, 0.0)  # +z is ahead
 	stay()
 
@@ -47,7 +47,7 @@ func drive(delta: float) -> void:
 	ahead = clampf(ahead, -1.0, 1.0)
 	var speed := linear_velocity.dot(global_basis.z)
 	var against := ahead * speed < -0.5  # it rolls the other way
-	engine_force = 0.0 if against or absf(speed) > TOP_SPEED else POWER * ahead
+	engine_force = 0.0 if against else POWER * ahead * maxf(1.0 - absf(speed) / TOP_SPEED, 0.0)
 	brake = BRAKE if against or Input.is_action_pressed("walk_jump") else IDLE_BRAKE if is_zero_approx(ahead) else 0.0
 	var wish := Input.get_axis("walk_right", "walk_left") * STEERING / (1.0 + 0.09 * absf(speed))
 	steering = move_toward(steering, wish, STEER_FAST * delta)

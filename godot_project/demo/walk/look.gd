@@ -47,7 +47,8 @@ static func add_lamp(to: Node3D, at: Vector3, energy: float, reach: float) -> Sp
 	lamp.light_color = Color(1.0, 0.94, 0.82)
 	lamp.light_energy = energy
 	lamp.spot_range = reach
-	lamp.spot_angle = 32.0
+	lamp.spot_angle = 38.0
+	lamp.spot_angle_attenuation = 0.5  # a soft rim
 	lamp.visible = false
 	to.add_child(lamp)
 	return lamp

@@ -6,7 +6,7 @@ const Look := preload("res://demo/walk/look.gd")
 const Hills := preload("res://demo/walk/hills.gd")
 const Country := preload("res://demo/walk/country.gd")
 const DECK := Vector3(1.0, 0.16, 0.8)  # metres
-const HEIGHT := 0.06  # metres that it leaves standing
+const HEIGHT := 0.08  # metres that it leaves standing
 const AHEAD := 1.25  # metres from who pushes it
 const REACH := 2.2  # metres, from which one takes it
 

@@ -3,14 +3,20 @@
 extends CanvasLayer
 
 const EVERY := 0.25  # seconds
-const HELP := """WASD, left stick   walk, drive        mouse, right stick   look
-Shift, stick       sprint             Space, A             jump, hand brake
-E, Y               get in and out, take the mower
-F, X               blast              G, D-pad right       weather
-T, D-pad up        time flies         L, D-pad left        lamp
-V, right stick     first, third person
-R, Start           begin again        H, Back              hide this
-Esc                free the mouse, then quit"""
+const HELP := """WASD, left stick     walk, drive
+mouse, right stick   look
+triggers             drive
+Shift, left stick    sprint
+Space, A             jump, hand brake
+E, Y                 jeep, mower
+F, X                 blast
+G, D-pad right       weather
+T, D-pad up          time flies
+L, D-pad left        lamp
+V, right stick       first, third person
+R, Start             begin again
+H, Back              hide this
+Esc                  mouse, then quit"""
 
 var _label := Label.new()
 var _time := 0.0  # seconds until it is written again
@@ -26,7 +32,7 @@ func _ready() -> void:
 	var font := SystemFont.new()
 	font.font_names = ["monospace"]
 	_label.add_theme_font_override("font", font)
-	_label.add_theme_font_size_override("font_size", 13)
+	_label.add_theme_font_size_override("font_size", 12)
 	back.add_child(_label)
 	add_child(back)
 
@@ -37,10 +43,14 @@ func tell(delta: float, field: GrassField, hour: float, weather: String, hint: S
 		return
 	_time = EVERY
 	var facts := field.get_statistics()
-	_label.text = (
-		"%d fps   %d tiles awake   %d blades drawn   %02d:%02d   %s\n%s\n\n%s"
-		% [Engine.get_frames_per_second(), facts.awake_tiles, facts.drawn_blades, int(hour), int(fmod(hour, 1.0) * 60.0), weather, hint, HELP]
-	)
+	var clock := "%02d:%02d" % [int(hour), int(fmod(hour, 1.0) * 60.0)]
+	var lines: Array[String] = [
+		"%d fps   %s   %s" % [Engine.get_frames_per_second(), clock, weather],
+		"%d tiles awake, %d blades drawn" % [facts.awake_tiles, facts.drawn_blades],
+		hint + "\n",
+		HELP
+	]
+	_label.text = "\n".join(lines)
 
 
 func text() -> String:

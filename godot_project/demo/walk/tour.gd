@@ -27,12 +27,12 @@ func record(folder: String) -> void:
 func _on_foot() -> void:
 	_walk.panel.visible = true
 	await _hold(["walk_forward"], 0.6)
-	await _shots.take("1_morning")
+	await _take("1_morning")
 	_walk.panel.visible = false
 	await _hold(["walk_forward", "walk_sprint"], 0.9)
 	_walk.eye.behind = true
 	await _hold([], 0.1)
-	await _shots.take("2_kicked")
+	await _take("2_kicked")
 	_walk.eye.behind = false
 
 
@@ -45,11 +45,12 @@ func _with_the_mower() -> void:
 	await _hold(["walk_back"], 1.2)
 	_walk.eye.pitch = -0.3
 	await _hold([], 0.2)
-	await _shots.take("3_mown")
-	_walk.eye.yaw = 0.5
-	_walk.eye.pitch = -0.12
-	await _hold(["walk_blast"], 0.3)
-	await _shots.take("4_blast")
+	await _take("3_mown")
+	_walk.eye.yaw = 1.1
+	_walk.eye.pitch = -0.18
+	await _hold([], 0.1)
+	await _hold(["walk_blast"], 0.2)
+	await _take("4_blast")
 	await _hold([], 2.0)
 
 
@@ -57,18 +58,18 @@ func _in_the_jeep() -> void:
 	_walk.reset()
 	_walk.walker.global_position = _walk.hills.on_ground(_walk.jeep.get_door(), 0.05)
 	await _hold(["walk_use"], 0.1)
-	await _hold(["walk_forward"], 1.8)
-	await _hold(["walk_forward", "walk_left"], 2.2)
-	await _shots.take("5_jeep")
-	_walk.eye.yaw = PI - 0.4
-	_walk.eye.pitch = -0.25
-	await _hold(["walk_forward"], 0.5)
-	await _shots.take("6_tracks")
+	await _hold(["walk_forward"], 1.4)
+	await _hold(["walk_forward", "walk_left"], 1.6)
+	await _take("5_jeep")
+	_walk.eye.yaw = PI - 0.25
+	_walk.eye.pitch = -0.4
+	await _hold(["walk_forward"], 0.3)
+	await _take("6_tracks")
 	_walk.eye.yaw = 0.0
 	_walk.eye.pitch = 0.0
 	_walk.day.hour = 22.5
 	await _hold(["walk_forward"], 0.5)
-	await _shots.take("7_night")
+	await _take("7_night")
 
 
 func _in_weather() -> void:
@@ -78,13 +79,13 @@ func _in_weather() -> void:
 		_walk.weather.kind = kind
 		_walk.weather.settle()
 		await _hold([], 1.0)
-		await _shots.take("%d_%s" % [8 + ["windy", "rain", "snow"].find(kind), kind])
+		await _take("%d_%s" % [8 + ["windy", "rain", "snow"].find(kind), kind])
 	_walk.weather.kind = "clear"
 	_walk.weather.settle()
-	_walk.day.hour = 18.3
+	_walk.day.hour = 17.2
 	_walk.walker.global_position = _walk.hills.on_ground(Vector3(20.0, 0.0, 24.0), 0.05)
 	await _hold([], 0.3)
-	await _shots.take("11_evening")
+	await _take("11_evening")
 
 
 func _hold(actions: Array[StringName], seconds: float) -> void:
@@ -94,3 +95,16 @@ func _hold(actions: Array[StringName], seconds: float) -> void:
 		await _walk.get_tree().physics_frame
 	for action in actions:
 		Input.action_release(action)
+
+
+func _take(p_name: String) -> void:
+	await _shots.take(p_name)
+	var awake := 0
+	var blades := 0
+	var triangles := 0
+	for field: GrassField in _walk.country.fields:
+		var facts := field.get_statistics()
+		awake += facts.awake_tiles
+		blades += facts.drawn_blades
+		triangles += facts.drawn_triangles + facts.shadow_triangles
+	print("%s: %d tiles awake, %d blades and %d triangles drawn, those of shadows with them." % [p_name, awake, blades, triangles])

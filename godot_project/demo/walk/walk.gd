@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
-## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. `./grass demo walk` takes pictures
-## of all that (`-- --out DIR`); `godot --path godot_project res://demo/walk.tscn` lets you play it.
-##   --size SIZE    large (256 m of close grass among 1 km of hills) or small (64 m among 320 m), for software rendering
+## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. Started with `-- --out DIR` it takes
+## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/walk.md says how.
+##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
+##                  rendering, or tiny (64 m in 128 m), for tests
 extends Node3D
 
 const Actions := preload("res://demo/walk/actions.gd")
 const Tour := preload("res://demo/walk/tour.gd")
-const SIZES := {"large": [256, 1024], "small": [64, 320]}  # metres, side of the near field and of the hills
+const SIZES := {"large": [256, 1024], "small": [64, 320], "tiny": [64, 128]}  # metres, side of the near field and of the hills
 const START := Vector3(0.0, 0.0, 9.0)
-const BALL := Vector3(0.6, 0.0, 4.5)
+const BALL := Vector3(0.2, 0.0, 4.5)
 const JEEP := Vector3(5.5, 0.0, 3.0)
 const MOWER := Vector3(-4.0, 0.0, 5.0)
 const THROW := 8.0  # metres ahead, where a blast goes off
@@ -19,6 +20,8 @@ const THROW := 8.0  # metres ahead, where a blast goes off
 var driving := false
 var pushing := false
 var lamp_flipped := false
+
+var _msaa: Viewport.MSAA  # of the project
 
 @onready var hills: Node3D = $Hills
 @onready var country: Node3D = $Country
@@ -35,6 +38,8 @@ var lamp_flipped := false
 
 func _ready() -> void:
 	Actions.register()
+	_msaa = get_viewport().msaa_3d
+	get_viewport().msaa_3d = Viewport.MSAA_2X
 	var sides: Array = SIZES[size if size else _argument("--size", "large")]
 	hills.make(sides[1])
 	country.make(sides[0], hills)
@@ -52,6 +57,7 @@ func _ready() -> void:
 
 func _exit_tree() -> void:
 	Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+	get_viewport().msaa_3d = _msaa
 
 
 func _physics_process(delta: float) -> void:
@@ -59,7 +65,7 @@ func _physics_process(delta: float) -> void:
 	eye.look(delta)
 	if driving:
 		jeep.drive(delta)
-		walker.global_position = jeep.global_position
+		walker.global_position = jeep.get_door()  # beside it, so that it does not meet the jeep where it gets out
 	else:
 		walker.walk(delta, eye, country)
 	jeep.tread(delta, country)

@@ -15,7 +15,7 @@ const KINDS := {
 ## How fast each of them changes, a second.
 const RATES := {wind = 1.5, gusts = 0.2, wet = 0.12, snow = 0.06, clouds = 0.2, rain = 0.25, flakes = 0.25}
 const EARTH := Color(0.29, 0.35, 0.14)  # of the hills at the horizon, about what grass looks like from there
-const AIR := Vector3(11.0, 7.0, 11.0)  # metres around the eye in which drops and flakes are drawn, half
+const AIR := Vector3(8.0, 7.0, 8.0)  # metres around the eye in which drops and flakes are drawn, half
 
 var kind := "clear"
 var now: Dictionary = KINDS.clear.duplicate()  ## what is
@@ -26,11 +26,11 @@ var _flakes: GPUParticles3D
 
 func _ready() -> void:
 	var drop := BoxMesh.new()
-	drop.size = Vector3(0.006, 0.35, 0.006)
-	_rain = _add_air(drop, 2200, 1.1, 11.0, Color(0.75, 0.8, 0.88, 0.35))
+	drop.size = Vector3(0.008, 0.4, 0.008)
+	_rain = _add_air(drop, 2200, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.5))
 	var flake := SphereMesh.new()
-	flake.radius = 0.016
-	flake.height = 0.032
+	flake.radius = 0.028
+	flake.height = 0.056
 	flake.radial_segments = 6
 	flake.rings = 3
 	_flakes = _add_air(flake, 2600, 8.0, 1.4, Color(1, 1, 1, 0.9))
@@ -84,6 +84,7 @@ func _add_air(mesh: Mesh, amount: int, lifetime: float, speed: float, color: Col
 	air.position.y = AIR.y
 	air.visibility_aabb = AABB(-2.0 * AIR, 4.0 * AIR)
 	air.material_override = Look.paint(color)
+	air.material_override.shading_mode = BaseMaterial3D.SHADING_MODE_PER_VERTEX
 	air.material_override.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
 	air.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	air.visible = false
