@@ -37,6 +37,7 @@ func make(p_side: int) -> void:
 	collider.shape = shape
 	add_child(collider)
 	material.roughness = 1.0
+	material.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT_WRAP  # grass lets light through
 	var look := MeshInstance3D.new()
 	look.mesh = _mesh()
 	look.material_override = material

@@ -14,7 +14,7 @@ const KINDS := {
 }
 ## How fast each of them changes, a second.
 const RATES := {wind = 1.5, gusts = 0.2, wet = 0.12, snow = 0.06, clouds = 0.2, rain = 0.25, flakes = 0.25}
-const EARTH := Color(0.29, 0.35, 0.14)  # of the hills at the horizon, about what grass looks like from there
+const EARTH := Color(0.4, 0.48, 0.2)  # of the hills at the horizon, about what grass looks like from there
 const AIR := Vector3(8.0, 7.0, 8.0)  # metres around the eye in which drops and flakes are drawn, half
 
 var kind := "clear"
