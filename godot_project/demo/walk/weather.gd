@@ -29,8 +29,8 @@ func _ready() -> void:
 	drop.size = Vector3(0.008, 0.4, 0.008)
 	_rain = _add_air(drop, 2200, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.5))
 	var flake := SphereMesh.new()
-	flake.radius = 0.028
-	flake.height = 0.056
+	flake.radius = 0.013
+	flake.height = 0.026
 	flake.radial_segments = 6
 	flake.rings = 3
 	_flakes = _add_air(flake, 2600, 8.0, 1.4, Color(1, 1, 1, 0.9))
@@ -86,6 +86,9 @@ func _add_air(mesh: Mesh, amount: int, lifetime: float, speed: float, color: Col
 	air.material_override = Look.paint(color)
 	air.material_override.shading_mode = BaseMaterial3D.SHADING_MODE_PER_VERTEX
 	air.material_override.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	air.material_override.distance_fade_mode = BaseMaterial3D.DISTANCE_FADE_PIXEL_ALPHA  # none before the lens
+	air.material_override.distance_fade_min_distance = 0.4
+	air.material_override.distance_fade_max_distance = 1.5
 	air.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	air.visible = false
 	add_child(air)
