@@ -11,7 +11,7 @@ from tools.say import Failure, complain
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, presets) and says where its pictures are
+  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets) and says where its pictures are
   ./grass gallery  renders the same grass in many lights
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
@@ -31,7 +31,7 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 """
 
 
-DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning")
+DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "walk")
 BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
 	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
 

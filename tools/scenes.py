@@ -13,6 +13,8 @@ from tools.say import Failure, progress, say
 LIMIT = 3600  # seconds
 # those in the engine that ./grass bench runs
 BENCHES = ("draw", "meadow", "forces", "movers", "simulate", "sleep", "cpu", "questions", "change", "species", "kernel")
+PLAYED = ("walk",)  # demos that somebody plays, where there are a screen and a GPU
+EVENING = 12 * 3600  # seconds that one may play
 SIZES = {"large": "1920x1080", "small": "1280x720"}
 
 
@@ -50,11 +52,25 @@ def results(folder):
 		print(f"  {file.relative_to(folder)}")
 
 
+def enter(scene, size, method):
+	"""Runs `scene` in a window until whoever plays it closes that."""
+	engine.import_project()
+	with engine.window(method, SIZES[size]) as (command, environment):
+		everything = [*command, "--path", str(PROJECT), scene, "--", "--size", size]
+		code = engine.run(everything, environment, lambda line: print(line, flush=True), EVENING, silence=EVENING)
+	if code:
+		raise Failure(f"{scene} ended with code {code} (negative: a signal).")
+
+
 def demo(place, out, size, method):
 	scene = f"res://demo/{place}.tscn"
 	ready(scene)
 	hardware = machine.gpu() and machine.display()
 	size = size or ("large" if hardware else "small")
+	if place in PLAYED and hardware and not out:
+		say(f"The {place}, {size}, to play; with --out DIR it takes pictures of itself instead")
+		enter(scene, size, method)
+		return
 	folder = pathlib.Path(out or OUT / place).resolve()
 	say(f"The {place}, {size}, on {'the GPU' if hardware else 'software Vulkan: this takes some minutes'}")
 	play(scene, folder, ["--size", size], SIZES[size], method)

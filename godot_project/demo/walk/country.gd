@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+## The grass: a field in the middle, where everything happens, with a cell of its ground a metre; and four around it to
+## the edge of the hills, with fewer and wider blades, since nobody sees theirs one by one.
+extends Node3D
+
+const Hills := preload("res://demo/walk/hills.gd")
+const PRESETS := "res://addons/grass_field/presets/%s.tres"
+const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
+const NEAR_DENSITY := 256.0  # blades a square metre
+const FAR_DENSITY := 64.0
+const FAR_WIDTH := 2.5  # times as wide
+const SOIL := Color(0.24, 0.27, 0.12)
+const FAR_POOL := 256  # tiles, of each far field: a jeep's
+const TRACK := 24.0  # metres, radius of the track
+## Species of the middle, and their shares. The far fields have no plants with a mesh, which show up to 30 m only.
+const SPECIES := {meadow = 0.62, hay_meadow = 0.28, daisy = 0.06, ox_eye_daisy = 0.006, fern = 0.003}
+const WITH_MESH: Array[String] = ["ox_eye_daisy", "fern"]
+
+var field: GrassField  ## the one in the middle
+var fields: Array[GrassField] = []  ## all of them
+
+
+func make(near: float, hills: Hills) -> void:
+	field = _add("Field", Rect2(-0.5 * near, -0.5 * near, near, near), NEAR_DENSITY)
+	field.measure_time = true
+	var half := 0.5 * hills.side
+	var rim := half - 0.5 * near
+	if rim >= 1.0:
+		for rect: Rect2 in [
+			Rect2(-half, -half, 2.0 * half, rim),
+			Rect2(-half, 0.5 * near, 2.0 * half, rim),
+			Rect2(-half, -0.5 * near, rim, near),
+			Rect2(0.5 * near, -0.5 * near, rim, near)
+		]:
+			_add("Far%d" % fields.size(), rect, FAR_DENSITY)
+	for each in fields:
+		each.bake_ground_from(hills.shape, hills.global_transform)
+	_paint_track(hills)
+
+
+## The field that a place lies in; null beyond all of them.
+func field_at(place: Vector3) -> GrassField:
+	for each in fields:
+		if each.get_tile_at(place) != Vector2i(-1, -1):
+			return each
+	return null
+
+
+## Grass as on the first day.
+func grow_back() -> void:
+	for each in fields:
+		each.regrow(10.0, 1.0)
+
+
+func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
+	var made := GrassField.new()
+	var is_near := density == NEAR_DENSITY
+	made.name = p_name
+	made.size = rect.size
+	made.position = Vector3(rect.get_center().x, 0.0, rect.get_center().y)
+	made.density = density
+	made.border_fade = 0.0  # the next field goes on there
+	made.soil_color = SOIL
+	made.root_shade = 0.65
+	made.wheel_wear = 3.0
+	made.map = GrassMap.new()
+	made.map.base_density = 1.0
+	made.surface_hook = load(WEATHER)
+	var species: Array[GrassSpecies] = []
+	for preset: String in SPECIES:
+		if is_near or preset not in WITH_MESH:
+			species.append((load(PRESETS % preset) as GrassSpecies).duplicate())
+			species[-1].share = SPECIES[preset]
+			if not is_near:
+				species[-1].patch = species[-1].patch.duplicate()
+				species[-1].patch.width_min *= FAR_WIDTH
+				species[-1].patch.width_max *= FAR_WIDTH
+	made.species = species
+	if not is_near:
+		made.pool_tiles = FAR_POOL
+		made.shadow_distance = 0.0
+	add_child(made)
+	fields.append(made)
+	return made
+
+
+## A dirt track around the place where the walk begins: bare in its wheel ruts, low beside them.
+func _paint_track(hills: Hills) -> void:
+	var verge := GrassBrush.new()
+	verge.tool = GrassBrush.TOOL_HEIGHT
+	verge.target = 0.45
+	verge.strength = 1.0
+	verge.radius = 2.6
+	verge.hardness = 0.3
+	_draw_round(verge, TRACK, hills)
+	var rut := GrassBrush.new()
+	rut.tool = GrassBrush.TOOL_ERASE
+	rut.strength = 0.9
+	rut.radius = 0.5
+	for off: float in [-0.85, 0.85]:
+		_draw_round(rut, TRACK + off, hills)
+
+
+func _draw_round(brush: GrassBrush, radius: float, hills: Hills) -> void:
+	var from := Vector3(radius, 0.0, 0.0)
+	for i in range(1, 65):
+		var angle := TAU * i / 64.0
+		var wobble := radius * (1.0 + 0.12 * sin(3.0 * angle))
+		var to := Vector3(wobble * cos(angle), 0.0, wobble * sin(angle))
+		field.paint(brush, hills.on_ground(from), hills.on_ground(to))
+		from = to

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+## Day and night: one lamp is the sun by day and the moon by night, and sky, ambient light and fog follow it. It shines with
+## nothing at the moment when it becomes the other, so no shadow jumps.
+extends Node
+
+const PACE := 24.0 / 900.0  # hours a second: a day in a quarter of an hour
+const HURRY := 1.5  # hours a second while the key is held
+const NOON_HEIGHT := 1.0  # radians
+const SUN := Color(1.0, 0.95, 0.85)
+const LOW_SUN := Color(1.0, 0.62, 0.35)
+const MOON := Color(0.6, 0.72, 1.0)
+const SKY_STEPS := 48.0  # the sky is drawn again, which costs, when its light has changed by one of these
+## Zenith, horizon, ambient light; by day, at dusk, by night, under clouds.
+const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(0.5, 0.58, 0.68)]
+const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
+const NIGHT: Array[Color] = [Color(0.012, 0.02, 0.05), Color(0.06, 0.08, 0.14), Color(0.12, 0.15, 0.26)]
+const CLOUDS: Array[Color] = [Color(0.5, 0.54, 0.58), Color(0.68, 0.71, 0.74), Color(0.5, 0.53, 0.57)]
+
+var hour := 9.0
+var light := 1.0  ## 0 by night, 1 by day
+
+var _sun: DirectionalLight3D
+var _environment: Environment
+var _sky: ProceduralSkyMaterial
+var _drawn := Vector2.INF  # light and clouds of the sky as it was drawn last
+
+
+func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
+	_sun = sun
+	_environment = world.environment.duplicate(true)  # the file's own stays as it is
+	world.environment = _environment
+	_sky = _environment.sky.sky_material
+	_sky.sun_angle_max = 8.0  # degrees of glow around it
+	_environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
+	_environment.reflected_light_source = Environment.REFLECTION_SOURCE_DISABLED
+	_environment.sky.radiance_size = Sky.RADIANCE_SIZE_32  # nothing takes light from it
+
+
+func is_dark() -> bool:
+	return light < 0.3
+
+
+func advance(delta: float, clouds: float) -> void:
+	hour = fposmod(hour + delta * (HURRY if Input.is_action_pressed("walk_hurry") else PACE), 24.0)
+	var height := sin((hour - 6.0) / 12.0 * PI)  # of the sun: 1 at noon, -1 at midnight
+	light = smoothstep(-0.15, 0.25, height)
+	var way := fposmod(hour - 6.0, 12.0) / 12.0 * PI  # the moon goes the sun's way, twelve hours later
+	_sun.basis = Basis(Vector3.UP, way - 0.35) * Basis(Vector3.RIGHT, -maxf(sin(way), 0.06) * NOON_HEIGHT)
+	var is_day := height > 0.0
+	_sun.light_color = LOW_SUN.lerp(SUN, smoothstep(0.05, 0.5, height)) if is_day else MOON
+	var strength := 1.5 * smoothstep(0.0, 0.18, height) if is_day else 0.4 * smoothstep(0.0, 0.2, -height)
+	_sun.light_energy = strength * (1.0 - 0.85 * clouds)
+	_sun.visible = _sun.light_energy > 0.001
+	_set_air(clouds)
+
+
+func _set_air(clouds: float) -> void:
+	var ambient := _mix(2, clouds)
+	_environment.ambient_light_color = ambient
+	_environment.ambient_light_energy = 1.0
+	_environment.fog_light_color = _mix(1, clouds)
+	_environment.fog_density = lerpf(0.0006, 0.004, clouds)
+	var state := (SKY_STEPS * Vector2(light, clouds)).round()
+	if state != _drawn:
+		_drawn = state
+		_sky.sky_top_color = _mix(0, clouds)
+		_sky.sky_horizon_color = _mix(1, clouds)
+		_sky.ground_horizon_color = _mix(1, clouds)
+		_sky.ground_bottom_color = 0.4 * _mix(1, clouds)
+
+
+## Of night, dusk and day, in this order as it gets light; greyer under clouds, which show by day.
+func _mix(which: int, clouds: float) -> Color:
+	var clear := NIGHT[which].lerp(DUSK[which], minf(2.0 * light, 1.0)).lerp(DAY[which], maxf(2.0 * light - 1.0, 0.0))
+	return clear.lerp(CLOUDS[which] * lerpf(0.04, 1.0, light), clouds)

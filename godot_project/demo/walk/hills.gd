@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+## The ground: a square of hills with collision, a height a metre, level in its middle; and hills to the horizon, which are
+## only seen. Where grass grows it draws the ground by itself, and these lie a little lower.
+extends StaticBody3D
+
+const STEP := 4  # metres from one height of the noise to the next; those between are smooth
+const FAR_STEP := 16.0  # metres, of the hills to the horizon
+const FAR := 2.0  # how far they go, in sides of the square
+const RELIEF := 26.0  # metres
+const SUNK := 0.4  # metres that they lie lower, so that they never come through the grass
+
+var side := 0  ## metres
+var shape := HeightMapShape3D.new()
+var material := StandardMaterial3D.new()  ## of the hills to the horizon
+
+var _noise := FastNoiseLite.new()
+
+
+func make(p_side: int) -> void:
+	side = p_side
+	_noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
+	_noise.seed = 11
+	_noise.frequency = 0.0045
+	_noise.fractal_octaves = 3
+	_noise.fractal_gain = 0.35
+	var count := int(float(side) / STEP) + 1
+	var heights := PackedFloat32Array()
+	for z in count:
+		for x in count:
+			heights.append(_rise(Vector2(x * STEP - 0.5 * side, z * STEP - 0.5 * side)))
+	var image := Image.create_from_data(count, count, false, Image.FORMAT_RF, heights.to_byte_array())
+	image.resize(side + 1, side + 1, Image.INTERPOLATE_CUBIC)
+	shape.map_width = side + 1
+	shape.map_depth = side + 1
+	shape.map_data = image.get_data().to_float32_array()
+	var collider := CollisionShape3D.new()
+	collider.shape = shape
+	add_child(collider)
+	material.roughness = 1.0
+	material.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT_WRAP  # grass lets light through
+	var look := MeshInstance3D.new()
+	look.mesh = _mesh()
+	look.material_override = material
+	look.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	add_child(look)
+
+
+## Metres above the node at a place: that of the shape's squares.
+func height_at(place: Vector3) -> float:
+	var at := (Vector2(place.x, place.z) + Vector2.ONE * 0.5 * side).clampf(0.0, side - 1e-3)
+	var cell := Vector2i(at)
+	var part := at - Vector2(cell)
+	var width := side + 1
+	var first := cell.y * width + cell.x
+	var heights := shape.map_data
+	var near := lerpf(heights[first], heights[first + 1], part.x)
+	return lerpf(near, lerpf(heights[first + width], heights[first + width + 1], part.x), part.y)
+
+
+## A place, so far above the ground there.
+func on_ground(place: Vector3, above := 0.0) -> Vector3:
+	return Vector3(place.x, height_at(place) + above, place.z)
+
+
+## Which way is up on the ground at a place.
+func normal_at(place: Vector3) -> Vector3:
+	var x := height_at(place + Vector3.RIGHT) - height_at(place + Vector3.LEFT)
+	var z := height_at(place + Vector3.BACK) - height_at(place + Vector3.FORWARD)
+	return Vector3(-0.5 * x, 1.0, -0.5 * z).normalized()
+
+
+## Higher with the distance from the middle: a meadow among hills, and mountains at the horizon.
+func _rise(place: Vector2) -> float:
+	var far := place.length()
+	var steepness := lerpf(0.12, 1.0, smoothstep(15.0, 220.0, far)) + 1.6 * smoothstep(500.0, 1500.0, far)
+	return RELIEF * steepness * _noise.get_noise_2d(place.x, place.y) + 12.0 * smoothstep(60.0, 500.0, far)
+
+
+func _mesh() -> ArrayMesh:
+	var reach := FAR * side
+	var count := int(2.0 * reach / FAR_STEP) + 1
+	var points := PackedVector3Array()
+	var normals := PackedVector3Array()
+	for z in count:
+		for x in count:
+			var at := Vector2(x, z) * FAR_STEP - Vector2.ONE * reach
+			points.append(Vector3(at.x, _rise(at) - SUNK, at.y))
+	for z in count:
+		for x in count:
+			var across := points[z * count + mini(x + 1, count - 1)] - points[z * count + maxi(x - 1, 0)]
+			var along := points[mini(z + 1, count - 1) * count + x] - points[maxi(z - 1, 0) * count + x]
+			normals.append(along.cross(across).normalized())
+	var indices := PackedInt32Array()
+	for z in count - 1:
+		for x in count - 1:
+			var first := z * count + x
+			indices.append_array([first, first + 1, first + count, first + 1, first + count + 1, first + count])
+	var arrays := []
+	arrays.resize(Mesh.ARRAY_MAX)
+	arrays[Mesh.ARRAY_VERTEX] = points
+	arrays[Mesh.ARRAY_NORMAL] = normals
+	arrays[Mesh.ARRAY_INDEX] = indices
+	var mesh := ArrayMesh.new()
+	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+	return mesh

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+## A jeep with four driven wheels. They press the grass by themselves, and wear it where they slip: the fields' `wheel_wear`.
+## What they roll over they tread down a little.
+extends VehicleBody3D
+
+const Look := preload("res://demo/walk/look.gd")
+const Country := preload("res://demo/walk/country.gd")
+const MASS := 900.0  # kg
+const POWER := 2400.0  # newtons, of each wheel where it begins to roll; less and less up to the top speed
+const TOP_SPEED := 16.0  # m/s
+const BRAKE := 60.0
+const IDLE_BRAKE := 1.5
+const GRIP := 0.9  # of a tyre on earth: with all of its power wheels spin at first
+const STEERING := 0.55  # radians at rest, less at speed
+const STEER_FAST := 1.8  # radians a second
+const RADIUS := 0.4  # metres, of a wheel
+const WHEELS: Array[Vector3] = [Vector3(0.78, 0.5, 1.25), Vector3(-0.78, 0.5, 1.25), Vector3(0.78, 0.5, -1.25), Vector3(-0.78, 0.5, -1.25)]
+const GREEN := Color(0.28, 0.31, 0.2)
+const DARK := Color(0.07, 0.07, 0.07)
+const TREAD := 0.3  # wear of a wheel that rolls over
+const TREAD_STEP := 0.3  # metres
+const REACH := 3.5  # metres, from which one gets in
+const DOOR := Vector3(1.9, 0.6, 0.2)  # where one gets out
+
+var lamps: Array[SpotLight3D] = []
+
+var _since_tread := 0.0  # metres
+
+
+func _ready() -> void:
+	mass = MASS
+	center_of_mass_mode = RigidBody3D.CENTER_OF_MASS_MODE_CUSTOM
+	center_of_mass = Vector3(0.0, 0.35, 0.0)
+	Look.add_shape(self, Look.box(Vector3(1.5, 0.5, 3.3)), Vector3(0.0, 0.75, 0.0))
+	for place in WHEELS:
+		_add_wheel(place)
+	_add_look()
+	for x: float in [-0.5, 0.5]:
+		lamps.append(Look.add_lamp(self, Vector3(x, 0.85, 1.7), 30.0, 45.0))
+		lamps[-1].rotation = Vector3(-0.06, PI, 0.0)  # +z is ahead
+	stay()
+
+
+## A tick at the wheel.
+func drive(delta: float) -> void:
+	var ahead := Input.get_axis("walk_back", "walk_forward") + Input.get_axis("walk_reverse", "walk_throttle")
+	ahead = clampf(ahead, -1.0, 1.0)
+	var speed := linear_velocity.dot(global_basis.z)
+	var against := ahead * speed < -0.5  # it rolls the other way
+	engine_force = 0.0 if against else POWER * ahead * maxf(1.0 - absf(speed) / TOP_SPEED, 0.0)
+	brake = BRAKE if against or Input.is_action_pressed("walk_jump") else IDLE_BRAKE if is_zero_approx(ahead) else 0.0
+	var wish := Input.get_axis("walk_right", "walk_left") * STEERING / (1.0 + 0.09 * absf(speed))
+	steering = move_toward(steering, wish, STEER_FAST * delta)
+
+
+## Tracks of this tick.
+func tread(delta: float, country: Country) -> void:
+	_since_tread += absf(linear_velocity.dot(global_basis.z)) * delta
+	if _since_tread < TREAD_STEP:
+		return
+	_since_tread = 0.0
+	for wheel: VehicleWheel3D in find_children("*", "VehicleWheel3D", false, false):
+		var field := country.field_at(wheel.get_contact_point())
+		if field and wheel.is_in_contact():
+			field.trample(wheel.get_contact_point(), 0.36, TREAD)
+
+
+## Nobody drives.
+func stay() -> void:
+	engine_force = 0.0
+	steering = 0.0
+	brake = BRAKE
+
+
+## Where somebody stands who got out.
+func get_door() -> Vector3:
+	return global_transform * DOOR
+
+
+func _add_wheel(place: Vector3) -> void:
+	var wheel := VehicleWheel3D.new()
+	wheel.position = place
+	wheel.wheel_radius = RADIUS
+	wheel.wheel_rest_length = 0.18
+	wheel.wheel_friction_slip = GRIP
+	wheel.wheel_roll_influence = 0.2
+	wheel.suspension_travel = 0.25
+	wheel.suspension_stiffness = 38.0
+	wheel.suspension_max_force = 12000.0
+	wheel.damping_compression = 3.5
+	wheel.damping_relaxation = 4.5
+	wheel.use_as_traction = true
+	wheel.use_as_steering = place.z > 0.0
+	var tyre := CylinderMesh.new()
+	tyre.top_radius = RADIUS
+	tyre.bottom_radius = RADIUS
+	tyre.height = 0.24
+	Look.add_mesh(wheel, tyre, Vector3.ZERO, Look.paint(DARK, 0.9)).rotation.z = 0.5 * PI
+	var hub := CylinderMesh.new()
+	hub.top_radius = 0.18
+	hub.bottom_radius = 0.18
+	hub.height = 0.26
+	Look.add_mesh(wheel, hub, Vector3.ZERO, Look.paint(Color(0.6, 0.6, 0.58), 0.4, 0.6)).rotation.z = 0.5 * PI
+	add_child(wheel, true)
+
+
+func _add_look() -> void:
+	Look.add_box(self, Vector3(1.5, 0.42, 3.3), Vector3(0.0, 0.74, 0.0), GREEN)
+	Look.add_box(self, Vector3(1.3, 0.2, 1.15), Vector3(0.0, 1.03, 1.02), GREEN)
+	for x: float in [-0.36, 0.36]:
+		Look.add_box(self, Vector3(0.5, 0.12, 0.5), Vector3(x, 1.02, -0.25), DARK)
+		Look.add_box(self, Vector3(0.5, 0.55, 0.12), Vector3(x, 1.3, -0.5), DARK)
+	for x: float in [-0.7, 0.7]:
+		Look.add_box(self, Vector3(0.06, 0.55, 0.06), Vector3(x, 1.25, 0.42), GREEN)
+		Look.add_box(self, Vector3(0.06, 0.85, 0.06), Vector3(x, 1.37, -0.75), DARK)
+		Look.add_box(self, Vector3(0.22, 0.22, 0.05), Vector3(0.72 * x, 0.85, 1.66), Color(0.95, 0.93, 0.85))
+	Look.add_box(self, Vector3(1.46, 0.06, 0.06), Vector3(0.0, 1.53, 0.42), GREEN)
+	Look.add_box(self, Vector3(1.46, 0.06, 0.06), Vector3(0.0, 1.8, -0.75), DARK)
+	Look.add_box(self, Vector3(1.55, 0.14, 0.12), Vector3(0.0, 0.55, 1.7), DARK)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+## A mower that is pushed: what stands under its deck is cut, and stays cut.
+extends AnimatableBody3D
+
+const Look := preload("res://demo/walk/look.gd")
+const Hills := preload("res://demo/walk/hills.gd")
+const Country := preload("res://demo/walk/country.gd")
+const DECK := Vector3(1.0, 0.16, 0.8)  # metres
+const HEIGHT := 0.08  # metres that it leaves standing
+const AHEAD := 1.25  # metres from who pushes it
+const REACH := 2.2  # metres, from which one takes it
+
+var hay := 0.0  ## m³ cut so far
+
+var _deck: CollisionShape3D
+
+
+func _ready() -> void:
+	sync_to_physics = false
+	_deck = Look.add_shape(self, Look.box(DECK), Vector3(0.0, HEIGHT + 0.5 * DECK.y, 0.0))
+	Look.add_box(self, DECK, _deck.position, Color(0.75, 0.12, 0.08))
+	Look.add_box(self, Vector3(0.4, 0.26, 0.4), Vector3(0.0, 0.34, 0.0), Color(0.12, 0.12, 0.13), 0.3)
+	for x: float in [-0.45, 0.45]:
+		for z: float in [-0.36, 0.36]:
+			var wheel := CylinderMesh.new()
+			wheel.top_radius = 0.12
+			wheel.bottom_radius = 0.12
+			wheel.height = 0.08
+			Look.add_mesh(self, wheel, Vector3(1.12 * x, 0.12, z), Look.paint(Color(0.05, 0.05, 0.05))).rotation.z = 0.5 * PI
+		var pole := Look.add_box(self, Vector3(0.035, 1.1, 0.035), Vector3(0.6 * x, 0.62, 0.72), Color(0.2, 0.2, 0.2), 0.5)
+		pole.rotation.x = 0.75
+	Look.add_box(self, Vector3(0.6, 0.04, 0.04), Vector3(0.0, 1.02, 1.09), Color(0.08, 0.08, 0.08))
+
+
+## A tick before somebody at `place` who looks along `yaw`.
+func push(place: Vector3, yaw: float, hills: Hills, country: Country) -> void:
+	var way := Basis(Vector3.UP, yaw)
+	var at := hills.on_ground(place + way * (AHEAD * Vector3.FORWARD))
+	var up := hills.normal_at(at)
+	var right := (way * Vector3.RIGHT).slide(up).normalized()
+	global_transform = Transform3D(Basis(right, up, right.cross(up)), at)
+	var field := country.field_at(at)
+	if field:
+		hay += float(field.cut(_deck.shape, _deck.global_transform).volume)
+
+
+## On the ground at `place`.
+func park(place: Vector3, hills: Hills) -> void:
+	var up := hills.normal_at(place)
+	var right := Vector3.RIGHT.slide(up).normalized()
+	global_transform = Transform3D(Basis(right, up, right.cross(up)), hills.on_ground(place))

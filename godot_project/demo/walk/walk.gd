@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. Started with `-- --out DIR` it takes
+## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/walk.md says how.
+##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
+##                  rendering, or tiny (64 m in 128 m), for tests
+extends Node3D
+
+const Actions := preload("res://demo/walk/actions.gd")
+const Tour := preload("res://demo/walk/tour.gd")
+const SIZES := {"large": [256, 1024], "small": [64, 320], "tiny": [64, 128]}  # metres, side of the near field and of the hills
+const START := Vector3(0.0, 0.0, 9.0)
+const BALL := Vector3(0.2, 0.0, 4.5)
+const JEEP := Vector3(5.5, 0.0, 3.0)
+const MOWER := Vector3(-4.0, 0.0, 5.0)
+const THROW := 8.0  # metres ahead, where a blast goes off
+
+## One of SIZES; empty: as the arguments say, else large.
+@export var size := ""
+
+var driving := false
+var pushing := false
+var lamp_flipped := false
+
+var _msaa: Viewport.MSAA  # of the project
+
+@onready var hills: Node3D = $Hills
+@onready var country: Node3D = $Country
+@onready var walker: CharacterBody3D = $Walker
+@onready var jeep: VehicleBody3D = $Jeep
+@onready var ball: RigidBody3D = $Ball
+@onready var mower: AnimatableBody3D = $Mower
+@onready var blast: GrassForce3D = $Blast
+@onready var weather: Node3D = $Weather
+@onready var day: Node = $Day
+@onready var eye: Camera3D = $Eye
+@onready var panel: CanvasLayer = $Panel
+
+
+func _ready() -> void:
+	Actions.register()
+	_msaa = get_viewport().msaa_3d
+	get_viewport().msaa_3d = Viewport.MSAA_2X
+	var sides: Array = SIZES[size if size else _argument("--size", "large")]
+	hills.make(sides[1])
+	country.make(sides[0], hills)
+	day.set_up($Sun, $World)
+	eye.set_up(hills)
+	mower.add_collision_exception_with(walker)
+	reset()
+	var out := _argument("--out", "")
+	if out:
+		await Tour.new(self).record(out)
+		get_tree().quit()
+	elif DisplayServer.get_name() != "headless":
+		Input.mouse_mode = Input.MOUSE_MODE_CAPTURED
+
+
+func _exit_tree() -> void:
+	Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+	get_viewport().msaa_3d = _msaa
+
+
+func _physics_process(delta: float) -> void:
+	_do_actions()
+	eye.look(delta)
+	if driving:
+		jeep.drive(delta)
+		walker.global_position = jeep.get_door()  # beside it, so that it does not meet the jeep where it gets out
+	else:
+		walker.walk(delta, eye, country)
+	jeep.tread(delta, country)
+	if pushing:
+		mower.push(walker.global_position, eye.yaw, hills, country)
+	weather.advance(delta, country, hills.material, eye.global_position)
+	day.advance(delta, weather.now.clouds)
+	eye.lamp.visible = not driving and day.is_dark() != lamp_flipped
+	for lamp: SpotLight3D in jeep.lamps:
+		lamp.visible = driving and day.is_dark() != lamp_flipped
+	eye.follow(walker.get_head(), delta)
+	panel.tell(delta, country.field, day.hour, weather.kind, _hint())
+
+
+## Everything where it was at the beginning. What was mown and trodden grows again.
+func reset() -> void:
+	if driving:
+		_leave()
+	_let_go()
+	country.grow_back()
+	walker.global_position = hills.on_ground(START, 0.05)
+	walker.velocity = Vector3.ZERO
+	_put(ball, BALL, 0.6)
+	_put(jeep, JEEP, 0.3)
+	mower.park(MOWER, hills)
+	eye.yaw = 0.0
+	eye.pitch = -0.08
+	eye.follow(walker.get_head(), 0.0)
+
+
+func _do_actions() -> void:
+	if Input.is_action_just_pressed("walk_use"):
+		_use()
+	if Input.is_action_just_pressed("walk_blast"):
+		var bodies: Array[RigidBody3D] = [ball, jeep]
+		blast.blow(hills.on_ground(walker.global_position + THROW * _ahead(), 0.3), bodies)
+	if Input.is_action_just_pressed("walk_weather"):
+		weather.change()
+	if Input.is_action_just_pressed("walk_lamp"):
+		lamp_flipped = not lamp_flipped
+	if Input.is_action_just_pressed("walk_view"):
+		eye.behind = not eye.behind
+	if Input.is_action_just_pressed("walk_help"):
+		panel.visible = not panel.visible
+	if Input.is_action_just_pressed("walk_reset"):
+		reset()
+	if Input.is_action_just_pressed("walk_quit"):
+		if Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
+			Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+		else:
+			get_tree().quit()
+
+
+## Gets out, lets go, gets in or takes the mower, whatever there is to do.
+func _use() -> void:
+	if driving:
+		_leave()
+	elif pushing:
+		_let_go()
+	elif walker.global_position.distance_to(mower.global_position) < mower.REACH:
+		pushing = true
+		walker.is_pushing = true
+	elif walker.global_position.distance_to(jeep.global_position) < jeep.REACH:
+		driving = true
+		walker.set_away(true)
+		eye.chase(jeep)
+
+
+func _leave() -> void:
+	driving = false
+	jeep.stay()
+	walker.global_position = hills.on_ground(jeep.get_door(), 0.05)
+	walker.set_away(false)
+	var way := jeep.global_basis.z
+	eye.chase(null)
+	eye.yaw = atan2(-way.x, -way.z)
+
+
+func _let_go() -> void:
+	pushing = false
+	walker.is_pushing = false
+
+
+func _put(body: RigidBody3D, place: Vector3, above: float) -> void:
+	body.global_transform = Transform3D(Basis(Vector3.UP, PI), hills.on_ground(place, above))
+	body.linear_velocity = Vector3.ZERO
+	body.angular_velocity = Vector3.ZERO
+
+
+func _ahead() -> Vector3:
+	return -(eye.global_basis.z * Vector3(1, 0, 1)).normalized()
+
+
+func _hint() -> String:
+	if driving:
+		return "%d km/h" % roundi(3.6 * jeep.linear_velocity.length())
+	if pushing:
+		return "%.1f m³ of hay" % mower.hay
+	if walker.global_position.distance_to(mower.global_position) < mower.REACH:
+		return "E, Y: take the mower"
+	return "E, Y: get in" if walker.global_position.distance_to(jeep.global_position) < jeep.REACH else ""
+
+
+func _argument(key: String, otherwise: String) -> String:
+	var arguments := OS.get_cmdline_user_args()
+	var at := arguments.find(key)
+	return arguments[at + 1] if at >= 0 and at + 1 < arguments.size() else otherwise

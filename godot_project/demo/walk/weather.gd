@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+## The weather: each kind is a row of numbers, and what is goes towards them at so much a second, so nothing jumps. Wind,
+## wetness and snow are the fields' own properties.
+extends Node3D
+
+const Country := preload("res://demo/walk/country.gd")
+const Look := preload("res://demo/walk/look.gd")
+## wind: m/s; gusts, wet, snow, clouds, rain and flakes in the air: 0 to 1.
+const KINDS := {
+	clear = {wind = 2.0, gusts = 0.4, wet = 0.0, snow = 0.0, clouds = 0.0, rain = 0.0, flakes = 0.0},
+	windy = {wind = 9.0, gusts = 1.0, wet = 0.0, snow = 0.0, clouds = 0.35, rain = 0.0, flakes = 0.0},
+	rain = {wind = 5.0, gusts = 0.8, wet = 1.0, snow = 0.0, clouds = 1.0, rain = 1.0, flakes = 0.0},
+	snow = {wind = 1.5, gusts = 0.4, wet = 0.0, snow = 0.8, clouds = 0.9, rain = 0.0, flakes = 1.0},
+}
+## How fast each of them changes, a second.
+const RATES := {wind = 1.5, gusts = 0.2, wet = 0.12, snow = 0.06, clouds = 0.2, rain = 0.25, flakes = 0.25}
+const EARTH := Color(0.4, 0.48, 0.2)  # of the hills at the horizon, about what grass looks like from there
+const AIR := Vector3(8.0, 7.0, 8.0)  # metres around the eye in which drops and flakes are drawn, half
+
+var kind := "clear"
+var now: Dictionary = KINDS.clear.duplicate()  ## what is
+
+var _rain: GPUParticles3D
+var _flakes: GPUParticles3D
+
+
+func _ready() -> void:
+	var drop := BoxMesh.new()
+	drop.size = Vector3(0.008, 0.4, 0.008)
+	_rain = _add_air(drop, 2200, 1.1, 11.0, Color(0.85, 0.9, 0.95, 0.5))
+	var flake := SphereMesh.new()
+	flake.radius = 0.013
+	flake.height = 0.026
+	flake.radial_segments = 6
+	flake.rings = 3
+	_flakes = _add_air(flake, 2600, 8.0, 1.4, Color(1, 1, 1, 0.9))
+
+
+func change() -> void:
+	var names := KINDS.keys()
+	kind = names[(names.find(kind) + 1) % names.size()]
+
+
+## As if it had been so for long.
+func settle() -> void:
+	now = KINDS[kind].duplicate()
+
+
+func advance(delta: float, country: Country, ground: StandardMaterial3D, eye: Vector3) -> void:
+	for what: String in now:
+		now[what] = move_toward(now[what], KINDS[kind][what], RATES[what] * delta)
+	for field in country.fields:
+		field.wind_speed = now.wind
+		field.gust_strength = now.gusts
+		field.wetness = now.wet
+		field.snow = now.snow
+	ground.albedo_color = EARTH.lerp(0.55 * EARTH, now.wet).lerp(Color(0.88, 0.9, 0.95), now.snow)
+	global_position = eye
+	_show(_rain, now.rain)
+	_show(_flakes, now.flakes)
+
+
+func _show(air: GPUParticles3D, share: float) -> void:
+	air.visible = share > 0.01
+	air.emitting = air.visible
+	air.amount_ratio = maxf(share, 0.01)
+
+
+func _add_air(mesh: Mesh, amount: int, lifetime: float, speed: float, color: Color) -> GPUParticles3D:
+	var way := ParticleProcessMaterial.new()
+	way.emission_shape = ParticleProcessMaterial.EMISSION_SHAPE_BOX
+	way.emission_box_extents = Vector3(AIR.x, 0.5 * AIR.y, AIR.z)
+	way.direction = Vector3(0.12, -1.0, 0.05)
+	way.spread = 2.0 if speed > 5.0 else 25.0
+	way.gravity = Vector3.ZERO
+	way.initial_velocity_min = 0.8 * speed
+	way.initial_velocity_max = 1.2 * speed
+	var air := GPUParticles3D.new()
+	air.process_material = way
+	air.draw_pass_1 = mesh
+	air.amount = amount
+	air.lifetime = lifetime
+	air.preprocess = 0.5 * lifetime
+	air.position.y = AIR.y
+	air.visibility_aabb = AABB(-2.0 * AIR, 4.0 * AIR)
+	air.material_override = Look.paint(color)
+	air.material_override.shading_mode = BaseMaterial3D.SHADING_MODE_PER_VERTEX
+	air.material_override.transparency = BaseMaterial3D.TRANSPARENCY_ALPHA
+	air.material_override.distance_fade_mode = BaseMaterial3D.DISTANCE_FADE_PIXEL_ALPHA  # none before the lens
+	air.material_override.distance_fade_min_distance = 0.4
+	air.material_override.distance_fade_max_distance = 1.5
+	air.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	air.visible = false
+	add_child(air)
+	return air
