@@ -34,10 +34,12 @@ constexpr double TEXEL = info_of(MAP_GROUND).texel_size();
 // A body this large is ground. A smaller one may be a house, which grass stands around. m^2.
 constexpr double TERRAIN = 1000.0;
 
-// Level ground at the field's height leaves no trace in the map: small fields are baked whole with their first stroke.
+// Level ground at the field's height leaves no trace in the map: small fields are baked whole with their first stroke. Of a terrain the
+// field itself has it.
 bool has_ground(const GrassField &p_field) {
 	const Vector2 size = p_field.get_size();
-	return p_field.get_map().is_valid() && (p_field.get_map()->get_map().uses(MAP_GROUND) || size.x * size.y <= LARGEST_REGION);
+	return p_field.get_terrain().is_empty() && p_field.get_map().is_valid() &&
+			(p_field.get_map()->get_map().uses(MAP_GROUND) || size.x * size.y <= LARGEST_REGION);
 }
 
 std::vector<uint64_t> ids_of_fields(Node *p_root) {

@@ -25,7 +25,7 @@ Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes) {
 	map.instantiate();
 	map->set_base_density(1.0);
 	p_field->set_map(map);
-	if (p_bakes && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
+	if (p_bakes && p_field->get_terrain().is_empty() && p_field->get_size().x * p_field->get_size().y <= LARGEST_BAKE) {
 		p_field->bake_ground();
 	}
 	return map;
@@ -52,7 +52,7 @@ void PaintStroke::begin(
 	}
 	_before = _map->take_snapshot();
 	_changed = false;
-	_bakes = p_bakes && p_point.on_body;
+	_bakes = p_bakes && p_point.on_body && p_field->get_terrain().is_empty();
 	_level = p_point.position.y();
 	_baked.clear();
 	_costs = {};

@@ -67,6 +67,11 @@ RuleWords words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller
 			return { BareReason::FILL_MASK, "the rule's `mask`" };
 		case FillCondition::MESH:
 			return { BareReason::FILL_MESH, "the meshes of the rule's `mask_group`" };
+		case FillCondition::TEXTURE:
+			return { BareReason::FILL_TEXTURE,
+				p_cause.value < 0.0 ? String("the textures of the `terrain`, which have not been read here yet")
+									: vformat("texture %d of the `terrain` (`texture_ids` %s)", int64_t(p_cause.value),
+											  r_filler.get_rule()->get_texture_ids()) };
 		case FillCondition::SLOPE:
 			return { BareReason::FILL_SLOPE, limits(FILL_SLOPE_MIN, FILL_SLOPE_MAX, "a slope") };
 		case FillCondition::HEIGHT:
@@ -123,6 +128,10 @@ void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_fill
 		case BareKind::CUT:
 			r_answer.reason = BareReason::CUT;
 			why = vformat("cut at %d cm", percent(cause.value));
+			break;
+		case BareKind::HOLE:
+			r_answer.reason = BareReason::HOLE;
+			why = "the terrain has a hole here";
 			break;
 		default: {
 			const RuleWords words = words_of(cause.rule, rule->rule, r_filler);

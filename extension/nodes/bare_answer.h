@@ -31,6 +31,8 @@ enum class BareReason : int64_t {
 	WORN,
 	SHORT,
 	CUT,
+	HOLE,
+	FILL_TEXTURE,
 };
 
 struct BareAnswer {

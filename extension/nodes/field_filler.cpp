@@ -63,7 +63,9 @@ std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
 	if (_rule.is_null()) {
 		return {};
 	}
-	return Gathered{ _rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+	Gathered gathered{ _rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+	gathered.sources.terrain = _terrain;
+	return gathered;
 }
 
 Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
@@ -120,19 +122,29 @@ void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &
 	}
 }
 
+void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
+	_has_changed = _has_changed || _terrain != p_ids;
+	_terrain = p_ids;
+}
+
 double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
 	const FillRule rule = p_rule->get_rule(p_place.region);
-	const FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
+	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
+	sources.terrain = _terrain;
 	return change(p_map, [&](PaintMap &r_map) {
 		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, on_all_threads);
 	}).amount;
 }
 
-void FieldFiller::warn(const Ref<GrassMap> &p_map, PackedStringArray &r_warnings) const {
+void FieldFiller::warn(const Ref<GrassMap> &p_map, bool p_has_terrain, PackedStringArray &r_warnings) const {
 	if (_rule.is_null()) {
 		return;
 	}
-	if (_rule->asks_ground() && (p_map.is_null() || !p_map->get_map().uses(MAP_GROUND))) {
+	if (_rule->asks_textures() && !_terrain) {
+		r_warnings.push_back(
+				"`fill_rule` asks for textures (`texture_ids`), but `terrain` names no node that tells them, so all ground counts.");
+	}
+	if (_rule->asks_ground() && !p_has_terrain && (p_map.is_null() || !p_map->get_map().uses(MAP_GROUND))) {
 		r_warnings.push_back(
 				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
 				"height. Bake the ground.");

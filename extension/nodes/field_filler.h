@@ -41,6 +41,9 @@ public:
 	bool update(const godot::Ref<GrassMap> &p_map, const Place &p_place);
 	// Somebody changed chunks of the map.
 	void touch(const godot::Ref<GrassMap> &p_map, const godot::TypedArray<godot::Vector2i> &p_chunks);
+	// The terrain's textures; null: there are none. Then: they are others in a region.
+	void set_terrain(const std::shared_ptr<const TerrainIds> &p_ids);
+	void touch_textures(const MapRegion &p_region) { _state.touch_textures(p_region); }
 	// Fills by any rule, once. Returns square metres of full grass that came.
 	double fill(const godot::Ref<GrassMap> &p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
@@ -52,7 +55,7 @@ public:
 	std::optional<Gathered> gather(const Place &p_place);
 	godot::Node3D *find_node(const FillObstacle *p_obstacle) const; // that it was gathered from last; null: gone
 
-	void warn(const godot::Ref<GrassMap> &p_map, godot::PackedStringArray &r_warnings) const;
+	void warn(const godot::Ref<GrassMap> &p_map, bool p_has_terrain, godot::PackedStringArray &r_warnings) const;
 
 	void add_to(FieldStatistics &r_statistics) const;
 
@@ -64,6 +67,7 @@ private:
 	bool _is_live = true;
 	LiveFill _state; // not set: nothing filled yet
 	FillGatherer _gatherer;
+	std::shared_ptr<const TerrainIds> _terrain;
 	bool _has_changed = false; // the rule, since it was looked at
 	bool _is_filling = false; // the map changes by the field's own doing
 	uint64_t _revision = 0; // of exclusions and paths, when looked at

@@ -142,6 +142,17 @@ std::vector<Eigen::Vector3f> find_falls(const Node3D *p_node, const Eigen::Affin
 
 } // namespace
 
+std::vector<Eigen::Vector2d> find_eyes(const Node3D *p_node, const Eigen::Affine3d &p_field) {
+	std::vector<Eigen::Vector2d> eyes;
+	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
+		if (is_seeing(camera, p_node)) {
+			const Eigen::Vector3d eye = p_field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin);
+			eyes.emplace_back(eye.x(), eye.z());
+		}
+	}
+	return eyes;
+}
+
 FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, const FieldProperties &p_properties, const Field &p_field) {
 	SceneWatch::get_singleton()->start(p_node);
 	FieldView view;

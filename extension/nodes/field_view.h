@@ -15,4 +15,7 @@ namespace grass {
 FieldView find_view(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, const FieldProperties &p_properties,
 		const Field &p_field);
 
+// Where those cameras are: x, z in metres in the space of p_field (orthonormal).
+std::vector<Eigen::Vector2d> find_eyes(const godot::Node3D *p_node, const Eigen::Affine3d &p_field);
+
 } // namespace grass

@@ -79,6 +79,7 @@ void GrassField::leave() {
 	_bodies.get_tracker().stop();
 	_bodies.get_wheels().clear();
 	_forces.get_areas().clear();
+	_terrain.leave();
 	_standing.drop_backend();
 	emit_leaving();
 	_standing.clear();
@@ -136,6 +137,7 @@ void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 
 void GrassField::frame(double p_delta) {
 	build();
+	update_terrain();
 	update_fill();
 	if (_standing.stands()) {
 		_forces.gather(_properties.size);

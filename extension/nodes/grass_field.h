@@ -12,6 +12,7 @@
 #include "nodes/field_monitors.h"
 #include "nodes/field_places.h"
 #include "nodes/field_properties.h"
+#include "nodes/field_terrain.h"
 #include "nodes/field_work.h"
 #include "nodes/ground_rays.h"
 #include "nodes/other_light.h"
@@ -70,6 +71,8 @@ public:
 		REASON_WORN = int64_t(BareReason::WORN),
 		REASON_SHORT = int64_t(BareReason::SHORT),
 		REASON_CUT = int64_t(BareReason::CUT),
+		REASON_HOLE = int64_t(BareReason::HOLE),
+		REASON_FILL_TEXTURE = int64_t(BareReason::FILL_TEXTURE),
 	};
 
 	GrassField();
@@ -107,6 +110,10 @@ public:
 	godot::Variant get_hook_parameter(const godot::StringName &p_name) const;
 	void set_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture); // null: none
 	godot::Ref<godot::Texture2D> get_terrain_texture() const { return _properties.terrain_texture; }
+	// grass_field_terrain.cpp: a node that tells heights, by the names of its methods.
+	void set_terrain(const godot::NodePath &p_path); // empty: none
+	godot::NodePath get_terrain() const { return _terrain.get_path(); }
+	void terrain_changed(const godot::AABB &p_area); // global; empty: everywhere
 	void set_ground(bool p_ground) { _properties.has_ground = p_ground; }
 	bool has_ground() const { return _properties.has_ground; }
 	void set_debug_view(DebugView p_view);
@@ -209,6 +216,12 @@ private:
 	void compile_hook();
 	void _hook_changed();
 
+	// grass_field_terrain.cpp
+	void update_terrain();
+	void _terrain_edited(const godot::AABB &p_area);
+	void _terrain_replaced();
+	void _terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel);
+
 	// grass_field_methods.cpp
 	const godot::Node3D &as_node() const override { return *this; }
 	GrassMap *need_map(const char *p_method) override;
@@ -226,6 +239,7 @@ private:
 	FieldMaker _maker;
 	StandingField _standing{ _properties };
 	FieldFiller _filler;
+	FieldTerrain _terrain;
 	OtherLight _other_light;
 	FieldBodies _bodies;
 	FieldForces _forces{ *this };

@@ -26,6 +26,9 @@ void GrassField::build() {
 		return;
 	}
 	CpuClock clock;
+	if (!_standing.stands()) { // the ground beside the cameras is there from the first frame on
+		update_terrain();
+	}
 	start_fill();
 	if (_maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
 		_standing.make(_maker.take(), this, field_transform());
@@ -73,6 +76,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed");
 	_work.forget_map();
 	_filler.forget_map();
+	_terrain.read_all();
 	_is_map_bare = is_map_bare();
 	request_rebuild();
 }
@@ -202,7 +206,8 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 		warnings.push_back(_standing.crowded_warning());
 	}
 	_properties.hook.warn(warnings);
-	_filler.warn(_properties.map, warnings);
+	_filler.warn(_properties.map, _terrain.is_found(), warnings);
+	_terrain.warn(warnings);
 	return warnings;
 }
 

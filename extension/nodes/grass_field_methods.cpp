@@ -170,6 +170,7 @@ FieldStatistics GrassField::find_statistics() const {
 	_maker.add_to(statistics);
 	_bodies.add_to(statistics);
 	_filler.add_to(statistics);
+	_terrain.add_to(statistics);
 	statistics.forces = int64_t(_forces.get().size());
 	statistics.forces_left_out = _forces.get_left_out();
 	statistics.blades = get_blade_count();

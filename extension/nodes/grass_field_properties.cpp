@@ -221,6 +221,8 @@ void GrassField::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::CALLABLE, "fill_now", PROPERTY_HINT_TOOL_BUTTON, "Fill Now,Bucket", PROPERTY_USAGE_EDITOR), "",
 			"_get_fill_button");
 	add_numbers("Map");
+	GRASS_BIND_PROPERTY(
+			GrassField, PropertyInfo(Variant::NODE_PATH, "terrain", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node"), set_terrain, get_terrain);
 	ADD_GROUP("Clumps", "");
 	add_numbers("Clumps");
 	ADD_GROUP("Simulation", "");
@@ -297,6 +299,7 @@ void GrassField::_bind_methods() {
 			DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
 	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
 	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
+	ClassDB::bind_method(D_METHOD("terrain_changed", "area"), &GrassField::terrain_changed, DEFVAL(AABB()));
 	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
 	ClassDB::bind_method(D_METHOD("set_hook_parameter", "name", "value"), &GrassField::set_hook_parameter);
 	ClassDB::bind_method(D_METHOD("get_hook_parameter", "name"), &GrassField::get_hook_parameter);
@@ -332,6 +335,8 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(REASON_WORN);
 	BIND_ENUM_CONSTANT(REASON_SHORT);
 	BIND_ENUM_CONSTANT(REASON_CUT);
+	BIND_ENUM_CONSTANT(REASON_HOLE);
+	BIND_ENUM_CONSTANT(REASON_FILL_TEXTURE);
 }
 
 } // namespace grass

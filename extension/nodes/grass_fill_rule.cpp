@@ -88,6 +88,26 @@ StringName GrassFillRule::get_group(int64_t p_group) const {
 	return _groups[size_t(p_group)];
 }
 
+void GrassFillRule::set_texture_ids(const PackedInt32Array &p_ids) {
+	GRASS_CHANGE_GUARD("GrassFillRule");
+	std::vector<uint8_t> ids;
+	for (int64_t i = 0; i < p_ids.size(); i++) {
+		ERR_FAIL_COND_MSG(p_ids[i] < 0 || p_ids[i] > UINT8_MAX,
+				vformat("GrassFillRule: `texture_ids` are numbers of a terrain's textures, 0 to 255. %d is none.", int64_t(p_ids[i])));
+		ids.push_back(uint8_t(p_ids[i]));
+	}
+	_rule.texture_ids = std::move(ids);
+	emit_changed();
+}
+
+PackedInt32Array GrassFillRule::get_texture_ids() const {
+	PackedInt32Array ids;
+	for (const uint8_t id : _rule.texture_ids) {
+		ids.push_back(int32_t(id));
+	}
+	return ids;
+}
+
 // Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
 std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
 	Ref<Image> image = _mask->get_image();
@@ -141,6 +161,7 @@ void GrassFillRule::_bind_methods() {
 	add_numbers(FILL_DENSITY, FILL_DENSITY);
 	ADD_GROUP("Ground", "");
 	add_numbers(FILL_SLOPE_MIN, FILL_HEIGHT_FADE);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::PACKED_INT32_ARRAY, "texture_ids"), set_texture_ids, get_texture_ids);
 	ADD_GROUP("Noise", "");
 	add_numbers(FILL_NOISE_COVER, FILL_NOISE_FADE);
 	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);

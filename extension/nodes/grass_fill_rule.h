@@ -7,6 +7,7 @@
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
+#include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/rect2.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 
@@ -36,7 +37,11 @@ public:
 	void set_group(int64_t p_group, const godot::StringName &p_name);
 	godot::StringName get_group(int64_t p_group) const;
 
+	void set_texture_ids(const godot::PackedInt32Array &p_ids); // of the field's terrain; empty: all
+	godot::PackedInt32Array get_texture_ids() const;
+
 	godot::PackedStringArray find_warnings() const; // about settings that are hardly intended
+	bool asks_textures() const { return _rule.asks_textures(); }
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height(); }
 	// p_region: what is filled.
 	FillRule get_rule(const MapRegion &p_region);

@@ -42,6 +42,7 @@ public:
 		CHANNEL_CUT = MAP_CUT,
 		CHANNEL_PAINT = MAP_PAINT,
 		CHANNEL_WEAR_REST = MAP_WEAR_REST,
+		CHANNEL_HOLE = MAP_HOLE,
 	};
 
 	void set_base_density(double p_density);

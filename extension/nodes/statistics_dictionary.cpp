@@ -26,6 +26,9 @@ Dictionary to_dictionary(const FieldStatistics &p_statistics) {
 	result["waiting"] = p_statistics.is_waiting;
 	result["fill_cells"] = p_statistics.fill_cells;
 	result["fill_waiting"] = p_statistics.fill_waiting;
+	result["terrain_queries"] = p_statistics.terrain_queries;
+	result["terrain_calls"] = p_statistics.terrain_calls;
+	result["terrain_waiting"] = p_statistics.terrain_waiting;
 	result["pool_tiles"] = p_statistics.pool_tiles;
 	result["awake_tiles"] = p_statistics.awake_tiles;
 	result["settling_tiles"] = tiles.settling;

@@ -16,6 +16,7 @@ enum class BareKind {
 	WORN,
 	SHORT, // painted low
 	CUT,
+	HOLE, // of the terrain
 };
 
 struct BareCause {

@@ -32,6 +32,7 @@ struct FieldStatistics {
 	int64_t map_waiting = 0; // chunks
 	int64_t fill_cells = 0; // texels on which rules ran
 	int64_t fill_waiting = 0; // chunks
+	int64_t terrain_queries = 0, terrain_calls = 0, terrain_waiting = 0; // places asked so far; calls for it; chunks
 	bool is_waiting = false; // to be made again
 	int64_t builds = 0, makings = 0; // backends made; times that the field was made
 	int64_t unseen_ticks = 0; // ticks left out

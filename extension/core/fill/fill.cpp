@@ -29,6 +29,7 @@ public:
 			_key(p_key),
 			_area(p_area),
 			_rule(p_rule),
+			_sources(p_sources),
 			_ground(p_map, MAP_GROUND),
 			_normal(p_map, MAP_NORMAL),
 			_density(p_map, MAP_DENSITY),
@@ -87,6 +88,7 @@ private:
 	double ask(const Eigen::Vector2d &p_at, size_t p_texel) {
 		double share = _rule->get(FILL_DENSITY) * _rule->mask_share(p_at);
 		share *= _mesh_shares.empty() ? 1.0 : _mesh_shares[p_texel];
+		share *= share > 0.0 ? _sources.texture_share(*_rule, p_at) : 1.0;
 		if (share > 0.0 && _rule->asks_slope()) {
 			const double tilt = std::min(1.0, std::hypot(_normal.sample(0, p_at), _normal.sample(1, p_at))); // sine of the slope
 			share *= _rule->slope_share(std::asin(tilt) * 180.0 / std::numbers::pi);
@@ -116,6 +118,7 @@ private:
 	MapKey _key;
 	const MapRegion &_area;
 	const FillRule *_rule;
+	const FillSources &_sources;
 	MapReader _ground, _normal, _density, _paint;
 	std::vector<const FillObstacle *> _obstacles, _planted;
 	std::vector<double> _mesh_shares; // empty: the rule has no mesh

@@ -21,6 +21,11 @@ double mesh_share(const FillSources &p_sources, const Eigen::Array2i &p_texel) {
 	return p_sources.mesh->get_shares(key)[size_t(row) * size_t(CHANNEL.side) + size_t(column)];
 }
 
+double shown_texture(const FillSources &p_sources, const Eigen::Vector2d &p_at) {
+	const TerrainTexel *texel = p_sources.terrain ? p_sources.terrain->find(p_at) : nullptr;
+	return texel == nullptr ? -1.0 : double(2 * texel->blend > TerrainTexel::FULL ? texel->overlay : texel->base);
+}
+
 } // namespace
 
 FillCause find_fill_cause(const PaintMap &p_map, const FillRule &p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at) {
@@ -41,6 +46,7 @@ FillCause find_fill_cause(const PaintMap &p_map, const FillRule &p_rule, const F
 	weigh(FillCondition::DENSITY, p_rule.get(FILL_DENSITY));
 	weigh(FillCondition::MASK, p_rule.mask_share(at));
 	weigh(FillCondition::MESH, mesh_share(p_sources, texel));
+	weigh(FillCondition::TEXTURE, p_sources.texture_share(p_rule, at), shown_texture(p_sources, at));
 	weigh(FillCondition::SLOPE, p_rule.asks_slope() ? p_rule.slope_share(slope) : 1.0, slope);
 	weigh(FillCondition::HEIGHT, p_rule.asks_height() ? p_rule.height_share(place.ground) : 1.0, place.ground);
 	weigh(FillCondition::NOISE, p_rule.noise_share(at));

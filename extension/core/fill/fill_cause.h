@@ -6,12 +6,12 @@
 
 namespace grass {
 
-enum class FillCondition { DENSITY, MASK, MESH, SLOPE, HEIGHT, NOISE, OBSTACLE };
+enum class FillCondition { DENSITY, MASK, MESH, TEXTURE, SLOPE, HEIGHT, NOISE, OBSTACLE };
 
 struct FillCause {
 	FillCondition condition = FillCondition::DENSITY; // that leaves the least
 	double share = 1.0; // that it leaves, 0..1
-	double value = 0.0; // SLOPE: degrees; HEIGHT: metres above the field
+	double value = 0.0; // SLOPE: degrees; HEIGHT: metres above the field; TEXTURE: the number that shows most, negative: not known yet
 	std::shared_ptr<const FillObstacle> obstacle; // OBSTACLE
 	double density = 1.0; // that the whole rule gives the place
 };

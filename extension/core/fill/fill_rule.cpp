@@ -98,6 +98,18 @@ double FillRule::noise_share(const Eigen::Vector2d &p_place) const {
 	return fade_out(fill_noise(p_place, get(FILL_NOISE_SIZE), seed), cover - 0.5 * fade, fade);
 }
 
+double FillRule::texture_share(const TerrainTexel *p_texel) const {
+	if (!asks_textures()) {
+		return 1.0;
+	}
+	if (p_texel == nullptr) {
+		return 0.0;
+	}
+	const auto grows = [this](uint8_t p_id) { return std::find(texture_ids.begin(), texture_ids.end(), p_id) != texture_ids.end(); };
+	const double overlay = double(p_texel->blend) / TerrainTexel::FULL;
+	return (grows(p_texel->base) ? 1.0 - overlay : 0.0) + (grows(p_texel->overlay) ? overlay : 0.0);
+}
+
 double FillRule::mask_share(const Eigen::Vector2d &p_place) const {
 	if (!has_mask) {
 		return 1.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/fill/fill_params.h"
+#include "core/fill/terrain_ids.h"
 
 #include <Eigen/Core>
 
@@ -30,18 +31,23 @@ struct FillRule {
 	bool inverts_mask = false;
 	Eigen::Vector2d mask_min = Eigen::Vector2d::Zero(), mask_max = Eigen::Vector2d::Zero(); // what it covers, metres; equal: nothing
 
+	std::vector<uint8_t> texture_ids; // of the terrain, on which grass grows; none: on all
+
 	FillRule();
 	bool operator==(const FillRule &) const = default;
 
 	double get(FillParamId p_param) const { return params[size_t(p_param)]; }
 	bool asks_slope() const { return get(FILL_SLOPE_MIN) > 0.0 || get(FILL_SLOPE_MAX) < 90.0; }
 	bool asks_height() const;
+	bool asks_textures() const { return !texture_ids.empty(); }
 
 	// p_slope: degrees from level; p_height: of the ground, metres above the field; p_place: x, z in metres.
 	double slope_share(double p_slope) const;
 	double height_share(double p_height) const;
 	double noise_share(const Eigen::Vector2d &p_place) const;
 	double mask_share(const Eigen::Vector2d &p_place) const;
+	// By how much of the terrain's picture is of such textures. p_texel: null: not known yet.
+	double texture_share(const TerrainTexel *p_texel) const;
 };
 
 // 1 up to p_limit, 0 from p_limit + p_fade on, smooth between.

@@ -18,7 +18,7 @@ void LiveFill::wait(const MapRegion &p_area) {
 
 void LiveFill::set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area) {
 	const bool is_all_new = !_is_set || !(p_rule == _rule) || p_sources.has_mesh != _sources.has_mesh || p_sources.mesh != _sources.mesh ||
-			!(p_area == _area);
+			!(p_area == _area) || (p_rule.asks_textures() && p_sources.terrain != _sources.terrain);
 	const FillSources before = std::move(_sources);
 	_is_set = true;
 	_rule = p_rule;
@@ -52,6 +52,12 @@ void LiveFill::touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool
 		} else if (p_replaced) {
 			wait(chunk);
 		}
+	}
+}
+
+void LiveFill::touch_textures(const MapRegion &p_region) {
+	if (_is_set && _rule.asks_textures()) {
+		wait(p_region);
 	}
 }
 

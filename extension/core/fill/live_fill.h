@@ -17,6 +17,8 @@ public:
 	// ground counts, since the fill already respects what hands painted.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
 	void touch_all() { wait(_area); }
+	// The terrain's textures are others there.
+	void touch_textures(const MapRegion &p_region);
 	// Fills up to p_count of the chunks that wait; all, if negative.
 	FillResult work(PaintMap &r_map, int p_count, const ParallelFor &p_parallel_for = serial_for);
 	// Removes the rule and what it filled: all of it returns to the map's base density.

@@ -39,6 +39,7 @@ public:
 			_lean(p_map, MAP_LEAN),
 			_normal(p_map, MAP_NORMAL),
 			_ground(p_map, MAP_GROUND),
+			_hole(p_map, MAP_HOLE),
 			_tint(p_map, MAP_TINT),
 			_species(p_map, MAP_SPECIES) {}
 
@@ -69,7 +70,8 @@ private:
 	void compose_fine(int p_i, int p_j, uint8_t *r_texel) {
 		const int i = _key.x * GRASS_FINE_TEXELS + p_i - 1, j = _key.z * GRASS_FINE_TEXELS + p_j - 1;
 		const double wear = _wear.value(0, i, j);
-		put(r_texel[0], to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
+		const bool is_hole = _hole.code(0, i >> 1, j >> 1) != 0;
+		put(r_texel[0], is_hole ? uint8_t(0) : to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
 		put(r_texel[1], to_byte(height_at(i, j) * (1.0 - GRASS_WEAR_PRESSES * wear)));
 		put(r_texel[2], uint8_t(std::min(_cut.code(0, i, j), _uncut)));
 		put(r_texel[3], to_byte(wear));
@@ -98,7 +100,7 @@ private:
 
 	MapKey _key;
 	int32_t _uncut;
-	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _tint, _species;
+	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _hole, _tint, _species;
 	bool _changed = false;
 };
 

@@ -12,7 +12,7 @@ namespace grass {
 namespace {
 
 constexpr double GROUND_TEXEL = info_of(MAP_GROUND).texel_size();
-static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size());
+static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size() && GROUND_TEXEL == info_of(MAP_HOLE).texel_size());
 
 // Heights of a block of texels, a border of one texel around it included.
 class Heights {
@@ -44,9 +44,45 @@ private:
 	std::vector<double> _heights;
 };
 
+// Writes a texel's channels and remembers what changed.
+class GroundWriter {
+public:
+	GroundWriter(PaintMap &r_map, LaidGround &r_result) : _map(r_map), _result(r_result), _changed(MAP_GROUND) {}
+
+	void lay(int p_i, int p_j, double p_height, const Eigen::Vector3d &p_normal) {
+		bool differs = write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_height));
+		differs = write(MAP_NORMAL, 0, p_i, p_j, info_of(MAP_NORMAL).code(p_normal.x())) || differs;
+		differs = write(MAP_NORMAL, 1, p_i, p_j, info_of(MAP_NORMAL).code(p_normal.z())) || differs;
+		differs = write(MAP_HOLE, 0, p_i, p_j, 0) || differs;
+		note(differs, p_i, p_j);
+	}
+	void open(int p_i, int p_j) { note(write(MAP_HOLE, 0, p_i, p_j, 1), p_i, p_j); }
+	void report() { _changed.report(_result); }
+
+private:
+	bool write(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code) {
+		if (_map.get_code(p_channel, p_component, p_i, p_j) == p_code) {
+			return false;
+		}
+		const bool written = _map.set_code(p_channel, p_component, p_i, p_j, p_code);
+		_result.out_of_room = _result.out_of_room || !written;
+		return written;
+	}
+	void note(bool p_differs, int p_i, int p_j) {
+		if (p_differs) {
+			_changed.add(p_i, p_j);
+		}
+	}
+
+	PaintMap &_map;
+	LaidGround &_result;
+	ChangedTexels _changed;
+};
+
 } // namespace
 
-LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height) {
+LaidGround lay_ground(
+		PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing, const NormalAt &p_normal) {
 	LaidGround result;
 	const double reach = PaintMap::REACH * double(info_of(MAP_GROUND).side);
 	const Eigen::Array2d low = (p_region.min.array() / GROUND_TEXEL - 0.5).ceil(),
@@ -61,32 +97,23 @@ LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt
 	}
 	const Heights heights(first, last, p_height);
 	result.sampled = heights.count();
-	ChangedTexels changed(MAP_GROUND);
+	GroundWriter writer(r_map, result);
 	for (int j = first.y(); j <= last.y(); j++) {
 		for (int i = first.x(); i <= last.x(); i++) {
 			if (!std::isfinite(heights.at(i, j))) {
 				result.missing++;
+				if (p_missing == MissingGround::HOLE) {
+					writer.open(i, j);
+				}
 				continue;
 			}
-			const Eigen::Vector3d normal = heights.normal(i, j);
-			const int32_t codes[] = { info_of(MAP_GROUND).code(heights.at(i, j)), info_of(MAP_NORMAL).code(normal.x()),
-				info_of(MAP_NORMAL).code(normal.z()) };
-			bool differs = false;
-			for (int n = 0; n < 3; n++) {
-				const MapChannel channel = n == 0 ? MAP_GROUND : MAP_NORMAL;
-				const int component = n == 2 ? 1 : 0;
-				if (r_map.get_code(channel, component, i, j) != codes[n]) {
-					const bool written = r_map.set_code(channel, component, i, j, codes[n]);
-					result.out_of_room = result.out_of_room || !written;
-					differs = differs || written;
-				}
-			}
-			if (differs) {
-				changed.add(i, j);
-			}
+			const Eigen::Vector3d given =
+					p_normal ? p_normal({ (i + 0.5) * GROUND_TEXEL, (j + 0.5) * GROUND_TEXEL }).normalized() : Eigen::Vector3d::Zero();
+			const bool is_given = given.allFinite() && given.y() > 0.0;
+			writer.lay(i, j, heights.at(i, j), is_given ? given : heights.normal(i, j));
 		}
 	}
-	changed.report(result);
+	writer.report();
 	return result;
 }
 

@@ -12,13 +12,20 @@ namespace grass {
 // Height of the ground at a place (x, z in metres), metres above the field; not finite where there is none.
 using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
 
+// Normal of the ground at a place, of any length; not finite or null where there is none.
+using NormalAt = std::function<Eigen::Vector3d(const Eigen::Vector2d &p_place)>;
+
+// What a texel without a height is: ground that is not known, which stays as it was, or a hole in it, in which nothing grows.
+enum class MissingGround { STAYS, HOLE };
+
 struct LaidGround : BrushResult { // amount: 0
 	int64_t sampled = 0; // places
-	int64_t missing = 0; // texels for which there was no height; they stay as they were
+	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 
 // Every texel whose centre lies in p_region and within the map's reach. p_height runs once a texel, and once for each
-// texel around the region.
-LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height);
+// texel around the region. Normals follow from the heights where p_normal gives none. A height closes a hole.
+LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing = MissingGround::STAYS,
+		const NormalAt &p_normal = nullptr);
 
 } // namespace grass

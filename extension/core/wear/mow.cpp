@@ -44,11 +44,17 @@ void visit(const TexelBlock &p_block, const std::function<void(int p_i, int p_j)
 class Stand {
 public:
 	Stand(const PaintMap &p_map, const GrassKind &p_kind) :
-			_kind(p_kind), _density(p_map, MAP_DENSITY), _height(p_map, MAP_HEIGHT), _wear(p_map, MAP_WEAR), _cut(p_map, MAP_CUT) {}
+			_kind(p_kind),
+			_density(p_map, MAP_DENSITY),
+			_height(p_map, MAP_HEIGHT),
+			_wear(p_map, MAP_WEAR),
+			_cut(p_map, MAP_CUT),
+			_hole(p_map, MAP_HOLE) {}
 
 	double density(int p_i, int p_j) {
 		const double wear = _wear.value(0, p_i, p_j);
-		return _density.value(0, p_i, p_j) * (1.0 - wear * wear);
+		static_assert(SIDE == 2 * info_of(MAP_HOLE).side);
+		return _hole.code(0, p_i >> 1, p_j >> 1) != 0 ? 0.0 : _density.value(0, p_i, p_j) * (1.0 - wear * wear);
 	}
 	double uncut(int p_i, int p_j) {
 		const Eigen::Vector2d place = centre_of(p_i, p_j);
@@ -64,7 +70,7 @@ public:
 
 private:
 	GrassKind _kind;
-	MapReader _density, _height, _wear, _cut;
+	MapReader _density, _height, _wear, _cut, _hole;
 };
 
 // Writes codes one by one and remembers what changed.

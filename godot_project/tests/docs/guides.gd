@@ -97,6 +97,24 @@ func filling_once_or_live() -> void:
 	assert_less(cover, 1.0)
 
 
+func terrain_the_interface() -> void:
+	var terrain := Node3D.new()
+	terrain.set_script(block_script())
+	terrain.name = "Terrain"
+	add_child(terrain)
+	var field := add_field({size = Vector2(16, 16), terrain = NodePath("../Terrain")})
+	await frames(5)
+	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(4.5, 0.5)), 3.0 * sin(0.05 * 4.5), 0.01)
+	terrain.call("explode", Vector3(4.5, 1, 0.5))
+	await frames(5)
+	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(4.5, 0.5)), 3.0 * sin(0.05 * 4.5) - 2.0, 0.01, "a crater")
+
+
+func terrain_grass_by_texture() -> void:
+	var stage := await ran()
+	assert_eq(stage.field.fill_rule.texture_ids, PackedInt32Array([0, 3]))
+
+
 func painting_why_is_there_no_grass_here() -> void:
 	var stage := await staged()
 	var yard := GrassExclusion3D.new()

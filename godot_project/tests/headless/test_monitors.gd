@@ -76,6 +76,9 @@ const STATISTICS: Array[String] = [
 	"compiling",
 	"fill_cells",
 	"fill_waiting",
+	"terrain_queries",
+	"terrain_calls",
+	"terrain_waiting",
 	"waiting",
 	"map_waiting",
 ]

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which textures a terrain shows, one texel a square metre, as far as they have been read: what fill rules ask.
+#pragma once
+
+#include "core/map/paint_map.h"
+
+namespace grass {
+
+struct TerrainTexel {
+	static constexpr int FULL = 255;
+	uint8_t base = 0, overlay = 0; // numbers of textures
+	uint8_t blend = 0; // how much of the overlay shows: 0 .. FULL
+
+	// Shares and numbers as a terrain tells them: what is not finite or out of bounds becomes the nearest that is not.
+	static TerrainTexel of(double p_base, double p_overlay, double p_blend);
+	bool operator==(const TerrainTexel &) const = default;
+};
+
+class TerrainIds {
+public:
+	static constexpr int SIDE = info_of(MAP_GROUND).side; // texels along a chunk, as of its ground
+
+	// Texel i, j as the map counts its ground's. True if it is another than before.
+	bool set(int p_i, int p_j, const TerrainTexel &p_texel);
+	// At a place (x, z in metres); null where nothing has been read. Holds until the next set().
+	const TerrainTexel *find(const Eigen::Vector2d &p_place) const;
+	size_t get_memory_usage() const; // bytes
+
+private:
+	struct Chunk {
+		std::vector<TerrainTexel> texels = std::vector<TerrainTexel>(size_t(SIDE) * size_t(SIDE));
+		std::vector<bool> is_known = std::vector<bool>(size_t(SIDE) * size_t(SIDE));
+	};
+	std::map<MapKey, Chunk> _chunks;
+};
+
+} // namespace grass

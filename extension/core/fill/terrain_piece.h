@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A part of a terrain that is being read, row by row, and the queue of those that wait: what changed, the nearest to a camera first.
+#pragma once
+
+#include "core/fill/terrain_ids.h"
+#include "core/paint/lay_ground.h"
+
+#include <limits>
+#include <optional>
+
+namespace grass {
+
+// What a terrain tells of a place.
+struct TerrainSample {
+	double height = std::numeric_limits<double>::quiet_NaN(); // metres above the field; not finite: a hole
+	Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // field space; null: not told
+	TerrainTexel texture;
+};
+
+class TerrainPiece {
+public:
+	// The texels whose centres lie in p_region. Asked are those around it, too: slopes follow from them.
+	explicit TerrainPiece(const MapRegion &p_region);
+
+	bool is_complete() const { return _samples.size() >= size_t(_size.x()) * size_t(_size.y()); }
+	// Where the next row's texels have their centres: x, z in metres.
+	std::vector<Eigen::Vector2d> get_row() const;
+	void put_row(std::span<const TerrainSample> p_samples); // as many as get_row() has
+
+	// Once it is complete.
+	LaidGround lay(PaintMap &r_map) const;
+	// True if any of them is another than before.
+	bool put_textures(TerrainIds &r_ids) const;
+	const MapRegion &get_region() const { return _region; }
+
+private:
+	const TerrainSample &at(const Eigen::Vector2d &p_place) const;
+
+	MapRegion _region;
+	Eigen::Array2i _first, _size; // texels that are asked
+	std::vector<TerrainSample> _samples;
+};
+
+class TerrainQueue {
+public:
+	// What is read at all; what waited is forgotten.
+	void set_area(const MapRegion &p_area);
+	const MapRegion &get_area() const { return _area; }
+	void add(const MapRegion &p_region);
+	void add_all() { add(_area); }
+	void clear() { _waiting.clear(); }
+	int64_t get_waiting() const { return int64_t(_waiting.size()); } // chunks
+	// The part of the chunk nearest to one of the places (x, z in metres; none: the map's origin). Nothing where nothing waits.
+	std::optional<MapRegion> take(std::span<const Eigen::Vector2d> p_eyes);
+
+private:
+	MapRegion _area;
+	std::map<MapKey, MapRegion> _waiting;
+};
+
+} // namespace grass

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/field_terrain.h"
+
+#include "convert.h"
+#include "draw/frame_share.h"
+#include "nodes/field_view.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Places asked in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
+// million places, takes longer to read.
+constexpr int64_t QUERIES_A_FRAME = 16384;
+// Rows read in a frame even if it has no time left: the ground comes in the end.
+constexpr int ROWS_AT_LEAST = 2;
+// The terrain may come, go or get other data without a signal, and move: looked at this often, frames.
+constexpr int FRAMES_BETWEEN_LOOKS = 15;
+// Heights are vertical: how far a field's up may be from that, sine.
+constexpr double LARGEST_TILT = 1e-3;
+
+// A shift of the origin moves both, and costs some last digits.
+bool is_same_place(const Transform3D &p_a, const Transform3D &p_b) {
+	const Eigen::Affine3d a = to_eigen(p_a), b = to_eigen(p_b);
+	return (a.linear() - b.linear()).norm() < 1e-5 && (a.translation() - b.translation()).norm() < 1e-3;
+}
+
+bool is_upright(const Transform3D &p_field) {
+	const Vector3 up = p_field.basis.get_column(1);
+	return std::hypot(double(up.x), double(up.z)) < LARGEST_TILT && up.y > 0.0f;
+}
+
+} // namespace
+
+void FieldTerrain::set_path(const NodePath &p_path) {
+	_path = p_path;
+	forget();
+	_problem = String();
+	_frames_to_look = 0;
+}
+
+void FieldTerrain::forget() {
+	if (Object *emitter = _source ? _source->get_emitter() : nullptr) {
+		for (const TerrainSource::Notice &notice : _notices) {
+			emitter->disconnect(notice.signal, notice.handler);
+		}
+	}
+	_notices.clear();
+	_calls_before += _source ? _source->get_calls() : 0;
+	_source.reset();
+	_ids.reset();
+	_queue.clear();
+	_piece.reset();
+	_areas.clear();
+	_is_all_changed = false;
+	_beside.reset();
+	_beside_when_read.reset();
+}
+
+void FieldTerrain::leave() {
+	forget();
+	_frames_to_look = 0;
+}
+
+void FieldTerrain::listen(const TerrainSource::Handlers &p_handlers) {
+	Object *emitter = _source->get_emitter();
+	for (const TerrainSource::Notice &notice : _source->get_notices(p_handlers)) {
+		if (emitter->has_signal(notice.signal)) {
+			emitter->connect(notice.signal, notice.handler);
+			_notices.push_back(notice);
+		}
+	}
+}
+
+void FieldTerrain::find(Node3D &p_field, const TerrainSource::Handlers &p_handlers) {
+	_problem = String();
+	Node *node = p_field.get_node_or_null(_path);
+	if (node == nullptr || !node->is_inside_tree()) {
+		_problem = vformat("`terrain` names no node of the scene: '%s'. Choose the terrain again, or empty it.", String(_path));
+		forget();
+		return;
+	}
+	std::unique_ptr<TerrainSource> found = TerrainSource::find(node, _problem);
+	if (found && _source && found->is_same(*_source)) {
+		return;
+	}
+	forget();
+	_source = std::move(found);
+	if (_source) {
+		_ids = _source->has_textures() ? std::make_shared<TerrainIds>() : nullptr;
+		listen(p_handlers);
+		_is_all_changed = true;
+	}
+}
+
+// A field or a terrain that moves is read again where it has come to rest. Both moved together (a shifted origin): nothing is.
+void FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &p_region) {
+	const Transform3D beside = _source->get_transform().affine_inverse() * p_transform;
+	const bool rests = _beside && is_same_place(*_beside, beside);
+	if (!_beside_when_read || (rests && !is_same_place(*_beside_when_read, beside))) {
+		_beside_when_read = beside;
+		_is_all_changed = true;
+	}
+	_beside = beside;
+	_field = p_transform;
+	// What the last blades blend with, too.
+	const MapRegion area = p_region.grown(info_of(MAP_GROUND).texel_size());
+	if (!(_queue.get_area() == area)) {
+		_queue.set_area(area);
+		_is_all_changed = true;
+	}
+}
+
+bool FieldTerrain::look(
+		Node3D &p_field, const Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers) {
+	if (_path.is_empty()) {
+		return false;
+	}
+	if (--_frames_to_look <= 0 || (_source && !_source->is_alive())) {
+		_frames_to_look = FRAMES_BETWEEN_LOOKS;
+		find(p_field, p_handlers);
+		if (_source) {
+			watch_place(p_transform, p_region);
+		}
+	}
+	if (_source && !is_upright(p_transform)) {
+		_problem = "`terrain` tells vertical heights, but the field is tilted, so nothing of it is laid. Turn the field about its Y axis "
+				   "only.";
+		return false;
+	}
+	return _source != nullptr;
+}
+
+void FieldTerrain::area_changed(const AABB &p_area) {
+	if (p_area.size == Vector3()) {
+		_is_all_changed = true;
+	} else {
+		_areas.push_back(p_area);
+	}
+}
+
+void FieldTerrain::cells_changed(const Vector2 &p_first, const Vector2 &p_count) {
+	if (_source && _source->is_alive()) {
+		_areas.push_back(_source->to_area(p_first, p_count));
+	}
+}
+
+// A terrain may say where, and in the same frame that something did: then the places count.
+void FieldTerrain::take_changes() {
+	const Transform3D to_field = _field.affine_inverse();
+	for (const AABB &area : _areas) {
+		const AABB here = moved(to_field, area);
+		const MapRegion region{ { here.position.x, here.position.z }, { here.position.x + here.size.x, here.position.z + here.size.z } };
+		_queue.add(region.grown(2.0 * info_of(MAP_GROUND).texel_size())); // slopes beside it change, too
+	}
+	if (_is_all_changed && _areas.empty()) {
+		_queue.add_all();
+	}
+	_areas.clear();
+	_is_all_changed = false;
+}
+
+void FieldTerrain::read_row() {
+	const std::vector<Eigen::Vector2d> row = _piece->get_row();
+	std::vector<Vector3> places;
+	for (const Eigen::Vector2d &place : row) {
+		places.push_back(_field.xform(Vector3(real_t(place.x()), 0, real_t(place.y()))));
+	}
+	std::vector<TerrainSample> samples(row.size());
+	_source->read(places, samples);
+	const Eigen::Matrix3d to_field = to_eigen(_field.basis).transpose();
+	for (TerrainSample &sample : samples) {
+		sample.height -= double(_field.origin.y);
+		sample.normal = to_field * sample.normal;
+	}
+	_queries += int64_t(row.size());
+	_piece->put_row(samples);
+}
+
+void FieldTerrain::lay(const Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched) {
+	const TerrainPiece piece = std::move(*_piece);
+	_piece.reset(); // a listener of the map may change the terrain
+	const bool has_new_textures = _ids && piece.put_textures(*_ids);
+	p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map); });
+	if (has_new_textures) {
+		p_touched(piece.get_region());
+	}
+}
+
+void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched) {
+	take_changes();
+	if (!p_map->is_readable()) {
+		return;
+	}
+	std::vector<Eigen::Vector2d> eyes;
+	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
+		_frame = frame;
+		_last_query = _queries + QUERIES_A_FRAME;
+	}
+	for (int rows = 0; _queries < _last_query && (rows < ROWS_AT_LEAST || FrameShare::has_time()); rows++) {
+		if (!_piece) {
+			if (eyes.empty()) {
+				eyes = find_eyes(&p_field, to_eigen(_field));
+			}
+			const std::optional<MapRegion> region = _queue.take(eyes);
+			if (!region) {
+				return;
+			}
+			_piece.emplace(*region);
+		}
+		if (!_piece->is_complete()) {
+			read_row();
+		}
+		if (!_source || !_source->is_alive()) { // a method of the terrain removed it
+			return;
+		}
+		if (_piece && _piece->is_complete()) {
+			lay(p_map, p_touched);
+		}
+	}
+}
+
+void FieldTerrain::warn(PackedStringArray &r_warnings) const {
+	if (!_problem.is_empty()) {
+		r_warnings.push_back(_problem);
+	}
+	if (_source && !_source->get_problem().is_empty()) {
+		r_warnings.push_back("`terrain`: " + _source->get_problem());
+	}
+}
+
+bool FieldTerrain::has_new_warning() {
+	const String now = _problem + (_source ? "found " + _source->get_problem() : String()); // other warnings end when it is found
+	return std::exchange(_warned, now) != now;
+}
+
+void FieldTerrain::add_to(FieldStatistics &r_statistics) const {
+	r_statistics.terrain_queries = _queries;
+	r_statistics.terrain_calls = _calls_before + (_source ? _source->get_calls() : 0);
+	r_statistics.terrain_waiting = _queue.get_waiting() + (_piece ? 1 : 0);
+	r_statistics.memory += _ids ? int64_t(_ids->get_memory_usage()) : 0;
+}
+
+} // namespace grass

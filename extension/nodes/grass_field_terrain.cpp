@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// GrassField's terrain: set, read, heard.
+#include "nodes/grass_field.h"
+
+#include "nodes/main_thread.h"
+
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+void GrassField::set_terrain(const NodePath &p_path) {
+	GRASS_MAIN_THREAD_ONLY();
+	_terrain.set_path(p_path);
+	_filler.set_terrain(nullptr);
+	update_configuration_warnings();
+}
+
+// After the field has its properties, and once a frame.
+void GrassField::update_terrain() {
+	const TerrainSource::Handlers handlers{ callable_mp(this, &GrassField::_terrain_edited),
+		callable_mp(this, &GrassField::_terrain_replaced), callable_mp(this, &GrassField::_terrain_cells_changed) };
+	const bool is_there = _terrain.look(*this, field_transform(), MapRegion::of_grid(_properties.grid()), handlers);
+	_filler.set_terrain(_terrain.get_ids());
+	if (is_there) {
+		if (_properties.map.is_null()) {
+			make_map();
+		}
+		_terrain.read(*this, _properties.map, [this](const MapRegion &p_region) { _filler.touch_textures(p_region); });
+	}
+	if (_terrain.has_new_warning()) {
+		report_warnings();
+	}
+}
+
+void GrassField::terrain_changed(const AABB &p_area) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(!p_area.is_finite(), message("terrain_changed() needs an area of finite numbers, or an empty one for everything."));
+	_terrain.area_changed(p_area);
+}
+
+// Signals of a terrain may come from any thread.
+void GrassField::_terrain_edited(const AABB &p_area) {
+	if (!is_main_thread()) {
+		callable_mp(this, &GrassField::_terrain_edited).call_deferred(p_area);
+		return;
+	}
+	if (p_area.is_finite()) {
+		_terrain.area_changed(p_area);
+	}
+}
+
+void GrassField::_terrain_replaced() {
+	if (!is_main_thread()) {
+		callable_mp(this, &GrassField::_terrain_replaced).call_deferred();
+		return;
+	}
+	_terrain.anything_changed();
+}
+
+void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel) {
+	if (!is_main_thread()) {
+		callable_mp(this, &GrassField::_terrain_cells_changed).call_deferred(p_x, p_y, p_width, p_height, p_channel);
+		return;
+	}
+	_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height)));
+}
+
+} // namespace grass

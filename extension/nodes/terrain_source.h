@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// A terrain of another addon, or of a game, that is asked by the names of its methods: docs/terrain.md. One class for each way of asking;
+// terrain_sources.cpp has them. Nothing here knows fields.
+#pragma once
+
+#include "core/fill/terrain_piece.h"
+
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/variant/aabb.hpp>
+#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/string.hpp>
+#include <godot_cpp/variant/transform3d.hpp>
+#include <godot_cpp/variant/vector3.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+// The box around a box that was moved.
+godot::AABB moved(const godot::Transform3D &p_by, const godot::AABB &p_box);
+
+class TerrainSource {
+public:
+	// Null where the node has no methods of a terrain, or its terrain has no data yet; r_problem then says so, as a sentence.
+	static std::unique_ptr<TerrainSource> find(godot::Node *p_node, godot::String &r_problem);
+	virtual ~TerrainSource() = default;
+	TerrainSource(const TerrainSource &) = delete;
+	TerrainSource &operator=(const TerrainSource &) = delete;
+
+	// Whether the node still has what was found.
+	bool is_alive() const;
+	// Whether p_other asks the very same objects.
+	bool is_same(const TerrainSource &p_other) const { return _node == p_other._node && _data == p_other._data; }
+	virtual bool has_textures() const = 0;
+	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive().
+	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
+	// Where the terrain stands: what is read holds as long as the field stays where it is beside this.
+	virtual godot::Transform3D get_transform() const;
+
+	// What to call when something changes, and the signal of get_emitter() that does.
+	struct Handlers {
+		godot::Callable in_area; // global AABB
+		godot::Callable anywhere;
+		godot::Callable in_cells; // x, y, width, height, channel: of to_area()
+	};
+	struct Notice {
+		const char *signal;
+		godot::Callable handler;
+	};
+	virtual std::vector<Notice> get_notices(const Handlers &p_handlers) const = 0;
+	virtual godot::Object *get_emitter() const { return get_data(); }
+	virtual godot::AABB to_area(const godot::Vector2 &p_first_cell, const godot::Vector2 &p_cells) const;
+
+	int64_t get_calls() const { return _calls; } // of the terrain's methods, so far
+	// A method that returned something else than it should: "get_height() of 'Hills' returned ...". Empty: none did.
+	const godot::String &get_problem() const { return _problem; }
+
+protected:
+	TerrainSource(godot::Node *p_node, godot::Object *p_data);
+	godot::Node *get_node() const;
+	godot::Object *get_data() const; // the object that is asked: the node itself, or its data
+
+	template <typename... Arguments>
+	godot::Variant ask(godot::Object *p_object, const godot::StringName &p_method, const Arguments &...p_arguments) {
+		_calls++;
+		return p_object->call(p_method, p_arguments...);
+	}
+	// NaN, and a problem, if it is no number.
+	double to_number(const godot::Variant &p_value, const char *p_method);
+	// All zero, and a problem, if it is none.
+	godot::Vector3 to_vector(const godot::Variant &p_value, const char *p_method);
+	// A number, or a vector of base, overlay and blend.
+	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
+
+private:
+	void complain(const godot::Variant &p_value, const char *p_method, const char *p_wanted);
+
+	uint64_t _node, _data; // instance ids
+	int64_t _calls = 0;
+	godot::String _problem;
+};
+
+} // namespace grass

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+## Behaves as HTerrain does where a field asks it: data counted in cells, heights without the node's scale, clamped beyond the border,
+## splat maps of four weights, a colour map whose alpha cuts holes, signals in cells.
+extends Node3D
+
+
+class Data:
+	extends Resource
+
+	signal resolution_changed
+	signal region_changed(x: int, y: int, w: int, h: int, channel: int)
+
+	const CHANNEL_HEIGHT := 0
+	const CHANNEL_SPLAT := 2
+	const CHANNEL_COLOR := 3
+
+	var heights := Image.create_empty(129, 129, false, Image.FORMAT_RF)
+	var splat := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
+	var color := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
+
+	func get_resolution() -> int:
+		return heights.get_width()
+
+	func get_interpolated_height_at(pos: Vector3) -> float:
+		var x := int(floorf(pos.x))
+		var y := int(floorf(pos.z))
+		var s := pos.x - x
+		var t := pos.z - y
+		return lerpf(lerpf(_height(x, y), _height(x + 1, y), s), lerpf(_height(x, y + 1), _height(x + 1, y + 1), s), t)
+
+	func get_map_count(map_type: int) -> int:
+		return 1 if map_type <= CHANNEL_COLOR else 0
+
+	func get_image(map_type: int, _index := 0) -> Image:
+		return {CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color}.get(map_type)
+
+	func _height(x: int, y: int) -> float:
+		var last := get_resolution() - 1
+		return heights.get_pixel(clampi(x, 0, last), clampi(y, 0, last)).r
+
+
+const Hills := preload("res://tests/terrains/hills.gd")
+
+var map_scale := Vector3(2, 4, 2)  # of cells, and of heights
+var hills := Hills.new()
+var _data := Data.new()
+
+
+func _init() -> void:
+	shape()
+
+
+func get_data() -> Data:
+	return _data
+
+
+## Centred on the node.
+func get_internal_transform() -> Transform3D:
+	var half := 0.5 * (_data.get_resolution() - 1.0)
+	var place := Transform3D(global_transform.basis * Basis().scaled(map_scale), global_transform.origin)
+	place.origin += place.basis * Vector3(-half, 0, -half)
+	return place
+
+
+## Puts the hills into the images; the hills count from the node.
+func shape() -> void:
+	var half := 0.5 * (_data.get_resolution() - 1.0)
+	for y in _data.get_resolution():
+		for x in _data.get_resolution():
+			var at := Vector2(x - half, y - half) * map_scale.x
+			var texture := hills.texture(at.x, at.y)
+			var weights := [0.0, 0.0, 0.0]
+			weights[int(texture.x)] += 1.0 - texture.z
+			weights[int(texture.y)] += texture.z
+			_data.heights.set_pixel(x, y, Color(hills.height(at.x, at.y) / map_scale.y, 0, 0))
+			_data.splat.set_pixel(x, y, Color(weights[0], weights[1], weights[2], 0))
+			_data.color.set_pixel(x, y, Color(1, 1, 1, 1 if hills.has_ground(at.x, at.y) else 0))

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+## The hills that the stand-ins for terrains have in common, and what is edited on them.
+extends RefCounted
+
+var bump := 0.0  # metres more within `bump_area`
+var bump_area := Rect2()
+var hole := Rect2()  # x, z; without ground
+var grass := Rect2()  # x, z; here texture 1 shows, elsewhere texture 0
+var path := Rect2()  # x, z; here texture 2 shows over the others, by 3/4
+
+
+func height(x: float, z: float) -> float:
+	return 12.0 + 2.0 * sin(0.1 * x) + 0.15 * z + (bump if bump_area.has_point(Vector2(x, z)) else 0.0)
+
+
+func has_ground(x: float, z: float) -> bool:
+	return not hole.has_point(Vector2(x, z))
+
+
+## Base, overlay and blend, as Terrain3D tells them.
+func texture(x: float, z: float) -> Vector3:
+	var place := Vector2(x, z)
+	return Vector3(1 if grass.has_point(place) else 0, 2, 0.75 if path.has_point(place) else 0.0)
