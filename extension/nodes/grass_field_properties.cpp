@@ -80,7 +80,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_view), 3, message("`debug_view` is DEBUG_VIEW_OFF, DEBUG_VIEW_AWAKE_TILES or DEBUG_VIEW_LOD."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_COST + 1, message("`debug_view` is one of the constants DEBUG_VIEW_*."));
 	_properties.debug_view = p_view;
 	_standing.set_uniform("debug_view", int64_t(p_view));
 }
@@ -255,8 +255,9 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Level of Detail", "");
 	add_numbers("Level of Detail");
 	ADD_GROUP("Debug", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail"),
-			set_debug_view, get_debug_view);
+	GRASS_BIND_PROPERTY(GrassField,
+			PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail,Density,Cost"), set_debug_view,
+			get_debug_view);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
 
 	ClassDB::bind_method(D_METHOD("get_blade_count"), &GrassField::get_blade_count);
@@ -316,6 +317,8 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_DENSITY);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_COST);
 	BIND_ENUM_CONSTANT(REASON_NONE);
 	BIND_ENUM_CONSTANT(REASON_NOT_MADE);
 	BIND_ENUM_CONSTANT(REASON_HIDDEN);

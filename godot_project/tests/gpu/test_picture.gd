@@ -204,6 +204,33 @@ func test_awake_tiles_are_shown_red() -> void:
 	assert_greater(difference(shown, await picture()).y, 0.003, "levels of detail are coloured otherwise")
 
 
+func test_density_and_cost_are_heat_maps() -> void:
+	var map := full_map()
+	map.stroke(brush(GrassBrush.TOOL_DENSITY, 3.0, {target = 0.3, strength = 1.0, hardness = 1.0}), Vector2(-3, 0), Vector2(-3, 0))
+	var field := add_seen_field({map = map, size = Vector2(12, 12), ground = false})
+	look(Vector3(0, 7, 0), Vector3.ZERO)
+	field.debug_view = GrassField.DEBUG_VIEW_DENSITY
+	await drawn()
+	var density := await picture()
+	density.save_png("user://heat_density.png")  # looked at by people
+	var thin := density.get_region(Rect2i(SIZE.x / 4, SIZE.y / 3, SIZE.x / 8, SIZE.y / 3))
+	var full := density.get_region(Rect2i(SIZE.x * 5 / 8, SIZE.y / 3, SIZE.x / 8, SIZE.y / 3))
+	print("    where a third stands red %.3f, where all does %.3f" % [share_of(thin, is_red), share_of(full, is_red)])
+	assert_less(share_of(thin, is_red), 0.01)
+	assert_greater(share_of(full, is_red), 0.3)
+	field.debug_view = GrassField.DEBUG_VIEW_COST
+	look(Vector3(0, 0.8, 6.5), Vector3(0, 0, 3))
+	await drawn()
+	var cost := await picture()
+	cost.save_png("user://heat_cost.png")
+	var near := mean(cost.get_region(Rect2i(0, SIZE.y * 3 / 4, SIZE.x, SIZE.y / 4)))
+	look(Vector3(0, 40, 0), Vector3.ZERO)
+	await drawn()
+	var far := mean((await picture()).get_region(Rect2i(SIZE.x * 7 / 16, SIZE.y * 7 / 16, SIZE.x / 8, SIZE.y / 8)))
+	print("    cost: %s near, %s far" % [near, far])
+	assert_greater(near.r - near.b, far.r - far.b + 0.1)
+
+
 func test_grass_casts_shadows() -> void:
 	var floor_ := MeshInstance3D.new()
 	floor_.mesh = PlaneMesh.new()
