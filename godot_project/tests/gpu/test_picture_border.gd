@@ -74,7 +74,7 @@ func test_a_field_fades_at_its_border() -> void:
 func test_the_soil_has_a_soft_edge() -> void:
 	var map := GrassMap.new()
 	map.stroke(brush(GrassBrush.TOOL_PAINT, 1.0), Vector2(7, -4), Vector2(7, 4))
-	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, map = map, root_shade = 0.0})
+	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, map = map, root_shade = 0.0, border_fade = 0.1})
 	await grown(field)
 	look(Vector3(7.8, 5, 0), Vector3(7.8, 0, 0))
 	await drawn()
@@ -91,3 +91,20 @@ func test_the_soil_has_a_soft_edge() -> void:
 		assert_greater(share_of(image, func(color: Color) -> bool: return color.get_luminance() > 0.95), 0.1, "floor")
 		assert_greater(share_of(image, func(color: Color) -> bool: return color.get_luminance() < 0.4), 0.1, "soil")
 		assert_greater(between, 0.02)
+
+
+## Two fields side by side: no floor shows between their soils.
+func test_no_gap_between_adjoining_fields() -> void:
+	for side: float in [-8.0, 8.0]:
+		var field := add_seen_field({size = Vector2(16, 16), density = 1.0, border_fade = 0.0, root_shade = 0.0})
+		field.position.x = side
+	look(Vector3(0, 5, 0), Vector3.ZERO)
+	await drawn()
+	var image := await picture()
+	save(image, "soil_seam")
+	var means := columns(image)
+	var lightest := 0.0
+	for x in range(SIZE.x / 2 - 20, SIZE.x / 2 + 20):
+		lightest = maxf(lightest, means[x])
+	print("    the lightest column at the seam has %.3f, one inside %.3f" % [lightest, means[10]])
+	assert_less(lightest, means[10] + 0.1)
