@@ -161,7 +161,7 @@ func test_soil_follows_baked_hills() -> void:
 
 
 func test_soil_has_a_soft_edge_on_baked_hills() -> void:
-	await add_knoll({root_shade = 0.0, soil_color = Color.BLACK})
+	await add_knoll({root_shade = 0.0, soil_color = Color.BLACK, border_fade = 0.1})
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
 	camera.size = 2.0
 	look(Vector3(15.5, 20, 0), Vector3(15.5, 0, 0))
