@@ -18,13 +18,13 @@ namespace grass {
 
 namespace {
 
-// Places asked in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
+// Places read in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
 // million places, takes longer to read.
 constexpr int64_t QUERIES_A_FRAME = 16384;
 // Rows read in a frame even if it has no time left: the ground comes in the end.
 constexpr int ROWS_AT_LEAST = 2;
 // The terrain may come, go or get other data without a signal, and move: looked at this often, frames.
-constexpr int FRAMES_BETWEEN_LOOKS = 15;
+constexpr int FRAMES_BETWEEN_QUERIES = 15;
 // Heights are vertical: how far a field's up may be from that, sine.
 constexpr double LARGEST_TILT = 1e-3;
 
@@ -126,7 +126,7 @@ bool FieldTerrain::look(
 		return false;
 	}
 	if (--_frames_to_look <= 0 || (_source && !_source->is_alive())) {
-		_frames_to_look = FRAMES_BETWEEN_LOOKS;
+		_frames_to_look = FRAMES_BETWEEN_QUERIES;
 		find(p_field, p_handlers);
 		if (_source) {
 			watch_place(p_transform, p_region);
