@@ -2,8 +2,8 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    what the part's file begins with: draw, meadow, forces, movers, simulate, sleep, cpu, questions, change, species,
-##                  kernel, accuracy; paper or paper_table1 and so on, which are left out without it
+##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, cpu, questions, change,
+##                  hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
 ##   --quick yes    the parts `paper` as small as in software
@@ -21,6 +21,8 @@ const Accuracy := preload("res://bench/bench_accuracy.gd")
 const Meadow := preload("res://bench/bench_meadow.gd")
 const Forces := preload("res://bench/bench_forces.gd")
 const Movers := preload("res://bench/bench_movers.gd")
+const Limits := preload("res://bench/bench_limits.gd")
+const Hitch := preload("res://bench/bench_hitch.gd")
 const Species := preload("res://bench/bench_species.gd")
 const PaperTable1 := preload("res://bench/paper_table1.gd")
 const PaperPasses := preload("res://bench/paper_passes.gd")
@@ -42,7 +44,9 @@ func _ready() -> void:
 	var only := _argument("--only", "")
 	var spirv := _argument("--spirv", "")
 	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
-	for script: GDScript in [Draw, Meadow, Forces, Movers, Simulate, Sleep, Cpu, Questions, Change, Species, Kernel, Accuracy]:
+	for script: GDScript in [
+		Draw, Limits, Meadow, Forces, Movers, Simulate, Sleep, Cpu, Questions, Change, Hitch, Species, Kernel, Accuracy
+	]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])
 		if not part.FILE.begins_with(only) or arguments.has(""):
