@@ -25,12 +25,16 @@ RID compile_shader(const PassCode &p_code) {
 
 TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p_code) {
 	TypedArray<Ref<RDPipelineSpecializationConstant>> constants;
+	const auto add = [&](int p_id, const Variant &p_value) {
+		Ref<RDPipelineSpecializationConstant> constant;
+		constant.instantiate();
+		constant->set_constant_id(uint32_t(p_id));
+		constant->set_value(p_value);
+		constants.push_back(constant);
+	};
 	if (p_code.method != PassCode::NO_METHOD) {
-		Ref<RDPipelineSpecializationConstant> method;
-		method.instantiate();
-		method->set_constant_id(GRASS_CONSTANT_METHOD);
-		method->set_value(p_code.method);
-		constants.push_back(method);
+		add(GRASS_CONSTANT_METHOD, p_code.method);
+		add(GRASS_CONSTANT_CROWD, p_code.crowd);
 	}
 	return constants;
 }
@@ -43,7 +47,7 @@ CompileQueue &CompileQueue::get() {
 }
 
 CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code) {
-	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.method }];
+	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.method, p_code.crowd }];
 	std::unique_lock lock(_mutex);
 	if (known.state != Pipeline::State::NEW) {
 		return known;

@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace grass {
@@ -22,6 +23,7 @@ struct PassCode {
 	std::span<const uint32_t> spirv;
 	const char *name;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
+	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
 };
 
 // A singleton, get(). Its functions run on the render thread unless they name another.
@@ -55,7 +57,7 @@ private:
 	void compile(Pipeline &r_pipeline);
 	static void compile_waiting(void *p_queue);
 
-	std::map<std::pair<const uint32_t *, int>, Pipeline> _pipelines; // by code and method
+	std::map<std::tuple<const uint32_t *, int, bool>, Pipeline> _pipelines; // by code, method and crowd
 	std::atomic<int> _compiling = 0;
 	// One task of the WorkerThreadPool compiles them in turn: several would hold up the engine's own tasks, and one that is
 	// still queued when the game ends never runs.

@@ -72,6 +72,7 @@ public:
 	// MAX_ROW workgroups are laid out in rows, with some too many in the last.
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
+	bool is_created() const { return _source != nullptr; }
 	bool is_ready();
 	// Returns when it is, or the driver has refused it.
 	void finish() { CompileQueue::get().finish(*_source); }

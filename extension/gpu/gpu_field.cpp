@@ -25,7 +25,7 @@ constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull" };
 
 // What a tile meets, and so which of a field's passes simulates it.
-enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE };
+enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
 
 PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	struct Variant {
@@ -36,9 +36,10 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate" },
 		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges" },
 		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free" },
+		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds" },
 	};
 	const Variant &variant = variants[p_tiles];
-	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method) };
+	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method), p_tiles == TILES_WITH_CROWDS };
 }
 
 // RGBA16F, a row for each slot.
@@ -187,6 +188,15 @@ void GpuField::make_simulate() {
 	_simulate.create(simulate_code(_kind, TILES_ALL), GpuPass::Compile::LATER);
 	_simulate_free.create(simulate_code(_kind, TILES_FREE), GpuPass::Compile::LATER);
 	_simulate_edges.create(simulate_code(_kind, TILES_WITH_EDGES), GpuPass::Compile::LATER);
+	_simulate_crowds.free(); // made where the first crowd is
+}
+
+bool GpuField::can_simulate_crowds() {
+	if (!_simulate_crowds.is_created()) {
+		_simulate_crowds.create(simulate_code(_kind, TILES_WITH_CROWDS), GpuPass::Compile::LATER);
+		bind_simulate();
+	}
+	return _simulate_crowds.is_ready();
 }
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
@@ -217,9 +227,9 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	}
 	_pool_texture = _sampler = RID();
 	_plants.free();
-	_simulate.free();
-	_simulate_edges.free();
-	_simulate_free.free();
+	for (GpuPass *pass : simulate_passes()) {
+		pass->free();
+	}
 	_cull.free();
 	_reader.free();
 	for (GpuBuffer *buffer : buffers()) {

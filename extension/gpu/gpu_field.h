@@ -116,6 +116,9 @@ private:
 	void make_before_texture();
 	void keep_pool();
 	void make_simulate();
+	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
+	// Begins to compile their pass at the first call.
+	bool can_simulate_crowds();
 	void bind_simulate();
 	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
@@ -159,7 +162,8 @@ private:
 	bool _has_moved = false; // blades, since the copy was made
 	KnotReader _reader;
 	PlantPasses _plants;
-	GpuPass _simulate, _simulate_edges, _simulate_free, _cull; // of tiles with neither bit, with GRASS_SLOT_EDGES, GRASS_SLOT_FREE
+	GpuPass _simulate, _simulate_edges, _simulate_free, _simulate_crowds; // of tiles with no bit, GRASS_SLOT_EDGES, _FREE, _CROWD
+	GpuPass _cull;
 };
 
 } // namespace grass

@@ -26,7 +26,7 @@ StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), ste
 }
 
 void GpuField::bind_simulate() {
-	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {
+	for (GpuPass *pass : simulate_passes()) {
 		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
 		pass->bind_buffer(GRASS_BINDING_HALVES, _halves.rid());
 		pass->bind_buffer(GRASS_BINDING_TWISTS, _twists.rid());
@@ -69,9 +69,11 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once
 	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;
 	const uint32_t free = p_records.passes.free > 0 && _simulate_free.is_ready() ? uint32_t(p_records.passes.free) : 0;
+	const uint32_t crowds = p_records.passes.crowds > 0 && can_simulate_crowds() ? uint32_t(p_records.passes.crowds) : 0;
+	const uint32_t crowds_left = p_records.passes.crowds > 0 && crowds == 0 ? GRASS_SLOT_CROWD : 0;
 	const uint32_t sharp_left = p_records.passes.edges > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
 	const uint32_t free_left = p_records.passes.free > 0 && free == 0 ? GRASS_SLOT_FREE : 0;
-	uploaded += upload_slots(p_records, sharp_left | free_left);
+	uploaded += upload_slots(p_records, crowds_left | sharp_left | free_left);
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
@@ -85,7 +87,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
-	for (GpuPass *pass : { &_simulate, &_simulate_edges, &_simulate_free }) {
+	for (GpuPass *pass : simulate_passes()) {
 		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -98,10 +100,13 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		const int64_t list = device->compute_list_begin();
 		const PackedByteArray constants = to_bytes(std::span(&p_records.step, 1));
 		// What takes longest begins first, so that little is left to do when the last of it ends.
+		if (crowds > 0) {
+			_simulate_crowds.dispatch(list, constants, slots);
+		}
 		if (sharp > 0) {
 			_simulate_edges.dispatch(list, constants, slots);
 		}
-		if (sharp + free < slots) {
+		if (crowds + sharp + free < slots) {
 			_simulate.dispatch(list, constants, slots);
 		}
 		if (free > 0) {
@@ -124,6 +129,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.edge_tile_steps += sharp;
 		statistics.free_tile_steps += free;
+		statistics.crowd_tile_steps += crowds;
 		statistics.simulated_blades += int64_t(end - live) * GRASS_BLADES_PER_TILE;
 		statistics.uploaded_bytes += uploaded;
 		report_memory();

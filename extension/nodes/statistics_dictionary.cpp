@@ -61,6 +61,7 @@ Dictionary to_dictionary(const FieldStatistics &p_statistics) {
 	result["simulated_blades"] = backend.simulated_blades;
 	result["edge_tile_steps"] = backend.edge_tile_steps;
 	result["free_tile_steps"] = backend.free_tile_steps;
+	result["crowd_tile_steps"] = backend.crowd_tile_steps;
 	result["compiling"] = backend.compiling;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;

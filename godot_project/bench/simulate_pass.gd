@@ -8,7 +8,9 @@ const FRESH := 1  # bit of a slot
 const FREQUENCY := 1.2  # Hz
 const METHODS := 2
 const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w
+const SHARED := 32  # colliders that a workgroup shares, at most; more in any tile: the pipeline for crowds
 const SLOT_BYTES := 48
+const COUNT_BYTE := 24  # of a slot: how many colliders it has
 const COLLIDER_BYTES := 96
 
 var device: RenderingDevice
@@ -16,7 +18,8 @@ var knots: RID  ## places of the free knots, now and a step before, [slot][half]
 var slots: RID
 var colliders: RID
 
-var _pipelines: Array[RID] = []  # by method
+var _pipelines: Array[RID] = []  # by method; then, by method, those for crowds
+var _is_crowd := false  # since set_up()
 var _shader: RID
 var _made: Array[RID] = []  # in the order in which they may be freed
 var _set: RID
@@ -41,17 +44,21 @@ func load_shader(p_device: RenderingDevice, p_spirv: String) -> String:
 	_shader = device.shader_create_from_spirv(code)
 	if not _shader.is_valid():
 		return "%s is no shader for this device" % p_spirv
-	for method in METHODS:
-		_pipelines.append(make_pipeline(device, _shader, method))
+	for crowd: bool in [false, true]:
+		for method in METHODS:
+			_pipelines.append(make_pipeline(device, _shader, method, crowd))
 	return "" if not _pipelines.has(RID()) else "%s makes no pipeline on this device" % p_spirv
 
 
-## simulate.glsl is compiled for one method.
-static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: int) -> RID:
-	var constant := RDPipelineSpecializationConstant.new()
-	constant.constant_id = 0
-	constant.value = p_method
-	return p_device.compute_pipeline_create(p_shader, [constant])
+## simulate.glsl is compiled for one method, with or without crowds.
+static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: int, p_crowd := false) -> RID:
+	var method := RDPipelineSpecializationConstant.new()
+	method.constant_id = 0
+	method.value = p_method
+	var crowd := RDPipelineSpecializationConstant.new()
+	crowd.constant_id = 1
+	crowd.value = p_crowd
+	return p_device.compute_pipeline_create(p_shader, [method, crowd])
 
 
 ## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
@@ -69,6 +76,7 @@ func set_up(
 ) -> bool:
 	clear()
 	_steps = 0
+	_is_crowd = range(0, p_slots.size(), SLOT_BYTES).any(func(at: int) -> bool: return p_slots.decode_u32(at + COUNT_BYTE) > SHARED)
 	var pool := p_tiles * 2 * 3 * (p_knots - 2) * BLADES * 4
 	var texel := 16 if p_format == RenderingDevice.DATA_FORMAT_R32G32B32A32_SFLOAT else 8
 	slots = _buffer(p_slots.size(), p_slots)
@@ -128,7 +136,7 @@ func set_up(
 func step(p_push: PackedByteArray, p_tiles: int) -> void:
 	if _list < 0:
 		_list = device.compute_list_begin()
-		device.compute_list_bind_compute_pipeline(_list, _pipelines[int(p_push.decode_float(METHOD_BYTE))])
+		device.compute_list_bind_compute_pipeline(_list, _pipelines[int(p_push.decode_float(METHOD_BYTE)) + (METHODS if _is_crowd else 0)])
 		device.compute_list_bind_uniform_set(_list, _set, 0)
 		_pushed = PackedByteArray()
 	device.compute_list_set_push_constant(_list, p_push, p_push.size())

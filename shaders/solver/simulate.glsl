@@ -26,6 +26,9 @@
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 layout(constant_id = GRASS_CONSTANT_METHOD) const int METHOD = GRASS_METHOD_DIRECT;
+// Whether a tile may have more colliders than GRASS_SHARED_COLLIDERS. What reads the others stands at so many places that it costs a tenth
+// of the time where there are none.
+layout(constant_id = GRASS_CONSTANT_CROWD) const bool CROWD = false;
 
 layout(push_constant, std430) uniform StepBlock {
 #ifdef GRASS_SPECIES
@@ -252,10 +255,14 @@ void main() {
 #else
 	const uint own = 0u;
 #endif
-	if ((slot.list.w & (GRASS_SLOT_EDGES | GRASS_SLOT_FREE)) != own) {
-		return; // another variant's
+	const uint kinds = CROWD ? GRASS_SLOT_CROWD : GRASS_SLOT_EDGES | GRASS_SLOT_FREE | GRASS_SLOT_CROWD;
+	if ((slot.list.w & kinds) != (CROWD ? GRASS_SLOT_CROWD : own)) {
+		return; // another pass's
 	}
 #endif
+	if (!CROWD) { // also where the pass for crowds is still compiled
+		slot.list.z = min(slot.list.z, uint(GRASS_SHARED_COLLIDERS));
+	}
 	uint thread = gl_LocalInvocationID.x;
 	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
 	if (thread == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {

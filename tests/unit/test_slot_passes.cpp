@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
 #include <vector>
 
 using namespace grass;
@@ -16,9 +17,11 @@ GrassSlot make_slot(uint32_t p_first, uint32_t p_count, uint32_t p_bits) {
 } // namespace
 
 TEST_CASE("slot passes: one sharp collider is enough for edges, none at all for the short pass, and every slot keeps its other bits") {
+	const std::vector<GrassCollider> colliders(2, GrassCollider{});
 	const std::vector<uint8_t> sharp{ 0, 1 };
 	const std::vector<uint32_t> list{ 0, 0, 1, 1 };
 	StepInput input;
+	input.colliders = colliders;
 	input.sharp = sharp;
 	input.collider_list = list;
 	std::vector<GrassSlot> slots{ make_slot(0, 0, GRASS_SLOT_RETIRED), make_slot(0, 1, GRASS_SLOT_FRESH), make_slot(1, 2, 0),
@@ -30,5 +33,49 @@ TEST_CASE("slot passes: one sharp collider is enough for edges, none at all for 
 		GRASS_SLOT_MAPPED | GRASS_SLOT_EDGES };
 	for (size_t i = 0; i < slots.size(); i++) {
 		CHECK(slots[i].list.w == expected[i]);
+	}
+}
+
+TEST_CASE("slot passes: a tile with more colliders than a workgroup shares has a pass of its own, sharp or not") {
+	const std::vector<GrassCollider> colliders(GRASS_SHARED_COLLIDERS + 2, GrassCollider{});
+	std::vector<uint8_t> sharp(colliders.size(), 0);
+	sharp.back() = 1;
+	std::vector<uint32_t> list(colliders.size());
+	std::iota(list.begin(), list.end(), 0);
+	StepInput input;
+	input.colliders = colliders;
+	input.sharp = sharp;
+	input.collider_list = list;
+	std::vector<GrassSlot> slots{ make_slot(0, GRASS_SHARED_COLLIDERS, 0), make_slot(0, GRASS_SHARED_COLLIDERS + 1, 0),
+		make_slot(1, GRASS_SHARED_COLLIDERS + 1, 0) };
+	const SlotPasses passes = choose_passes(input, slots);
+	CHECK(passes.crowds == 2);
+	CHECK(passes.edges == 0);
+	CHECK(slots[0].list.w == 0);
+	CHECK(slots[1].list.w == GRASS_SLOT_CROWD);
+	CHECK(slots[2].list.w == (GRASS_SLOT_CROWD | GRASS_SLOT_EDGES)); // until the pass is compiled, that for edges takes it
+}
+
+TEST_CASE("slot passes: retired tiles stay first, then come those with a fast collider, each in their order") {
+	GrassCollider slow{}, fast{};
+	slow.position.x = 0.01f;
+	fast.position.z = 0.1f;
+	const std::vector<GrassCollider> colliders{ slow, fast };
+	const std::vector<uint8_t> sharp{ 0, 0 };
+	const std::vector<uint32_t> list{ 0, 1, 0, 1 };
+	StepInput input;
+	input.colliders = colliders;
+	input.sharp = sharp;
+	input.collider_list = list;
+	input.step.chain.x = 1.0f / 60.0f;
+	std::vector<GrassSlot> slots{ make_slot(0, 0, GRASS_SLOT_RETIRED), make_slot(0, 1, 0), make_slot(1, 1, 0), make_slot(2, 0, 0),
+		make_slot(2, 2, 0) };
+	for (size_t i = 0; i < slots.size(); i++) {
+		slots[i].tile.w = int(i);
+	}
+	choose_passes(input, slots);
+	const std::vector<int> expected{ 0, 2, 4, 1, 3 };
+	for (size_t i = 0; i < slots.size(); i++) {
+		CHECK(slots[i].tile.w == expected[i]);
 	}
 }

@@ -14,6 +14,7 @@ struct BackendStatistics {
 	int64_t simulated_blades = 0; // blades stepped
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
+	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares
 	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
 						   // free tiles by whole solves; after a change of method all by the one before
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device

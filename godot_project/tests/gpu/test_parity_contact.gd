@@ -11,6 +11,9 @@ const THIN := 0.005  # metres, half of what is thinner than a segment
 const HALF_STICK := 0.6  # metres
 const UNDER_A_BALL := 1e-3  # of a blade's length, after ten steps, of all blades but one
 const ONE_UNDER_A_BALL := 1e-2  # that one: a leaf that is hit edge-on falls to the side that rounding says
+const ABOVE_THE_TIPS := 0.62  # metres: near enough to be in the lists of tiles
+const CROWDED := 2e-3  # of a blade's length
+const FEW_APART := 0.02  # share of the blades
 const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 
@@ -248,3 +251,22 @@ func test_edges_are_asked_only_near_what_is_sharp() -> void:
 	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
 	await ticks(5)
 	assert_greater(gpu.get_statistics().edge_tile_steps, 0)
+
+
+## A workgroup shares the first 32 colliders of its tile. Of this crowd only the last one reaches the grass.
+func test_a_crowd_over_one_tile() -> void:
+	if not await add_pair():
+		return
+	for i in 40:
+		add_held_body(ball(0.01), PLACE + Vector3(0.01 * (i - 20), ABOVE_THE_TIPS, 0.0))
+	add_held_body(ball(0.15), PLACE + Vector3(0.0, 0.1, 0.0))
+	await ticks(2)
+	await compiled(gpu)
+	await seen()
+	var tile := gpu.get_tile_at(PLACE)
+	var still := add_field({simulated = false})
+	await ticks(2)
+	assert_greater(gpu.get_statistics().crowd_tile_steps, 0)
+	assert_greater(farthest(tile_knots(gpu, tile), tile_knots(still, tile)), 0.1, "metres: the last ball presses blades")
+	await ticks(60)
+	assert_less(share_apart([tile], CROWDED), FEW_APART)

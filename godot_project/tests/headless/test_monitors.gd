@@ -73,6 +73,7 @@ const STATISTICS: Array[String] = [
 	"wind_updates",
 	"edge_tile_steps",
 	"free_tile_steps",
+	"crowd_tile_steps",
 	"compiling",
 	"fill_cells",
 	"fill_waiting",
