@@ -7,8 +7,21 @@ using namespace godot;
 
 namespace grass {
 
-ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup) :
-		_map(p_map), _field(p_setup.grid, p_setup.blade_length(), p_setup.follow_slope), _textures(p_setup.species != nullptr) {}
+namespace {
+
+FieldMap begin(const GrassMap &p_map, const MapPlace &p_place, std::unique_ptr<LaidMap> p_laid) {
+	std::optional<FieldMap> laid = p_laid ? std::move(*p_laid).take(p_map.get_map(), p_place) : std::nullopt;
+	return laid ? std::move(*laid) : FieldMap(p_place.grid, p_place.tallest, p_place.follow);
+}
+
+} // namespace
+
+MapPlace map_place_of(const FieldSetup &p_setup) {
+	return { p_setup.grid, double(p_setup.blade_length()), p_setup.follow_slope };
+}
+
+ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<LaidMap> p_laid) :
+		_map(p_map), _field(begin(**p_map, map_place_of(p_setup), std::move(p_laid))), _textures(p_setup.species != nullptr) {}
 
 FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
 	FieldMap::Changes changes;

@@ -2,7 +2,7 @@
 // A GrassMap as a field shows it: laid out, and as textures. Lives as long as the field is built.
 #pragma once
 
-#include "core/map/field_map.h"
+#include "core/map/laid_map.h"
 #include "draw/map_textures.h"
 #include "nodes/grass_map.h"
 
@@ -10,9 +10,12 @@ namespace grass {
 
 struct FieldSetup;
 
+MapPlace map_place_of(const FieldSetup &p_setup);
+
 class ShownMap {
 public:
-	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup);
+	// p_laid: the map as it was laid out before; null, or of another field: it is laid out from the beginning.
+	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<LaidMap> p_laid = nullptr);
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
