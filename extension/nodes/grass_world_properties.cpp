@@ -65,8 +65,9 @@ PackedStringArray GrassWorld::_get_configuration_warnings() const {
 		warnings.push_back("The root of `plot_scene` is no GrassField, so plots grow with the defaults. Choose a scene whose root is one.");
 	}
 	if (find_folders().to.is_empty()) {
-		warnings.push_back("`folder` and `save_folder` are empty: what is cut, worn and painted is kept in memory and lost with the game. Set "
-						   "`save_folder`, to a folder in user:// for instance.");
+		warnings.push_back(
+				"`folder` and `save_folder` are empty: what is cut, worn and painted is kept in memory and lost with the game. Set "
+				"`save_folder`, to a folder in user:// for instance.");
 	}
 	const double tiles = _plots.get_tile_size() > 0.0 ? _plot_size / _plots.get_tile_size() : 0.0;
 	if (std::abs(tiles - std::round(tiles)) > 1e-6) {
@@ -76,9 +77,10 @@ PackedStringArray GrassWorld::_get_configuration_warnings() const {
 				fitting));
 	}
 	if (_was_short) {
-		warnings.push_back(vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
-								   "`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
-				int64_t(_budget), int64_t(_plots.get_plan().reach), int64_t(_radius)));
+		warnings.push_back(
+				vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
+						"`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
+						int64_t(_budget), int64_t(_plots.get_plan().reach), int64_t(_radius)));
 	}
 	return warnings;
 }

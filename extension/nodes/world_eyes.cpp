@@ -95,7 +95,8 @@ void WorldEyes::look(Body &r_body, const Transform3D &p_to_world_space) {
 	r_body.place = place;
 	r_body.has_place = true;
 	const RigidBody3D *rigid = Object::cast_to<RigidBody3D>(node);
-	r_body.is_awake = Object::cast_to<CharacterBody3D>(node) != nullptr || (rigid != nullptr && !rigid->is_sleeping()) || _ticks < r_body.awake_until;
+	r_body.is_awake =
+			Object::cast_to<CharacterBody3D>(node) != nullptr || (rigid != nullptr && !rigid->is_sleeping()) || _ticks < r_body.awake_until;
 }
 
 std::vector<Eigen::Vector2d> WorldEyes::find_cameras(const Node3D &p_world) const {

@@ -160,8 +160,9 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
 	const std::string reason = read_map(std::span(bytes.ptr(), size_t(bytes.size())), engine_codec(), r_map);
 	if (!reason.empty()) {
-		ERR_PRINT(vformat("%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot stands as if there were none; the file stays "
-						  "as it is, under the name '%s.unread' once the plot is changed.",
+		ERR_PRINT(vformat(
+				"%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot stands as if there were none; the file stays "
+				"as it is, under the name '%s.unread' once the plot is changed.",
 				_folders.label, p_path, String(reason.c_str()), p_path.get_file()));
 	}
 	std::lock_guard lock(_mutex);
@@ -186,8 +187,8 @@ void WorldFiles::write_file(const PlotKey &p_key, const PackedByteArray &p_data)
 		DirAccess::rename_absolute(path, path + String(".unread"));
 	}
 	if (_folders.to.is_empty() || DirAccess::make_dir_recursive_absolute(_folders.to) != OK || write_map_file(p_data, path) != OK) {
-		ERR_PRINT(vformat("%s: plot (%d, %d) cannot be written to `%s`. It stays in memory until save() can write it.", _folders.label, p_key.x,
-				p_key.z, _folders.to));
+		ERR_PRINT(vformat("%s: plot (%d, %d) cannot be written to `%s`. It stays in memory until save() can write it.", _folders.label,
+				p_key.x, p_key.z, _folders.to));
 		keep(p_key, p_data);
 		return;
 	}

@@ -244,7 +244,7 @@ func test_the_origin_is_shifted() -> void:
 		await ticks(1)
 	var tile := field.get_tile_at(body.position)
 	assert_true(field.is_tile_awake(tile))
-	await ticks(30)
+	await ticks(150)  # until it rests beside the body
 	var knots := tile_knots(field, tile)
 	var center := body.position
 	var plots := world.get_fields()
