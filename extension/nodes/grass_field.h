@@ -83,9 +83,9 @@ public:
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _properties.map; }
-	// Instead of set_map(), for a map that another thread laid out as get_map_place() says.
-	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<LaidMap> p_laid);
-	MapPlace get_map_place() const { return map_place_of(_standing.get_field().get_setup()); } // of a field that is made
+	// Instead of set_map(), for a map that another thread prepared as get_shown_place() says.
+	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
+	ShownPlace get_shown_place() const { return shown_place_of(_standing.get_field().get_setup()); } // of a field that is made
 	bool is_made() const { return _standing.stands() && !_maker.is_waiting(); } // as the properties have it
 	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }

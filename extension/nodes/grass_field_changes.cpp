@@ -81,9 +81,9 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	request_rebuild();
 }
 
-void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<LaidMap> p_laid) {
+void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared) {
 	set_map(p_map);
-	_maker.offer(std::move(p_laid));
+	_maker.offer(std::move(p_prepared));
 }
 
 // Shaders without a texture of the terrain have no line of it.

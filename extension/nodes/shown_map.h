@@ -10,12 +10,27 @@ namespace grass {
 
 struct FieldSetup;
 
-MapPlace map_place_of(const FieldSetup &p_setup);
+// What of a field decides how a map is prepared for it.
+struct ShownPlace {
+	MapPlace map;
+	bool has_species = false;
+};
+
+ShownPlace shown_place_of(const FieldSetup &p_setup);
+
+// A map laid out and turned into textures by another thread, for a field that is yet to show it.
+struct PreparedMap {
+	PreparedMap(const PaintMap &p_map, const ShownPlace &p_place);
+
+	LaidMap laid;
+	MapTextures textures;
+	bool has_species;
+};
 
 class ShownMap {
 public:
-	// p_laid: the map as it was laid out before; null, or of another field: it is laid out from the beginning.
-	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<LaidMap> p_laid = nullptr);
+	// p_prepared: null, or for another field: it is laid out from the beginning.
+	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared = nullptr);
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
@@ -32,6 +47,8 @@ public:
 	void set_uniforms(const MapTextures::SetUniform &p_set);
 
 private:
+	ShownMap(const godot::Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun);
+
 	godot::Ref<GrassMap> _map;
 	FieldMap _field;
 	MapTextures _textures;

@@ -74,7 +74,7 @@ void WorldFiles::wait() {
 	_has_changed.wait(lock, [this] { return _jobs.empty() || !_thread.joinable(); });
 }
 
-void WorldFiles::read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<MapPlace> &p_place) {
+void WorldFiles::read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
 	add([this, p_key, p_default, p_place] {
 		ReadPlot plot = find(p_key, p_default, p_place);
 		std::lock_guard lock(_mutex);
@@ -128,7 +128,7 @@ void WorldFiles::keep(const PlotKey &p_key, const PackedByteArray &p_data) {
 }
 
 // What is kept is newer than any file.
-ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<MapPlace> &p_place) {
+ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
 	PackedByteArray kept;
 	{
 		std::lock_guard lock(_mutex);
@@ -147,7 +147,7 @@ ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const
 		}
 	}
 	if (p_place) {
-		plot.laid = std::make_unique<LaidMap>(plot.map, *p_place);
+		plot.prepared = std::make_unique<PreparedMap>(plot.map, *p_place);
 	}
 	return plot;
 }

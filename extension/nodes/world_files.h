@@ -3,8 +3,8 @@
 // comes back at once is read as it was written.
 #pragma once
 
-#include "core/map/laid_map.h"
 #include "core/world/world_grid.h"
+#include "nodes/shown_map.h"
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/string.hpp>
@@ -31,7 +31,7 @@ struct WorldFolders {
 struct ReadPlot {
 	PlotKey key;
 	PaintMap map;
-	std::unique_ptr<LaidMap> laid; // null: it was not known for what field
+	std::unique_ptr<PreparedMap> prepared; // null: it was not known for what field
 };
 
 struct WorldFileStatistics {
@@ -49,7 +49,7 @@ public:
 	// Waits until all is written, and ends the thread.
 	void stop();
 	// p_default: where there is no file. p_place: what field it is for, if that is known.
-	void read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<MapPlace> &p_place);
+	void read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Writes what is kept.
 	void write_kept();
@@ -61,7 +61,7 @@ public:
 private:
 	void add(std::function<void()> p_job);
 	void work();
-	ReadPlot find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<MapPlace> &p_place);
+	ReadPlot find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
 	bool read_file(const godot::String &p_path, PaintMap &r_map);
 	void write_file(const PlotKey &p_key, const godot::PackedByteArray &p_data);
 	void keep(const PlotKey &p_key, const godot::PackedByteArray &p_data);

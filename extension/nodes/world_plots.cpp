@@ -120,7 +120,7 @@ void WorldPlots::take_read() {
 		const auto found = _plots.find(read.key);
 		if (found != _plots.end() && found->second.state == State::ASKED) {
 			found->second.known = std::move(read.map);
-			found->second.laid = std::move(read.laid);
+			found->second.prepared = std::move(read.prepared);
 			found->second.state = State::READ;
 		}
 	}
@@ -141,7 +141,7 @@ void WorldPlots::show_coming() {
 		}
 		plot.state = State::STANDING;
 		field->set_visible(true);
-		_place = field->get_map_place();
+		_place = field->get_shown_place();
 		_shared = size_t(field->get_shared_memory());
 		_tell("plot_loaded", key, field);
 		return; // a listener may have changed everything
@@ -187,7 +187,7 @@ void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, std::span<const Eigen
 	Ref<GrassMap> map;
 	map.instantiate();
 	map->restore_snapshot(snapshot);
-	field->show_map(map, std::move(r_plot.laid));
+	field->show_map(map, std::move(r_plot.prepared));
 	r_plot.field = field->get_instance_id();
 	r_plot.state = State::COMING;
 	_statistics.brought++;
@@ -305,7 +305,7 @@ void WorldPlots::fit_pool(std::span<const Eigen::Vector2d> p_movers) {
 size_t WorldPlots::count_bytes() const {
 	size_t bytes = _shared;
 	for (const auto &[key, plot] : _plots) {
-		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key)) : (plot.laid ? plot.laid->get_memory_usage() : 0);
+		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key)) : (plot.prepared ? plot.prepared->laid.get_memory_usage() : 0);
 	}
 	return bytes + _spare.size() * _planner.expected({ 1 << 30, 0 });
 }

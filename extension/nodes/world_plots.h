@@ -63,7 +63,7 @@ private:
 		State state = State::ASKED;
 		uint64_t field = 0; // the instance's id: a script may free it
 		PaintMap known; // as it is in its file
-		std::unique_ptr<LaidMap> laid;
+		std::unique_ptr<PreparedMap> prepared;
 		size_t bytes = 0;
 	};
 
@@ -93,7 +93,7 @@ private:
 	std::map<PlotKey, Plot> _plots;
 	std::vector<uint64_t> _spare; // fields that wait, hidden
 	PaintMap _default; // of plots without a file
-	std::optional<MapPlace> _place; // of all fields, once one is made
+	std::optional<ShownPlace> _place; // of all fields, once one is made
 	bool _has_terrain = false, _has_wrong_scene = false, _is_running = false;
 	int64_t _pool = 0;
 	uint32_t _mask = 1;
