@@ -6,8 +6,10 @@
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <chrono>
 #include <utility>
 
 using namespace godot;
@@ -29,17 +31,18 @@ String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
 void WorldFiles::start(const WorldFolders &p_folders) {
 	stop();
 	_folders = p_folders;
-	_is_ending = false;
+	_is_ending = _has_ended = false;
 	_thread = std::thread([this] { work(); });
 }
 
 void WorldFiles::stop() {
 	if (_thread.joinable()) {
 		{
-			std::lock_guard lock(_mutex);
+			std::unique_lock lock(_mutex);
 			_is_ending = true;
+			_has_changed.notify_all();
+			wait_until(lock, [this] { return _has_ended; });
 		}
-		_has_changed.notify_all();
 		_thread.join();
 		_read.clear();
 	}
@@ -50,18 +53,22 @@ void WorldFiles::work() {
 	while (true) {
 		_has_changed.wait(lock, [this] { return _is_ending || !_jobs.empty(); });
 		if (_jobs.empty()) {
+			_has_ended = true;
+			_has_changed.notify_all();
 			return;
 		}
-		const std::function<void()> job = std::move(_jobs.front());
-		lock.unlock();
-		job();
-		lock.lock();
+		const Job job = std::move(_jobs.front());
+		if (!job.is_read || !_is_ending) {
+			lock.unlock();
+			job.run();
+			lock.lock();
+		}
 		_jobs.pop_front();
 		_has_changed.notify_all();
 	}
 }
 
-void WorldFiles::add(std::function<void()> p_job) {
+void WorldFiles::add(Job &&p_job) {
 	{
 		std::lock_guard lock(_mutex);
 		_jobs.push_back(std::move(p_job));
@@ -71,39 +78,48 @@ void WorldFiles::add(std::function<void()> p_job) {
 
 void WorldFiles::wait() {
 	std::unique_lock lock(_mutex);
-	_has_changed.wait(lock, [this] { return _jobs.empty() || !_thread.joinable(); });
+	wait_until(lock, [this] { return _jobs.empty() || _has_ended; });
+}
+
+// The thread makes textures, and in some renderers that waits for this very thread.
+void WorldFiles::wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done) {
+	while (!_has_changed.wait_for(r_lock, std::chrono::milliseconds(1), p_is_done)) {
+		r_lock.unlock();
+		RenderingServer::get_singleton()->force_sync();
+		r_lock.lock();
+	}
 }
 
 void WorldFiles::read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
-	add([this, p_key, p_default, p_place] {
-		ReadPlot plot = find(p_key, p_default, p_place);
-		std::lock_guard lock(_mutex);
-		_read.push_back(std::move(plot));
-	});
+	add({ true, [this, p_key, p_default, p_place] {
+			 ReadPlot plot = find(p_key, p_default, p_place);
+			 std::lock_guard lock(_mutex);
+			 _read.push_back(std::move(plot));
+		 } });
 }
 
 void WorldFiles::write(const PlotKey &p_key, const PaintMap &p_map) {
-	add([this, p_key, p_map] {
-		const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
-		if (_folders.keeps) {
-			keep(p_key, data);
-		} else {
-			write_file(p_key, data);
-		}
-	});
+	add({ false, [this, p_key, p_map] {
+			 const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
+			 if (_folders.keeps) {
+				 keep(p_key, data);
+			 } else {
+				 write_file(p_key, data);
+			 }
+		 } });
 }
 
 void WorldFiles::write_kept() {
-	add([this] {
-		std::map<PlotKey, PackedByteArray> kept;
-		{
-			std::lock_guard lock(_mutex);
-			kept.swap(_kept);
-		}
-		for (const auto &[key, data] : kept) {
-			write_file(key, data);
-		}
-	});
+	add({ false, [this] {
+			 std::map<PlotKey, PackedByteArray> kept;
+			 {
+				 std::lock_guard lock(_mutex);
+				 kept.swap(_kept);
+			 }
+			 for (const auto &[key, data] : kept) {
+				 write_file(key, data);
+			 }
+		 } });
 }
 
 std::vector<ReadPlot> WorldFiles::take_read() {

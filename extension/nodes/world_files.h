@@ -59,7 +59,13 @@ public:
 	static godot::String path_of(const godot::String &p_folder, const PlotKey &p_key);
 
 private:
-	void add(std::function<void()> p_job);
+	struct Job {
+		bool is_read; // else it must not be lost
+		std::function<void()> run;
+	};
+
+	void add(Job &&p_job);
+	void wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done);
 	void work();
 	ReadPlot find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
 	bool read_file(const godot::String &p_path, PaintMap &r_map);
@@ -70,8 +76,8 @@ private:
 	std::thread _thread;
 	mutable std::mutex _mutex; // of all below
 	std::condition_variable _has_changed;
-	std::deque<std::function<void()>> _jobs; // the first one is being done
-	bool _is_ending = false;
+	std::deque<Job> _jobs; // the first one is being done
+	bool _is_ending = false, _has_ended = true;
 	std::vector<ReadPlot> _read;
 	std::map<PlotKey, godot::PackedByteArray> _kept;
 	std::set<std::string> _refused; // paths of files that could not be read

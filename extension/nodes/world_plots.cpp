@@ -305,7 +305,8 @@ void WorldPlots::fit_pool(std::span<const Eigen::Vector2d> p_movers) {
 size_t WorldPlots::count_bytes() const {
 	size_t bytes = _shared;
 	for (const auto &[key, plot] : _plots) {
-		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key)) : (plot.prepared ? plot.prepared->laid.get_memory_usage() : 0);
+		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key))
+								 : (plot.prepared ? plot.prepared->laid.get_memory_usage() : 0);
 	}
 	return bytes + _spare.size() * _planner.expected({ 1 << 30, 0 });
 }

@@ -131,7 +131,7 @@ TEST_CASE("world: a plan that is followed is the same plan again") {
 		bytes += planner.expected(key);
 	}
 	CHECK(bytes <= 60 * MB);
-	CHECK(loaded.size() > 4);
+	CHECK(loaded.size() >= 3); // so many of the largest fit
 }
 
 TEST_CASE("world: eyes that are not numbers want nothing") {

@@ -23,7 +23,6 @@ func add_world() -> GrassWorld:
 	var field := GrassField.new()
 	field.wind_speed = 0.0
 	field.pool_tiles = 128
-	field.drawn_tiles_max = 8192
 	var scene := PackedScene.new()
 	scene.pack(field)
 	field.free()
@@ -48,10 +47,6 @@ func loaded(world: GrassWorld) -> void:
 	await drawn()
 
 
-func is_green(color: Color) -> bool:
-	return color.g > 1.15 * color.b and color.g > 0.08
-
-
 func test_plots_are_drawn_as_they_were_painted() -> void:
 	var bare := full_map()
 	bare.stroke(brush(GrassBrush.TOOL_DENSITY, 64.0, {target = 0.0}), Vector2(-30, -30), Vector2(30, 30))
@@ -70,15 +65,5 @@ func test_plots_are_drawn_as_they_were_painted() -> void:
 	var fields_made: int = world.get_statistics().fields_made
 	camera.position.x -= 1024.0
 	await loaded(world)
-	assert_less(difference(here, await picture()), 0.002, "as before")
+	assert_less(difference(here, await picture()).y, 0.002, "as before")
 	assert_eq(world.get_statistics().fields_made, fields_made)
-
-
-## Mean difference of two pictures, a channel.
-func difference(a: Image, b: Image) -> float:
-	var sum := 0.0
-	for y in range(0, a.get_height(), 4):
-		for x in range(0, a.get_width(), 4):
-			var off := a.get_pixel(x, y) - b.get_pixel(x, y)
-			sum += absf(off.r) + absf(off.g) + absf(off.b)
-	return sum * 16.0 / (3.0 * a.get_width() * a.get_height())
