@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A GrassWorld that is drawn: blades stand on both sides of a plot's border, and where a map that a thread prepared says so.
+## A GrassWorld that is drawn: blades stand on both sides of a plot's border, and where a map that a thread prepared says so. Runs in
+## every renderer.
 extends "res://tests/view_case.gd"
 
 const FOLDER := "user://test_seen_world"
