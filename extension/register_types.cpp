@@ -20,6 +20,7 @@
 #include "nodes/grass_patch.h"
 #include "nodes/grass_path_3d.h"
 #include "nodes/grass_species.h"
+#include "nodes/grass_world.h"
 #include "nodes/scene_watch.h"
 
 #include <gdextension_interface.h>
@@ -47,6 +48,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassForce3D);
 		GDREGISTER_CLASS(grass::GrassBoneColliders3D);
 		GDREGISTER_CLASS(grass::GrassField);
+		GDREGISTER_CLASS(grass::GrassWorld);
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {

@@ -10,6 +10,10 @@ namespace {
 
 // No work begins later than this after a frame's first piece of work. More: frames stutter. Less: changes take longer to show.
 constexpr uint64_t SHARE = 4000; // microseconds
+// The same while a world streams, in which there is work in most frames: with the last piece it is below a millisecond.
+constexpr uint64_t SHARE_OF_WORLDS = 500; // microseconds
+
+int worlds = 0;
 
 // The frame of the process, and when its first work began.
 struct {
@@ -24,7 +28,11 @@ bool FrameShare::has_time() {
 	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); current.frame != this_frame) {
 		current = { this_frame, now };
 	}
-	return now - current.begin < SHARE;
+	return now - current.begin < (worlds > 0 ? SHARE_OF_WORLDS : SHARE);
+}
+
+void FrameShare::spare(bool p_begins) {
+	worlds += p_begins ? 1 : -1;
 }
 
 } // namespace grass

@@ -8,6 +8,8 @@ class FrameShare {
 public:
 	// Whether this frame has some left. Main thread only.
 	static bool has_time();
+	// While a world streams, frames give less: true for each world that begins, false for each that ends.
+	static void spare(bool p_begins);
 };
 
 } // namespace grass

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 using namespace godot;
 
@@ -54,11 +56,9 @@ void Ground::create(const TileGrid &p_grid, int p_features) {
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
-void Ground::make_mesh() {
-	const double x = _grid.get_size_x(), z = _grid.get_size_z();
-	const bool is_flat = _low == 0.0f && _high == 0.0f;
-	const int columns = is_flat ? 1 : cells_along(x), rows = is_flat ? 1 : cells_along(z);
-	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max(x / columns, z / rows);
+Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, bool p_is_flat) {
+	const int columns = p_is_flat ? 1 : cells_along(p_x), rows = p_is_flat ? 1 : cells_along(p_z);
+	const double lift = p_is_flat ? LIFT : LIFT_OF_CELLS * std::max(p_x / columns, p_z / rows);
 	PackedVector3Array vertices, normals;
 	PackedInt32Array indices;
 	vertices.resize(int64_t(columns + 1) * (rows + 1));
@@ -67,7 +67,7 @@ void Ground::make_mesh() {
 	Vector3 *vertex = vertices.ptrw(), *normal = normals.ptrw();
 	for (int j = 0; j <= rows; j++) {
 		for (int i = 0; i <= columns; i++) {
-			*vertex++ = Vector3(real_t(x * i / columns - 0.5 * x), real_t(lift), real_t(z * j / rows - 0.5 * z));
+			*vertex++ = Vector3(real_t(p_x * i / columns - 0.5 * p_x), real_t(lift), real_t(p_z * j / rows - 0.5 * p_z));
 			*normal++ = Vector3(0, 1, 0);
 		}
 	}
@@ -88,8 +88,23 @@ void Ground::make_mesh() {
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
-	mesh->surface_set_material(0, _material);
-	RenderingServer::get_singleton()->instance_set_base(_instance, mesh->get_rid());
+	return mesh;
+}
+
+// A sheet on hills has a hundred thousand triangles, and the plots of a world are all of one size.
+void Ground::make_mesh() {
+	static std::map<std::tuple<double, double, bool>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
+	const double x = _grid.get_size_x(), z = _grid.get_size_z();
+	const bool is_flat = _low == 0.0f && _high == 0.0f;
+	std::erase_if(sheets, [](const auto &p_entry) { return p_entry.second.expired(); });
+	std::weak_ptr<Ref<ArrayMesh>> &known = sheets[{ x, z, is_flat }];
+	std::shared_ptr<Ref<ArrayMesh>> mesh = known.lock();
+	if (!mesh) {
+		mesh = std::make_shared<Ref<ArrayMesh>>(make_sheet(x, z, is_flat));
+		known = mesh;
+	}
+	RenderingServer::get_singleton()->instance_set_base(_instance, (*mesh)->get_rid());
+	RenderingServer::get_singleton()->instance_geometry_set_material_override(_instance, _material->get_rid());
 	_mesh = mesh; // the last one may go now
 }
 
@@ -134,7 +149,7 @@ void Ground::free() {
 		RenderingServer::get_singleton()->free_rid(_instance);
 	}
 	_instance = RID();
-	_mesh.unref();
+	_mesh.reset();
 	_material.unref();
 }
 

@@ -10,6 +10,8 @@
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
 
+#include <memory>
+
 namespace grass {
 
 class Ground {
@@ -33,11 +35,12 @@ public:
 	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
 private:
+	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, bool p_is_flat); // metres
 	void make_mesh();
 
 	TileGrid _grid;
 	float _low = 0.0f, _high = 0.0f;
-	godot::Ref<godot::ArrayMesh> _mesh;
+	std::shared_ptr<godot::Ref<godot::ArrayMesh>> _mesh; // grounds of one size and shape share it
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;
 	NodeFollower _follower;

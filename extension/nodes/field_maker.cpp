@@ -45,7 +45,7 @@ bool FieldMaker::prepare_map(const FieldProperties &p_properties, bool p_in_part
 	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
 	std::unique_ptr<ShownMap> &map = _wanted->map;
 	if (!map && has_time()) {
-		map = std::make_unique<ShownMap>(p_properties.map, _wanted->setup);
+		map = std::make_unique<ShownMap>(p_properties.map, _wanted->setup, std::move(_prepared));
 	}
 	while (map && has_time()) {
 		if (!map->work()) {

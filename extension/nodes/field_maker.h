@@ -30,6 +30,8 @@ class FieldMaker {
 public:
 	// However many properties change, the field is made once, at the next tick or frame.
 	void request();
+	// The map that the field is to show, prepared by another thread; null: none.
+	void offer(std::unique_ptr<PreparedMap> p_prepared) { _prepared = std::move(p_prepared); }
 	bool is_waiting() const { return _is_waiting; }
 	// Prepares it; beside a field that stands (p_backend), as far as this frame has time. True once it can be made.
 	bool prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend);
@@ -47,6 +49,7 @@ private:
 	bool prepare_map(const FieldProperties &p_properties, bool p_in_parts);
 
 	bool _is_waiting = false;
+	std::unique_ptr<PreparedMap> _prepared;
 	std::optional<WantedField> _wanted; // once it is known what the properties make
 	double _most_ms = 0.0; // of add_time()
 	int64_t _makings = 0; // so far

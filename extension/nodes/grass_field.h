@@ -83,6 +83,10 @@ public:
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _properties.map; }
+	// Instead of set_map(), for a map that another thread prepared as get_shown_place() says.
+	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
+	ShownPlace get_shown_place() const { return shown_place_of(_standing.get_field().get_setup()); } // of a field that is made
+	bool is_made() const { return _standing.stands() && !_maker.is_waiting(); } // as the properties have it
 	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
@@ -147,6 +151,7 @@ public:
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _bodies.get_count(); }
 	int64_t get_memory_usage() const; // bytes
+	int64_t get_shared_memory() const; // what of that other fields have as well
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on

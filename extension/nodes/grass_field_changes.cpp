@@ -81,6 +81,11 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	request_rebuild();
 }
 
+void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared) {
+	set_map(p_map);
+	_maker.offer(std::move(p_prepared));
+}
+
 // Shaders without a texture of the terrain have no line of it.
 void GrassField::set_terrain_texture(const Ref<Texture2D> &p_texture) {
 	GRASS_MAIN_THREAD_ONLY();

@@ -160,6 +160,11 @@ int64_t GrassField::get_memory_usage() const {
 	return find_statistics().memory;
 }
 
+// The patch, here and as a texture: fields of the same species use one.
+int64_t GrassField::get_shared_memory() const {
+	return _standing.stands() ? int64_t(_standing.get_field().get_setup().patch->texels.size()) * 4 : 0;
+}
+
 String GrassField::get_version() {
 	return grass::get_version();
 }

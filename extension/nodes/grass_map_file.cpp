@@ -95,7 +95,10 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 	(void)p_flags; // a map refers to no other resource
 	const GrassMap *map = Object::cast_to<GrassMap>(p_resource.ptr());
 	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
-	const PackedByteArray data = map->get_data();
+	return write_map_file(map->get_data(), p_path);
+}
+
+Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
 	const String unfinished = p_path + String(".tmp");
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
 	if (file.is_null()) {
@@ -103,9 +106,9 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 				vformat("Cannot save the grass map '%s': '%s' cannot be written. Look whether the folder is there and may be written to.",
 						p_path, unfinished));
 	}
-	const bool stored = file->store_buffer(data) && file->get_error() == OK;
+	const bool stored = file->store_buffer(p_data) && file->get_error() == OK;
 	file->close();
-	if (!stored || FileAccess::get_file_as_bytes(unfinished) != data) {
+	if (!stored || FileAccess::get_file_as_bytes(unfinished) != p_data) {
 		DirAccess::remove_absolute(unfinished);
 		return fail(ERR_FILE_CANT_WRITE,
 				vformat("Cannot save the grass map '%s': writing failed, is the disk full? What was saved before is still there.", p_path));

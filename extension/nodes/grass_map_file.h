@@ -12,6 +12,8 @@
 namespace grass {
 
 const MapCodec &engine_codec();
+// Writes a new file beside the old one and replaces it once complete: one whole file exists at any time. Any thread.
+godot::Error write_map_file(const godot::PackedByteArray &p_data, const godot::String &p_path);
 
 class GrassMapLoader : public godot::ResourceFormatLoader {
 	GDCLASS(GrassMapLoader, godot::ResourceFormatLoader)
@@ -34,7 +36,6 @@ class GrassMapSaver : public godot::ResourceFormatSaver {
 public:
 	bool _recognize(const godot::Ref<godot::Resource> &p_resource) const override;
 	godot::PackedStringArray _get_recognized_extensions(const godot::Ref<godot::Resource> &p_resource) const override;
-	// Writes a new file beside the old one and replaces it once complete: one whole file exists at any time.
 	godot::Error _save(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path, uint32_t p_flags) override;
 
 protected:

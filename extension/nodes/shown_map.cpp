@@ -7,8 +7,37 @@ using namespace godot;
 
 namespace grass {
 
-ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup) :
-		_map(p_map), _field(p_setup.grid, p_setup.blade_length(), p_setup.follow_slope), _textures(p_setup.species != nullptr) {}
+ShownPlace shown_place_of(const FieldSetup &p_setup) {
+	return { { p_setup.grid, double(p_setup.blade_length()), p_setup.follow_slope }, p_setup.species != nullptr };
+}
+
+PreparedMap::PreparedMap(const PaintMap &p_map, const ShownPlace &p_place) :
+		laid(p_map, p_place.map), textures(p_place.has_species), has_species(p_place.has_species) {
+	const int painted = laid.field.count_painted(laid.map);
+	while (textures.make_one(laid.field.get_layers(), painted)) {
+	}
+	textures.update(laid.field.get_layers(), {});
+}
+
+namespace {
+
+// What another thread prepared, or all of it to be laid out still.
+std::pair<FieldMap, MapTextures> begin(const PaintMap &p_map, const ShownPlace &p_place, std::unique_ptr<PreparedMap> p_prepared) {
+	if (p_prepared && p_prepared->has_species == p_place.has_species) {
+		if (std::optional<FieldMap> field = std::move(p_prepared->laid).take(p_map, p_place.map)) {
+			return { std::move(*field), std::move(p_prepared->textures) };
+		}
+	}
+	return { FieldMap(p_place.map.grid, p_place.map.tallest, p_place.map.follow), MapTextures(p_place.has_species) };
+}
+
+} // namespace
+
+ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared) :
+		ShownMap(p_map, begin(p_map->get_map(), shown_place_of(p_setup), std::move(p_prepared))) {}
+
+ShownMap::ShownMap(const Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun) :
+		_map(p_map), _field(std::move(p_begun.first)), _textures(std::move(p_begun.second)) {}
 
 FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
 	FieldMap::Changes changes;

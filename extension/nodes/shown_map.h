@@ -2,7 +2,7 @@
 // A GrassMap as a field shows it: laid out, and as textures. Lives as long as the field is built.
 #pragma once
 
-#include "core/map/field_map.h"
+#include "core/map/laid_map.h"
 #include "draw/map_textures.h"
 #include "nodes/grass_map.h"
 
@@ -10,9 +10,27 @@ namespace grass {
 
 struct FieldSetup;
 
+// What of a field decides how a map is prepared for it.
+struct ShownPlace {
+	MapPlace map;
+	bool has_species = false;
+};
+
+ShownPlace shown_place_of(const FieldSetup &p_setup);
+
+// A map laid out and turned into textures by another thread, for a field that is yet to show it.
+struct PreparedMap {
+	PreparedMap(const PaintMap &p_map, const ShownPlace &p_place);
+
+	LaidMap laid;
+	MapTextures textures;
+	bool has_species;
+};
+
 class ShownMap {
 public:
-	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup);
+	// p_prepared: null, or for another field: it is laid out from the beginning.
+	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared = nullptr);
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
@@ -29,6 +47,8 @@ public:
 	void set_uniforms(const MapTextures::SetUniform &p_set);
 
 private:
+	ShownMap(const godot::Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun);
+
 	godot::Ref<GrassMap> _map;
 	FieldMap _field;
 	MapTextures _textures;

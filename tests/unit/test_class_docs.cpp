@@ -3,6 +3,7 @@
 #include "class_docs.gen.h"
 #include "core/fill/fill_params.h"
 #include "core/paint/brush_params.h"
+#include "core/world/world_plan.h"
 #include "nodes/field_params.h"
 #include "nodes/species_params.h"
 
@@ -91,5 +92,11 @@ TEST_CASE("class docs: every number of a GrassBrush is described, with its defau
 TEST_CASE("class docs: every number of a GrassFillRule is described, with its default") {
 	for (const Tunable &tunable : FILL_PARAMS) {
 		check(docs_of("GrassFillRule"), tunable);
+	}
+}
+
+TEST_CASE("class docs: every number of a GrassWorld is described, with its default") {
+	for (const Tunable &tunable : { WorldGrid::PLOT_SIZE, WORLD_RADIUS, WORLD_BODY_RADIUS, WORLD_BUDGET }) {
+		check(docs_of("GrassWorld"), tunable);
 	}
 }

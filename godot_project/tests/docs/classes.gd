@@ -141,6 +141,12 @@ func grass_force3d_fire() -> void:
 	assert_greater(stage.field.get_awake_tile_count(), 20)
 
 
+func grass_world() -> void:
+	var stage := await ran()
+	assert_true(stage.locals.world.is_inside_tree())
+	assert_eq(stage.locals.world.get_plot_path(Vector2i(0, -1)), "user://grass/plot_0_-1.grassmap")
+
+
 func grass_field_cut() -> void:
 	var stage := await staged()
 	assert_greater(stage.hay, 0.01, "m³")

@@ -75,6 +75,36 @@ func game_saving() -> void:
 	DirAccess.remove_absolute("user://save1.grassmap")
 
 
+func worlds_set_it_up() -> void:
+	var world := GrassWorld.new()
+	world.name = "GrassWorld"
+	world.plot_size = 64.0
+	world.radius = 20.0
+	world.save_folder = "user://docs_world"
+	var deck := BoxShape3D.new()
+	deck.size = Vector3(4, 0.6, 4)
+	var eye := Camera3D.new()
+	add_child(eye)
+	eye.position = Vector3(0, 2, 0)
+	eye.make_current()
+	var stage := await staged(
+		func(made: Stage) -> void:
+			made.add_child(world)
+			made.set("deck", deck)
+	)
+	await wait_until(func() -> bool: return world.get_fields().size() == 4, "four plots meet here")
+	assert_true(stage.call("is_hidden", Vector3(1, 0, 1)))
+	stage.call("mow", Vector3(0, 0.3, 0))
+	for x: float in [-1.0, 1.0]:
+		assert_false(stage.call("is_hidden", Vector3(x, 0, 1)), "mown on both sides of the border")
+	assert_false(stage.call("is_hidden", Vector3(5000, 0, 0)), "not in memory")
+	stage.call("save_game")
+	world.wait_for_files()
+	assert_eq(world.get_statistics().files_written, 4)
+	for file in DirAccess.get_files_at(world.save_folder):
+		DirAccess.remove_absolute(world.save_folder.path_join(file))
+
+
 func together_what_is_sent_what_lasts() -> void:
 	var stage := await staged()
 	var map: GrassMap = stage.field.map

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+// The node's life, its frames, and the methods that scripts call.
+#include "nodes/grass_world.h"
+
+#include "convert.h"
+#include "core/base/cpu_clock.h"
+#include "draw/frame_share.h"
+#include "nodes/grass_force_3d.h"
+#include "nodes/main_thread.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+String GrassWorld::label() const {
+	return vformat("GrassWorld '%s'", is_inside_tree() ? String(get_path()) : String(get_name()));
+}
+
+void GrassWorld::_notification(int p_what) {
+	switch (p_what) {
+		case NOTIFICATION_ENTER_WORLD:
+			enter();
+			break;
+		case NOTIFICATION_EXIT_WORLD:
+			leave();
+			break;
+		case NOTIFICATION_INTERNAL_PROCESS:
+			if (is_main_thread()) {
+				frame();
+			}
+			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			if (is_main_thread()) {
+				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y));
+			}
+			break;
+	}
+}
+
+void GrassWorld::enter() {
+	FrameShare::spare(true);
+	restart();
+	set_process_internal(true);
+	set_physics_process_internal(true);
+}
+
+void GrassWorld::leave() {
+	set_process_internal(false);
+	set_physics_process_internal(false);
+	_eyes.stop();
+	_plots.stop();
+	FrameShare::spare(false);
+}
+
+// In the tree, also when a property changed: what was changed of the plots is written first.
+void GrassWorld::restart() {
+	if (!is_inside_tree()) {
+		return;
+	}
+	_plots.start({ grid(), _scene, size_t(_budget * 1e6) }, find_folders());
+	_most_frame_ms = 0.0;
+	_warned_of.clear();
+	if (!Engine::get_singleton()->is_editor_hint()) {
+		_eyes.start(get_world_3d()->get_space(), callable_mp(this, &GrassWorld::_body_changed), _plots.get_collision_mask());
+	}
+	update_configuration_warnings();
+}
+
+// The editor writes nothing by itself; without a folder there is nowhere to.
+WorldFolders GrassWorld::find_folders() const {
+	const String to = _save_folder.is_empty() ? _folder : _save_folder;
+	return { _folder, to, label(), to.is_empty() || Engine::get_singleton()->is_editor_hint() };
+}
+
+void GrassWorld::frame() {
+	CpuClock clock;
+	std::vector<WorldEye> eyes;
+	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this)) {
+		eyes.push_back({ camera, _radius });
+	}
+	std::vector<Eigen::Vector2d> movers = _eyes.find_bodies();
+	for (const Eigen::Vector2d &body : movers) {
+		eyes.push_back({ body, _body_radius });
+	}
+	for (const GrassForce3D *force : GrassForce3D::get_blowing()) {
+		movers.push_back(place_of(force->get_global_position()));
+	}
+	_plots.update(eyes, movers);
+	if (_was_short != _plots.get_plan().is_short) {
+		_was_short = !_was_short;
+		update_configuration_warnings();
+	}
+	report();
+	_frame_ms = clock.lap();
+	_most_frame_ms = std::max(_most_frame_ms, _frame_ms);
+}
+
+// Once each; in the editor they stand beside the node.
+void GrassWorld::report() {
+	if (Engine::get_singleton()->is_editor_hint() || (!_warned_of.is_empty() && !_was_short)) {
+		return;
+	}
+	const PackedStringArray warnings = _get_configuration_warnings();
+	if (warnings.size() > _warned_of.size()) {
+		for (int64_t i = _warned_of.size(); i < warnings.size(); i++) {
+			WARN_PRINT(vformat("%s: %s", label(), warnings[i]));
+		}
+		_warned_of = warnings;
+	}
+}
+
+Transform3D GrassWorld::world_transform() const {
+	const Transform3D transform = get_global_transform();
+	const bool is_usable = transform.is_finite() && transform.basis.determinant() != 0.0;
+	return is_usable ? transform.orthonormalized() : Transform3D(Basis(), transform.origin.is_finite() ? transform.origin : Vector3());
+}
+
+Eigen::Vector2d GrassWorld::place_of(const Vector3 &p_global_position) const {
+	const Eigen::Vector3d place = to_eigen(world_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
+	return { place.x(), place.z() };
+}
+
+void GrassWorld::tell(const char *p_signal, const PlotKey &p_key, GrassField *p_field) {
+	emit_signal(p_signal, Vector2i(p_key.x, p_key.z), p_field);
+}
+
+void GrassWorld::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
+	(void)p_body_shape;
+	(void)p_area_shape;
+	_eyes.body_changed(p_status, p_body, p_instance_id);
+}
+
+Vector2i GrassWorld::get_plot_at(const Vector3 &p_global_position) const {
+	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite(), Vector2i(), vformat("%s: get_plot_at() needs a finite position.", label()));
+	const PlotKey key = grid().at(place_of(p_global_position));
+	return Vector2i(key.x, key.z);
+}
+
+String GrassWorld::get_plot_path(const Vector2i &p_plot) const {
+	return WorldFiles::path_of(_save_folder.is_empty() ? _folder : _save_folder, { p_plot.x, p_plot.y });
+}
+
+GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
+	return _plots.find({ p_plot.x, p_plot.y });
+}
+
+GrassField *GrassWorld::get_field_at(const Vector3 &p_global_position) const {
+	return p_global_position.is_finite() ? _plots.find(grid().at(place_of(p_global_position))) : nullptr;
+}
+
+TypedArray<GrassField> GrassWorld::get_fields() const {
+	TypedArray<GrassField> fields;
+	for (const PlotKey &key : _plots.get_standing()) {
+		fields.push_back(_plots.find(key));
+	}
+	return fields;
+}
+
+Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
+	Dictionary sum;
+	for (const PlotKey &key : _plots.get_standing()) {
+		const GrassField *field = _plots.find(key);
+		const Dictionary cut = field != nullptr ? const_cast<GrassField *>(field)->cut(p_shape, p_transform) : Dictionary();
+		const Array names = cut.keys();
+		for (int64_t i = 0; i < names.size(); i++) {
+			sum[names[i]] = double(sum.get(names[i], 0.0)) + double(cut[names[i]]);
+		}
+	}
+	return sum;
+}
+
+double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
+	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite places.", label()));
+	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
+	const double reach = p_brush->get_param(BRUSH_RADIUS) + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
+	double sum = 0.0;
+	for (const PlotKey &key : _plots.get_standing()) {
+		GrassField *field = _plots.find(key);
+		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
+			sum += field->paint(p_brush, p_from, p_to);
+		}
+	}
+	return sum;
+}
+
+void GrassWorld::shift_origin(const Vector3 &p_offset) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(!p_offset.is_finite(), vformat("%s: shift_origin() needs a finite offset.", label()));
+	set_global_position(get_global_position() + p_offset);
+}
+
+int64_t GrassWorld::save() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	ERR_FAIL_COND_V_MSG(find_folders().to.is_empty(), 0, vformat("%s: save() needs a folder. Set `save_folder`.", label()));
+	const int64_t count = _plots.save();
+	const int64_t kept = _plots.get_files().get_statistics().kept;
+	_plots.get_files().write_kept();
+	return count + kept;
+}
+
+void GrassWorld::wait_for_files() {
+	GRASS_MAIN_THREAD_ONLY();
+	_plots.get_files().wait();
+}
+
+Dictionary GrassWorld::get_statistics() const {
+	const WorldStatistics plots = _plots.get_statistics();
+	const WorldFileStatistics files = _plots.get_files().get_statistics();
+	Dictionary result;
+	result["plots"] = plots.plots;
+	result["waiting"] = plots.waiting;
+	result["changed"] = plots.changed;
+	result["spare"] = plots.spare;
+	result["memory"] = plots.memory;
+	result["reach"] = std::min(_plots.get_plan().reach, _radius);
+	result["brought"] = plots.brought;
+	result["left"] = plots.left;
+	result["fields_made"] = plots.fields_made;
+	result["most_moves"] = plots.most_moves;
+	result["bodies"] = _eyes.get_body_count();
+	result["files_waiting"] = files.waiting;
+	result["files_read"] = files.read;
+	result["files_written"] = files.written;
+	result["files_refused"] = files.refused;
+	result["files_kept"] = files.kept;
+	result["bytes_read"] = files.bytes_read;
+	result["bytes_written"] = files.bytes_written;
+	result["frame_ms"] = _frame_ms;
+	result["most_frame_ms"] = _most_frame_ms;
+	return result;
+}
+
+} // namespace grass

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// GrassWorld: grass on more ground than memory holds. Keeps a GrassField for each plot near the cameras and the bodies that move.
+#pragma once
+
+#include "nodes/world_eyes.h"
+#include "nodes/world_plots.h"
+
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+namespace grass {
+
+class GrassWorld : public godot::Node3D {
+	GDCLASS(GrassWorld, godot::Node3D)
+
+public:
+	void set_size(const godot::Vector2 &p_size); // metres along x and z
+	godot::Vector2 get_size() const { return _size; }
+	void set_plot_size(double p_size);
+	double get_plot_size() const { return _plot_size; }
+	void set_plot_scene(const godot::Ref<godot::PackedScene> &p_scene); // its root is a GrassField
+	godot::Ref<godot::PackedScene> get_plot_scene() const { return _scene; }
+	void set_radius(double p_radius);
+	double get_radius() const { return _radius; }
+	void set_body_radius(double p_radius);
+	double get_body_radius() const { return _body_radius; }
+	void set_budget(double p_megabytes);
+	double get_budget() const { return _budget; }
+	void set_folder(const godot::String &p_folder);
+	godot::String get_folder() const { return _folder; }
+	void set_save_folder(const godot::String &p_folder);
+	godot::String get_save_folder() const { return _save_folder; }
+
+	godot::Vector2i get_plot_at(const godot::Vector3 &p_global_position) const;
+	godot::String get_plot_path(const godot::Vector2i &p_plot) const; // where its map is written
+	GrassField *get_field(const godot::Vector2i &p_plot) const; // null: not in memory
+	GrassField *get_field_at(const godot::Vector3 &p_global_position) const;
+	godot::TypedArray<GrassField> get_fields() const;
+	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
+	void shift_origin(const godot::Vector3 &p_offset);
+	int64_t save(); // how many plots changed; a thread writes them
+	void wait_for_files(); // until it has
+	godot::Dictionary get_statistics() const;
+
+	godot::PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+private:
+	void enter();
+	void leave();
+	void restart();
+	void frame();
+	void report();
+	WorldGrid grid() const { return { to_metres(_size), _plot_size }; }
+	static Eigen::Vector2d to_metres(const godot::Vector2 &p_size) { return { p_size.x, p_size.y }; }
+	WorldFolders find_folders() const;
+	godot::Transform3D world_transform() const; // without scale
+	Eigen::Vector2d place_of(const godot::Vector3 &p_global_position) const;
+	void tell(const char *p_signal, const PlotKey &p_key, GrassField *p_field);
+	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
+	godot::String label() const;
+
+	godot::Vector2 _size{ godot::real_t(WorldGrid::SIZE.initial), godot::real_t(WorldGrid::SIZE.initial) };
+	double _plot_size = WorldGrid::PLOT_SIZE.initial, _radius = WORLD_RADIUS.initial, _body_radius = WORLD_BODY_RADIUS.initial,
+		   _budget = WORLD_BUDGET.initial;
+	godot::Ref<godot::PackedScene> _scene;
+	godot::String _folder, _save_folder;
+	WorldEyes _eyes;
+	WorldPlots _plots{ *this, [this](const char *p_signal, const PlotKey &p_key, GrassField *p_field) { tell(p_signal, p_key, p_field); } };
+	godot::PackedStringArray _warned_of; // in the console
+	double _frame_ms = 0.0, _most_frame_ms = 0.0;
+	bool _was_short = false;
+};
+
+} // namespace grass

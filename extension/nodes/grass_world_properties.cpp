@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// GrassWorld's properties, its warnings, and what scripts may call.
+#include "nodes/grass_world.h"
+
+#include "nodes/bind_property.h"
+#include "nodes/main_thread.h"
+#include "nodes/params.h"
+
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+void GrassWorld::set_size(const Vector2 &p_size) {
+	GRASS_MAIN_THREAD_ONLY();
+	_size = Vector2(real_t(checked(WorldGrid::SIZE, p_size.x, label())), real_t(checked(WorldGrid::SIZE, p_size.y, label())));
+	restart();
+}
+
+void GrassWorld::set_plot_size(double p_size) {
+	GRASS_MAIN_THREAD_ONLY();
+	const double size = checked(WorldGrid::PLOT_SIZE, p_size, label());
+	_plot_size = std::round(size / MAP_CHUNK_SIZE) * MAP_CHUNK_SIZE;
+	if (_plot_size != size) {
+		WARN_PRINT(vformat("%s: `plot_size` must be whole chunks of 64 m; using %d instead of %s.", label(), int64_t(_plot_size), size));
+	}
+	restart();
+}
+
+void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
+	GRASS_MAIN_THREAD_ONLY();
+	_scene = p_scene;
+	restart();
+}
+
+void GrassWorld::set_radius(double p_radius) {
+	_radius = checked(WORLD_RADIUS, p_radius, label());
+}
+
+void GrassWorld::set_body_radius(double p_radius) {
+	_body_radius = checked(WORLD_BODY_RADIUS, p_radius, label());
+}
+
+void GrassWorld::set_budget(double p_megabytes) {
+	_budget = checked(WORLD_BUDGET, p_megabytes, label());
+	_plots.set_budget(size_t(_budget * 1e6));
+}
+
+void GrassWorld::set_folder(const String &p_folder) {
+	GRASS_MAIN_THREAD_ONLY();
+	_folder = p_folder;
+	restart();
+}
+
+void GrassWorld::set_save_folder(const String &p_folder) {
+	GRASS_MAIN_THREAD_ONLY();
+	_save_folder = p_folder;
+	restart();
+}
+
+PackedStringArray GrassWorld::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (_plots.has_wrong_scene()) {
+		warnings.push_back("The root of `plot_scene` is no GrassField, so plots grow with the defaults. Choose a scene whose root is one.");
+	}
+	if (find_folders().to.is_empty()) {
+		warnings.push_back(
+				"`folder` and `save_folder` are empty: what is cut, worn and painted is kept in memory and lost with the game. Set "
+				"`save_folder`, to a folder in user:// for instance.");
+	}
+	const double tiles = _plots.get_tile_size() > 0.0 ? _plot_size / _plots.get_tile_size() : 0.0;
+	if (std::abs(tiles - std::round(tiles)) > 1e-6) {
+		const double fitting = 64.0 * std::round(tiles) * std::round(tiles) / (_plot_size * _plot_size);
+		warnings.push_back(vformat("`density` of `plot_scene` makes tiles that do not fit `plot_size`, so plots overlap or gape by some "
+								   "decimetres. Set `density` to %.2f.",
+				fitting));
+	}
+	if (_was_short) {
+		warnings.push_back(
+				vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
+						"`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
+						int64_t(_budget), int64_t(_plots.get_plan().reach), int64_t(_radius)));
+	}
+	return warnings;
+}
+
+void GrassWorld::_bind_methods() {
+	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WorldGrid::PLOT_SIZE), set_plot_size, get_plot_size);
+	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::OBJECT, "plot_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"), set_plot_scene,
+			get_plot_scene);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_RADIUS), set_radius, get_radius);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_BODY_RADIUS), set_body_radius, get_body_radius);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_BUDGET), set_budget, get_budget);
+	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::STRING, "folder", PROPERTY_HINT_DIR), set_folder, get_folder);
+	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::STRING, "save_folder"), set_save_folder, get_save_folder);
+	ClassDB::bind_method(D_METHOD("get_plot_at", "global_position"), &GrassWorld::get_plot_at);
+	ClassDB::bind_method(D_METHOD("get_plot_path", "plot"), &GrassWorld::get_plot_path);
+	ClassDB::bind_method(D_METHOD("get_field", "plot"), &GrassWorld::get_field);
+	ClassDB::bind_method(D_METHOD("get_field_at", "global_position"), &GrassWorld::get_field_at);
+	ClassDB::bind_method(D_METHOD("get_fields"), &GrassWorld::get_fields);
+	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassWorld::cut);
+	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassWorld::paint);
+	ClassDB::bind_method(D_METHOD("shift_origin", "offset"), &GrassWorld::shift_origin);
+	ClassDB::bind_method(D_METHOD("save"), &GrassWorld::save);
+	ClassDB::bind_method(D_METHOD("wait_for_files"), &GrassWorld::wait_for_files);
+	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassWorld::get_statistics);
+	const PropertyInfo plot(Variant::VECTOR2I, "plot"), field(Variant::OBJECT, "field", PROPERTY_HINT_RESOURCE_TYPE, "GrassField");
+	ADD_SIGNAL(MethodInfo("plot_loaded", plot, field));
+	ADD_SIGNAL(MethodInfo("plot_leaving", plot, field));
+}
+
+} // namespace grass

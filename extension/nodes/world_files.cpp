@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/world_files.h"
+
+#include "convert.h"
+#include "nodes/grass_map_file.h"
+
+#include <godot_cpp/classes/dir_access.hpp>
+#include <godot_cpp/classes/file_access.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <chrono>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+std::string name_of(const String &p_path) {
+	return p_path.utf8().get_data();
+}
+
+} // namespace
+
+String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
+	return p_folder.path_join(vformat("plot_%d_%d.grassmap", p_key.x, p_key.z));
+}
+
+void WorldFiles::start(const WorldFolders &p_folders) {
+	stop();
+	_folders = p_folders;
+	_is_ending = _has_ended = false;
+	_thread = std::thread([this] { work(); });
+}
+
+void WorldFiles::stop() {
+	if (_thread.joinable()) {
+		{
+			std::unique_lock lock(_mutex);
+			_is_ending = true;
+			_has_changed.notify_all();
+			wait_until(lock, [this] { return _has_ended; });
+		}
+		_thread.join();
+		_read.clear();
+	}
+}
+
+void WorldFiles::work() {
+	std::unique_lock lock(_mutex);
+	while (true) {
+		_has_changed.wait(lock, [this] { return _is_ending || !_jobs.empty(); });
+		if (_jobs.empty()) {
+			_has_ended = true;
+			_has_changed.notify_all();
+			return;
+		}
+		const Job job = std::move(_jobs.front());
+		if (!job.is_read || !_is_ending) {
+			lock.unlock();
+			job.run();
+			lock.lock();
+		}
+		_jobs.pop_front();
+		_has_changed.notify_all();
+	}
+}
+
+void WorldFiles::add(Job &&p_job) {
+	{
+		std::lock_guard lock(_mutex);
+		_jobs.push_back(std::move(p_job));
+	}
+	_has_changed.notify_all();
+}
+
+void WorldFiles::wait() {
+	std::unique_lock lock(_mutex);
+	wait_until(lock, [this] { return _jobs.empty() || _has_ended; });
+}
+
+// The thread makes textures, and in some renderers that waits for this very thread.
+void WorldFiles::wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done) {
+	while (!_has_changed.wait_for(r_lock, std::chrono::milliseconds(1), p_is_done)) {
+		r_lock.unlock();
+		RenderingServer::get_singleton()->force_sync();
+		r_lock.lock();
+	}
+}
+
+void WorldFiles::read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
+	add({ true, [this, p_key, p_default, p_place] {
+			 ReadPlot plot = find(p_key, p_default, p_place);
+			 std::lock_guard lock(_mutex);
+			 _read.push_back(std::move(plot));
+		 } });
+}
+
+void WorldFiles::write(const PlotKey &p_key, const PaintMap &p_map) {
+	add({ false, [this, p_key, p_map] {
+			 const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
+			 if (_folders.keeps) {
+				 keep(p_key, data);
+			 } else {
+				 write_file(p_key, data);
+			 }
+		 } });
+}
+
+void WorldFiles::write_kept() {
+	add({ false, [this] {
+			 std::map<PlotKey, PackedByteArray> kept;
+			 {
+				 std::lock_guard lock(_mutex);
+				 kept.swap(_kept);
+			 }
+			 for (const auto &[key, data] : kept) {
+				 write_file(key, data);
+			 }
+		 } });
+}
+
+std::vector<ReadPlot> WorldFiles::take_read() {
+	std::lock_guard lock(_mutex);
+	return std::exchange(_read, {});
+}
+
+WorldFileStatistics WorldFiles::get_statistics() const {
+	std::lock_guard lock(_mutex);
+	WorldFileStatistics statistics = _statistics;
+	statistics.waiting = int64_t(_jobs.size());
+	statistics.kept = int64_t(_kept.size());
+	for (const auto &[key, data] : _kept) {
+		statistics.bytes_kept += data.size();
+	}
+	return statistics;
+}
+
+void WorldFiles::keep(const PlotKey &p_key, const PackedByteArray &p_data) {
+	std::lock_guard lock(_mutex);
+	_kept[p_key] = p_data;
+}
+
+// What is kept is newer than any file.
+ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
+	PackedByteArray kept;
+	{
+		std::lock_guard lock(_mutex);
+		if (const auto found = _kept.find(p_key); found != _kept.end()) {
+			kept = found->second;
+		}
+	}
+	ReadPlot plot;
+	plot.key = p_key;
+	plot.map = p_default;
+	if (!kept.is_empty()) {
+		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), plot.map);
+	} else if (_folders.to.is_empty() || !read_file(path_of(_folders.to, p_key), plot.map)) {
+		if (!_folders.from.is_empty() && _folders.from != _folders.to) {
+			read_file(path_of(_folders.from, p_key), plot.map);
+		}
+	}
+	if (p_place) {
+		plot.prepared = std::make_unique<PreparedMap>(plot.map, *p_place);
+	}
+	return plot;
+}
+
+// False, and r_map stays as it was, where there is none that can be read.
+bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
+	if (!FileAccess::file_exists(p_path)) {
+		return false;
+	}
+	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
+	const std::string reason = read_map(std::span(bytes.ptr(), size_t(bytes.size())), engine_codec(), r_map);
+	if (!reason.empty()) {
+		ERR_PRINT(vformat(
+				"%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot stands as if there were none; the file stays "
+				"as it is, under the name '%s.unread' once the plot is changed.",
+				_folders.label, p_path, String(reason.c_str()), p_path.get_file()));
+	}
+	std::lock_guard lock(_mutex);
+	_statistics.read += reason.empty() ? 1 : 0;
+	_statistics.refused += reason.empty() ? 0 : 1;
+	_statistics.bytes_read += bytes.size();
+	if (!reason.empty()) {
+		_refused.insert(name_of(p_path));
+	}
+	return reason.empty();
+}
+
+// What cannot be written is kept.
+void WorldFiles::write_file(const PlotKey &p_key, const PackedByteArray &p_data) {
+	const String path = path_of(_folders.to, p_key);
+	bool is_refused = false;
+	{
+		std::lock_guard lock(_mutex);
+		is_refused = _refused.erase(name_of(path)) > 0;
+	}
+	if (is_refused) {
+		DirAccess::rename_absolute(path, path + String(".unread"));
+	}
+	if (_folders.to.is_empty() || DirAccess::make_dir_recursive_absolute(_folders.to) != OK || write_map_file(p_data, path) != OK) {
+		ERR_PRINT(vformat("%s: plot (%d, %d) cannot be written to `%s`. It stays in memory until save() can write it.", _folders.label,
+				p_key.x, p_key.z, _folders.to));
+		keep(p_key, p_data);
+		return;
+	}
+	std::lock_guard lock(_mutex);
+	_statistics.written++;
+	_statistics.bytes_written += p_data.size();
+}
+
+} // namespace grass

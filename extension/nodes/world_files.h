@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// The maps of a world's plots, in files: read and written by one thread, in the order in which they were asked for, so that a plot that
+// comes back at once is read as it was written.
+#pragma once
+
+#include "core/world/world_grid.h"
+#include "nodes/shown_map.h"
+
+#include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace grass {
+
+struct WorldFolders {
+	godot::String from, to; // where maps lie; where changed ones are written, and looked for first
+	godot::String label; // of the world, for messages
+	bool keeps = false; // changed maps stay in memory until they are saved: in the editor, and where there is no folder
+};
+
+// A plot's map as it was found, and laid out for its field.
+struct ReadPlot {
+	PlotKey key;
+	PaintMap map;
+	std::unique_ptr<PreparedMap> prepared; // null: it was not known for what field
+};
+
+struct WorldFileStatistics {
+	int64_t waiting = 0; // jobs
+	int64_t read = 0, written = 0, refused = 0; // files
+	int64_t bytes_read = 0, bytes_written = 0;
+	int64_t kept = 0, bytes_kept = 0; // maps that are not written yet
+};
+
+class WorldFiles {
+public:
+	~WorldFiles() { stop(); }
+
+	void start(const WorldFolders &p_folders);
+	// Waits until all is written, and ends the thread.
+	void stop();
+	// p_default: where there is no file. p_place: what field it is for, if that is known.
+	void read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
+	void write(const PlotKey &p_key, const PaintMap &p_map);
+	// Writes what is kept.
+	void write_kept();
+	void wait(); // until nothing is waiting
+	std::vector<ReadPlot> take_read();
+	WorldFileStatistics get_statistics() const;
+	static godot::String path_of(const godot::String &p_folder, const PlotKey &p_key);
+
+private:
+	struct Job {
+		bool is_read; // else it must not be lost
+		std::function<void()> run;
+	};
+
+	void add(Job &&p_job);
+	void wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done);
+	void work();
+	ReadPlot find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
+	bool read_file(const godot::String &p_path, PaintMap &r_map);
+	void write_file(const PlotKey &p_key, const godot::PackedByteArray &p_data);
+	void keep(const PlotKey &p_key, const godot::PackedByteArray &p_data);
+
+	WorldFolders _folders; // changes only while no thread runs
+	std::thread _thread;
+	mutable std::mutex _mutex; // of all below
+	std::condition_variable _has_changed;
+	std::deque<Job> _jobs; // the first one is being done
+	bool _is_ending = false, _has_ended = true;
+	std::vector<ReadPlot> _read;
+	std::map<PlotKey, godot::PackedByteArray> _kept;
+	std::set<std::string> _refused; // paths of files that could not be read
+	WorldFileStatistics _statistics;
+};
+
+} // namespace grass

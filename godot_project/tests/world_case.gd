@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+## A test with a GrassWorld: folder, pattern of a plot, camera, and waiting for plots.
+extends "res://tests/field_case.gd"
+
+const FOLDER := "user://test_world"
+const PLOT := 128.0
+const AHEAD := 160.0
+
+var eye: Camera3D
+
+
+func before() -> void:
+	empty_folder()
+	eye = Camera3D.new()
+	add_child(eye)
+	eye.make_current()
+
+
+func after() -> void:
+	for child in get_children():
+		if child is GrassWorld:
+			child.free()
+	empty_folder()
+
+
+func empty_folder() -> void:
+	if not DirAccess.dir_exists_absolute(FOLDER):
+		return
+	for file in DirAccess.get_files_at(FOLDER):
+		DirAccess.remove_absolute(FOLDER.path_join(file))
+	DirAccess.remove_absolute(FOLDER)
+
+
+## A scene with a field of few blades, as a plot's pattern.
+func pattern(properties := {}) -> PackedScene:
+	var field := GrassField.new()
+	field.wind_speed = 0.0
+	field.density = 4.0
+	field.pool_tiles = 128
+	for property: String in properties:
+		field.set(property, properties[property])
+	var scene := PackedScene.new()
+	scene.pack(field)
+	field.free()
+	return scene
+
+
+func add_world(properties := {}) -> GrassWorld:
+	var world := GrassWorld.new()
+	world.name = "World"
+	world.plot_size = PLOT
+	world.radius = AHEAD
+	world.plot_scene = pattern()
+	world.folder = FOLDER
+	for property: String in properties:
+		world.set(property, properties[property])
+	add_child(world)
+	return world
+
+
+## Frames until every plot that is wanted stands.
+func loaded(world: GrassWorld) -> void:
+	var calm := [0]
+	await wait_until(
+		func() -> bool:
+			var now := world.get_statistics()
+			calm[0] = calm[0] + 1 if now.waiting == 0 and now.files_waiting == 0 and now.plots > 0 else 0
+			return calm[0] > 4,
+		"all plots are loaded"
+	)
+
+
+func go(world: GrassWorld, place: Vector3) -> void:
+	eye.global_position = world.to_global(place) + Vector3(0, 2, 0)
+	await loaded(world)
+
+
+func path_of(plot: Vector2i) -> String:
+	return FOLDER.path_join("plot_%d_%d.grassmap" % [plot.x, plot.y])
+
+
+func store(plot: Vector2i, map: GrassMap) -> void:
+	DirAccess.make_dir_recursive_absolute(FOLDER)
+	assert_eq(ResourceSaver.save(map, path_of(plot)), OK)
