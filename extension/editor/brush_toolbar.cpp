@@ -180,9 +180,17 @@ void BrushToolbar::_limits_pressed() {
 	_limits_panel->popup(Rect2i(Vector2i(below), Vector2i()));
 }
 
-bool BrushToolbar::follows_ground() const {
+bool BrushToolbar::is_checked(MenuItem p_item) const {
 	const PopupMenu *popup = _menu->get_popup();
-	return popup->is_item_checked(popup->get_item_index(MENU_FOLLOW));
+	return popup->is_item_checked(popup->get_item_index(p_item));
+}
+
+bool BrushToolbar::follows_ground() const {
+	return is_checked(MENU_FOLLOW);
+}
+
+bool BrushToolbar::paints_neighbours() const {
+	return is_checked(MENU_NEIGHBOURS);
 }
 
 void BrushToolbar::_bake_pressed() {
@@ -190,9 +198,9 @@ void BrushToolbar::_bake_pressed() {
 }
 
 void BrushToolbar::_menu_pressed(int64_t p_item) {
-	if (p_item == MENU_FOLLOW) {
-		PopupMenu *popup = _menu->get_popup();
-		popup->toggle_item_checked(popup->get_item_index(MENU_FOLLOW));
+	PopupMenu *popup = _menu->get_popup();
+	if (popup->is_item_checkable(popup->get_item_index(int32_t(p_item)))) {
+		popup->toggle_item_checked(popup->get_item_index(int32_t(p_item)));
 		return;
 	}
 	emit_signal("menu_pressed", p_item);

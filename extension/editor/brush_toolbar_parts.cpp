@@ -166,9 +166,14 @@ void BrushToolbar::add_menu() {
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
 	popup->add_separator();
-	popup->add_check_item("Bake Ground by Itself", MENU_FOLLOW);
-	popup->set_item_checked(popup->get_item_index(MENU_FOLLOW), true);
-	popup->set_item_tooltip(popup->get_item_index(MENU_FOLLOW), "Under the brush, and where the ground or the field was moved.");
+	const auto add_check = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
+		popup->add_check_item(p_text, p_item);
+		popup->set_item_checked(popup->get_item_index(p_item), true);
+		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
+	};
+	add_check(MENU_FOLLOW, "Bake Ground by Itself", "Under the brush, and where the ground or the field was moved.");
+	add_check(MENU_NEIGHBOURS, "Paint Neighbours",
+			"The brush paints all fields that it reaches, each on its own map, but for locked and hidden ones.");
 	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
 	add_child(_menu);
 }

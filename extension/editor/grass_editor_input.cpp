@@ -56,7 +56,7 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 	}
 	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
 		GrassField *field = find_field();
-		if (const auto point = pick_ground(field, p_camera, motion->get_position(), ASKED_AROUND)) {
+		if (const auto point = pick_ground({ &field, 1 }, p_camera, motion->get_position(), ASKED_AROUND)) {
 			_ring.show(field, p_camera, *point, ASKED_RADIUS, 1.0, ASKED_COLOR);
 			const Vector3 place = field->field_transform().xform(to_godot(point->position));
 			_answer.show(p_camera, motion->get_position(), field->explain(place, p_camera)["text"]);
@@ -114,7 +114,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		finish_stroke();
 		if (const auto point = show_ring(p_camera, p_button->get_position())) {
 			finish_ground();
-			_stroke.begin(find_field(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
+			_stroke.begin(find_fields(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
@@ -157,7 +157,7 @@ std::optional<GroundPoint> GrassEditorPlugin::show_ring(Camera3D *p_camera, cons
 	const GrassField *field = find_field();
 	const Ref<GrassBrush> brush = _toolbar->get_brush();
 	const double radius = brush->get_param(BRUSH_RADIUS);
-	const auto point = pick_ground(field, p_camera, p_mouse, radius);
+	const auto point = pick_ground(find_fields(), p_camera, p_mouse, radius);
 	if (point) {
 		_ring.show(field, p_camera, *point, radius, brush->get_param(BRUSH_HARDNESS), _toolbar->get_tool_color());
 	} else {

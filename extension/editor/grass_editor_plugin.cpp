@@ -4,6 +4,7 @@
 
 #include "editor/fill_action.h"
 #include "editor/map_step.h"
+#include "editor/painted_fields.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
@@ -109,9 +110,22 @@ GrassField *GrassEditorPlugin::find_field() const {
 	return field != nullptr && field->is_inside_tree() ? field : nullptr;
 }
 
+std::vector<GrassField *> GrassEditorPlugin::find_fields() const {
+	GrassField *field = find_field();
+	return _toolbar->paints_neighbours() ? find_painted_fields(field) : std::vector<GrassField *>{ field };
+}
+
 void GrassEditorPlugin::finish_stroke() {
-	if (_stroke.is_active()) {
-		_stroke.finish(get_undo_redo());
+	if (!_stroke.is_active()) {
+		return;
+	}
+	_stroke.finish(get_undo_redo());
+	if (const PackedStringArray &names = _stroke.get_left_out(); !names.is_empty()) {
+		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+				vformat("GrassField: not planted in %s, where this species does not grow. Select the field and drop the species on its "
+						"brush's Species tool, or add it to `species`.",
+						String(", ").join(names)),
+				EditorToaster::SEVERITY_WARNING);
 	}
 }
 
@@ -146,7 +160,8 @@ template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &
 		}
 		return;
 	}
-	add_map_step(get_undo_redo(), p_name, { field, map, before, is_new ? field : nullptr });
+	const MapStep step{ map, before, is_new ? field : nullptr };
+	add_map_steps(get_undo_redo(), p_name, field, { &step, 1 });
 }
 
 void GrassEditorPlugin::_bake_pressed() {
@@ -222,6 +237,7 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	statistics["worst_us"] = costs.worst_us;
 	statistics["event_us"] = _event_us;
 	statistics["active"] = _stroke.is_active();
+	statistics["left_out"] = _stroke.get_left_out();
 	statistics["ring"] = _ring.is_shown();
 	statistics["watch_rays"] = _watch.get_rays();
 	statistics["watch_waiting"] = _watch.get_waiting();

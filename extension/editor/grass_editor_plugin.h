@@ -38,9 +38,9 @@ public:
 	void _apply_changes() override;
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
-	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
-	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown. Of ground that follows what
-	// moved: `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the scene (`watch_us`).
+	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`, `left_out`; of the last movement
+	// of the mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown. Of ground that follows what moved:
+	// `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the scene (`watch_us`).
 	godot::Dictionary get_statistics() const;
 
 protected:
@@ -49,6 +49,7 @@ protected:
 
 private:
 	GrassField *find_field() const;
+	std::vector<GrassField *> find_fields() const; // that the brush paints, the selected one first; it exists
 	int32_t key_input(const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
