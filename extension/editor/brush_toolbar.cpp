@@ -83,9 +83,13 @@ void BrushToolbar::show_brush() {
 	fit();
 }
 
-Color BrushToolbar::get_tool_color() const {
-	const ToolInfo &info = info_of(_brush->get_tool());
-	return _brush->get_tool() == GrassBrush::TOOL_TINT ? _brush->get_color() : Color(info.red, info.green, info.blue);
+Color BrushToolbar::get_tool_color(MapTool p_tool) const {
+	if (p_tool == MapTool::TINT) {
+		return _brush->get_color();
+	}
+	const bool grows = p_tool == MapTool::REGROW || p_tool == MapTool::RECOVER; // keys only
+	const ToolInfo &info = info_of(grows ? GrassBrush::TOOL_PAINT : GrassBrush::Tool(p_tool));
+	return Color(info.red, info.green, info.blue);
 }
 
 void BrushToolbar::put_tool_down() {

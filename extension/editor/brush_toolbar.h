@@ -50,7 +50,7 @@ public:
 	void show_species(const GrassField *p_field); // of the selected field, as they are now
 	void take_species(int64_t p_species); // in the hand, to plant it
 	void nudge(Number p_number, int p_notches);
-	godot::Color get_tool_color() const; // for the ring
+	godot::Color get_tool_color(MapTool p_tool) const; // for the ring: of the tool in the hand, or of what keys make of it
 
 protected:
 	static void _bind_methods();

@@ -2,6 +2,7 @@
 #include "editor/field_stroke.h"
 
 #include "core/paint/brush_keys.h"
+#include "editor/painted_fields.h"
 #include "nodes/ground_rays.h"
 
 using namespace godot;
@@ -42,6 +43,18 @@ std::optional<Brush> brush_for(
 		brush.target = double(*p_species);
 	}
 	return brush;
+}
+
+std::optional<FieldStep> step_over(
+		const GrassField &p_field, const Eigen::Isometry3d &p_space, const StrokeStep &p_step, double p_level, double p_radius) {
+	const Eigen::Isometry3d to_field = to_field_of(p_field) * p_space;
+	const auto moved = [&](const Eigen::Vector2d &p_place) -> Eigen::Vector3d {
+		return to_field * Eigen::Vector3d(p_place.x(), p_level, p_place.y());
+	};
+	const Eigen::Vector3d from = moved(p_step.from), to = moved(p_step.to);
+	const FieldStep over{ { { from.x(), from.z() }, { to.x(), to.z() } }, to.y() };
+	const bool is_over = is_reached(p_field, over.step.from, p_radius) || is_reached(p_field, over.step.to, p_radius);
+	return is_over ? std::optional<FieldStep>(over) : std::nullopt;
 }
 
 FieldStroke::FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground) :

@@ -33,6 +33,16 @@ struct StrokeCosts {
 std::optional<Brush> brush_for(
 		const GrassBrush &p_brush, const StrokeStep &p_step, const StrokeKeys &p_keys, const std::optional<int64_t> &p_species);
 
+// A step over one field, in its own space.
+struct FieldStep {
+	StrokeStep step;
+	double level; // of the ground there, metres
+};
+
+// p_step: in p_space (from there to the world), at p_level metres. Nothing where a brush of that radius does not reach the field.
+std::optional<FieldStep> step_over(
+		const GrassField &p_field, const Eigen::Isometry3d &p_space, const StrokeStep &p_step, double p_level, double p_radius);
+
 // Gives a field that has no map one: everything grows, as it did without. With the ground, if p_bakes, where the field is
 // not so large that this takes long.
 godot::Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes);

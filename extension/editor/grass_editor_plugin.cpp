@@ -131,7 +131,7 @@ void GrassEditorPlugin::finish_stroke() {
 
 void GrassEditorPlugin::put_down() {
 	finish_stroke();
-	_ring.hide();
+	hide_brush();
 	_answer.hide();
 }
 
@@ -239,6 +239,7 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	statistics["active"] = _stroke.is_active();
 	statistics["left_out"] = _stroke.get_left_out();
 	statistics["ring"] = _ring.is_shown();
+	statistics["preview"] = _preview.get_count();
 	statistics["watch_rays"] = _watch.get_rays();
 	statistics["watch_waiting"] = _watch.get_waiting();
 	statistics["watch_us"] = _watch.get_look_us();

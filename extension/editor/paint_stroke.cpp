@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/paint_stroke.h"
 
-#include "convert.h"
 #include "editor/painted_fields.h"
 
 #include <godot_cpp/classes/time.hpp>
@@ -56,24 +55,17 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 	if (field == nullptr || !field->is_inside_tree()) {
 		return;
 	}
-	const Eigen::Isometry3d to_field = to_field_of(*field) * _space;
-	const double level = _point.position.y();
-	const auto moved = [&](const Eigen::Vector2d &p_place) {
-		return GroundPoint{ to_field * Eigen::Vector3d(p_place.x(), level, p_place.y()), _point.on_body };
-	};
-	const GroundPoint from = moved(p_step.from), to = moved(p_step.to);
-	const double radius = _brush->get_param(BRUSH_RADIUS);
-	if (!is_reached(*field, from.place(), radius) && !is_reached(*field, to.place(), radius)) {
+	const auto over = step_over(*field, _space, p_step, _point.position.y(), _brush->get_param(BRUSH_RADIUS));
+	if (!over) {
 		return;
 	}
-	const StrokeStep step{ from.place(), to.place() };
-	const std::optional<Brush> brush = brush_for(**_brush, step, p_keys, p_field.species);
+	const std::optional<Brush> brush = brush_for(**_brush, over->step, p_keys, p_field.species);
 	if (!brush) {
 		if (!_left_out.has(field->get_name())) {
 			_left_out.push_back(field->get_name());
 		}
 	} else if (FieldStroke *part = find_part(field)) {
-		part->step(_brush->get_stroke(step.from, step.to), *brush, to.position.y(), _costs);
+		part->step(_brush->get_stroke(over->step.from, over->step.to), *brush, over->level, _costs);
 	}
 }
 
