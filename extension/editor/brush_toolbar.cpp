@@ -142,7 +142,7 @@ void BrushToolbar::_color_changed(const Color &p_color) {
 
 void BrushToolbar::_species_selected(int64_t p_index) {
 	_species->set_chosen();
-	_brush->set_species(_species->get_item_id(int32_t(p_index)));
+	_brush->set_species(p_index);
 }
 
 void BrushToolbar::take_species(int64_t p_species) {

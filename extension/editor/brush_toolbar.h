@@ -3,7 +3,7 @@
 // plugin paints with it.
 #pragma once
 
-#include "editor/species_choice.h"
+#include "editor/species_palette.h"
 #include "nodes/grass_brush.h"
 
 #include <godot_cpp/classes/button.hpp>
@@ -91,7 +91,7 @@ private:
 	godot::Ref<godot::ButtonGroup> _group; // of which one is pressed, or none
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
-	SpeciesChoice *_species = nullptr;
+	SpeciesPalette *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
 	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr;

@@ -93,9 +93,9 @@ void BrushToolbar::add_numbers() {
 	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
-	_species = memnew(SpeciesChoice);
+	_species = memnew(SpeciesPalette);
 	_species->set_name("SpeciesTarget");
-	_species->set_custom_minimum_size(Vector2(real_t(1.5 * WIDE * editor_scale()), 0));
+	_species->connect("minimum_size_changed", callable_mp(this, &BrushToolbar::fit));
 	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
 	add_child(_species);
 	for (size_t i = 0; i < _tools.size(); i++) { // a species that is dropped on either grows in the field

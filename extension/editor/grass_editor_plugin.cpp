@@ -5,15 +5,24 @@
 #include "editor/fill_action.h"
 #include "editor/map_step.h"
 #include "editor/painted_fields.h"
+#include "editor/species_drop.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
+#include <godot_cpp/classes/editor_selection.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
+#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+constexpr int32_t VIEWS = 4; // of the editor, shown or not
+
+} // namespace
 
 void GrassEditorPlugin::_enter_tree() {
 	set_editor_hooks();
@@ -56,6 +65,10 @@ void GrassEditorPlugin::_exit_tree() {
 void GrassEditorPlugin::_notification(int p_what) {
 	if (p_what == NOTIFICATION_APPLICATION_FOCUS_OUT || p_what == NOTIFICATION_WM_WINDOW_FOCUS_OUT) {
 		finish_stroke();
+	} else if (p_what == NOTIFICATION_DRAG_BEGIN) {
+		begin_drag();
+	} else if (p_what == NOTIFICATION_DRAG_END) {
+		end_drag();
 	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
 		if (_toolbar->is_visible()) {
 			_toolbar->show_species(find_field());
@@ -203,6 +216,38 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 	}
 	_toolbar->show_species(field);
 	_toolbar->take_species(after.find(p_species[p_species.size() - 1]) + 1);
+}
+
+// The editor's views refuse what they do not know.
+void GrassEditorPlugin::begin_drag() {
+	end_drag();
+	if (find_dragged_species(get_viewport()->gui_get_drag_data()).is_empty()) {
+		return;
+	}
+	for (int32_t view = 0; view < VIEWS; view++) {
+		_drops.push_back(ViewDrop::create(view));
+		_drops.back()->connect("species_dropped", callable_mp(this, &GrassEditorPlugin::_species_dropped_on));
+	}
+}
+
+void GrassEditorPlugin::end_drag() {
+	for (ViewDrop *drop : _drops) {
+		drop->queue_free(); // may be the one that took it
+	}
+	_drops.clear();
+}
+
+// The brush follows to that field.
+void GrassEditorPlugin::_species_dropped_on(Object *p_field, const Array &p_species) {
+	GrassField *field = Object::cast_to<GrassField>(p_field);
+	if (field != find_field()) {
+		EditorInterface *editor = EditorInterface::get_singleton();
+		editor->get_selection()->clear();
+		editor->get_selection()->add_node(field);
+		editor->edit_node(field);
+		_edit(field); // at once: the editor may do it later
+	}
+	_species_dropped(p_species);
 }
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {

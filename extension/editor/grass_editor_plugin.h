@@ -12,6 +12,7 @@
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
 #include "editor/species_preview.h"
+#include "editor/view_drop.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
@@ -67,6 +68,9 @@ private:
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
+	void _species_dropped_on(godot::Object *p_field, const godot::Array &p_species);
+	void begin_drag();
+	void end_drag();
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
@@ -78,6 +82,7 @@ private:
 	GroundWatch _watch;
 	RingView _ring;
 	BrushPreview _preview;
+	std::vector<ViewDrop *> _drops; // while species are dragged
 	godot::Vector2 _mouse; // as it was last seen
 	AnswerView _answer;
 	double _event_us = 0.0;

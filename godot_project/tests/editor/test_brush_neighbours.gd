@@ -116,6 +116,7 @@ func test_species_are_found_by_what_they_are() -> void:
 	right.species = [wheat, GrassSpecies.new(), GrassSpecies.new()]
 	await frames(3)
 	await take("Species")
+	await move(at(ACROSS[0]))
 	await key(KEY_BRACKETRIGHT, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 	set_number("Hardness", 1.0)
 	set_number("Strength", 1.0)
@@ -131,6 +132,8 @@ func test_species_are_found_by_what_they_are() -> void:
 	await frames(3)
 	await stroke([Vector3(3.25, 0, -1.5), Vector3(3.5, 0, -1.5)])
 	assert_near(at_world(right, GrassMap.CHANNEL_SPECIES, Vector3(3.75, 0, -1.25)), 3.0, 0.0, "another resource of the same name")
+	field.species = []  # the choice of a species goes with them
+	await frames(3)
 
 
 func test_a_neighbour_may_go_while_it_is_painted() -> void:
