@@ -22,7 +22,7 @@ constexpr char NO_SPECIES_TOOLTIP[] = "The field has no species to plant. Drop o
 
 // A strip of each, side by side.
 Ref<Image> mix_of(const std::vector<Ref<Image>> &p_pictures, int p_side) {
-	const Ref<Image> mix = Image::create_empty(p_side, p_side, false, Image::FORMAT_RGBA8);
+	Ref<Image> mix = Image::create_empty(p_side, p_side, false, Image::FORMAT_RGBA8);
 	const int count = int(p_pictures.size());
 	for (int i = 0; i < count; i++) {
 		const int from = i * p_side / count, to = (i + 1) * p_side / count;
