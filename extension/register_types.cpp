@@ -52,8 +52,9 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
-		GDREGISTER_INTERNAL_CLASS(grass::SpeciesChoice);
+		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPalette);
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
+		GDREGISTER_INTERNAL_CLASS(grass::ViewDrop);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
 		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);

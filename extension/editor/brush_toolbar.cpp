@@ -83,9 +83,13 @@ void BrushToolbar::show_brush() {
 	fit();
 }
 
-Color BrushToolbar::get_tool_color() const {
-	const ToolInfo &info = info_of(_brush->get_tool());
-	return _brush->get_tool() == GrassBrush::TOOL_TINT ? _brush->get_color() : Color(info.red, info.green, info.blue);
+Color BrushToolbar::get_tool_color(MapTool p_tool) const {
+	if (p_tool == MapTool::TINT) {
+		return _brush->get_color();
+	}
+	const bool grows = p_tool == MapTool::REGROW || p_tool == MapTool::RECOVER; // keys only
+	const ToolInfo &info = info_of(grows ? GrassBrush::TOOL_PAINT : GrassBrush::Tool(p_tool));
+	return Color(info.red, info.green, info.blue);
 }
 
 void BrushToolbar::put_tool_down() {
@@ -138,7 +142,7 @@ void BrushToolbar::_color_changed(const Color &p_color) {
 
 void BrushToolbar::_species_selected(int64_t p_index) {
 	_species->set_chosen();
-	_brush->set_species(_species->get_item_id(int32_t(p_index)));
+	_brush->set_species(p_index);
 }
 
 void BrushToolbar::take_species(int64_t p_species) {
@@ -180,9 +184,17 @@ void BrushToolbar::_limits_pressed() {
 	_limits_panel->popup(Rect2i(Vector2i(below), Vector2i()));
 }
 
-bool BrushToolbar::follows_ground() const {
+bool BrushToolbar::is_checked(MenuItem p_item) const {
 	const PopupMenu *popup = _menu->get_popup();
-	return popup->is_item_checked(popup->get_item_index(MENU_FOLLOW));
+	return popup->is_item_checked(popup->get_item_index(p_item));
+}
+
+bool BrushToolbar::follows_ground() const {
+	return is_checked(MENU_FOLLOW);
+}
+
+bool BrushToolbar::paints_neighbours() const {
+	return is_checked(MENU_NEIGHBOURS);
 }
 
 void BrushToolbar::_bake_pressed() {
@@ -190,9 +202,9 @@ void BrushToolbar::_bake_pressed() {
 }
 
 void BrushToolbar::_menu_pressed(int64_t p_item) {
-	if (p_item == MENU_FOLLOW) {
-		PopupMenu *popup = _menu->get_popup();
-		popup->toggle_item_checked(popup->get_item_index(MENU_FOLLOW));
+	PopupMenu *popup = _menu->get_popup();
+	if (popup->is_item_checkable(popup->get_item_index(int32_t(p_item)))) {
+		popup->toggle_item_checked(popup->get_item_index(int32_t(p_item)));
 		return;
 	}
 	emit_signal("menu_pressed", p_item);

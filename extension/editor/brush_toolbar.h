@@ -3,7 +3,7 @@
 // plugin paints with it.
 #pragma once
 
-#include "editor/species_choice.h"
+#include "editor/species_palette.h"
 #include "nodes/grass_brush.h"
 
 #include <godot_cpp/classes/button.hpp>
@@ -36,6 +36,7 @@ public:
 		MENU_FULL,
 		MENU_CLEAR,
 		MENU_FOLLOW,
+		MENU_NEIGHBOURS,
 	};
 
 	BrushToolbar();
@@ -44,11 +45,12 @@ public:
 	bool has_tool() const { return _has_tool; }
 	bool is_asking() const { return _why->is_pressed(); } // why there is no grass under the cursor
 	bool follows_ground() const; // bakes the ground under the brush, and where something moved
+	bool paints_neighbours() const; // all fields under the brush, see find_painted_fields()
 	void put_tool_down(); // nothing is painted or asked until another is chosen
 	void show_species(const GrassField *p_field); // of the selected field, as they are now
 	void take_species(int64_t p_species); // in the hand, to plant it
 	void nudge(Number p_number, int p_notches);
-	godot::Color get_tool_color() const; // for the ring
+	godot::Color get_tool_color(MapTool p_tool) const; // for the ring: of the tool in the hand, or of what keys make of it
 
 protected:
 	static void _bind_methods();
@@ -71,6 +73,7 @@ private:
 	void add_slider(godot::Node *p_parent, BrushParamId p_param, const char *p_label, const char *p_tooltip, double p_width);
 	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
 	void load_icons();
+	bool is_checked(MenuItem p_item) const;
 	void fit(); // one row where the window has room beside its docks, else as many as needed
 	void show_brush(); // the brush's properties, in the controls
 	void _tool_toggled(bool p_pressed);
@@ -88,7 +91,7 @@ private:
 	godot::Ref<godot::ButtonGroup> _group; // of which one is pressed, or none
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
-	SpeciesChoice *_species = nullptr;
+	SpeciesPalette *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
 	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr;

@@ -93,9 +93,9 @@ void BrushToolbar::add_numbers() {
 	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
-	_species = memnew(SpeciesChoice);
+	_species = memnew(SpeciesPalette);
 	_species->set_name("SpeciesTarget");
-	_species->set_custom_minimum_size(Vector2(real_t(1.5 * WIDE * editor_scale()), 0));
+	_species->connect("minimum_size_changed", callable_mp(this, &BrushToolbar::fit));
 	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
 	add_child(_species);
 	for (size_t i = 0; i < _tools.size(); i++) { // a species that is dropped on either grows in the field
@@ -166,9 +166,14 @@ void BrushToolbar::add_menu() {
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
 	popup->add_separator();
-	popup->add_check_item("Bake Ground by Itself", MENU_FOLLOW);
-	popup->set_item_checked(popup->get_item_index(MENU_FOLLOW), true);
-	popup->set_item_tooltip(popup->get_item_index(MENU_FOLLOW), "Under the brush, and where the ground or the field was moved.");
+	const auto add_check = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
+		popup->add_check_item(p_text, p_item);
+		popup->set_item_checked(popup->get_item_index(p_item), true);
+		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
+	};
+	add_check(MENU_FOLLOW, "Bake Ground by Itself", "Under the brush, and where the ground or the field was moved.");
+	add_check(MENU_NEIGHBOURS, "Paint Neighbours",
+			"The brush paints all fields that it reaches, each on its own map, but for locked and hidden ones.");
 	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
 	add_child(_menu);
 }

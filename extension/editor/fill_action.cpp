@@ -29,7 +29,8 @@ void fill(GrassField &r_field) {
 	const Ref<GrassMapSnapshot> before = map->take_snapshot();
 	r_field.fill(r_field.get_fill_rule());
 	EditorUndoRedoManager *history = EditorInterface::get_singleton()->get_editor_undo_redo();
-	add_map_step(history, "Fill Grass", { &r_field, map, before, is_new ? &r_field : nullptr });
+	const MapStep step{ map, before, is_new ? &r_field : nullptr };
+	add_map_steps(history, "Fill Grass", &r_field, { &step, 1 });
 }
 
 } // namespace

@@ -34,7 +34,7 @@ int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<I
 		return asking_input(p_camera, p_event);
 	}
 	if (const Ref<InputEventKey> key = p_event; key.is_valid()) {
-		return key_input(key);
+		return key_input(p_camera, key);
 	}
 	if (const Ref<InputEventMouseButton> button = p_event; button.is_valid()) {
 		return button_input(p_camera, button);
@@ -56,8 +56,8 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 	}
 	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
 		GrassField *field = find_field();
-		if (const auto point = pick_ground(field, p_camera, motion->get_position(), ASKED_AROUND)) {
-			_ring.show(field, p_camera, *point, ASKED_RADIUS, 1.0, ASKED_COLOR);
+		if (const auto point = pick_ground({ &field, 1 }, p_camera, motion->get_position(), ASKED_AROUND)) {
+			_ring.show(field, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
 			const Vector3 place = field->field_transform().xform(to_godot(point->position));
 			_answer.show(p_camera, motion->get_position(), field->explain(place, p_camera)["text"]);
 		} else {
@@ -70,7 +70,15 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 	return is_click ? AFTER_GUI_INPUT_STOP : AFTER_GUI_INPUT_PASS;
 }
 
-int32_t GrassEditorPlugin::key_input(const Ref<InputEventKey> &p_key) {
+int32_t GrassEditorPlugin::key_input(Camera3D *p_camera, const Ref<InputEventKey> &p_key) {
+	if (const Key code = p_key->get_keycode(); code == KEY_CTRL || code == KEY_META || code == KEY_SHIFT) { // the brush is another
+		StrokeKeys keys = keys_of(p_key.ptr());
+		(code == KEY_SHIFT ? keys.smooth : keys.opposite) = p_key->is_pressed();
+		if (_ring.is_shown() && !_stroke.is_active()) {
+			show_brush(p_camera, _mouse, keys);
+		}
+		return AFTER_GUI_INPUT_PASS;
+	}
 	if (!p_key->is_pressed()) {
 		return AFTER_GUI_INPUT_PASS;
 	}
@@ -96,6 +104,9 @@ int32_t GrassEditorPlugin::key_input(const Ref<InputEventKey> &p_key) {
 	_toolbar->nudge(ctrl ? (shift ? Toolbar::NUMBER_TARGET : Toolbar::NUMBER_STRENGTH)
 						 : (shift ? Toolbar::NUMBER_HARDNESS : Toolbar::NUMBER_RADIUS),
 			notches);
+	if (_ring.is_shown()) {
+		show_brush(p_camera, _mouse, {}); // Ctrl and Shift are the brackets'
+	}
 	return AFTER_GUI_INPUT_STOP;
 }
 
@@ -112,9 +123,9 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 			return AFTER_GUI_INPUT_PASS;
 		}
 		finish_stroke();
-		if (const auto point = show_ring(p_camera, p_button->get_position())) {
+		if (const auto point = show_brush(p_camera, p_button->get_position(), keys_of(p_button.ptr()), false)) {
 			finish_ground();
-			_stroke.begin(find_field(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
+			_stroke.begin(find_fields(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
@@ -131,13 +142,14 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 	if (p_button->is_pressed()) {
 		using Toolbar = BrushToolbar;
 		_toolbar->nudge(!ctrl ? Toolbar::NUMBER_HARDNESS : (shift ? Toolbar::NUMBER_STRENGTH : Toolbar::NUMBER_RADIUS), notches);
-		show_ring(p_camera, p_button->get_position());
+		show_brush(p_camera, p_button->get_position(), {}); // Ctrl and Shift are the wheel's
 	}
 	return AFTER_GUI_INPUT_STOP;
 }
 
 int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEventMouseMotion> &p_motion) {
-	const auto point = show_ring(p_camera, p_motion->get_position());
+	_mouse = p_motion->get_position();
+	const auto point = show_brush(p_camera, _mouse, keys_of(p_motion.ptr()), !_stroke.is_active());
 	if (!_stroke.is_active()) {
 		return AFTER_GUI_INPUT_PASS;
 	}
@@ -153,17 +165,33 @@ int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEvent
 	return AFTER_GUI_INPUT_STOP;
 }
 
-std::optional<GroundPoint> GrassEditorPlugin::show_ring(Camera3D *p_camera, const Vector2 &p_mouse) {
-	const GrassField *field = find_field();
+std::optional<GroundPoint> GrassEditorPlugin::show_brush(
+		Camera3D *p_camera, const Vector2 &p_mouse, const StrokeKeys &p_keys, bool p_is_hover) {
+	const std::vector<GrassField *> fields = find_fields();
 	const Ref<GrassBrush> brush = _toolbar->get_brush();
 	const double radius = brush->get_param(BRUSH_RADIUS);
-	const auto point = pick_ground(field, p_camera, p_mouse, radius);
-	if (point) {
-		_ring.show(field, p_camera, *point, radius, brush->get_param(BRUSH_HARDNESS), _toolbar->get_tool_color());
-	} else {
-		_ring.hide();
+	const auto point = pick_ground(fields, p_camera, p_mouse, radius);
+	if (!point) {
+		hide_brush();
+		return {};
 	}
+	const StrokeStep touch{ point->place(), point->place() };
+	const Brush does = *brush_for(**brush, touch, p_keys, brush->get_species());
+	RingView::Look look{ radius, brush->get_param(BRUSH_HARDNESS), _toolbar->get_tool_color(does.tool) };
+	if (p_is_hover) {
+		look.strength = does.strength;
+		look.shape = brush->get_stroke(touch.from, touch.to);
+		_preview.show(fields, **brush, *point, p_keys);
+	} else {
+		_preview.hide();
+	}
+	_ring.show(fields[0], p_camera, *point, look);
 	return point;
+}
+
+void GrassEditorPlugin::hide_brush() {
+	_ring.hide();
+	_preview.hide();
 }
 
 } // namespace grass

@@ -4,15 +4,25 @@
 
 #include "editor/fill_action.h"
 #include "editor/map_step.h"
+#include "editor/painted_fields.h"
+#include "editor/species_drop.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/editor_resource_preview.hpp>
+#include <godot_cpp/classes/editor_selection.hpp>
 #include <godot_cpp/classes/editor_toaster.hpp>
+#include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+constexpr int32_t VIEWS = 4; // of the editor, shown or not
+
+} // namespace
 
 void GrassEditorPlugin::_enter_tree() {
 	set_editor_hooks();
@@ -55,6 +65,10 @@ void GrassEditorPlugin::_exit_tree() {
 void GrassEditorPlugin::_notification(int p_what) {
 	if (p_what == NOTIFICATION_APPLICATION_FOCUS_OUT || p_what == NOTIFICATION_WM_WINDOW_FOCUS_OUT) {
 		finish_stroke();
+	} else if (p_what == NOTIFICATION_DRAG_BEGIN) {
+		begin_drag();
+	} else if (p_what == NOTIFICATION_DRAG_END) {
+		end_drag();
 	} else if (p_what == NOTIFICATION_PROCESS && _toolbar != nullptr) {
 		if (_toolbar->is_visible()) {
 			_toolbar->show_species(find_field());
@@ -109,15 +123,28 @@ GrassField *GrassEditorPlugin::find_field() const {
 	return field != nullptr && field->is_inside_tree() ? field : nullptr;
 }
 
+std::vector<GrassField *> GrassEditorPlugin::find_fields() const {
+	GrassField *field = find_field();
+	return _toolbar->paints_neighbours() ? find_painted_fields(field) : std::vector<GrassField *>{ field };
+}
+
 void GrassEditorPlugin::finish_stroke() {
-	if (_stroke.is_active()) {
-		_stroke.finish(get_undo_redo());
+	if (!_stroke.is_active()) {
+		return;
+	}
+	_stroke.finish(get_undo_redo());
+	if (const PackedStringArray &names = _stroke.get_left_out(); !names.is_empty()) {
+		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+				vformat("GrassField: not planted in %s, where this species does not grow. Select the field and drop the species on its "
+						"brush's Species tool, or add it to `species`.",
+						String(", ").join(names)),
+				EditorToaster::SEVERITY_WARNING);
 	}
 }
 
 void GrassEditorPlugin::put_down() {
 	finish_stroke();
-	_ring.hide();
+	hide_brush();
 	_answer.hide();
 }
 
@@ -146,7 +173,8 @@ template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &
 		}
 		return;
 	}
-	add_map_step(get_undo_redo(), p_name, { field, map, before, is_new ? field : nullptr });
+	const MapStep step{ map, before, is_new ? field : nullptr };
+	add_map_steps(get_undo_redo(), p_name, field, { &step, 1 });
 }
 
 void GrassEditorPlugin::_bake_pressed() {
@@ -190,6 +218,38 @@ void GrassEditorPlugin::_species_dropped(const Array &p_species) {
 	_toolbar->take_species(after.find(p_species[p_species.size() - 1]) + 1);
 }
 
+// The editor's views refuse what they do not know.
+void GrassEditorPlugin::begin_drag() {
+	end_drag();
+	if (find_dragged_species(get_viewport()->gui_get_drag_data()).is_empty()) {
+		return;
+	}
+	for (int32_t view = 0; view < VIEWS; view++) {
+		_drops.push_back(ViewDrop::create(view));
+		_drops.back()->connect("species_dropped", callable_mp(this, &GrassEditorPlugin::_species_dropped_on));
+	}
+}
+
+void GrassEditorPlugin::end_drag() {
+	for (ViewDrop *drop : _drops) {
+		drop->queue_free(); // may be the one that took it
+	}
+	_drops.clear();
+}
+
+// The brush follows to that field.
+void GrassEditorPlugin::_species_dropped_on(Object *p_field, const Array &p_species) {
+	GrassField *field = Object::cast_to<GrassField>(p_field);
+	if (field != find_field()) {
+		EditorInterface *editor = EditorInterface::get_singleton();
+		editor->get_selection()->clear();
+		editor->get_selection()->add_node(field);
+		editor->edit_node(field);
+		_edit(field); // at once: the editor may do it later
+	}
+	_species_dropped(p_species);
+}
+
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
 	change_map(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
@@ -222,7 +282,9 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	statistics["worst_us"] = costs.worst_us;
 	statistics["event_us"] = _event_us;
 	statistics["active"] = _stroke.is_active();
+	statistics["left_out"] = _stroke.get_left_out();
 	statistics["ring"] = _ring.is_shown();
+	statistics["preview"] = _preview.get_count();
 	statistics["watch_rays"] = _watch.get_rays();
 	statistics["watch_waiting"] = _watch.get_waiting();
 	statistics["watch_us"] = _watch.get_look_us();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "editor/answer_view.h"
+#include "editor/brush_preview.h"
 #include "editor/brush_toolbar.h"
 #include "editor/export_check.h"
 #include "editor/ground_watch.h"
@@ -11,6 +12,7 @@
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
 #include "editor/species_preview.h"
+#include "editor/view_drop.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/editor_plugin.hpp>
@@ -38,9 +40,10 @@ public:
 	void _apply_changes() override;
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
 
-	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`; of the last movement of the
-	// mouse, with ring and steps: `event_us`, CPU microseconds; and whether the `ring` is shown. Of ground that follows what
-	// moved: `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the scene (`watch_us`).
+	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`, `left_out`; of the last movement
+	// of the mouse, with ring and steps: `event_us`, CPU microseconds; whether the `ring` is shown, and the number of fields that show a
+	// `preview`. Of ground that follows what moved: `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the
+	// scene (`watch_us`).
 	godot::Dictionary get_statistics() const;
 
 protected:
@@ -49,18 +52,25 @@ protected:
 
 private:
 	GrassField *find_field() const;
-	int32_t key_input(const godot::Ref<godot::InputEventKey> &p_key);
+	std::vector<GrassField *> find_fields() const; // that the brush paints, the selected one first; it exists
+	int32_t key_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
-	std::optional<GroundPoint> show_ring(godot::Camera3D *p_camera, const godot::Vector2 &p_mouse);
+	// Where the brush is; and before a stroke (p_is_hover) what it would do there.
+	std::optional<GroundPoint> show_brush(
+			godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, const StrokeKeys &p_keys, bool p_is_hover = true);
+	void hide_brush();
 	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
-	void put_down(); // ends the stroke, hides the ring and the answer
+	void put_down(); // ends the stroke, hides ring, preview and answer
 	template <typename F> void change_map(const char *p_name, F &&p_change);
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
+	void _species_dropped_on(godot::Object *p_field, const godot::Array &p_species);
+	void begin_drag();
+	void end_drag();
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
@@ -71,6 +81,9 @@ private:
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	RingView _ring;
+	BrushPreview _preview;
+	std::vector<ViewDrop *> _drops; // while species are dragged
+	godot::Vector2 _mouse; // as it was last seen
 	AnswerView _answer;
 	double _event_us = 0.0;
 };

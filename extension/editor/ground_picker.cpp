@@ -2,12 +2,14 @@
 #include "editor/ground_picker.h"
 
 #include "convert.h"
+#include "editor/painted_fields.h"
 #include "nodes/ground_rays.h"
 
 #include <godot_cpp/classes/sub_viewport_container.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 
 #include <cmath>
+#include <limits>
 
 using namespace godot;
 
@@ -23,27 +25,37 @@ real_t shrink_of(const Camera3D *p_camera) {
 
 } // namespace
 
-std::optional<GroundPoint> pick_ground(const GrassField *p_field, const Camera3D *p_camera, const Vector2 &p_mouse, double p_margin) {
+std::optional<GroundPoint> pick_ground(
+		std::span<GrassField *const> p_fields, const Camera3D *p_camera, const Vector2 &p_mouse, double p_margin) {
+	const GrassField &first = *p_fields[0];
 	const Vector2 pixel = p_mouse / shrink_of(p_camera);
-	const Eigen::Isometry3d to_field(to_eigen(p_field->field_transform()).inverse(Eigen::Isometry).matrix());
-	const Eigen::Vector3d eye = to_field * to_eigen(p_camera->project_ray_origin(pixel));
-	const Eigen::Vector3d way = to_field.linear() * to_eigen(p_camera->project_ray_normal(pixel));
-	const Eigen::Array2d limit = 0.5 * to_eigen(p_field->get_size()).array() + p_margin;
-	const auto within = [&](const GroundPoint &p_point) { return (p_point.place().array().abs() <= limit).all(); };
+	const Eigen::Isometry3d to_first = to_field_of(first);
+	const Eigen::Vector3d eye = to_eigen(p_camera->project_ray_origin(pixel)), way = to_eigen(p_camera->project_ray_normal(pixel));
+	const auto is_within = [&](const GrassField &p_field, const Eigen::Vector3d &p_local) {
+		const Eigen::Array2d limit = 0.5 * to_eigen(p_field.get_size()).array() + p_margin;
+		return p_local.allFinite() && std::abs(p_local.x()) <= limit.x() && std::abs(p_local.z()) <= limit.y();
+	};
 
-	GroundRays rays(p_field->get_world_3d(), p_field->field_transform());
-	if (const auto hit = rays.cast(eye, eye + double(p_camera->get_far()) * way)) {
-		const GroundPoint point{ *hit, true };
-		if (within(point)) {
-			return point;
+	GroundRays rays(first.get_world_3d(), first.field_transform());
+	if (const auto hit = rays.cast(to_first * eye, to_first * Eigen::Vector3d(eye + double(p_camera->get_far()) * way))) {
+		for (const GrassField *field : p_fields) {
+			if (is_within(*field, to_field_of(*field) * to_first.inverse() * *hit)) {
+				return GroundPoint{ *hit, true };
+			}
 		}
 	}
-	const double distance = -eye.y() / way.y(); // along the ray, to y = 0
-	const GroundPoint point{ eye + distance * way, false };
-	if (!(distance > 0.0) || !point.position.allFinite() || !within(point)) {
+	double nearest = std::numeric_limits<double>::infinity(); // along the ray, to y = 0 of a field
+	for (const GrassField *field : p_fields) {
+		const Eigen::Isometry3d to_field = to_field_of(*field);
+		const double distance = -(to_field * eye).y() / (to_field.linear() * way).y();
+		if (distance > 0.0 && distance < nearest && is_within(*field, to_field * Eigen::Vector3d(eye + distance * way))) {
+			nearest = distance;
+		}
+	}
+	if (!std::isfinite(nearest)) {
 		return {};
 	}
-	return point;
+	return GroundPoint{ to_first * Eigen::Vector3d(eye + nearest * way), false };
 }
 
 std::vector<Eigen::Vector3d> drape(

@@ -21,10 +21,10 @@ struct GroundPoint {
 	Eigen::Vector2d place() const { return { position.x(), position.z() }; }
 };
 
-// p_mouse: in the 3D editor's viewport, as in its input events. Nothing where the ray meets neither the field nor a
-// body within p_margin metres of it.
+// p_mouse: in the 3D editor's viewport, as in its input events. In the space of the first field. Nothing where the ray meets
+// neither the fields nor a body within p_margin metres of one.
 std::optional<GroundPoint> pick_ground(
-		const GrassField *p_field, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
+		std::span<GrassField *const> p_fields, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 
 // How far up and down to search for the ground around a cursor: it may be as steep as 60 degrees. Metres.
 inline double search_height(double p_radius) {

@@ -8,17 +8,21 @@ using namespace godot;
 
 namespace grass {
 
-void add_map_step(EditorUndoRedoManager *p_history, const String &p_name, const MapStep &p_step) {
-	p_history->create_action(p_name, UndoRedo::MERGE_DISABLE, p_step.context);
-	if (p_step.new_of != nullptr) {
-		p_history->add_do_property(p_step.new_of, "map", p_step.map);
-		p_history->add_undo_property(p_step.new_of, "map", Variant());
+void add_map_steps(EditorUndoRedoManager *p_history, const String &p_name, Object *p_context, std::span<const MapStep> p_steps) {
+	p_history->create_action(p_name, UndoRedo::MERGE_DISABLE, p_context);
+	for (const MapStep &step : p_steps) {
+		if (step.new_of != nullptr) {
+			p_history->add_do_property(step.new_of, "map", step.map);
+			p_history->add_undo_property(step.new_of, "map", Variant());
+		}
+		GrassMap *map = step.map.ptr();
+		p_history->add_do_method(map, "restore_snapshot", map->take_snapshot());
+		p_history->add_undo_method(map, "restore_snapshot", step.before);
 	}
-	GrassMap *map = p_step.map.ptr();
-	p_history->add_do_method(map, "restore_snapshot", map->take_snapshot());
-	p_history->add_undo_method(map, "restore_snapshot", p_step.before);
 	p_history->commit_action(false);
-	EditorInterface::get_singleton()->set_object_edited(map, true);
+	for (const MapStep &step : p_steps) {
+		EditorInterface::get_singleton()->set_object_edited(const_cast<GrassMap *>(step.map.ptr()), true);
+	}
 }
 
 } // namespace grass

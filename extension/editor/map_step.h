@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A change of a field's map as one step of the editor's history.
+// Changes of fields' maps as one step of the editor's history.
 #pragma once
 
 #include "nodes/grass_field.h"
 
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
 
+#include <span>
+
 namespace grass {
 
 struct MapStep {
-	godot::Object *context; // its scene keeps the step
 	godot::Ref<GrassMap> map; // as it is now
 	godot::Ref<GrassMapSnapshot> before;
 	GrassField *new_of = nullptr; // the field that got this map in the step; null: it had it before
 };
 
-// The change is done already.
-void add_map_step(godot::EditorUndoRedoManager *p_history, const godot::String &p_name, const MapStep &p_step);
+// The changes are done already. p_context: its scene keeps the step. Each map once.
+void add_map_steps(
+		godot::EditorUndoRedoManager *p_history, const godot::String &p_name, godot::Object *p_context, std::span<const MapStep> p_steps);
 
 } // namespace grass

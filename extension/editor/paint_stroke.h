@@ -1,69 +1,54 @@
 // SPDX-License-Identifier: MIT
-// One stroke of the editor's brush, from press to release: changes the map at once, then becomes one step of the editor's
-// history. A field without a map gets one, as part of that step.
+// One stroke of the editor's brush, from press to release, over all fields that it reaches: changes their maps at once, then
+// becomes one step of the editor's history.
 #pragma once
 
-#include "core/paint/stroke_path.h"
-#include "editor/ground_picker.h"
-#include "nodes/grass_brush.h"
-#include "nodes/grass_field.h"
-#include "nodes/grass_map.h"
+#include "editor/field_stroke.h"
 
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 
-#include <set>
+#include <span>
 
 namespace grass {
 
-// What is held down while painting.
-struct StrokeKeys {
-	bool opposite = false; // see opposite_of()
-	bool smooth = false; // see smoothing_of()
-	double pressure = 1.0; // of a pen, 0..1
-};
-
-// What a stroke cost so far.
-struct StrokeCosts {
-	int64_t steps = 0, chunks = 0; // chunks that steps changed, each time
-	int64_t rays = 0; // that looked for the ground
-	double total_us = 0.0, worst_us = 0.0; // CPU time of all steps, and of the longest, microseconds
-};
-
 class PaintStroke {
 public:
-	// p_bakes: reads the ground under the brush into the map before it paints there, for the grass to stand on and the
-	// brush's limits to use.
-	void begin(
-			GrassField *p_field, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys, bool p_bakes);
+	// p_fields: that it may paint; the chosen one first, in whose space the points are. p_bakes: see FieldStroke.
+	void begin(std::span<GrassField *const> p_fields, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point,
+			const StrokeKeys &p_keys, bool p_bakes);
 	void move(const GroundPoint &p_point, const StrokeKeys &p_keys);
-	// Ends the stroke and writes it into the history, if it changed anything. The field may be gone by then.
+	// Ends the stroke and writes it into the history, if it changed anything. Fields may be gone by then.
 	void finish(godot::EditorUndoRedoManager *p_history);
 	// Ends the stroke and undoes it.
 	void cancel();
 
-	bool is_active() const { return _map.is_valid(); }
+	bool is_active() const { return _brush.is_valid(); }
 	const StrokeCosts &get_costs() const { return _costs; } // of the stroke, also after its end
+	// Names of fields that do not grow the species to plant, and were left out; also after the stroke's end.
+	const godot::PackedStringArray &get_left_out() const { return _left_out; }
 
 private:
+	struct Reached { // a field that the stroke may paint
+		uint64_t id;
+		std::optional<int64_t> species; // that the brush plants, as this field numbers it
+	};
+
 	void step(const StrokeStep &p_step, const StrokeKeys &p_keys);
-	void bake(const StrokeStep &p_step);
-	GrassField *find_field() const;
+	void step_in(const Reached &p_field, const StrokeStep &p_step, const StrokeKeys &p_keys);
+	FieldStroke *find_part(GrassField *p_field);
 	void forget();
 
-	uint64_t _field_id = 0;
-	godot::Ref<GrassBrush> _brush;
-	godot::Ref<GrassMap> _map; // null between strokes
-	godot::Ref<GrassMapSnapshot> _before;
-	bool _new_map = false, _changed = false, _bakes = false;
-	StrokePath _path;
-	double _level = 0.0; // of the ground under the cursor, metres above the field
-	std::set<MapKey> _baked; // squares of BAKE_CELL metres, read in this stroke
+	godot::Ref<GrassBrush> _brush; // null between strokes
+	std::vector<Reached> _fields;
+	std::vector<FieldStroke> _parts; // of the fields that were reached
+	Eigen::Isometry3d _space = Eigen::Isometry3d::Identity(); // of the chosen field
+	StrokePath _path; // in that space
+	GroundPoint _point; // under the cursor
+	bool _bakes = false;
 	StrokeCosts _costs;
+	godot::PackedStringArray _left_out;
 };
-
-// Gives a field that has no map one: everything grows, as it did without. With the ground, if p_bakes, where the field is
-// not so large that this takes long.
-godot::Ref<GrassMap> add_map(GrassField *p_field, bool p_bakes);
 
 // The name of a tool in the history and in the toolbar.
 const char *name_of(GrassBrush::Tool p_tool);

@@ -25,7 +25,9 @@ namespace {
 
 constexpr int POINTS = 64; // of a ring
 constexpr double OUTER_PIXELS = 3.0, INNER_PIXELS = 1.5; // wide
-constexpr float INNER_ALPHA = 0.6f;
+constexpr double INNER_ALPHA = 0.6;
+constexpr int VEIL_RINGS = 6, VEIL_POINTS = 32; // each costs a ray; fewer: the veil cuts through hills
+constexpr double VEIL_LEAST = 0.06, VEIL_MOST = 0.2; // its alpha at strength 0 and 1
 constexpr uint32_t TOOL_LAYER = 1 << 24; // seen by the 3D editor's own cameras only
 
 // Width of a pixel and the eye, such that width times distance from the eye is what a pixel covers.
@@ -60,27 +62,37 @@ void RingView::create() {
 	server->instance_geometry_set_material_override(_instance, _material->get_rid());
 }
 
-void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const GroundPoint &p_centre, double p_radius, double p_hardness,
-		const Color &p_color) {
+void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look) {
 	if (!_instance.is_valid()) {
 		create();
 	}
 	const Transform3D transform = p_field->field_transform();
 	const Sight sight = sight_of(p_camera, Eigen::Isometry3d(to_eigen(transform).matrix()), p_centre.position);
-	const Color color = p_color.srgb_to_linear();
+	const Color color = p_look.color.srgb_to_linear();
 	PackedVector3Array vertices;
 	PackedColorArray colors;
-	const auto add_ring = [&](double p_ring_radius, double p_pixels, float p_alpha) {
-		const std::vector<Eigen::Vector2d> places = circle_places(p_centre.place(), p_ring_radius, POINTS);
-		const std::vector<Eigen::Vector3d> loop = drape(p_field, p_centre, places, p_radius);
+	const auto add = [&](const Eigen::Vector3d &p_vertex, double p_alpha) {
+		vertices.push_back(to_godot(Eigen::Vector3d(p_vertex - p_centre.position)));
+		colors.push_back(Color(color.r, color.g, color.b, float(p_alpha)));
+	};
+	const auto add_ring = [&](double p_radius, double p_pixels, double p_alpha) {
+		const std::vector<Eigen::Vector2d> places = circle_places(p_centre.place(), p_radius, POINTS);
+		const std::vector<Eigen::Vector3d> loop = drape(p_field, p_centre, places, p_look.radius);
 		for (const Eigen::Vector3d &vertex : ring_band(loop, sight.eye, p_pixels * sight.pixel)) {
-			vertices.push_back(to_godot(Eigen::Vector3d(vertex - p_centre.position)));
-			colors.push_back(Color(color.r, color.g, color.b, p_alpha));
+			add(vertex, p_alpha);
 		}
 	};
-	add_ring(p_radius, OUTER_PIXELS, 1.0f);
-	if (p_hardness > 0.0 && p_hardness < 1.0) {
-		add_ring(p_radius * p_hardness, INNER_PIXELS, INNER_ALPHA);
+	if (p_look.strength > 0.0) {
+		const std::vector<Eigen::Vector2d> places = disc_places(p_centre.place(), p_look.radius, VEIL_RINGS, VEIL_POINTS);
+		const std::vector<Eigen::Vector3d> disc = drape(p_field, p_centre, places, p_look.radius);
+		for (const int place : disc_triangles(VEIL_RINGS, VEIL_POINTS)) {
+			const double weight = p_look.shape.get_weight(places[size_t(place)]);
+			add(disc[size_t(place)], weight * (VEIL_LEAST + (VEIL_MOST - VEIL_LEAST) * p_look.strength));
+		}
+	}
+	add_ring(p_look.radius, OUTER_PIXELS, 1.0);
+	if (p_look.hardness > 0.0 && p_look.hardness < 1.0) {
+		add_ring(p_look.radius * p_look.hardness, INNER_PIXELS, INNER_ALPHA);
 	}
 	Array arrays;
 	arrays.resize(Mesh::ARRAY_MAX);

@@ -17,9 +17,15 @@ public:
 	RingView &operator=(const RingView &) = delete;
 	~RingView() { free(); }
 
-	// Around p_centre, with a fainter ring where the full effect ends. Lies on the ground, as wide as seen by p_camera.
-	void show(const GrassField *p_field, const godot::Camera3D *p_camera, const GroundPoint &p_centre, double p_radius, double p_hardness,
-			const godot::Color &p_color);
+	struct Look {
+		double radius, hardness; // metres; share of it, where a fainter ring shows that the full effect ends
+		godot::Color color;
+		double strength = 0.0; // of one touch, which a veil shows place by place; 0: none
+		MapShape shape = {}; // of the touch
+	};
+
+	// Around p_centre. Lies on the ground, as wide as seen by p_camera.
+	void show(const GrassField *p_field, const godot::Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look);
 	void hide();
 	bool is_shown() const { return _shown; }
 	void free();

@@ -3,7 +3,6 @@
 
 #include "convert.h"
 #include "core/plants/species_picture.h"
-#include "nodes/grass_species.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 
@@ -21,6 +20,25 @@ Eigen::Vector3f to_vector(const Color &p_color) {
 
 } // namespace
 
+Ref<Image> draw_picture(const GrassSpecies &p_species, const SpeciesLook &p_look, int p_side) {
+	PictureLook picture;
+	for (const Color &color : p_look.colors) {
+		picture.colors.push_back(to_vector(color));
+	}
+	picture.dry_color = to_vector(p_look.dry_color);
+	picture.dry = p_look.dry;
+	picture.card_color = to_vector(p_look.card_color);
+	picture.card_share = p_look.card_share;
+	picture.card_width = p_look.card_width;
+	picture.card_height = p_look.card_height;
+	const PackedByteArray card = p_look.card.is_valid() ? p_look.card->get_data() : PackedByteArray();
+	picture.card = { card.ptr(), size_t(card.size()) };
+	picture.card_side = p_look.card.is_valid() ? Cards::SIDE : 0;
+	const Ref<GrassPatch> patch = p_species.get_patch();
+	const std::vector<uint8_t> bytes = draw_species(patch.is_valid() ? patch->get_params() : PatchParams(), picture, p_side);
+	return Image::create_from_data(p_side, p_side, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(bytes)));
+}
+
 bool SpeciesPreview::_handles(const String &p_type) const {
 	return p_type == "GrassSpecies";
 }
@@ -32,24 +50,7 @@ Ref<Texture2D> SpeciesPreview::_generate(const Ref<Resource> &p_resource, const 
 	if (species == nullptr || side <= 0) {
 		return {};
 	}
-	const SpeciesLook look = species->make_look(read_card(species->get_card()));
-	PictureLook picture;
-	for (const Color &color : look.colors) {
-		picture.colors.push_back(to_vector(color));
-	}
-	picture.dry_color = to_vector(look.dry_color);
-	picture.dry = look.dry;
-	picture.card_color = to_vector(look.card_color);
-	picture.card_share = look.card_share;
-	picture.card_width = look.card_width;
-	picture.card_height = look.card_height;
-	const PackedByteArray card = look.card.is_valid() ? look.card->get_data() : PackedByteArray();
-	picture.card = { card.ptr(), size_t(card.size()) };
-	picture.card_side = look.card.is_valid() ? Cards::SIDE : 0;
-	const Ref<GrassPatch> patch = species->get_patch();
-	const std::vector<uint8_t> bytes = draw_species(patch.is_valid() ? patch->get_params() : PatchParams(), picture, side);
-	return ImageTexture::create_from_image(
-			Image::create_from_data(side, side, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(bytes))));
+	return ImageTexture::create_from_image(draw_picture(*species, species->make_look(read_card(species->get_card())), side));
 }
 
 } // namespace grass

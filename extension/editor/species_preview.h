@@ -2,9 +2,15 @@
 // Pictures of GrassSpecies resources in the inspector and in the file dock.
 #pragma once
 
+#include "nodes/grass_species.h"
+
 #include <godot_cpp/classes/editor_resource_preview_generator.hpp>
+#include <godot_cpp/classes/image.hpp>
 
 namespace grass {
+
+// p_look: of the species. Clear where no blade is.
+godot::Ref<godot::Image> draw_picture(const GrassSpecies &p_species, const SpeciesLook &p_look, int p_side);
 
 class SpeciesPreview : public godot::EditorResourcePreviewGenerator {
 	GDCLASS(SpeciesPreview, godot::EditorResourcePreviewGenerator)

@@ -76,6 +76,10 @@ void FieldMonitors::remove(GrassField *p_field) {
 	}
 }
 
+std::vector<GrassField *> FieldMonitors::get_fields() {
+	return _singleton == nullptr ? std::vector<GrassField *>() : _singleton->_fields;
+}
+
 void FieldMonitors::free_singleton() {
 	if (_singleton != nullptr) {
 		memdelete(_singleton);

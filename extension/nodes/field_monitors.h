@@ -37,6 +37,7 @@ public:
 	// Main thread only. p_field counts from now on, until remove().
 	static void add(GrassField *p_field);
 	static void remove(GrassField *p_field);
+	static std::vector<GrassField *> get_fields(); // all that count: those in the tree
 	// Call when the library is unloaded.
 	static void free_singleton();
 

@@ -93,6 +93,11 @@ public:
 	godot::Ref<GrassFillRule> get_fill_rule() const { return _filler.get_rule(); }
 	void set_fill_live(bool p_live);
 	bool is_fill_live() const { return _filler.is_live(); }
+	// For the editor: draws the grass as a brush would leave it, while the map stays as it is. Until the map changes or the next preview.
+	// Not for a field without a map.
+	void preview(const MapShape &p_shape, const Brush &p_brush);
+	void end_preview();
+	bool is_preview() const { return _standing.get_map() != nullptr && _standing.get_map()->is_preview(); }
 	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass that came
 	godot::Callable get_fill_button() const;
 	void set_seed(int64_t p_seed);

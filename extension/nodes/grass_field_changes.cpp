@@ -115,6 +115,7 @@ void GrassField::watch_bare_map() {
 
 // However often the map changes, it is read once, at the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
+	end_preview();
 	_filler.touch(_properties.map, p_chunks);
 	watch_bare_map();
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
@@ -124,6 +125,21 @@ void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 
 		}
 	}
 	_standing.request_draw();
+}
+
+void GrassField::preview(const MapShape &p_shape, const Brush &p_brush) {
+	ShownMap *map = _standing.get_map();
+	if (map != nullptr && map->get_map() == _properties.map) {
+		map->preview([&](PaintMap &r_map) { return apply_brush(r_map, p_shape, p_brush); });
+		_standing.request_draw();
+	}
+}
+
+void GrassField::end_preview() {
+	ShownMap *map = _standing.get_map();
+	if (map != nullptr && map->end_preview()) {
+		_standing.request_draw();
+	}
 }
 
 void GrassField::update_map() {

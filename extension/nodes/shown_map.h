@@ -6,6 +6,9 @@
 #include "draw/map_textures.h"
 #include "nodes/grass_map.h"
 
+#include <functional>
+#include <memory>
+
 namespace grass {
 
 struct FieldSetup;
@@ -33,6 +36,10 @@ public:
 	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared = nullptr);
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
+	// Shows the map as p_change would make it, instead of as it is: on a copy. The next preview takes the place of this one.
+	void preview(const std::function<BrushResult(PaintMap &)> &p_change);
+	bool end_preview(); // false: there was none
+	bool is_preview() const { return _preview != nullptr; }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
 	// Lays the map out chunk by chunk, as long as p_go_on returns true.
 	FieldMap::Changes update(const std::function<bool()> &p_go_on);
@@ -48,8 +55,11 @@ public:
 
 private:
 	ShownMap(const godot::Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun);
+	const PaintMap &shown() const { return _preview ? *_preview : _map->get_map(); }
 
 	godot::Ref<GrassMap> _map;
+	std::unique_ptr<PaintMap> _preview; // null: the map is shown as it is
+	MapRegion _previewed; // where the two differ
 	FieldMap _field;
 	MapTextures _textures;
 };

@@ -207,7 +207,7 @@ const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const 
 	if (_properties.map.is_null()) {
 		return nullptr;
 	}
-	if (_map && _map->get_map() == _properties.map && !_map->get_field().is_waiting_at(p_place)) {
+	if (_map && _map->get_map() == _properties.map && !_map->is_preview() && !_map->get_field().is_waiting_at(p_place)) {
 		return _field.get_layers();
 	}
 	MapLayers plain;

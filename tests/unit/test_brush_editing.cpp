@@ -153,6 +153,20 @@ TEST_CASE("ring: places lie on the circle, evenly") {
 	}
 }
 
+TEST_CASE("ring: the disc's triangles cover it once") {
+	const std::vector<Vector2d> places = disc_places({ 3, -2 }, 5.0, 4, 32);
+	REQUIRE(places.size() == 1 + 4 * 32);
+	const std::vector<int> triangles = disc_triangles(4, 32);
+	double area = 0.0;
+	for (size_t i = 0; i < triangles.size(); i += 3) {
+		const Vector2d a = places[size_t(triangles[i])], b = places[size_t(triangles[i + 1])], c = places[size_t(triangles[i + 2])];
+		const double twice = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+		CHECK(twice > 0.0); // all the same way round
+		area += 0.5 * twice;
+	}
+	CHECK(area == doctest::Approx(0.5 * 32 * 25.0 * std::sin(2.0 * std::numbers::pi / 32))); // of the polygon
+}
+
 TEST_CASE("ring: the band is as wide as asked, seen from the eye") {
 	std::vector<Vector3d> loop;
 	for (const Vector2d &place : circle_places({ 0, 0 }, 2.0, 64)) {

@@ -17,6 +17,30 @@ std::vector<Eigen::Vector2d> circle_places(const Eigen::Vector2d &p_centre, doub
 	return places;
 }
 
+std::vector<Eigen::Vector2d> disc_places(const Eigen::Vector2d &p_centre, double p_radius, int p_rings, int p_count) {
+	std::vector<Eigen::Vector2d> places = { p_centre };
+	for (int ring = 1; ring <= p_rings; ring++) {
+		const std::vector<Eigen::Vector2d> circle = circle_places(p_centre, p_radius * ring / p_rings, p_count);
+		places.insert(places.end(), circle.begin(), circle.end());
+	}
+	return places;
+}
+
+std::vector<int> disc_triangles(int p_rings, int p_count) {
+	std::vector<int> triangles;
+	const auto number = [&](int p_ring, int p_i) { return p_ring < 0 ? 0 : 1 + p_ring * p_count + p_i % p_count; };
+	for (int ring = 0; ring < p_rings; ring++) {
+		for (int i = 0; i < p_count; i++) {
+			const int inner = number(ring - 1, i), outer = number(ring, i), next = number(ring, i + 1);
+			triangles.insert(triangles.end(), { inner, outer, next });
+			if (ring > 0) {
+				triangles.insert(triangles.end(), { inner, next, number(ring - 1, i + 1) });
+			}
+		}
+	}
+	return triangles;
+}
+
 std::vector<Eigen::Vector3d> ring_band(std::span<const Eigen::Vector3d> p_loop, const Eigen::Vector3d &p_eye, double p_width) {
 	const size_t count = p_loop.size();
 	std::vector<Eigen::Vector3d> sides; // half the band's width at each point

@@ -12,6 +12,11 @@ namespace grass {
 // p_count places evenly around a circle, from +x towards +z.
 std::vector<Eigen::Vector2d> circle_places(const Eigen::Vector2d &p_centre, double p_radius, int p_count);
 
+// A disc's centre, then p_rings circles of p_count places each, outwards.
+std::vector<Eigen::Vector2d> disc_places(const Eigen::Vector2d &p_centre, double p_radius, int p_rings, int p_count);
+// The triangles between these places, three of their numbers each.
+std::vector<int> disc_triangles(int p_rings, int p_count);
+
 // A closed band along a loop of points, that looks p_width wide everywhere: p_width is in units of the distance from the
 // eye, so 2 * tan(fov / 2) / height makes it one pixel. Triangles, three vertices each, six a point. Where the loop
 // runs towards the eye or stands still, the band has no width.

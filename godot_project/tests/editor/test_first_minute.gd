@@ -75,12 +75,29 @@ func test_a_new_map_that_grows_nothing_is_said() -> void:
 	get_tree().node_configuration_warning_changed.disconnect(_count_update)
 
 
-func species_item(index: int) -> String:
-	return (toolbar.get_node("SpeciesTarget") as OptionButton).get_item_text(index)
+func palette() -> ItemList:
+	return toolbar.get_node("SpeciesTarget")
 
 
-## The brush's choice of species, with three to choose from.
-func mix_species() -> OptionButton:
+## The name in the palette that is chosen.
+func chosen() -> String:
+	return palette().get_item_text(palette().get_selected_items()[0]) if palette().is_anything_selected() else ""
+
+
+func names() -> Array:
+	return range(palette().item_count).map(palette().get_item_text)
+
+
+## Clicks on a picture in the palette.
+func pick(index: int) -> void:
+	var middle := palette().global_position + palette().get_item_rect(index).get_center()
+	await move(middle)
+	await button(MOUSE_BUTTON_LEFT, true, middle)
+	await button(MOUSE_BUTTON_LEFT, false, middle)
+
+
+## Three to choose from.
+func mix_species() -> void:
 	var clover := GrassSpecies.new()
 	clover.resource_name = "Clover"
 	clover.tip_color = Color.DARK_GREEN
@@ -97,64 +114,57 @@ func mix_species() -> OptionButton:
 	var species: Array[GrassSpecies] = [clover, of_file, poppy]
 	field.species = species
 	await frames(3)
-	return toolbar.get_node("SpeciesTarget")
 
 
-func test_species_are_chosen_by_name() -> void:
+func test_species_are_chosen_by_picture_and_name() -> void:
 	await take("Erase")
-	var choice := await mix_species()
+	await mix_species()
 	await take("Species")
-	assert_eq(choice.item_count, 4)
-	assert_eq(choice.text, "Clover", "the first species, not the mixture")
-	assert_eq([species_item(0), species_item(1), species_item(2), species_item(3)], ["As mixed", "Clover", "Dry Straw", "Species 3"])
+	await frames(3)
+	assert_eq(names(), ["As mixed", "Clover", "Dry Straw", "Species 3"])
+	assert_eq(chosen(), "Clover", "the first species, not the mixture")
 	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
 	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 1.0, "something useful at once")
 
-	await click(choice)  # its popup opens
-	await frames(3)
-	assert_true(choice.get_popup().visible)
-	await shoot("species_choice")
-	choice.get_popup().get_texture().get_image().save_png(ProjectSettings.globalize_path("res://../species_popup.png"))
-	for i in 8:
-		if choice.get_popup().get_focused_item() != 3:
-			await popup_key(choice.get_popup(), KEY_DOWN)
-	await popup_key(choice.get_popup(), KEY_ENTER)
-	await frames(2)
-	assert_false(choice.get_popup().visible)
-	assert_eq(choice.text, "Species 3")
+	await pick(3)
+	assert_eq(chosen(), "Species 3")
 	await stroke([Vector3(-1, 0, 0), Vector3(0, 0, 0), Vector3(1, 0, 0)])
-	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 3.0)
+	assert_eq(channel(GrassMap.CHANNEL_SPECIES), 3.0, "picked by a click")
+	await shoot("species_palette")
 	await move(at(Vector3.ZERO))
 	await key(KEY_BRACKETLEFT, KEY_MASK_CTRL | KEY_MASK_SHIFT)
-	assert_eq(choice.text, "Dry Straw", "by key")
+	assert_eq(chosen(), "Dry Straw", "by key")
 
 	(field.species[1] as GrassSpecies).resource_name = "Hay"
 	await frames(2)
-	assert_eq(choice.text, "Hay", "a new name shows at once")
-	var swatch := choice.get_item_icon(2).get_image()
-	assert_greater(swatch.get_pixel(4, 1).r, swatch.get_pixel(4, 1).b + 0.3, "golden tips above")
-	assert_less(swatch.get_pixel(4, swatch.get_height() - 1).g, swatch.get_pixel(4, 1).g, "brown roots below")
-	var flower := choice.get_item_icon(3).get_image()
-	assert_greater(flower.get_pixel(flower.get_width() / 2, flower.get_height() / 2).r, 0.8, "a red flower")
+	assert_eq(chosen(), "Hay", "a new name shows at once")
+	var straw := mean_color(palette().get_item_icon(2).get_image())
+	var clover := mean_color(palette().get_item_icon(1).get_image())
+	assert_greater(straw.r, straw.b + 0.2, "golden")
+	assert_greater(clover.g, clover.r, "green")
+	var flower := mean_color(palette().get_item_icon(3).get_image())
+	assert_greater(flower.r, mean_color(palette().get_item_icon(1).get_image()).r + 0.1, "a red flower")
+	var before := palette().get_item_icon(2).get_image().get_data()
+	(field.species[1] as GrassSpecies).tip_color = Color.BLUE
+	await frames(2)
+	assert_ne(palette().get_item_icon(2).get_image().get_data(), before, "a new colour shows, too")
 	field.species = field.species.slice(0, 1)
 	await frames(2)
-	assert_eq(choice.text, "Clover", "the one that is left")
+	assert_eq(chosen(), "Clover", "the one that is left")
 	field.species = []
 	await frames(2)
-	assert_true(choice.disabled)
-	assert_true(choice.tooltip_text.contains("`species`"), "says what to do")
+	assert_eq(names(), ["Drop a species here"])
+	assert_true(palette().tooltip_text.contains("`species`"), "says what to do")
 
 
-## A key to a window of its own, by way of the display server.
-func popup_key(popup: PopupMenu, code: Key) -> void:
-	for pressed: bool in [true, false]:
-		var event := InputEventKey.new()
-		event.window_id = popup.get_window_id()
-		event.keycode = code
-		event.physical_keycode = code
-		event.pressed = pressed
-		Input.parse_input_event(event)
-		await frames(1)
+## Of what is drawn in a picture.
+func mean_color(picture: Image) -> Color:
+	var sum := Color(0, 0, 0, 0)
+	for y in picture.get_height():
+		for x in picture.get_width():
+			var color := picture.get_pixel(x, y)
+			sum += Color(color.r, color.g, color.b, 1.0) * color.a
+	return sum / maxf(sum.a, 1e-6)
 
 
 ## What an export to a platform of this class says of the field, by its messages.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-## The pictures in docs/painting.md: toolbar, ring and strokes on a meadow that rises; the answer to why there is no grass. Written
-## beside the test's copy of the project as painting.png and why.png; what can be told without eyes is checked.
+## The pictures in docs/painting.md: toolbar, ring and strokes on a meadow that rises; what the brush would do; the answer to why there is
+## no grass. Written beside the test's copy of the project as painting.png, preview.png and why.png; what can be told without eyes is
+## checked.
 @tool
 extends "res://tests/editor/editor_case.gd"
 
@@ -89,6 +90,23 @@ func test_toolbar_ring_and_strokes() -> void:
 	assert_true(plugin.get_statistics().ring)
 	field.density = 144.0
 	await shoot("painting")
+
+
+func test_the_grass_before_the_stroke() -> void:
+	await click(toolbar.get_node("Bake"))
+	await move(at(on(0, 0)))
+	await key(KEY_V)
+	await take("Cut")
+	for number: Array in [["Radius", 1.4], ["Strength", 1.0], ["Hardness", 0.4], ["CutHeight", 0.05]]:
+		(toolbar.get_node(number[0]) as Range).value = number[1]
+	field.density = 144.0
+	await frames(10)
+	var painted := field.map.data
+	await move(at(on(0.8, -1.5)))
+	await frames(5)
+	assert_eq(plugin.get_statistics().preview, 1)
+	assert_eq(field.map.data, painted, "nothing is cut")
+	await shoot("preview")
 
 
 func test_the_answer_beside_the_cursor() -> void:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Presets that are dropped on the toolbar's Species tool.
+## Presets that are dropped on the toolbar's Species tool, on its palette, or on a field in the 3D view.
 @tool
 extends "res://tests/editor/editor_case.gd"
 
@@ -8,17 +8,29 @@ const PRESETS := "res://addons/grass_field/presets/"
 
 ## Lets go over a part of the toolbar of what the file dock would have been dragging.
 func drop(files: PackedStringArray, on: String) -> void:
-	var from: Control = toolbar.get_node("Bake")
-	var to: Control = toolbar.get_node(on)
+	await drop_at(files, (toolbar.get_node(on) as Control).get_global_rect().get_center())
+
+
+func drop_at(files: PackedStringArray, target: Vector2) -> void:
+	var from: Control = EditorInterface.get_base_control().find_children("*", "FileSystemDock", true, false)[0]
 	var middle := from.get_global_rect().get_center()
 	await move(middle)
 	await button(MOUSE_BUTTON_LEFT, true, middle)
+	get_tree().root.warp_mouse(target)  # the engine tells controls the pointer's own place, not the event's
 	from.force_drag({type = "files", files = files}, Control.new())
-	var target := to.get_global_rect().get_center()
 	for step in 4:
 		await move(middle.lerp(target, 0.25 * (step + 1)), MOUSE_BUTTON_MASK_LEFT)
 	await button(MOUSE_BUTTON_LEFT, false, target)
 	await frames(2)
+
+
+func after() -> void:
+	get_tree().root.warp_mouse(get_tree().root.size / 2)
+	await super()
+
+
+func over_views() -> int:
+	return get_tree().root.find_children("*", "ViewDrop", true, false).size()
 
 
 func test_a_preset_grows_and_is_in_the_hand() -> void:
@@ -29,8 +41,8 @@ func test_a_preset_grows_and_is_in_the_hand() -> void:
 	assert_true((toolbar.get_node("Species") as Button).button_pressed)
 	await drop([PRESETS + "clover.tres", PRESETS + "wheat.tres", PRESETS + "daisy.tres"], "SpeciesTarget")
 	assert_eq(field.species.size(), 3, "none twice")
-	var choice: OptionButton = toolbar.get_node("SpeciesTarget")
-	assert_eq(choice.get_item_text(choice.selected), "Daisy", "the last one is chosen")
+	var palette: ItemList = toolbar.get_node("SpeciesTarget")
+	assert_true(palette.is_selected(3) and palette.get_item_text(3) == "Daisy", "the last one is chosen")
 	await stroke([Vector3(-1, 0, 0), Vector3(1, 0, 0)])
 	assert_eq(field.map.sample(GrassMap.CHANNEL_SPECIES, Vector2(0.25, 0.25)), 3.0, "and planted")
 	await undo()
@@ -43,3 +55,30 @@ func test_a_preset_grows_and_is_in_the_hand() -> void:
 func test_what_is_no_species_is_not_taken() -> void:
 	await drop(["res://tests/editor/hills.tscn"], "Species")
 	assert_eq(field.species.size(), 0)
+
+
+func test_a_preset_that_is_dropped_on_a_field_grows_there() -> void:
+	var right := GrassField.new()
+	right.name = "Right"
+	right.size = Vector2(4, 4)
+	right.position = Vector3(2.5, 0, 0)
+	field.size = Vector2(1, 1)
+	EditorInterface.get_edited_scene_root().add_child(right)
+	right.owner = field.owner
+	await select(null)
+	assert_false(toolbar.is_visible_in_tree())
+	await drop_at([PRESETS + "clover.tres"], at(Vector3(2, 0, 0)))
+	if not assert_eq(right.species.size(), 1, "the field under the cursor grows it"):
+		return
+	assert_eq(field.species.size(), 0, "no other one")
+	assert_eq(over_views(), 0, "nothing is left over the view")
+	assert_eq(EditorInterface.get_selection().get_selected_nodes(), [right] as Array[Node])
+	assert_true(toolbar.is_visible_in_tree() and (toolbar.get_node("Species") as Button).button_pressed, "in the hand")
+	await stroke([Vector3(2, 0, 0), Vector3(2.5, 0, 0)])
+	assert_true(right.map != null, "and planted by the next stroke")
+	await undo()
+	await undo()
+	assert_eq(right.species.size(), 0, "one step")
+	await drop_at([PRESETS + "clover.tres"], at(Vector3(-3, 0, 0)))
+	assert_eq(right.species.size() + field.species.size(), 0, "no field there")
+	await select(field)

@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The species that the brush plants, chosen by name and picture from those of the selected field.
+// The species that the brush plants, picked by picture and name from those of the selected field.
 #pragma once
 
 #include "nodes/grass_field.h"
 
-#include <godot_cpp/classes/image_texture.hpp>
-#include <godot_cpp/classes/option_button.hpp>
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/item_list.hpp>
 
-#include <array>
 #include <vector>
 
 namespace grass {
 
-// Each entry's id is the number that GrassBrush.species has for it: 0 as the species are mixed, n the n-th one.
-class SpeciesChoice : public godot::OptionButton {
-	GDCLASS(SpeciesChoice, godot::OptionButton)
+// An item's index is the number that GrassBrush.species has for it: 0 as the species are mixed, n the n-th one.
+class SpeciesPalette : public godot::ItemList {
+	GDCLASS(SpeciesPalette, godot::ItemList)
 
 public:
-	SpeciesChoice();
+	SpeciesPalette();
 
 	// Offers the field's species. Cheap if they did not change: species notify only their field of that.
 	void show_field(const GrassField *p_field);
 	int get_count() const { return int(_entries.size()); } // of species
 	void show_species(int64_t p_species);
-	// The species to plant on this field, where the brush plants p_species so far: the first, until the user has chosen one.
-	int64_t fitting(int64_t p_species) const;
+	// The species to plant on this field, where the brush plants p_species so far: the first, unless the user has chosen one that is there.
+	int64_t fitting(int64_t p_species);
 	void set_chosen() { _is_chosen = true; }
 
 protected:
@@ -33,14 +32,13 @@ protected:
 private:
 	struct Entry {
 		godot::String name;
-		std::array<godot::Color, GRASS_LOOK_COLORS> colors{}; // from root to tip, linear
+		godot::Ref<GrassSpecies> species; // null: an empty place
 		godot::Ref<godot::Image> card;
-		godot::Color card_color;
+		std::vector<double> look; // all else that its picture shows
 		bool operator==(const Entry &) const = default;
 	};
 
 	static Entry entry_of(const godot::Ref<GrassSpecies> &p_species, int p_number);
-	static godot::Ref<godot::ImageTexture> make_swatch(const Entry &p_entry);
 	void fill();
 
 	std::vector<Entry> _entries;

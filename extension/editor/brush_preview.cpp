@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "editor/brush_preview.h"
+
+#include "editor/painted_fields.h"
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+GrassField *find(uint64_t p_id) {
+	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
+}
+
+} // namespace
+
+void BrushPreview::show(
+		std::span<GrassField *const> p_fields, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys) {
+	hide();
+	const StrokeStep way{ _last, p_point.place() };
+	_last = p_point.place();
+	const Eigen::Isometry3d space = to_field_of(*p_fields[0]).inverse();
+	for (GrassField *field : p_fields) {
+		const std::optional<int64_t> species = find_species(*p_fields[0], p_brush.get_species(), *field);
+		const auto over =
+				step_over(*field, space, { p_point.place(), p_point.place() }, p_point.position.y(), p_brush.get_param(BRUSH_RADIUS));
+		const auto along = step_over(*field, space, way, p_point.position.y(), p_brush.get_param(BRUSH_RADIUS));
+		if (!over || !along) {
+			continue;
+		}
+		if (const auto brush = brush_for(p_brush, along->step, p_keys, species)) {
+			field->preview(p_brush.get_stroke(over->step.from, over->step.to), *brush);
+			_field_ids.push_back(field->get_instance_id());
+		}
+	}
+}
+
+void BrushPreview::hide() {
+	for (const uint64_t id : _field_ids) {
+		if (GrassField *field = find(id)) {
+			field->end_preview();
+		}
+	}
+	_field_ids.clear();
+}
+
+int BrushPreview::get_count() const {
+	int count = 0;
+	for (const uint64_t id : _field_ids) {
+		const GrassField *field = find(id);
+		count += field != nullptr && field->is_preview() ? 1 : 0;
+	}
+	return count;
+}
+
+} // namespace grass

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the brush would do, before it does: the grass under the cursor as one touch would leave it. Only drawn: no map changes, and
+// nothing is saved.
+#pragma once
+
+#include "editor/field_stroke.h"
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class BrushPreview {
+public:
+	// p_fields: that a stroke would paint; the chosen one first, in whose space the point is. A field without a map shows nothing.
+	void show(std::span<GrassField *const> p_fields, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys);
+	void hide();
+	int get_count() const; // of fields that show it
+
+private:
+	std::vector<uint64_t> _field_ids; // that may show it
+	Eigen::Vector2d _last = Eigen::Vector2d::Zero(); // place: a comb leans the grass the way that the cursor goes
+};
+
+} // namespace grass

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "editor/painted_fields.h"
+
+#include "convert.h"
+#include "nodes/field_monitors.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+bool holds_middle_of(const GrassField &p_field, const GrassField &p_other) {
+	const Eigen::Vector3d middle = to_field_of(p_field) * to_eigen(p_other.field_transform().origin);
+	return is_reached(p_field, { middle.x(), middle.z() }, 0.0);
+}
+
+// A map that lies in another scene's file: saving this one would not save it.
+bool is_foreign(const Ref<GrassMap> &p_map, const String &p_scene) {
+	const String path = p_map.is_valid() ? p_map->get_path() : String();
+	return path.contains("::") && path.get_slice("::", 0) != p_scene;
+}
+
+bool is_neighbour(const GrassField &p_field, const GrassField &p_chosen, const Node *p_root) {
+	const bool is_saved = p_field.get_owner() == p_root || &p_field == p_root;
+	return is_saved && !is_foreign(p_field.get_map(), p_root->get_scene_file_path()) && p_field.is_visible_in_tree() &&
+			!p_field.has_meta("_edit_lock_") && p_field.get_world_3d() == p_chosen.get_world_3d() && !holds_middle_of(p_field, p_chosen) &&
+			!holds_middle_of(p_chosen, p_field);
+}
+
+// The resource's own name, or the name of its file.
+String name_of_species(const Ref<GrassSpecies> &p_species) {
+	if (p_species.is_null()) {
+		return String();
+	}
+	const String path = p_species->get_path();
+	const bool has_file = !path.is_empty() && !path.contains("::");
+	return p_species->get_name().is_empty() && has_file ? path.get_file().get_basename() : p_species->get_name();
+}
+
+} // namespace
+
+Eigen::Isometry3d to_field_of(const GrassField &p_field) {
+	return Eigen::Isometry3d(to_eigen(p_field.field_transform()).inverse(Eigen::Isometry).matrix());
+}
+
+bool is_reached(const GrassField &p_field, const Eigen::Vector2d &p_place, double p_radius) {
+	const Eigen::Array2d half = 0.5 * to_eigen(p_field.get_size()).array();
+	return ((p_place.array().abs() - half).max(0.0)).matrix().norm() <= p_radius;
+}
+
+std::vector<GrassField *> find_painted_fields(GrassField *p_chosen) {
+	std::vector<GrassField *> fields = { p_chosen };
+	const Node *root = EditorInterface::get_singleton()->get_edited_scene_root();
+	if (root == nullptr) {
+		return fields;
+	}
+	for (GrassField *field : FieldMonitors::get_fields()) {
+		if (field != p_chosen && is_neighbour(*field, *p_chosen, root)) {
+			fields.push_back(field);
+		}
+	}
+	return fields;
+}
+
+std::optional<int64_t> find_species(const GrassField &p_chosen, int64_t p_species, const GrassField &p_field) {
+	const TypedArray<GrassSpecies> ours = p_chosen.get_species(), theirs = p_field.get_species();
+	if (p_species == 0 || &p_chosen == &p_field) {
+		return p_species;
+	}
+	const Ref<GrassSpecies> wanted = p_species <= ours.size() ? Ref<GrassSpecies>(ours[p_species - 1]) : Ref<GrassSpecies>();
+	if (wanted.is_null()) {
+		return {};
+	}
+	if (const int64_t place = theirs.find(wanted); place >= 0) {
+		return place + 1;
+	}
+	const String name = name_of_species(wanted);
+	for (int64_t i = 0; i < theirs.size() && !name.is_empty(); i++) {
+		if (name_of_species(theirs[i]) == name) {
+			return i + 1;
+		}
+	}
+	return {};
+}
+
+} // namespace grass

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "editor/species_palette.h"
+
+#include "editor/species_preview.h"
+
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/image_texture.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// In the editor's unscaled pixels: a picture's side, an item's width, the room between two, the room around all.
+constexpr int PICTURE = 40, COLUMN = 68, BETWEEN = 8, AROUND = 24;
+constexpr char TOOLTIP[] = "The species to plant: click one, or Ctrl + Shift + [ and ].\nDrop a GrassSpecies here, a preset for one: "
+						   "the field grows it, too.";
+constexpr char NO_SPECIES_TOOLTIP[] = "The field has no species to plant. Drop one here, or add entries to its `species`.";
+
+// A strip of each, side by side.
+Ref<Image> mix_of(const std::vector<Ref<Image>> &p_pictures, int p_side) {
+	Ref<Image> mix = Image::create_empty(p_side, p_side, false, Image::FORMAT_RGBA8);
+	const int count = int(p_pictures.size());
+	for (int i = 0; i < count; i++) {
+		const int from = i * p_side / count, to = (i + 1) * p_side / count;
+		mix->blit_rect(p_pictures[size_t(i)], Rect2i(from, 0, to - from, p_side), Vector2i(from, 0));
+	}
+	return mix;
+}
+
+} // namespace
+
+SpeciesPalette::SpeciesPalette() {
+	const int scale = std::max(1, int(EditorInterface::get_singleton()->get_editor_scale()));
+	set_focus_mode(FOCUS_NONE); // keys stay with the view
+	set_icon_mode(ICON_MODE_TOP);
+	set_fixed_icon_size(Vector2i(PICTURE, PICTURE) * scale);
+	set_fixed_column_width(COLUMN * scale); // names may be of any length
+	set_max_columns(GRASS_MAX_SPECIES + 1); // one row
+	set_auto_height(true);
+}
+
+void SpeciesPalette::show_field(const GrassField *p_field) {
+	std::vector<Entry> entries;
+	const TypedArray<GrassSpecies> species = p_field != nullptr ? p_field->get_species() : TypedArray<GrassSpecies>();
+	for (int i = 0; i < std::min(int(species.size()), GRASS_MAX_SPECIES); i++) {
+		entries.push_back(entry_of(species[i], i + 1));
+	}
+	if (entries != _entries || get_item_count() == 0) {
+		_entries = std::move(entries);
+		fill();
+	}
+}
+
+SpeciesPalette::Entry SpeciesPalette::entry_of(const Ref<GrassSpecies> &p_species, int p_number) {
+	Entry entry;
+	entry.name = vformat("Species %d", p_number);
+	entry.species = p_species;
+	if (p_species.is_null()) {
+		entry.name += String(" (empty)");
+		return entry;
+	}
+	const bool has_file = !p_species->get_path().is_empty() && !p_species->get_path().contains("::");
+	if (!p_species->get_name().is_empty()) {
+		entry.name = p_species->get_name();
+	} else if (has_file) {
+		entry.name = p_species->get_path().get_file().get_basename().capitalize();
+	}
+	const SpeciesLook look = entry.species->get_look();
+	entry.card = look.card;
+	entry.look = { look.dry, look.card_share, look.card_width, look.card_height };
+	std::vector<Color> colors(look.colors.begin(), look.colors.end());
+	colors.insert(colors.end(), { look.dry_color, look.card_color });
+	for (const Color &color : colors) {
+		entry.look.insert(entry.look.end(), { color.r, color.g, color.b });
+	}
+	if (const Ref<GrassPatch> patch = entry.species->get_patch(); patch.is_valid()) {
+		const PatchParams &form = patch->get_params();
+		entry.look.insert(entry.look.end(), { double(form.seed), form.length_min, form.length_max, form.width_min, form.width_max });
+		entry.look.insert(entry.look.end(), form.weights.begin(), form.weights.end());
+	}
+	return entry;
+}
+
+void SpeciesPalette::fill() {
+	clear();
+	const int side = int(get_fixed_icon_size().x);
+	std::vector<Ref<Image>> pictures;
+	for (const Entry &entry : _entries) {
+		const bool is_empty = entry.species.is_null();
+		pictures.push_back(is_empty ? Image::create_empty(side, side, false, Image::FORMAT_RGBA8)
+									: draw_picture(**entry.species, entry.species->get_look(), side));
+	}
+	if (_entries.empty()) {
+		add_item("Drop a species here", Ref<Texture2D>(), false);
+	} else {
+		add_item("As mixed", ImageTexture::create_from_image(mix_of(pictures, side)));
+	}
+	for (size_t i = 0; i < _entries.size(); i++) {
+		add_item(_entries[i].name, ImageTexture::create_from_image(pictures[i]));
+		set_item_tooltip(int32_t(i) + 1, _entries[i].name + "\n" + TOOLTIP);
+	}
+	set_tooltip_text(_entries.empty() ? NO_SPECIES_TOOLTIP : TOOLTIP);
+	set_fixed_column_width(_entries.empty() ? 0 : side * COLUMN / PICTURE);
+	const int width = side * (_entries.empty() ? 3 * COLUMN : (COLUMN + BETWEEN) * (get_count() + 1) + AROUND) / PICTURE;
+	set_custom_minimum_size(Vector2(real_t(width), 0));
+}
+
+void SpeciesPalette::show_species(int64_t p_species) {
+	const int32_t index = int32_t(std::min<int64_t>(p_species, get_count()));
+	if (!_entries.empty() && !is_selected(index)) {
+		select(index);
+	}
+}
+
+int64_t SpeciesPalette::fitting(int64_t p_species) {
+	_is_chosen = _is_chosen && p_species <= get_count();
+	return _is_chosen ? p_species : std::min(1, get_count());
+}
+
+} // namespace grass
