@@ -19,7 +19,7 @@ namespace grass {
 namespace {
 
 // Bodies that a tick looks at: a call into the engine each. More: ticks take longer. Fewer: in a crowd a body is noticed later.
-constexpr size_t LOOKS = 64;
+constexpr size_t LOOKS_A_FRAME = 64;
 // Ticks for which a body stays awake that was moved by hand, and metres that count as motion.
 constexpr int64_t STAYS_AWAKE = 120;
 constexpr real_t MOTION = 0.01f;
@@ -72,7 +72,7 @@ void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents) 
 		server->area_set_transform(_area, p_world);
 	}
 	const Transform3D to_world_space = p_world.affine_inverse();
-	for (size_t i = std::min(LOOKS, _bodies.size()); i > 0; i--) {
+	for (size_t i = std::min(LOOKS_A_FRAME, _bodies.size()); i > 0; i--) {
 		auto body = _bodies.lower_bound(_next);
 		if (body == _bodies.end()) {
 			body = _bodies.begin();
