@@ -24,8 +24,11 @@ TABLES = {
 	"cpu": "2026-11-21-epyc/cpu.csv",
 	"movers": "2026-11-23-xeon/movers.csv",
 	"change": "2026-11-21-epyc/change.csv",
+	"hitch": "2026-11-23-h200/hitch_warm.csv",
+	"hitch_cold": "2026-11-23-h200/hitch_cold.csv",
+	"limits": "2026-11-23-h200/limits.csv",
 }
-FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv"}  # by file name; else NAME*.csv
+FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
 LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
 # An H200: instructions and operations a second (a fused product and sum are one instruction and two operations), bytes a second.
 INSTRUCTIONS, OPERATIONS, BYTES = 33.45e12, 66.9e12, 4.8e12
@@ -124,6 +127,19 @@ def drawing():
 	return lines + ["The paper's own tables and a comparison with MultiMeshes: [paper.md](paper.md).", ""]
 
 
+def limits():
+	rows = read("limits")[1]
+	rates = {row["stage"]: float(row["tera_operations_a_second"]) for row in rows}
+	lines = [
+		"### What the card can shade",
+		"",
+		"The same sums in fragments, in vertices and in a compute shader. This card shades on a small part of what it computes on, "
+		f"{rates['compute'] / rates['fragments']:.0f} times slower, so all times of drawing on it are times of that part.",
+	]
+	body = [[row["stage"], row["tera_operations_a_second"]] for row in rows]
+	return lines + grid(["stage", "10^12 operations a second"], body) + source("limits")
+
+
 def processor():
 	rows = read("cpu")[1]
 	lines = [
@@ -166,6 +182,18 @@ def changes():
 	return lines + grid(["change", "frames", "longest piece, ms"], body) + source("change")
 
 
+def hitches():
+	cold = {row["change"]: row["over_ms"] for row in read("hitch_cold")[1]}
+	lines = [
+		"## The longest frame after a change",
+		"",
+		"The same field, drawn: by how much the longest frame after each change exceeds the median of the frames before, with a driver and "
+		"an engine that have seen all shaders before, and with empty caches.",
+	]
+	body = [[row["change"], row["median_ms"], row["over_ms"], cold[row["change"]]] for row in read("hitch")[1]]
+	return lines + grid(["change", "median, ms", "longest over it, ms", "with empty caches, ms"], body) + source("hitch", "hitch_cold")
+
+
 def sleeping():
 	rows = read("sleep")[1]
 	most = max(float(row["tile_steps"]) for row in rows)
@@ -185,9 +213,11 @@ def page():
 		"",
 		*simulation(),
 		*drawing(),
+		*limits(),
 		*processor(),
 		*movers(),
 		*changes(),
+		*hitches(),
 		*sleeping(),
 	]
 	return prose.page("\n".join(lines).rstrip() + "\n")
