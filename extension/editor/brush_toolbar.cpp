@@ -76,6 +76,12 @@ void BrushToolbar::show_brush() {
 	const bool own_target = tool == GrassBrush::TOOL_CUT || tool == GrassBrush::TOOL_SPECIES;
 	slider_of(BRUSH_TARGET)->set_visible(info.target != nullptr && !own_target);
 	slider_of(BRUSH_CUT_HEIGHT)->set_visible(tool == GrassBrush::TOOL_CUT);
+	const bool has_stamp = _brush->get_stamp().is_valid();
+	_stamp->set_button_icon(_brush->get_stamp());
+	_stamp->set_visible(has_stamp);
+	slider_of(BRUSH_HARDNESS)->set_visible(!has_stamp);
+	slider_of(BRUSH_STAMP_ROTATION)->set_visible(has_stamp);
+	slider_of(BRUSH_STAMP_RANDOM)->set_visible(has_stamp);
 	_species->set_visible(tool == GrassBrush::TOOL_SPECIES);
 	_color->set_visible(tool == GrassBrush::TOOL_TINT);
 	_channel->set_visible(tool == GrassBrush::TOOL_SMOOTH);
@@ -161,6 +167,18 @@ bool BrushToolbar::_can_take_dragged(const Vector2 &, const Variant &p_dragged) 
 
 void BrushToolbar::_take_dragged(const Vector2 &, const Variant &p_dragged) {
 	emit_signal("species_dropped", find_dragged_species(p_dragged));
+}
+
+bool BrushToolbar::_can_take_picture(const Vector2 &, const Variant &p_dragged) {
+	return find_dragged_picture(p_dragged).is_valid();
+}
+
+void BrushToolbar::_take_picture(const Vector2 &, const Variant &p_dragged) {
+	_brush->set_stamp(find_dragged_picture(p_dragged));
+}
+
+void BrushToolbar::_stamp_pressed() {
+	_brush->set_stamp(Ref<Texture2D>());
 }
 
 void BrushToolbar::show_species(const GrassField *p_field) {

@@ -82,7 +82,10 @@ private:
 	void _species_selected(int64_t p_index);
 	bool _can_take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
 	void _take_dragged(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
+	bool _can_take_picture(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
+	void _take_picture(const godot::Vector2 &p_place, const godot::Variant &p_dragged);
 	void _channel_selected(int64_t p_index);
+	void _stamp_pressed();
 	void _limits_pressed();
 	void _bake_pressed();
 	void _menu_pressed(int64_t p_item);
@@ -94,7 +97,7 @@ private:
 	SpeciesPalette *_species = nullptr;
 	godot::ColorPickerButton *_color = nullptr;
 	godot::OptionButton *_channel = nullptr;
-	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr;
+	godot::Button *_limits = nullptr, *_bake = nullptr, *_why = nullptr, *_stamp = nullptr;
 	godot::PopupPanel *_limits_panel = nullptr;
 	godot::MenuButton *_menu = nullptr;
 	bool _has_tool = false, _showing = false;

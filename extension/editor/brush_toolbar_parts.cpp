@@ -90,6 +90,16 @@ void BrushToolbar::add_numbers() {
 			"How far one touch brings the grass to its target.\nCtrl + [ and ], or Ctrl + Shift + mouse wheel.", WIDE);
 	add_slider(this, BRUSH_HARDNESS, "Hardness",
 			"Share of the radius that feels the full strength: the inner ring.\nShift + [ and ], or Shift + mouse wheel.", WIDE);
+	_stamp = memnew(Button);
+	_stamp->set_name("Stamp");
+	_stamp->set_custom_minimum_size(Vector2(1, 1) * real_t(28 * editor_scale()));
+	_stamp->set_expand_icon(true);
+	_stamp->set_focus_mode(FOCUS_NONE);
+	_stamp->set_tooltip_text("The picture that each touch leaves. Press it to take it away.\nDrop a picture on a tool to have another.");
+	_stamp->connect("pressed", callable_mp(this, &BrushToolbar::_stamp_pressed));
+	add_child(_stamp);
+	add_slider(this, BRUSH_STAMP_ROTATION, "Turn", "How far the stamp is turned.", WIDE);
+	add_slider(this, BRUSH_STAMP_RANDOM, "Random", "Up to how far more each stamp is turned.", WIDE);
 	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
@@ -104,8 +114,13 @@ void BrushToolbar::add_numbers() {
 				control->set_drag_forwarding(
 						Callable(), callable_mp(this, &BrushToolbar::_can_take_dragged), callable_mp(this, &BrushToolbar::_take_dragged));
 			}
+			continue;
 		}
+		_tools[i]->set_drag_forwarding(
+				Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
 	}
+	_stamp->set_drag_forwarding(
+			Callable(), callable_mp(this, &BrushToolbar::_can_take_picture), callable_mp(this, &BrushToolbar::_take_picture));
 	_color = memnew(ColorPickerButton);
 	_color->set_name("Color");
 	_color->set_custom_minimum_size(Vector2(real_t(40 * editor_scale()), 0));

@@ -34,7 +34,7 @@ void PaintStroke::begin(std::span<GrassField *const> p_fields, const Ref<GrassBr
 
 void PaintStroke::move(const GroundPoint &p_point, const StrokeKeys &p_keys) {
 	_point = p_point;
-	for (const StrokeStep &one : _path.move(p_point.place(), _brush->get_param(BRUSH_RADIUS))) {
+	for (const StrokeStep &one : _path.move(p_point.place(), _brush->get_spacing())) {
 		step(one, p_keys);
 	}
 }

@@ -5,32 +5,58 @@
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
+#include <vector>
+
 using namespace godot;
 
 namespace grass {
 
-TypedArray<GrassSpecies> find_dragged_species(const Variant &p_dragged) {
-	TypedArray<GrassSpecies> species;
+namespace {
+
+// What may hold a species or a picture: a scene is not loaded because somebody drags it over the toolbar.
+constexpr const char *TAKEN[] = { ".tres", ".res", ".png", ".jpg", ".jpeg", ".webp", ".svg", ".exr", ".tga", ".bmp" };
+
+bool may_be_taken(const String &p_file) {
+	for (const char *end : TAKEN) {
+		if (p_file.ends_with(end)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+std::vector<Ref<Resource>> find_dragged(const Variant &p_dragged) {
 	if (p_dragged.get_type() != Variant::DICTIONARY) {
-		return species;
+		return {};
 	}
 	const Dictionary dragged = p_dragged;
 	const String type = dragged.get("type", "");
 	if (type == "resource") {
-		const Ref<GrassSpecies> one = dragged.get("resource", Variant());
-		if (one.is_valid()) {
-			species.push_back(one);
-		}
+		return { Ref<Resource>(dragged.get("resource", Variant())) };
 	}
 	const PackedStringArray files = type == "files" ? PackedStringArray(dragged.get("files", PackedStringArray())) : PackedStringArray();
+	std::vector<Ref<Resource>> found;
 	for (int64_t i = 0; i < files.size(); i++) {
-		const bool is_resource = files[i].ends_with(".tres") || files[i].ends_with(".res");
-		const Ref<GrassSpecies> one = is_resource ? ResourceLoader::get_singleton()->load(files[i]) : Ref<Resource>();
-		if (one.is_valid()) {
+		found.push_back(may_be_taken(files[i]) ? ResourceLoader::get_singleton()->load(files[i]) : Ref<Resource>());
+	}
+	return found;
+}
+
+} // namespace
+
+TypedArray<GrassSpecies> find_dragged_species(const Variant &p_dragged) {
+	TypedArray<GrassSpecies> species;
+	for (const Ref<Resource> &resource : find_dragged(p_dragged)) {
+		if (const Ref<GrassSpecies> one = resource; one.is_valid()) {
 			species.push_back(one);
 		}
 	}
 	return species;
+}
+
+Ref<Texture2D> find_dragged_picture(const Variant &p_dragged) {
+	const std::vector<Ref<Resource>> dragged = find_dragged(p_dragged);
+	return dragged.size() == 1 ? Ref<Texture2D>(dragged[0]) : Ref<Texture2D>();
 }
 
 } // namespace grass

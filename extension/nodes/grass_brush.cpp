@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/grass_brush.h"
 
+#include "core/base/hash.h"
+#include "core/paint/stroke_path.h"
 #include "nodes/bind_property.h"
 #include "nodes/params.h"
+#include "nodes/watch_resource.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <numbers>
 
 using namespace godot;
 
@@ -23,6 +31,38 @@ void GrassBrush::set_tool(Tool p_tool) {
 void GrassBrush::set_falloff(FalloffCurve p_falloff) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, "GrassBrush: `falloff` is one of the FALLOFF_* constants.");
 	_falloff = p_falloff;
+	emit_changed();
+}
+
+void GrassBrush::set_stamp(const Ref<Texture2D> &p_stamp) {
+	watch_instead(_stamp, p_stamp, callable_mp(this, &GrassBrush::_stamp_changed));
+	_stamp_changed();
+}
+
+void GrassBrush::_stamp_changed() {
+	_weights.reset();
+	Ref<Image> image = _stamp.is_valid() ? _stamp->get_image() : Ref<Image>();
+	if (image.is_valid() && !image->is_empty()) {
+		image = image->duplicate(); // the texture's own stays as it is
+		if (image->is_compressed()) {
+			image->decompress();
+		}
+		const int64_t most = std::max(image->get_width(), image->get_height());
+		if (most > MapStamp::MOST) {
+			const auto fit = [&](int64_t p_size) { return int32_t(std::max<int64_t>(p_size * MapStamp::MOST / most, 1)); };
+			image->resize(fit(image->get_width()), fit(image->get_height()), Image::INTERPOLATE_LANCZOS);
+		}
+		const int width = image->get_width(), height = image->get_height();
+		std::vector<float> weights;
+		weights.reserve(size_t(width) * size_t(height));
+		for (int y = 0; y < height; y++) {
+			for (int x = 0; x < width; x++) {
+				const Color color = image->get_pixel(x, y);
+				weights.push_back((0.2126f * color.r + 0.7152f * color.g + 0.0722f * color.b) * color.a); // luminance
+			}
+		}
+		_weights = std::make_shared<const MapStamp>(width, height, std::move(weights));
+	}
 	emit_changed();
 }
 
@@ -73,7 +113,21 @@ Brush GrassBrush::get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d
 }
 
 MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
-	return MapShape::stroke(p_from, p_to, param(BRUSH_RADIUS), param(BRUSH_HARDNESS), Falloff(_falloff));
+	if (_stamp.is_null()) {
+		return MapShape::stroke(p_from, p_to, param(BRUSH_RADIUS), param(BRUSH_HARDNESS), Falloff(_falloff));
+	}
+	if (_weights == nullptr) {
+		return MapShape();
+	}
+	// By the place, so that a preview shows the stamp as it will be, and a stroke that is done again leaves the same.
+	const uint32_t bits =
+			grass_hash(uint32_t(int64_t(std::floor(100.0 * p_to.x()))) ^ grass_hash(uint32_t(int64_t(std::floor(100.0 * p_to.y())))));
+	const double turn = param(BRUSH_STAMP_ROTATION) + param(BRUSH_STAMP_RANDOM) * double(bits) / 4294967296.0;
+	return MapShape::stamped(p_to, param(BRUSH_RADIUS), turn * (std::numbers::pi / 180.0), _weights);
+}
+
+double GrassBrush::get_spacing() const {
+	return param(BRUSH_RADIUS) * (_stamp.is_null() ? StrokePath::SPACING : 2.0); // stamps stand beside each other
 }
 
 void GrassBrush::_bind_methods() {
@@ -92,6 +146,8 @@ void GrassBrush::_bind_methods() {
 	add_numbers(BRUSH_RADIUS, BRUSH_HARDNESS);
 	GRASS_BIND_PROPERTY(
 			GrassBrush, PropertyInfo(Variant::INT, "falloff", PROPERTY_HINT_ENUM, "Smooth,Linear,Sphere,Sharp"), set_falloff, get_falloff);
+	GRASS_BIND_PROPERTY(GrassBrush, PropertyInfo(Variant::OBJECT, "stamp", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_stamp, get_stamp);
+	add_numbers(BRUSH_STAMP_ROTATION, BRUSH_STAMP_RANDOM);
 	add_numbers(BRUSH_TARGET, BRUSH_CUT_HEIGHT);
 	GRASS_BIND_PROPERTY(GrassBrush, PropertyInfo(Variant::INT, "species", PROPERTY_HINT_RANGE, "0,255,1"), set_species, get_species);
 	GRASS_BIND_PROPERTY(GrassBrush, PropertyInfo(Variant::COLOR, "color", PROPERTY_HINT_COLOR_NO_ALPHA), set_color, get_color);

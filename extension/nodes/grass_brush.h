@@ -6,6 +6,7 @@
 #include "core/paint/brush_params.h"
 
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
 
 namespace grass {
 
@@ -41,6 +42,8 @@ public:
 	Tool get_tool() const { return _tool; }
 	void set_falloff(FalloffCurve p_falloff);
 	FalloffCurve get_falloff() const { return _falloff; }
+	void set_stamp(const godot::Ref<godot::Texture2D> &p_stamp);
+	godot::Ref<godot::Texture2D> get_stamp() const { return _stamp; }
 	void set_color(const godot::Color &p_color);
 	godot::Color get_color() const { return _color; }
 	void set_species(int64_t p_species);
@@ -52,16 +55,21 @@ public:
 
 	// For a stroke from one place to another (x, z in metres).
 	Brush get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
+	// With a stamp it is where the stroke ends.
 	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
+	double get_spacing() const; // of the steps of a stroke, metres
 
 protected:
 	static void _bind_methods();
 
 private:
+	void _stamp_changed(); // its picture: one that the engine makes comes later
 	double param(BrushParamId p_param) const { return _params[size_t(p_param)]; }
 
 	Tool _tool = TOOL_PAINT;
 	FalloffCurve _falloff = FALLOFF_SMOOTH;
+	godot::Ref<godot::Texture2D> _stamp;
+	std::shared_ptr<const MapStamp> _weights; // of the stamp; null: none, or its picture is not there yet
 	godot::Color _color = godot::Color(1, 1, 1);
 	int64_t _species = 0, _channel = MAP_DENSITY;
 	std::array<double, BRUSH_PARAM_COUNT> _params;

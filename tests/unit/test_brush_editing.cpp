@@ -22,7 +22,7 @@ std::vector<StrokeStep> drawn(const std::vector<Vector2d> &p_places, double p_ra
 	StrokePath path;
 	std::vector<StrokeStep> steps{ path.begin(p_places[0]) };
 	for (size_t i = 1; i < p_places.size(); i++) {
-		for (const StrokeStep &step : path.move(p_places[i], p_radius)) {
+		for (const StrokeStep &step : path.move(p_places[i], StrokePath::SPACING * p_radius)) {
 			steps.push_back(step);
 		}
 	}
@@ -69,15 +69,15 @@ TEST_CASE("stroke: steps are even and join, however the cursor came") {
 TEST_CASE("stroke: less than a step waits for the next move") {
 	StrokePath path;
 	path.begin({ 1, 1 });
-	CHECK(path.move({ 1.2, 1 }, 1.0).empty());
-	CHECK(path.move({ 1.1, 1 }, 1.0).empty());
-	CHECK(path.move({ 1.3, 1 }, 1.0).size() == 1);
+	CHECK(path.move({ 1.2, 1 }, StrokePath::SPACING).empty());
+	CHECK(path.move({ 1.1, 1 }, StrokePath::SPACING).empty());
+	CHECK(path.move({ 1.3, 1 }, StrokePath::SPACING).size() == 1);
 }
 
 TEST_CASE("stroke: a leap makes long steps, not endlessly many") {
 	StrokePath path;
 	path.begin({ 0, 0 });
-	const std::vector<StrokeStep> steps = path.move({ 0, 5000 }, 0.1);
+	const std::vector<StrokeStep> steps = path.move({ 0, 5000 }, StrokePath::SPACING * 0.1);
 	REQUIRE(steps.size() == size_t(StrokePath::MAX_STEPS));
 	CHECK((steps.back().to - Vector2d(0, 5000)).norm() < 1e-6);
 }
@@ -85,12 +85,12 @@ TEST_CASE("stroke: a leap makes long steps, not endlessly many") {
 TEST_CASE("stroke: what is nowhere makes no step and does not spread") {
 	StrokePath path;
 	path.begin({ 0, 0 });
-	CHECK(path.move({ std::nan(""), 0 }, 1.0).empty());
-	CHECK(path.move({ std::numeric_limits<double>::infinity(), 0 }, 1.0).empty());
+	CHECK(path.move({ std::nan(""), 0 }, StrokePath::SPACING).empty());
+	CHECK(path.move({ std::numeric_limits<double>::infinity(), 0 }, StrokePath::SPACING).empty());
 	CHECK(path.move({ 1, 0 }, std::nan("")).empty());
 	CHECK(path.move({ 1, 0 }, 0.0).empty());
-	CHECK(path.move({ 0, 0 }, 1.0).empty());
-	CHECK(path.move({ 1, 0 }, 1.0).size() == 4);
+	CHECK(path.move({ 0, 0 }, StrokePath::SPACING).empty());
+	CHECK(path.move({ 1, 0 }, StrokePath::SPACING).size() == 4);
 }
 
 TEST_CASE("brush keys: the opposite of each tool takes back what the tool did") {

@@ -79,6 +79,21 @@ MapShape MapShape::stroke(
 	return MapShape(ends, p_radius, p_radius * (1.0 - std::clamp(p_hardness, 0.0, 1.0)), p_falloff);
 }
 
+MapShape MapShape::stamped(
+		const Eigen::Vector2d &p_middle, double p_radius, double p_turn, const std::shared_ptr<const MapStamp> &p_stamp) {
+	if (!std::isfinite(p_turn) || !(p_radius > 0.0)) {
+		return MapShape();
+	}
+	const Eigen::Vector2d across = p_radius * Eigen::Vector2d(std::cos(p_turn), std::sin(p_turn)), down(-across.y(), across.x());
+	const Eigen::Vector2d corners[] = { p_middle - across - down, p_middle + across - down, p_middle + across + down,
+		p_middle - across + down };
+	MapShape shape(corners, 0.0);
+	shape._stamp = p_stamp;
+	shape._middle = p_middle;
+	shape._across = across;
+	return shape;
+}
+
 double MapShape::get_distance(const Eigen::Vector2d &p_place) const {
 	if (_corners.empty()) {
 		return std::numeric_limits<double>::infinity();
@@ -123,6 +138,11 @@ double MapShape::get_most_weight(const Eigen::Vector2d &p_centre, double p_half)
 }
 
 double MapShape::get_weight(const Eigen::Vector2d &p_place) const {
+	if (_stamp != nullptr && !is_empty()) {
+		const Eigen::Vector2d from = p_place - _middle, down(-_across.y(), _across.x());
+		const double scale = 0.5 / _across.squaredNorm();
+		return _stamp->get_weight({ 0.5 + scale * from.dot(_across), 0.5 + scale * from.dot(down) });
+	}
 	const double depth = -get_distance(p_place);
 	if (!(depth >= 0.0)) {
 		return 0.0;

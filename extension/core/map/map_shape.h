@@ -2,8 +2,11 @@
 // Where a brush or a game's tool acts on the map: a convex shape on the ground, with a soft border.
 #pragma once
 
+#include "core/map/map_stamp.h"
+
 #include <Eigen/Core>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,6 +34,10 @@ public:
 	static MapShape stroke(
 			const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_radius, double p_hardness, Falloff p_falloff);
 
+	// A square of 2 * p_radius metres around p_middle, in which p_stamp says how strong the effect is. p_turn: radians, from x towards z.
+	static MapShape stamped(
+			const Eigen::Vector2d &p_middle, double p_radius, double p_turn, const std::shared_ptr<const MapStamp> &p_stamp);
+
 	bool is_empty() const { return _corners.empty(); }
 	// Metres to the border, negative inside.
 	double get_distance(const Eigen::Vector2d &p_place) const;
@@ -45,6 +52,8 @@ private:
 	Eigen::Vector2d get_nearest(const Eigen::Vector2d &p_place) const; // of the hull
 
 	std::vector<Eigen::Vector2d> _corners; // of the hull, one after the other
+	std::shared_ptr<const MapStamp> _stamp; // null: the effect is full inside of the soft border
+	Eigen::Vector2d _middle = Eigen::Vector2d::Zero(), _across = Eigen::Vector2d::Zero(); // of the stamp; _across: of its half, metres
 	double _radius = 0.0, _softness = 0.0;
 	Falloff _falloff = Falloff::SMOOTH;
 	Eigen::Vector2d _min = Eigen::Vector2d::Zero(), _max = Eigen::Vector2d::Zero();

@@ -11,6 +11,8 @@ enum BrushParamId {
 	BRUSH_RADIUS,
 	BRUSH_STRENGTH,
 	BRUSH_HARDNESS,
+	BRUSH_STAMP_ROTATION,
+	BRUSH_STAMP_RANDOM,
 	BRUSH_TARGET,
 	BRUSH_CUT_HEIGHT,
 	BRUSH_SLOPE_MIN,
@@ -27,6 +29,9 @@ inline constexpr std::array<Tunable, BRUSH_PARAM_COUNT> BRUSH_PARAMS = { {
 		{ "strength", "", 0.0, 1.0, 0.01, 0.5 },
 		// Share of the radius that feels the full effect.
 		{ "hardness", "", 0.0, 1.0, 0.01, 0.5 },
+		// How far the stamp is turned, and up to how far more each one is, at random.
+		{ "stamp_rotation", "\u00b0", 0.0, 360.0, 1.0, 0.0 },
+		{ "stamp_random", "\u00b0", 0.0, 360.0, 1.0, 0.0 },
 		// The value that density, height, tint, lean or wear approaches.
 		{ "target", "", 0.0, 1.0, 0.01, 1.0 },
 		// Cutting leaves this much, regrowing adds it.

@@ -20,9 +20,9 @@ public:
 
 	// The step at the place where the stroke begins.
 	StrokeStep begin(const Eigen::Vector2d &p_place);
-	// The steps towards a place, for a brush of that radius, metres. What is left over counts with the next move.
+	// The steps towards a place, p_spacing metres long. What is left over counts with the next move.
 	// Places that are not finite make no step.
-	std::vector<StrokeStep> move(const Eigen::Vector2d &p_place, double p_radius);
+	std::vector<StrokeStep> move(const Eigen::Vector2d &p_place, double p_spacing);
 
 private:
 	Eigen::Vector2d _last = Eigen::Vector2d::Zero(); // end of the last step

@@ -40,8 +40,8 @@ SlotPasses choose_passes(const StepInput &p_input, std::span<GrassSlot> r_slots)
 		passes.free += slot.list.z == 0;
 	}
 	const std::vector<uint8_t> fast = find_fast(p_input);
-	std::ranges::stable_partition(
-			r_slots, [&](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_RETIRED) != 0 || has_any(p_slot, fast); });
+	const auto comes_first = [&](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_RETIRED) != 0 || has_any(p_slot, fast); };
+	std::stable_partition(r_slots.begin(), r_slots.end(), comes_first);
 	return passes;
 }
 

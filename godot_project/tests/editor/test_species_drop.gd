@@ -82,3 +82,21 @@ func test_a_preset_that_is_dropped_on_a_field_grows_there() -> void:
 	await drop_at([PRESETS + "clover.tres"], at(Vector3(-3, 0, 0)))
 	assert_eq(right.species.size() + field.species.size(), 0, "no field there")
 	await select(field)
+
+
+func test_a_picture_that_is_dropped_on_a_tool_is_the_stamp() -> void:
+	var stamp: Button = toolbar.get_node("Stamp")
+	assert_false(stamp.visible)
+	await drop(["res://tests/editor/right_half.tres"], "Erase")
+	if not assert_true(stamp.visible, "the toolbar shows it"):
+		return
+	(toolbar.get_node("Erase") as Button).button_pressed = true
+	set_number("Strength", 1.0)
+	set_number("Radius", 2.0)
+	await stroke([Vector3.ZERO])
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.0, 1.0)), 0.0, 0.01, "white erases")
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-1.0, 1.0)), 1.0, 0.01, "black leaves")
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.5, 1.5)), 0.0, 0.01, "the corner, too")
+	await undo()
+	await click(stamp)
+	assert_false(stamp.visible, "pressed, it goes")

@@ -249,3 +249,42 @@ func test_bad_values_are_refused_or_clamped() -> void:
 	assert_eq(map.sample(GrassMap.CHANNEL_HEIGHT, Vector2(INF, 0)), 1.0)
 	expect_error("needs what take_snapshot() returned")
 	map.restore_snapshot(null)
+
+
+func _stamp(size: Vector2i) -> ImageTexture:
+	var image := Image.create_empty(size.x, size.y, false, Image.FORMAT_RGBA8)
+	image.fill_rect(Rect2i(size.x / 2, 0, size.x / 2, size.y), Color.WHITE)  # the rest is transparent
+	return ImageTexture.create_from_image(image)
+
+
+func test_a_stamp_leaves_what_it_shows_where_the_stroke_ends() -> void:
+	var map := GrassMap.new()
+	var brush := _brush(GrassBrush.TOOL_PAINT, 4.0, {strength = 1.0, stamp = _stamp(Vector2i(64, 64))})
+	map.stroke(brush, Vector2(-20, 0), Vector2.ZERO)
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(2, 3)), 1.0, 0.01)
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-2, 3)), 0.0, 0.01, "transparent")
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-20, 0)), 0.0, 0.01, "where the stroke began")
+	brush.stamp_rotation = 90.0
+	map.stroke(brush, Vector2(50, 0), Vector2(50, 0))
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(48, 2)), 1.0, 0.01, "from x towards z")
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(52, -2)), 0.0, 0.01)
+	brush.stamp = _stamp(Vector2i(2048, 16))
+	brush.stamp_rotation = 0.0
+	map.stroke(brush, Vector2(100, 0), Vector2(100, 0))
+	assert_near(map.sample(GrassMap.CHANNEL_DENSITY, Vector2(102, 3)), 1.0, 0.01, "a picture that is too large is made smaller")
+
+
+func test_stamps_turn_at_random_and_the_same_strokes_leave_the_same() -> void:
+	var brush := _brush(GrassBrush.TOOL_PAINT, 4.0, {strength = 1.0, stamp = _stamp(Vector2i(32, 32)), stamp_random = 360.0})
+	var maps: Array[GrassMap] = [GrassMap.new(), GrassMap.new()]
+	var directions := {}
+	for i in 8:
+		var place := Vector2(20.0 * i, 0.0)
+		var sides: Array[bool] = []
+		for map in maps:
+			map.stroke(brush, place, place)
+			for side: Vector2 in [Vector2(2, 0), Vector2(0, 2), Vector2(-2, 0), Vector2(0, -2)]:
+				sides.append(map.sample(GrassMap.CHANNEL_DENSITY, place + side) > 0.5)
+		assert_eq(sides.slice(0, 4), sides.slice(4))
+		directions[sides] = true
+	assert_greater(directions.size(), 2)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A picture that a brush leaves on the map: how strong its effect is from place to place.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace grass {
+
+class MapStamp {
+public:
+	static constexpr int MOST = 512; // texels along a side
+
+	MapStamp() = default; // nowhere
+	// p_weights: rows from the top, 0..1; values beyond are clamped, NaN is 0. Another number of them than p_width * p_height, or more
+	// texels along a side than MOST, make a stamp that is nowhere.
+	MapStamp(int p_width, int p_height, std::vector<float> p_weights);
+
+	bool is_empty() const { return _weights.empty(); }
+	// Between the middles of texels. p_place: 0..1 across and down; outside 0.
+	double get_weight(const Eigen::Vector2d &p_place) const;
+
+private:
+	double weight(int p_column, int p_row) const;
+
+	int _width = 0, _height = 0;
+	std::vector<float> _weights;
+};
+
+} // namespace grass
