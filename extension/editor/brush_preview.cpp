@@ -23,14 +23,13 @@ void BrushPreview::show(
 	const Eigen::Isometry3d space = to_field_of(*p_fields[0]).inverse();
 	for (GrassField *field : p_fields) {
 		const std::optional<int64_t> species = find_species(*p_fields[0], p_brush.get_species(), *field);
-		const auto over =
-				step_over(*field, space, { p_point.place(), p_point.place() }, p_point.position.y(), p_brush.get_param(BRUSH_RADIUS));
-		const auto along = step_over(*field, space, way, p_point.position.y(), p_brush.get_param(BRUSH_RADIUS));
+		const auto over = step_over(*field, space, { p_point.place(), p_point.place() }, p_point.position.y(), p_brush.get_reach());
+		const auto along = step_over(*field, space, way, p_point.position.y(), p_brush.get_reach());
 		if (!over || !along) {
 			continue;
 		}
 		if (const auto brush = brush_for(p_brush, along->step, p_keys, species)) {
-			field->preview(p_brush.get_stroke(over->step.from, over->step.to), *brush);
+			field->preview(p_brush.get_stroke(over->step.from, over->step.to, over->turn + p_brush.find_turn(p_point.place())), *brush);
 			_field_ids.push_back(field->get_instance_id());
 		}
 	}

@@ -5,6 +5,8 @@
 #include "editor/painted_fields.h"
 #include "nodes/ground_rays.h"
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
@@ -52,7 +54,8 @@ std::optional<FieldStep> step_over(
 		return to_field * Eigen::Vector3d(p_place.x(), p_level, p_place.y());
 	};
 	const Eigen::Vector3d from = moved(p_step.from), to = moved(p_step.to);
-	const FieldStep over{ { { from.x(), from.z() }, { to.x(), to.z() } }, to.y() };
+	const FieldStep over{ { { from.x(), from.z() }, { to.x(), to.z() } }, to.y(),
+		std::atan2(to_field.linear()(2, 0), to_field.linear()(0, 0)) };
 	const bool is_over = is_reached(p_field, over.step.from, p_radius) || is_reached(p_field, over.step.to, p_radius);
 	return is_over ? std::optional<FieldStep>(over) : std::nullopt;
 }

@@ -37,6 +37,7 @@ std::optional<Brush> brush_for(
 struct FieldStep {
 	StrokeStep step;
 	double level; // of the ground there, metres
+	double turn; // of the space of the step in that of the field, radians from x towards z
 };
 
 // p_step: in p_space (from there to the world), at p_level metres. Nothing where a brush of that radius does not reach the field.

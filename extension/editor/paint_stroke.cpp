@@ -55,7 +55,7 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 	if (field == nullptr || !field->is_inside_tree()) {
 		return;
 	}
-	const auto over = step_over(*field, _space, p_step, _point.position.y(), _brush->get_param(BRUSH_RADIUS));
+	const auto over = step_over(*field, _space, p_step, _point.position.y(), _brush->get_reach());
 	if (!over) {
 		return;
 	}
@@ -65,7 +65,8 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 			_left_out.push_back(field->get_name());
 		}
 	} else if (FieldStroke *part = find_part(field)) {
-		part->step(_brush->get_stroke(over->step.from, over->step.to), *brush, over->level, _costs);
+		part->step(
+				_brush->get_stroke(over->step.from, over->step.to, over->turn + _brush->find_turn(p_step.to)), *brush, over->level, _costs);
 	}
 }
 

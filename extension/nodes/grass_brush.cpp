@@ -10,6 +10,7 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <cmath>
 #include <numbers>
 
 using namespace godot;
@@ -112,18 +113,22 @@ Brush GrassBrush::get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d
 	return brush;
 }
 
-MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
+MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_turn) const {
 	if (_stamp.is_null()) {
 		return MapShape::stroke(p_from, p_to, param(BRUSH_RADIUS), param(BRUSH_HARDNESS), Falloff(_falloff));
 	}
-	if (_weights == nullptr) {
-		return MapShape();
-	}
-	// By the place, so that a preview shows the stamp as it will be, and a stroke that is done again leaves the same.
-	const uint32_t bits =
-			grass_hash(uint32_t(int64_t(std::floor(100.0 * p_to.x()))) ^ grass_hash(uint32_t(int64_t(std::floor(100.0 * p_to.y())))));
-	const double turn = param(BRUSH_STAMP_ROTATION) + param(BRUSH_STAMP_RANDOM) * double(bits) / 4294967296.0;
-	return MapShape::stamped(p_to, param(BRUSH_RADIUS), turn * (std::numbers::pi / 180.0), _weights);
+	return _weights == nullptr ? MapShape() : MapShape::stamped(p_to, param(BRUSH_RADIUS), p_turn, _weights);
+}
+
+double GrassBrush::find_turn(const Eigen::Vector2d &p_place) const {
+	const auto centimetre = [](double p_metres) { return uint32_t(100.0 * (p_metres - std::floor(p_metres))); };
+	const bool is_finite = p_place.allFinite();
+	const uint32_t bits = is_finite ? grass_hash(centimetre(p_place.x()) ^ grass_hash(centimetre(p_place.y()))) : 0;
+	return (param(BRUSH_STAMP_ROTATION) + param(BRUSH_STAMP_RANDOM) * double(bits) / 4294967296.0) * (std::numbers::pi / 180.0);
+}
+
+double GrassBrush::get_reach() const {
+	return param(BRUSH_RADIUS) * (_stamp.is_null() ? 1.0 : std::numbers::sqrt2); // a stamp has corners
 }
 
 double GrassBrush::get_spacing() const {

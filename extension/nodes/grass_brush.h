@@ -56,7 +56,14 @@ public:
 	// For a stroke from one place to another (x, z in metres).
 	Brush get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
 	// With a stamp it is where the stroke ends.
-	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
+	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
+		return get_stroke(p_from, p_to, find_turn(p_to));
+	}
+	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_turn) const;
+	// Of a stamp at a place, radians from x towards z. By the place, so that a preview shows what will be and a stroke that is done again
+	// leaves the same; by where it is in its metre, so that it is the same in the space of a neighbour that is some metres away.
+	double find_turn(const Eigen::Vector2d &p_place) const;
+	double get_reach() const; // from the middle of the brush to its farthest point, metres
 	double get_spacing() const; // of the steps of a stroke, metres
 
 protected:

@@ -181,7 +181,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
 	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite places.", label()));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
-	const double reach = p_brush->get_param(BRUSH_RADIUS) + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
+	const double reach = p_brush->get_reach() + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
 	double sum = 0.0;
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);

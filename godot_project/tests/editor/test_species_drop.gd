@@ -100,3 +100,28 @@ func test_a_picture_that_is_dropped_on_a_tool_is_the_stamp() -> void:
 	await undo()
 	await click(stamp)
 	assert_false(stamp.visible, "pressed, it goes")
+
+
+## The stamp lies the same way on both, though one field is turned.
+func test_a_stamp_over_the_border_of_two_fields_is_whole() -> void:
+	var right := GrassField.new()
+	right.size = Vector2(4, 4)
+	right.position = Vector3(4, 0, 0)
+	right.rotation_degrees.y = 90.0
+	field.size = Vector2(4, 4)
+	EditorInterface.get_edited_scene_root().add_child(right)
+	right.owner = field.owner
+	await frames(2)
+	await drop(["res://tests/editor/right_half.tres"], "Erase")
+	(toolbar.get_node("Erase") as Button).button_pressed = true
+	set_number("Strength", 1.0)
+	set_number("Radius", 1.5)
+	await stroke([Vector3(2, 0, 0)])
+	await click(toolbar.get_node("Stamp"))
+	if not assert_true(right.map != null, "both are painted"):
+		return
+	for place: Vector3 in [Vector3(2.75, 0, 0.75), Vector3(2.75, 0, -0.75)]:
+		var there := right.to_local(place)
+		assert_near(right.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(there.x, there.z)), 0.0, 0.01, "white erases")
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.0, 0.75)), 1.0, 0.01, "black leaves")
+	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.0, -0.75)), 1.0, 0.01, "black leaves")
