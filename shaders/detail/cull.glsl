@@ -66,9 +66,11 @@ layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer 
 
 // The workgroup's own tiles of each level, where its stretch of the level begins, and its blades. One atomic a level and
 // workgroup on the shared counters instead of one a tile.
-shared uint group_tiles[GRASS_ALL_LEVELS];
-shared uint group_first[GRASS_ALL_LEVELS];
-shared uint group_blades[2];
+// Each has one element more than it uses: glslang gives an array of the same size as one in a buffer that one's layout, which no shared
+// array may have.
+shared uint group_tiles[GRASS_ALL_LEVELS + 1];
+shared uint group_first[GRASS_ALL_LEVELS + 1];
+shared uint group_blades[2 + 1];
 // A thread's tile.
 struct Tile {
 	uint index;
