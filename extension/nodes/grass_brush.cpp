@@ -121,7 +121,9 @@ MapShape GrassBrush::get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vect
 }
 
 double GrassBrush::find_turn(const Eigen::Vector2d &p_place) const {
-	const auto centimetre = [](double p_metres) { return uint32_t(100.0 * (p_metres - std::floor(p_metres))); };
+	const auto centimetre = [](double p_metres) {
+		return uint32_t(100.0 * (p_metres - MAP_CHUNK_SIZE * std::floor(p_metres / MAP_CHUNK_SIZE)));
+	};
 	const bool is_finite = p_place.allFinite();
 	const uint32_t bits = is_finite ? grass_hash(centimetre(p_place.x()) ^ grass_hash(centimetre(p_place.y()))) : 0;
 	return (param(BRUSH_STAMP_ROTATION) + param(BRUSH_STAMP_RANDOM) * double(bits) / 4294967296.0) * (std::numbers::pi / 180.0);

@@ -61,7 +61,7 @@ public:
 	}
 	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_turn) const;
 	// Of a stamp at a place, radians from x towards z. By the place, so that a preview shows what will be and a stroke that is done again
-	// leaves the same; by where it is in its metre, so that it is the same in the space of a neighbour that is some metres away.
+	// leaves the same; by where it is in its chunk, so that it is the same in the space of a neighbour that is whole chunks away.
 	double find_turn(const Eigen::Vector2d &p_place) const;
 	double get_reach() const; // from the middle of the brush to its farthest point, metres
 	double get_spacing() const; // of the steps of a stroke, metres
