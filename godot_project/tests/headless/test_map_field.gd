@@ -133,7 +133,7 @@ func test_two_fields_share_a_map_and_it_can_be_changed_for_another() -> void:
 	assert_greater(bare, 3)
 	assert_eq(two.get_statistics().bare_tiles, bare)
 	two.map = null
-	await seen()
+	await grown(two)
 	assert_eq(two.get_statistics().bare_tiles, 0)
 	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.9), Vector2.ZERO, Vector2.ZERO)
 	await seen()
