@@ -21,12 +21,15 @@ TABLES = {
 	"kernel": "2026-11-23-h200/kernel.csv",
 	"flops": "2026-11-23-h200/flops.csv",
 	"sleep": "2026-11-21-h100/sleep.csv",
-	"cpu": "2026-11-21-epyc/cpu.csv",
+	"awake": "2026-11-24-h100/awake.csv",
+	"cpu": "2026-11-24-h100/cpu.csv",
 	"movers": "2026-11-23-xeon/movers.csv",
 	"change": "2026-11-21-epyc/change.csv",
-	"hitch": "2026-11-23-h200/hitch_warm.csv",
-	"hitch_cold": "2026-11-23-h200/hitch_cold.csv",
+	"hitch": "2026-11-24-h100/hitch_warm.csv",
+	"hitch_cold": "2026-11-24-h100/hitch_cold.csv",
 	"limits": "2026-11-23-h200/limits.csv",
+	"rest": "2026-11-23-h200/rest.csv",
+	"crowd": "2026-11-23-epyc/crowd.csv",
 }
 FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
 LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
@@ -150,7 +153,7 @@ def processor():
 	]
 	body = []
 	for row in rows:
-		if row["tiles"] in ("19881", "16000000") and row["bodies"] in ("0", "128", "1024"):
+		if row["tiles"] in ("19881", "16000000") and row["bodies"] in ("0", "128", "1024", "5000"):
 			parts = [float(row[name]) for name in ("gather_ms", "tiles_ms", "upload_ms")]
 			body.append(
 				[number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"]
@@ -188,10 +191,39 @@ def hitches():
 		"## The longest frame after a change",
 		"",
 		"The same field, drawn: by how much the longest frame after each change exceeds the median of the frames before, with a driver and "
-		"an engine that have seen all shaders before, and with empty caches.",
+		"an engine that have seen all shaders before, and with empty caches. A bare shader is the engine's own: what a material with a "
+		"shader that does nothing takes.",
 	]
 	body = [[row["change"], row["median_ms"], row["over_ms"], cold[row["change"]]] for row in read("hitch")[1]]
 	return lines + grid(["change", "median, ms", "longest over it, ms", "with empty caches, ms"], body) + source("hitch", "hitch_cold")
+
+
+def resting():
+	lines = [
+		"## A field at rest",
+		"",
+		"64 million blades, a still camera, no wind, nothing awake: a frame, and what the field does in one (dispatches, uploads, updates, "
+		"reads of bodies, together).",
+	]
+	counters = [name for name in read("rest")[1][0] if name.endswith("_a_frame")]
+	body = [
+		[row["field"].replace("_", " "), row["wall_ms"], row["gpu_ms"], f"{sum(float(row[name]) for name in counters):g}"]
+		for row in read("rest")[1]
+	]
+	return lines + grid(["the field", "a frame, ms", "on the GPU, ms", "done in a frame"], body) + source("rest")
+
+
+def crowds():
+	lines = [
+		"## The CPU: a crowd",
+		"",
+		"The quickest of 300 ticks in which so many bodies move, or sleep, in a field with a small pool: to read them, and to choose tiles.",
+	]
+	body = [
+		[number(float(row["bodies"])), row["crowd"], row["gather_ms_min"], row["tiles_ms_min"], row["engine_calls_a_tick"]]
+		for row in read("crowd")[1]
+	]
+	return lines + grid(["bodies", "they", "reading, ms", "tiles, ms", "calls of the engine"], body) + source("crowd")
 
 
 def sleeping():
@@ -200,6 +232,22 @@ def sleeping():
 	body = [[row["asleep"], number(float(row["tile_steps"])), f"{float(row['tile_steps']) / most:.0%}"] for row in rows]
 	lines = ["## Sleeping", "", "Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../solver.md#going-to-sleep))."]
 	return lines + grid(["asleep", "steps of tiles", "of the most"], body) + source("sleep")
+
+
+def awake():
+	rows = read("awake")[1]
+	lines = [
+		"### What of the awake moves",
+		"",
+		"128 bodies thrown among 4 million blades, seconds after the throw: tiles that are awake and simulated, those of them with a blade "
+		"more than so far from where it stands at rest, and those with one that goes more than so far in a tick. "
+		f"The paper's scene of this size keeps 23,000 blades awake, {23000 // 64} tiles of ours. We keep those awake that a body could touch, and "
+		"those that still swing by more than the eye sees, for the picture and for what a game asks of a blade.",
+	]
+	columns = ("off_0.000001_m", "off_0.01_m", "off_0.05_m", "moved_0.001_m", "moved_0.01_m", "moved_0.05_m")
+	body = [[row["asleep"], row["seconds"], row["awake"], row["simulated"], *(row[name] for name in columns)] for row in rows]
+	head = ["asleep", "s", "awake", "simulated", "1 um off", "1 cm", "5 cm", "1 mm a tick", "1 cm", "5 cm"]
+	return lines + grid(head, body) + source("awake")
 
 
 def page():
@@ -215,10 +263,13 @@ def page():
 		*drawing(),
 		*limits(),
 		*processor(),
+		*crowds(),
 		*movers(),
 		*changes(),
 		*hitches(),
+		*resting(),
 		*sleeping(),
+		*awake(),
 	]
 	return prose.page("\n".join(lines).rstrip() + "\n")
 

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from tools import engine, machine
+from tools import engine, locks, machine
 from tools.places import BUILD, ROOT
 from tools.say import Failure
 
@@ -31,7 +31,8 @@ def compiled():
 	"""Every surface file against the binding, or against what GODOT_CPP names."""
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
-	result = subprocess.run([*command, "-Q", "-k", "binding_surface"], cwd=ROOT, env=environment, capture_output=True, text=True)
+	with locks.alone("scons"):
+		result = subprocess.run([*command, "-Q", "-k", "binding_surface"], cwd=ROOT, env=environment, capture_output=True, text=True)
 	print(result.stdout + result.stderr, end="")
 	failed = set(re.findall(r"/surface/(surface_\w+)\.o\] Error", result.stdout + result.stderr))
 	for name in sorted({path.stem for path in HERE.glob("*.cpp")} | {GENERATED.stem}):
@@ -57,7 +58,9 @@ def working():
 	cases = [name for path in sorted(HERE.glob("runtime/*.cpp")) for name in re.findall(r'^TEST_CASE\("(.+)"\)', path.read_text(), re.M)]
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
-	if subprocess.run([*command, "-Q", "binding_tests"], cwd=ROOT, env=environment).returncode:
+	with locks.alone("scons"):
+		code = subprocess.run([*command, "-Q", "binding_tests"], cwd=ROOT, env=environment).returncode
+	if code:
 		yield "binding/runtime", "it does not build; the lines above say where"
 		return
 	for path in (HERE / "project").iterdir():

@@ -5,7 +5,7 @@ import os
 import shutil
 import subprocess
 
-from tools import machine, toolchains
+from tools import locks, machine, toolchains
 from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS
 from tools.say import Failure, say
 
@@ -17,8 +17,9 @@ def scons(*arguments):
 	machine.ensure(*machine.BUILDING, *toolchains.needs(system, arch))
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
-	say("Building" + "".join(f" {argument}" for argument in arguments))
-	code = subprocess.run([*command, "-Q", *arguments], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL).returncode
+	with locks.alone("scons"):
+		say("Building" + "".join(f" {argument}" for argument in arguments))
+		code = subprocess.run([*command, "-Q", *arguments], cwd=ROOT, env=environment, stdin=subprocess.DEVNULL).returncode
 	if code:
 		raise Failure("The build failed; the lines above say where.")
 

@@ -89,8 +89,8 @@ def parser():
 	bench.add_argument(
 		"--only",
 		metavar="PART",
-		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, cpu, questions, change, hitch, "
-		"species, kernel; of paper: a table",
+		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, cpu, questions, change, "
+		"hitch, species, kernel; of paper: a table",
 	)
 
 	commands.add_parser("docs", help="make the site, out/site")

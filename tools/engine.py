@@ -17,7 +17,7 @@ from tools.say import Failure, progress
 # Seconds without a line of output after which a run is taken for hung, where lines are expected. More than the runner of the
 # tests gives one of them, so that it can still name the one that hangs.
 SILENCE_LIMIT = 1200
-HOME = BUILD / "home"  # the engine's settings, caches and user:// while we run it
+HOME = BUILD / "home" / os.environ.get("GRASS_HOME", "")  # the engine's settings, caches and user:// while we run it
 
 
 def private_home():

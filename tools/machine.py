@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import sys
 
-from tools import settle
+from tools import locks, settle
 from tools.packages import MAIN, fetch
 from tools.places import UNPACKED
 from tools.say import Failure
@@ -157,12 +157,13 @@ def ensure(*needs):
 	"""Fetches those of `needs` that the machine lacks. Failure if it lacks a compiler, or where fetching fails."""
 	ensure_compiler()
 	settle.check()
-	wanted = {}
-	for found, names, *root in needs:
-		if not found():
-			wanted.setdefault(root[0] if root else MAIN, set()).update(names)
-	for root, packages in wanted.items():
-		fetch(sorted(packages), root)
+	with locks.alone("fetch"):
+		wanted = {}
+		for found, names, *root in needs:
+			if not found():
+				wanted.setdefault(root[0] if root else MAIN, set()).update(names)
+		for root, packages in wanted.items():
+			fetch(sorted(packages), root)
 	lacking = [names[0] for found, names, *_ in needs if not found()]
 	if lacking:
 		raise Failure(f"Fetched, but not found: {', '.join(lacking)}. Remove {UNPACKED.parent} and run this again.")

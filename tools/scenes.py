@@ -12,7 +12,24 @@ from tools.say import Failure, progress, say
 
 LIMIT = 3600  # seconds
 # those in the engine that ./grass bench runs
-BENCHES = ("draw", "limits", "meadow", "forces", "movers", "simulate", "sleep", "cpu", "questions", "change", "hitch", "species", "kernel")
+BENCHES = (
+	"draw",
+	"limits",
+	"meadow",
+	"forces",
+	"movers",
+	"simulate",
+	"sleep",
+	"awake",
+	"rest",
+	"crowd",
+	"cpu",
+	"questions",
+	"change",
+	"hitch",
+	"species",
+	"kernel",
+)
 PLAYED = ("walk",)  # demos that somebody plays, where there are a screen and a GPU
 EVENING = 12 * 3600  # seconds that one may play
 SIZES = {"large": "1920x1080", "small": "1280x720"}

@@ -15,6 +15,7 @@ from tools import (
 	formatting,
 	machine,
 	sanitize,
+	side_by_side,
 	testing_platforms,
 	testing_release,
 	tidy,
@@ -58,17 +59,20 @@ def gpu(only, hardware):
 	return tally
 
 
-def copy_project():
-	"""The project once more, with the plugin that runs the tests in the editor."""
+def copy_project(light):
+	"""The project once more, with the plugin that runs the tests in the editor. `light`: it draws what software draws in half the time;
+	else its pictures are those for the docs."""
 	shutil.rmtree(EDITED, ignore_errors=True)
 	shutil.copytree(PROJECT, EDITED, symlinks=True)
 	with open(EDITED / "project.godot", "a") as file:
 		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # what the editor opens at first
+		if light:
+			file.write("\n[rendering]\n\nanti_aliasing/quality/msaa_3d=0\nlights_and_shadows/directional_shadow/size=1024\n")
 		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
 
 
 def editor(only):
-	copy_project()
+	copy_project(light=not only)
 	with engine.window(size="1280x720", software=True) as (command, environment):
 		return in_engine("editor", command, environment, only, start=("--editor",), project=EDITED)
 
@@ -83,29 +87,30 @@ def on_screen(layers, hardware):
 @dataclass
 class Layer:
 	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it; `in_all`: whether it runs
-	where no layer is named."""
+	where no layer is named; `minutes` of a processor, about, its building included: where several run, the longest begins."""
 
 	run: object
 	target: str = "extension"
 	in_all: bool = True
+	minutes: float = 1.0
 
 
-# In the order in which they run.
+# In the order in which they are added up.
 LAYERS = {
-	"format": Layer(lambda only, _: formatting.layer(only, Tally()), None),
-	"tidy": Layer(lambda only, _: tidy.layer(only, Tally())),  # reads headers that the build makes
-	"binding": Layer(lambda only, _: binding(only), None),
-	"unit": Layer(lambda only, _: core("unit", only), "unit"),  # of doctest, without the engine: a test case counts one
-	"stress": Layer(lambda only, _: core("stress", only), "stress"),
-	"sanitize-short": Layer(lambda only, _: sanitize.run_short(only), None),
+	"format": Layer(lambda only, _: formatting.layer(only, Tally()), None, minutes=0.3),
+	"tidy": Layer(lambda only, _: tidy.layer(only, Tally()), minutes=3),  # reads headers that the build makes
+	"binding": Layer(lambda only, _: binding(only), None, minutes=0.2),
+	"unit": Layer(lambda only, _: core("unit", only), "unit", minutes=9.6),  # of doctest, without the engine: a test case counts one
+	"stress": Layer(lambda only, _: core("stress", only), "stress", minutes=2.5),
+	"sanitize-short": Layer(lambda only, _: sanitize.run_short(only), None, minutes=1.6),
 	"sanitize": Layer(lambda only, _: sanitize.run(only), in_all=False),
-	"headless": Layer(lambda only, _: headless(only)),
-	"docs": Layer(lambda only, _: docs_tests.run(only)),
-	"gpu": Layer(gpu),
-	"validation": Layer(lambda only, _: validation.layer(only, Tally())),
-	"editor": Layer(lambda only, _: editor(only)),
-	"platforms": Layer(lambda only, _: testing_platforms.run_layer("platforms", only)),
-	"package": Layer(lambda only, _: testing_release.run_layer("package", only)),
+	"headless": Layer(lambda only, _: headless(only), minutes=2.1),
+	"docs": Layer(lambda only, _: docs_tests.run(only), minutes=0.2),
+	"gpu": Layer(gpu, minutes=16.8),
+	"validation": Layer(lambda only, _: validation.layer(only, Tally()), minutes=1.4),
+	"editor": Layer(lambda only, _: editor(only), minutes=19),
+	"platforms": Layer(lambda only, _: testing_platforms.run_layer("platforms", only), minutes=5.8),
+	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
 	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
 	"release": Layer(lambda only, _: testing_release.run_layer("release", only), in_all=False),
@@ -113,23 +118,41 @@ LAYERS = {
 ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 
 
+def took(before, after):
+	"""The time between two of os.times(), in words."""
+	processor = sum(after[:4]) - sum(before[:4])
+	return f"{after.elapsed - before.elapsed:.0f} s, {processor:.0f} s of a processor"
+
+
+def run_layer(layer, only, hardware):
+	"""In this process, which has built and imported the extension. Returns its Tally."""
+	say(f"Tests: {layer}")
+	before = os.times()
+	if target := {LAYERS[layer].target} - {None, "extension"}:
+		build.scons(*target)
+	testing_platforms.prepare([layer])
+	tally = LAYERS[layer].run(only, hardware)
+	say(f"{layer}: {tally.line()} ({took(before, os.times())})")
+	return tally
+
+
 def run(layers=ALL, only="", hardware=False):
 	"""Builds, runs `layers` (the gpu layer on the machine's GPU if `hardware`), prints the sum. Returns whether all went well."""
+	if side_by_side.is_part():
+		return side_by_side.hand_over(run_layer(layers[0], only, hardware))
 	if hardware and not machine.gpu():
 		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
 	machine.ensure(*machine.BUILDING, *on_screen(layers, hardware))
-	targets = sorted({LAYERS[layer].target for layer in layers} - {None})
-	if targets:
-		build.scons(*targets)
-	if "extension" in targets:
+	if "extension" in {LAYERS[layer].target for layer in layers}:
+		build.scons("extension")
 		engine.import_project()
-	testing_platforms.prepare(layers)
 	total = Tally()
-	for layer in layers:
-		say(f"Tests: {layer}")
-		tally = LAYERS[layer].run(only, hardware)
-		say(f"{layer}: {tally.line()}")
-		total.add(tally)
+	if len(layers) > 1:
+		tallies = side_by_side.run(sorted(layers, key=lambda layer: -LAYERS[layer].minutes), only, hardware)
+		for layer in layers:
+			total.add(tallies[layer])
+	else:
+		total.add(run_layer(layers[0], only, hardware))
 	if not total.count():
 		total.failed.append(f"no test has {only!r} in its name")
 	for text in total.skipped:

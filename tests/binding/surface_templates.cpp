@@ -194,10 +194,14 @@ int leave_with(int p_number, Object *p_object) {
 GDE_EXPORT _ALWAYS_INLINE_ Callable make(SurfaceNode *p_node) {
 	return callable_mp(p_node ? p_node : memnew(SurfaceNode), &SurfaceNode::get_number);
 }
+Callable make_static() {
+	return callable_mp_static(&leave_with);
+}
 _NO_INLINE_ void register_all() {
 	GDREGISTER_CLASS(SurfaceNode);
 	GDREGISTER_INTERNAL_CLASS(SurfaceNode);
 	ClassDB::register_class<SurfaceNode>();
 	ClassDB::register_internal_class<SurfaceNode>();
 	make(nullptr);
+	make_static();
 }

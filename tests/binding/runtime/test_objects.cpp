@@ -75,6 +75,17 @@ TEST_CASE("a callable of a method is called with arguments, and is invalid when 
 	CHECK((!callable.is_valid()));
 }
 
+int doubled(int p_number) {
+	return 2 * p_number;
+}
+
+TEST_CASE("a callable of a function without an object is called, and equals another of the same function") {
+	const Callable callable = callable_mp_static(&doubled);
+	CHECK((callable.is_valid()));
+	CHECK((int(callable.call(21)) == 42));
+	CHECK((callable == callable_mp_static(&doubled)));
+}
+
 TEST_CASE("a method of the engine gets and gives objects, texts and lists") {
 	Node *parent = memnew(Node);
 	Node3D *child = memnew(Node3D);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Callables that run a C++ method: callable_mp(object, &Class::method). Two of the same object and method are equal.
+// Callables that run a C++ method, callable_mp(object, &Class::method), or a function, callable_mp_static(&function). Two of the same
+// object and method are equal.
 #pragma once
 
 #include <godot_cpp/core/object.hpp>
@@ -65,3 +66,4 @@ template <typename F> Callable callable_of_static(F p_function) {
 } // namespace godot
 
 #define callable_mp(m_object, m_method) ::godot::internal::callable_of(m_object, m_method)
+#define callable_mp_static(m_function) ::godot::internal::callable_of_static(m_function)
