@@ -11,6 +11,7 @@
 #include "core/field/simulator.h"
 #include "core/map/tile_cover.h"
 #include "draw/drawn_plant.h"
+#include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/string_name.hpp>
@@ -25,7 +26,7 @@ namespace grass {
 
 class Backend : public Simulator {
 public:
-	// Prepares a field that needs shaders or passes which this one lacks: makes one a call at most. Returns whether all are ready.
+	// Prepares a field that needs passes which this one lacks. Returns whether all are ready.
 	virtual bool prepare(const FieldSetup &p_setup) = 0;
 	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: make another
 	// backend then.
@@ -49,8 +50,8 @@ public:
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
 	// Sets a uniform of the shaders of blades and plants.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
-	// SurfaceHook::text of the blades; "": none. False if their shader does not compile with it.
-	virtual bool set_hook(const godot::String &p_text) = 0;
+	// Draws blades with the shaders of p_look, which are there (prepare_shaders()). Before the first call nothing is drawn.
+	virtual void set_look(const Look &p_look) = 0;
 
 	// Whether to measure BackendStatistics' times, which costs a little on the GPU.
 	virtual void set_measure_time(bool p_measure) = 0;
@@ -66,6 +67,7 @@ public:
 	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
 	virtual BackendStatistics get_statistics() = 0;
 	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
+	virtual int64_t get_shared_memory() const = 0; // what of that other fields of the same patch have as well
 	virtual const char *get_name() const = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 using namespace godot;
 
@@ -43,8 +44,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_pool(p_setup.patch, p_setup.pool_size),
 		_parallel(memnew(Parallel)),
-		_patch_texture(make_patch_texture(*p_setup.patch)),
-		_materials(shader_features(p_setup)) {
+		_patch_texture(patch_texture(p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
 	_changed_slots.reset(p_setup.pool_size, false);
@@ -59,10 +59,10 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 	if (!p_setup.has_meshes_of(_setup)) {
 		return false;
 	}
-	_materials.set_features(shader_features(p_setup));
 	if (p_setup.patch != _setup.patch) {
 		_pool.set_patch(p_setup.patch);
-		update_patch_texture(_patch_texture, *p_setup.patch);
+		const Ref<ImageTexture> before = std::exchange(_patch_texture, patch_texture(p_setup.patch)); // until nothing reads it
+		set_uniform("patch_knots", _patch_texture);
 		_materials.set("blade_length", p_setup.blade_length());
 	}
 	if (p_setup.pool_size != _setup.pool_size) {
@@ -262,9 +262,12 @@ BackendStatistics CpuBackend::get_statistics() {
 	return statistics;
 }
 
+int64_t CpuBackend::get_shared_memory() const {
+	return int64_t(_setup.patch->texels.size()) * 4; // here and as a texture
+}
+
 int64_t CpuBackend::get_memory_usage() const {
-	int64_t bytes = int64_t(_setup.patch->texels.size()) * 4 + _pool.get_memory_usage() +
-			mesh_bytes(_setup.card_size > 0.0f); // patch: here and as a texture
+	int64_t bytes = get_shared_memory() + _pool.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f);
 	bytes += int64_t(_pool_texels.capacity()) * 4; // likewise
 	for (const FieldInstance &level : _levels) {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;

@@ -25,7 +25,8 @@ public:
 	~CpuBackend() override;
 
 	bool prepare(const FieldSetup &p_setup) override {
-		return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup));
+		(void)p_setup; // it has no passes
+		return true;
 	}
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
@@ -34,7 +35,7 @@ public:
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
-	bool set_hook(const godot::String &p_text) override { return _materials.set_hook(p_text); }
+	void set_look(const Look &p_look) override { _materials.set_look(p_look); }
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;
 	void set_measure_time(bool p_measure) override { _measure = p_measure; }
 
@@ -43,6 +44,7 @@ public:
 	EnergyReport read_energy() override { return { _step_number > 0 ? _step_number - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
+	int64_t get_shared_memory() const override;
 	const char *get_name() const override { return "CPU"; }
 
 private:

@@ -2,7 +2,6 @@
 #include "draw/blade_materials.h"
 
 #include "draw/blade_mesh.h"
-#include "draw/shared_shader.h"
 #include "draw/surface_hook.h"
 #include "render_shaders.gen.h"
 
@@ -10,7 +9,7 @@ using namespace godot;
 
 namespace grass {
 
-BladeMaterials::BladeMaterials(int p_features) {
+BladeMaterials::BladeMaterials() {
 	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
 		const bool first = level == 0 || level == GRASS_LOD_LEVELS;
 		if (first || lod_segments(level) != lod_segments(level - 1)) {
@@ -21,39 +20,28 @@ BladeMaterials::BladeMaterials(int p_features) {
 		}
 		_levels[size_t(level)] = _materials.back().material;
 	}
-	set_features(p_features);
 }
 
 namespace {
-int shadow_features(int p_features) {
-	return p_features & ~(SHADER_CARDS | SHADER_TERRAIN); // cards throw no shadow
+ShaderText blade_text(const Look &p_look) {
+	return { shader::BLADE_GDSHADER, VertexKind::BLADE, p_look };
+}
+ShaderText shadow_text(const Look &p_look) { // cards throw no shadow, and hooks are not seen
+	return { shader::SHADOW_GDSHADER, VertexKind::BLADE, { p_look.features & ~(SHADER_CARDS | SHADER_TERRAIN), String() } };
 }
 } // namespace
 
-bool BladeMaterials::prepare(int p_features) {
-	return prepare_shader(shader::BLADE_GDSHADER, p_features) && prepare_shader(shader::SHADOW_GDSHADER, shadow_features(p_features));
+bool BladeMaterials::prepare(const Look &p_look) {
+	return prepare_shader(blade_text(p_look)) & prepare_shader(shadow_text(p_look)); // worker threads take both
 }
 
-void BladeMaterials::set_features(int p_features) {
-	if (_features == p_features) {
-		return;
-	}
-	_features = p_features;
-	set_shaders();
+bool BladeMaterials::is_compiled(const Look &p_look) {
+	return p_look.hook.is_empty() || grass::is_compiled(shared_shader(blade_text(p_look)));
 }
 
-bool BladeMaterials::set_hook(const String &p_text) {
-	if (_hook != p_text) {
-		_hook = p_text;
-		set_shaders();
-	}
-	return is_compiled(shared_shader(shader::BLADE_GDSHADER, _features, _hook), _hook);
-}
-
-void BladeMaterials::set_shaders() {
+void BladeMaterials::set_look(const Look &p_look) {
 	for (const Made &made : _materials) {
-		made.material->set_shader(made.is_seen ? shared_shader(shader::BLADE_GDSHADER, _features, _hook)
-											   : shared_shader(shader::SHADOW_GDSHADER, shadow_features(_features)));
+		made.material->set_shader(shared_shader(made.is_seen ? blade_text(p_look) : shadow_text(p_look)));
 	}
 }
 

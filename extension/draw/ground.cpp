@@ -31,22 +31,25 @@ int cells_along(double p_metres) {
 	return std::clamp(int(std::ceil(p_metres / CELL)), 1, MOST_CELLS);
 }
 
-int ground_features(int p_features) {
-	return p_features & ~SHADER_CARDS; // flowers are a colour there
+ShaderText ground_text(const Look &p_look) {
+	return { shader::GROUND_GDSHADER, VertexKind::GROUND, { p_look.features & ~SHADER_CARDS, p_look.hook } }; // flowers are a colour there
 }
 } // namespace
 
-bool Ground::prepare(int p_features) {
-	return prepare_shader(shader::GROUND_GDSHADER, ground_features(p_features));
+bool Ground::prepare(const Look &p_look) {
+	return prepare_shader(ground_text(p_look));
 }
 
-void Ground::create(const TileGrid &p_grid, int p_features) {
+bool Ground::is_compiled(const Look &p_look) {
+	return p_look.hook.is_empty() || grass::is_compiled(shared_shader(ground_text(p_look)));
+}
+
+void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	free();
 	_grid = p_grid;
 	_low = _high = 0.0f;
 	_material.instantiate();
-	_features = ground_features(p_features);
-	_material->set_shader(shared_shader(shader::GROUND_GDSHADER, _features));
+	set_look(p_look);
 	_material->set_shader_parameter("size", Vector2(real_t(p_grid.get_size_x()), real_t(p_grid.get_size_z())));
 	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
 	RenderingServer *server = RenderingServer::get_singleton();
@@ -135,13 +138,8 @@ void Ground::set_uniform(const StringName &p_name, const Variant &p_value) {
 	}
 }
 
-bool Ground::set_hook(const String &p_text) {
-	if (_material.is_null()) {
-		return true;
-	}
-	const Ref<Shader> shader = shared_shader(shader::GROUND_GDSHADER, _features, p_text);
-	_material->set_shader(shader);
-	return is_compiled(shader, p_text);
+void Ground::set_look(const Look &p_look) {
+	_material->set_shader(shared_shader(ground_text(p_look)));
 }
 
 void Ground::free() {

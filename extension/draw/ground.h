@@ -5,6 +5,7 @@
 
 #include "core/base/tile_grid.h"
 #include "draw/node_follower.h"
+#include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -21,16 +22,17 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
-	// Makes the shader that create() uses, if it does not exist. Returns whether it existed before.
-	static bool prepare(int p_features);
-	void create(const TileGrid &p_grid, int p_features); // with SHADER_MAP: soil only where the map has grass
+	// Returns whether the shader of p_look is there. See prepare_shader().
+	static bool prepare(const Look &p_look);
+	// Whether it compiles with the look's hook.
+	static bool is_compiled(const Look &p_look);
+	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
+	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
 	// The map's ground lies between these heights, metres above the field. Another mesh where it got hills, or lost them.
 	void set_heights(float p_low, float p_high);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
-	// SurfaceHook::text; "": none. False if the shader does not compile with it.
-	bool set_hook(const godot::String &p_text);
 	void free();
 	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
@@ -44,7 +46,6 @@ private:
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;
 	NodeFollower _follower;
-	int _features = 0;
 };
 
 } // namespace grass

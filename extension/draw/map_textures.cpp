@@ -66,6 +66,11 @@ bool MapTextures::make_one(const MapLayers &p_layers, int p_room) {
 	return false;
 }
 
+bool MapTextures::are_made(int p_room) const {
+	return _room >= p_room && _room > 0 &&
+			std::all_of(_arrays.begin(), _arrays.begin() + _kinds, [](const auto &p_array) { return p_array.is_valid(); });
+}
+
 void MapTextures::make_room(int p_layers) {
 	if (_room == 0 || p_layers > _room) {
 		_arrays = {};

@@ -21,6 +21,7 @@ public:
 
 	// Makes the next of the textures, with room for p_room layers. False: all are made.
 	bool make_one(const MapLayers &p_layers, int p_room);
+	bool are_made(int p_room) const; // nothing is left for make_one()
 	// Uploads the layers in p_changed, which differ from the last call.
 	void update(const MapLayers &p_layers, const std::vector<int> &p_changed);
 	// Whether set_uniforms() would change a uniform.

@@ -16,6 +16,7 @@ void NodeFollower::follow(const RID &p_instance, GeometryInstance3D *p_node, con
 	now.is_visible = p_is_wanted && in_world && p_node->is_visible_in_tree();
 	now.layers = p_node->get_layer_mask();
 	now.transparency = p_node->get_transparency();
+	now.takes_probes = p_node->get_gi_mode() == GeometryInstance3D::GI_MODE_DYNAMIC;
 	now.node_id = p_node->get_instance_id();
 	if (_is_known && now == _told) {
 		return;
@@ -28,6 +29,7 @@ void NodeFollower::follow(const RID &p_instance, GeometryInstance3D *p_node, con
 	server->instance_set_visible(p_instance, now.is_visible);
 	server->instance_set_layer_mask(p_instance, now.layers);
 	server->instance_geometry_set_transparency(p_instance, float(now.transparency));
+	server->instance_geometry_set_flag(p_instance, RenderingServer::INSTANCE_FLAG_USE_DYNAMIC_GI, now.takes_probes);
 	server->instance_attach_object_instance_id(p_instance, now.node_id);
 	_told = now;
 	_is_known = true;

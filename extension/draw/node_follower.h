@@ -10,7 +10,7 @@ namespace grass {
 
 class NodeFollower {
 public:
-	// World, layers and transparency of the node; p_transform; shown if the node is, and p_is_wanted. Always of the same instance,
+	// World, layers, transparency and gi_mode of the node; p_transform; shown if the node is, and p_is_wanted. Always of the same instance,
 	// until reset().
 	void follow(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_wanted);
 	void reset() { _is_known = false; }
@@ -23,6 +23,7 @@ private:
 		bool is_visible = false;
 		uint32_t layers = 0;
 		double transparency = 0.0;
+		bool takes_probes = false; // of a LightmapGI
 		uint64_t node_id = 0;
 		bool operator==(const State &) const = default;
 	};

@@ -2,11 +2,15 @@
 #include "draw/patch_texture.h"
 
 #include "convert.h"
+#include "core/blades/leaf_pictures.h"
 #include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <cmath>
+#include <vector>
 
 using namespace godot;
 
@@ -17,17 +21,21 @@ Ref<Image> make_patch_image(const Patch &p_patch) {
 			Patch::WIDTH, Patch::HEIGHT * p_patch.species, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(p_patch.texels)));
 }
 
-Ref<ImageTexture> make_patch_texture(const Patch &p_patch) {
-	return ImageTexture::create_from_image(make_patch_image(p_patch));
-}
-
-void update_patch_texture(const Ref<ImageTexture> &p_texture, const Patch &p_patch) {
-	const Ref<Image> image = make_patch_image(p_patch);
-	if (p_texture->get_height() == image->get_height()) {
-		p_texture->update(image);
-	} else { // another number of species
-		p_texture->set_image(image);
+Ref<ImageTexture> patch_texture(const std::shared_ptr<const Patch> &p_patch) {
+	struct Made {
+		std::weak_ptr<const Patch> patch;
+		uint64_t texture; // the instance's id: fields keep it alive
+	};
+	static std::vector<Made> made;
+	std::erase_if(made, [](const Made &p_made) { return p_made.patch.expired() || ObjectDB::get_instance(p_made.texture) == nullptr; });
+	for (const Made &one : made) {
+		if (one.patch.lock() == p_patch) {
+			return Ref<ImageTexture>(Object::cast_to<ImageTexture>(ObjectDB::get_instance(one.texture)));
+		}
 	}
+	Ref<ImageTexture> texture = ImageTexture::create_from_image(make_patch_image(*p_patch));
+	made.push_back({ p_patch, texture->get_instance_id() });
+	return texture;
 }
 
 namespace {
@@ -47,7 +55,23 @@ Ref<ImageTexture> make_lattice_texture() {
 			GRASS_LATTICE_CELLS, GRASS_LATTICE_CELLS, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels))));
 }
 
+Ref<Texture2DArray> make_leaf_textures() {
+	TypedArray<Ref<Image>> layers;
+	for (int picture = 0; picture < GRASS_LEAF_PICTURES; picture++) {
+		const std::vector<uint8_t> texels = make_leaf_picture(picture);
+		const Ref<Image> image =
+				Image::create_from_data(LEAF_ACROSS, LEAF_ALONG, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(texels)));
+		image->generate_mipmaps();
+		layers.push_back(image);
+	}
+	Ref<Texture2DArray> textures;
+	textures.instantiate();
+	textures->create_from_images(layers);
+	return textures;
+}
+
 Ref<ImageTexture> shared_lattice;
+Ref<Texture2DArray> shared_leaves;
 
 } // namespace
 
@@ -58,8 +82,16 @@ Ref<ImageTexture> lattice_texture() {
 	return shared_lattice;
 }
 
+Ref<Texture2DArray> leaf_textures() {
+	if (shared_leaves.is_null()) {
+		shared_leaves = make_leaf_textures();
+	}
+	return shared_leaves;
+}
+
 void free_shared_textures() {
 	shared_lattice.unref();
+	shared_leaves.unref();
 }
 
 int shader_features(const FieldSetup &p_setup) {

@@ -2,7 +2,6 @@
 #include "draw/plants.h"
 
 #include "core/base/layout.h"
-#include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
 
 using namespace godot;
@@ -11,8 +10,8 @@ namespace grass {
 
 namespace {
 
-int plant_features(int p_features) {
-	return p_features & (SHADER_MAP | SHADER_SPECIES);
+ShaderText plant_text(int p_features) {
+	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { p_features & (SHADER_MAP | SHADER_SPECIES), String() } };
 }
 
 std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_species, int p_features) {
@@ -20,7 +19,7 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		Ref<ShaderMaterial> &material = materials.emplace_back();
 		material.instantiate();
-		material->set_shader(shared_shader(shader::PLANT_GDSHADER, plant_features(p_features)));
+		material->set_shader(shared_shader(plant_text(p_features)));
 		material->set_shader_parameter("segments", GRASS_SEGMENTS);
 		material->set_shader_parameter("plant_species", p_species);
 		material->set_shader_parameter("plant_color", surface.color);
@@ -34,8 +33,8 @@ std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p
 
 } // namespace
 
-bool Plants::prepare(int p_features) {
-	return (p_features & SHADER_PLANTS) == 0 || prepare_shader(shader::PLANT_GDSHADER, plant_features(p_features));
+bool Plants::prepare(const Look &p_look) {
+	return (p_look.features & SHADER_PLANTS) == 0 || prepare_shader(plant_text(p_look.features));
 }
 
 void Plants::set(

@@ -4,6 +4,7 @@
 
 #include "draw/drawn_plant.h"
 #include "draw/field_instance.h"
+#include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/shader_material.hpp>
 #include <godot_cpp/variant/string_name.hpp>
@@ -25,8 +26,8 @@ public:
 	// Plants of one species that are drawn at once, at most.
 	static constexpr int ROOM = 65536;
 
-	// Makes one missing shader of fields with p_features (ShaderFeature). Returns whether none was missing.
-	static bool prepare(int p_features);
+	// Returns whether the shader of fields with p_look is there, if they need one. See prepare_shader().
+	static bool prepare(const Look &p_look);
 	// p_plants: by species. p_rooms: of their MultiMeshes. Uniforms must be set anew.
 	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,
 			const godot::AABB &p_bounds);

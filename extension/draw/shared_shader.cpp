@@ -2,10 +2,20 @@
 #include "draw/shared_shader.h"
 
 #include "draw/frame_share.h"
+#include "draw/shader_job.h"
+#include "draw/task_queue.h"
+
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <utility>
 
 using namespace godot;
 
@@ -14,50 +24,139 @@ namespace grass {
 namespace {
 using Key = std::tuple<const char *, int, std::string>; // address of the code, features, hook
 std::map<Key, Ref<Shader>> shaders;
+std::map<Key, std::shared_ptr<ShaderJob>> jobs; // that are not in `shaders` yet
+TaskQueue queue;
 
-// Hooks come and go, as nobody's own shaders do.
-void drop_unused() {
-	std::erase_if(
-			shaders, [](const auto &p_entry) { return !std::get<2>(p_entry.first).empty() && p_entry.second->get_reference_count() == 1; });
+void release_shader_jobs();
+
+Callable release_jobs() {
+	return callable_mp_static(&release_shader_jobs);
+}
+
+void release_shader_jobs() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	if (server->is_connected("frame_post_draw", release_jobs())) {
+		server->disconnect("frame_post_draw", release_jobs());
+	}
+	queue.release();
+}
+
+bool is_mobile() {
+	const RenderingServer *server = RenderingServer::get_singleton();
+	return server->get_current_rendering_method() == String("mobile") && server->get_rendering_device() != nullptr;
+}
+
+// Has the engine compile a shader, and returns when drawing with it can make a frame late, but never hang. Tasks begin in the order in
+// which they were added: when the last one runs, all parts of the shader are at work or done. Were it wanted before, Mobile would wait for
+// them with a lock that tasks for pipelines want, too, and where these hold all threads, no part ever begins (Godot's issue 123060).
+void compile(Shader &p_shader) {
+	p_shader.get_rid(); // the engine parses it, and adds a task for each thread
+	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+	pool->wait_for_task_completion(pool->add_native_task([](void *) {}, nullptr, true, "GrassField's mark behind a shader"));
+}
+
+Key key_of(const ShaderText &p_text) {
+	return { p_text.code, p_text.look.features, p_text.look.hook.utf8().get_data() };
 }
 } // namespace
 
-String make_shader_code(const char *p_code, int p_features, const String &p_hook) {
-	String head = "shader_type spatial;";
-	head += p_features & SHADER_MAP ? "\n#define GRASS_MAP" : "";
-	head += p_features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
-	head += p_features & SHADER_CARDS ? "\n#define GRASS_CARDS" : "";
-	head += p_features & SHADER_PLANTS ? "\n#define GRASS_PLANTS" : "";
-	head += p_features & SHADER_TERRAIN ? "\n#define GRASS_TERRAIN" : "";
-	head += p_hook.is_empty() ? "" : "\n#define GRASS_HOOK";
-	const String code = String::utf8(p_code).replace("shader_type spatial;", head);
-	return p_hook.is_empty() ? code : code.replace("GRASS_HOOK_TEXT", p_hook);
+bool has_shader_workers() {
+	if (RenderingServer::get_singleton()->get_rendering_device() == nullptr) {
+		return false;
+	}
+	const OS *os = OS::get_singleton();
+	// Each frame of a film must show all of its grass, however long it takes. A job needs a thread beside its own. In Mobile the main
+	// thread hangs where tasks for a job's pipelines hold all threads (Godot's issue 123060).
+	static const bool has_workers = !os->has_feature("movie") && os->get_processor_count() > 1 &&
+			int64_t(ProjectSettings::get_singleton()->get_setting("threading/worker_pool/max_threads", -1)) != 1 && !is_mobile();
+	return has_workers;
 }
 
-Ref<Shader> shared_shader(const char *p_code, int p_features, const String &p_hook) {
-	const Key key{ p_code, p_features, p_hook.utf8().get_data() };
-	if (!p_hook.is_empty() && !shaders.contains(key)) {
-		drop_unused();
+String make_shader_code(const char *p_code, const Look &p_look) {
+	const auto &[features, hook] = p_look;
+	String head = "shader_type spatial;";
+	head += features & SHADER_MAP ? "\n#define GRASS_MAP" : "";
+	head += features & SHADER_SPECIES ? "\n#define GRASS_SPECIES" : "";
+	head += features & SHADER_CARDS ? "\n#define GRASS_CARDS" : "";
+	head += features & SHADER_PLANTS ? "\n#define GRASS_PLANTS" : "";
+	head += features & SHADER_TERRAIN ? "\n#define GRASS_TERRAIN" : "";
+	head += hook.is_empty() ? "" : "\n#define GRASS_HOOK";
+	const String code = String::utf8(p_code).replace("shader_type spatial;", head);
+	return hook.is_empty() ? code : code.replace("GRASS_HOOK_TEXT", hook);
+}
+
+Ref<Shader> shared_shader(const ShaderText &p_text) {
+	const Key key = key_of(p_text);
+	const auto known = shaders.find(key);
+	if (known != shaders.end()) {
+		return known->second;
 	}
 	Ref<Shader> &shader = shaders[key];
-	if (shader.is_null()) {
-		shader.instantiate();
-		shader->set_code(make_shader_code(p_code, p_features, p_hook));
+	shader.instantiate();
+	shader->set_code(make_shader_code(p_text.code, p_text.look));
+	if (is_mobile()) {
+		compile(**shader);
 	}
 	return shader;
 }
 
-bool prepare_shader(const char *p_code, int p_features) {
-	if (shaders.contains({ p_code, p_features, "" })) {
+bool prepare_shader(const ShaderText &p_text) {
+	const Key key = key_of(p_text);
+	if (shaders.contains(key)) {
 		return true;
 	}
+	if (has_shader_workers()) {
+		std::shared_ptr<ShaderJob> &job = jobs[key];
+		if (!job) {
+			job = std::make_shared<ShaderJob>(p_text);
+			queue.push([job] { job->work(); });
+		}
+		const bool is_done = job->is_done();
+		if (is_done) {
+			shaders[key] = job->get_shader();
+			jobs.erase(key);
+		}
+		return is_done;
+	}
 	if (FrameShare::has_time()) {
-		shared_shader(p_code, p_features)->get_rid(); // this makes the engine compile it
+		shared_shader(p_text)->get_rid(); // this makes the engine compile it, where it did not yet
 	}
 	return false;
 }
 
+void drop_hooked_shaders() {
+	std::erase_if(
+			shaders, [](const auto &p_entry) { return !std::get<2>(p_entry.first).empty() && p_entry.second->get_reference_count() == 1; });
+}
+
+void hold_shader_jobs() {
+	if (!has_shader_workers()) {
+		return;
+	}
+	queue.hold();
+	ShaderJob::wait_for_shaders();
+	RenderingServer *server = RenderingServer::get_singleton();
+	if (!server->is_connected("frame_post_draw", release_jobs())) {
+		server->connect("frame_post_draw", release_jobs());
+	}
+}
+
+void expect_motion_vectors() {
+	static bool are_known = false;
+	if (!std::exchange(are_known, true)) {
+		hold_shader_jobs();
+	}
+}
+
+void forget_shader_jobs() {
+	queue.forget();
+	release_shader_jobs();
+	std::erase_if(jobs, [](const auto &p_entry) { return !p_entry.second->has_begun(); });
+}
+
 void free_shared_shaders() {
+	queue.finish();
+	jobs.clear();
 	shaders.clear();
 }
 

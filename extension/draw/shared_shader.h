@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The renderer's shaders, one resource each for all fields: compiling one takes up to seconds, and a change of a property
+// The renderer's shaders, one resource each for all fields: making one takes up to seconds, and a change of a property
 // that a field is built from makes the field anew.
 #pragma once
 
@@ -17,12 +17,42 @@ enum ShaderFeature {
 	SHADER_TERRAIN = 16, // GRASS_TERRAIN
 };
 
-// The shader of p_code (UTF-8, a string literal) with p_features, made by the first call and kept. p_hook: SurfaceHook::text.
-godot::Ref<godot::Shader> shared_shader(const char *p_code, int p_features = 0, const godot::String &p_hook = godot::String());
-// Its text.
-godot::String make_shader_code(const char *p_code, int p_features, const godot::String &p_hook);
-// Makes it if it does not exist and this frame has time: some 20 ms in the engine. Returns whether it existed before.
-bool prepare_shader(const char *p_code, int p_features = 0);
+// What the vertices of a mesh hold: nothing, for blades; place and normal; these, UV and three numbers.
+enum class VertexKind { BLADE, GROUND, PLANT };
+
+// What a field's shaders are compiled for.
+struct Look {
+	int features = 0; // ShaderFeature
+	godot::String hook; // SurfaceHook::text
+
+	bool operator==(const Look &) const = default;
+};
+
+struct ShaderText {
+	const char *code; // UTF-8, a string literal
+	VertexKind vertices; // of the meshes that it draws
+	Look look = {};
+};
+
+// The shader, made by the first call and kept.
+godot::Ref<godot::Shader> shared_shader(const ShaderText &p_text);
+// What the engine compiles.
+godot::String make_shader_code(const char *p_code, const Look &p_look);
+// Whether worker threads make shaders; else shared_shader() does, when it is called.
+bool has_shader_workers();
+// Returns whether the shader is there, and all that drawing with it needs; else has a worker thread make that beside the frames, or makes
+// it here, if this frame has time.
+bool prepare_shader(const ShaderText &p_text);
+// Drops shaders with a hook that nothing is drawn with: hooks come and go, as the field's own features do not. Call when a field has
+// another one: what is prepared for others is made once more.
+void drop_hooked_shaders();
+// No shader is made until the next frame is drawn. Call before a frame that may need other variants of all shaders than those before it:
+// the renderer then compiles them for every shader that it knows, and breaks one that another thread makes at that moment (Godot 4.6).
+void hold_shader_jobs();
+// The same for the first frame that has motion vectors. Call before each that may have them.
+void expect_motion_vectors();
+// Forgets what has not begun of what prepare_shader() began. Call when no field is left: the game may end now.
+void forget_shader_jobs();
 // Call when the library is unloaded.
 void free_shared_shaders();
 

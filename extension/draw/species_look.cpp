@@ -14,8 +14,6 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-
 Color mean_color(const Ref<Image> &p_image) {
 	constexpr int STEP = 4, COUNT = (Cards::SIDE / STEP) * (Cards::SIDE / STEP);
 	Color sum(0, 0, 0, 0);
@@ -27,6 +25,35 @@ Color mean_color(const Ref<Image> &p_image) {
 	}
 	const float opaque = std::max(float(sum.a), 1.0f);
 	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(COUNT));
+}
+
+namespace {
+
+// Of several pictures, each by how much of it is opaque.
+Color mean_color(std::span<const Ref<Image>> p_images) {
+	Color sum(0, 0, 0, 0);
+	for (const Ref<Image> &image : p_images) {
+		const Color mean = grass::mean_color(image);
+		sum += Color(mean.a * mean.r, mean.a * mean.g, mean.a * mean.b, mean.a);
+	}
+	const float opaque = std::max(float(sum.a), 1e-6f);
+	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(std::max(p_images.size(), size_t(1))));
+}
+
+float luminance(const Color &p_color) {
+	return 0.2126f * p_color.r + 0.7152f * p_color.g + 0.0722f * p_color.b;
+}
+
+// All that become layers, in their order.
+std::vector<Ref<Image>> images_of(std::span<const SpeciesLook> p_looks) {
+	std::vector<Ref<Image>> images;
+	for (const SpeciesLook &look : p_looks) {
+		images.insert(images.end(), look.card.begin(), look.card.end());
+		if (look.leaf.is_valid()) {
+			images.push_back(look.leaf);
+		}
+	}
+	return images;
 }
 
 // Each smaller version of an image shows as much of it.
@@ -49,28 +76,41 @@ Ref<Image> with_kept_coverage(const Ref<Image> &p_image) {
 
 } // namespace
 
-Ref<Image> read_card(const Ref<Texture2D> &p_texture) {
+std::vector<Ref<Image>> read_card(const Ref<Texture2D> &p_texture, int p_pictures, const char *p_property) {
 	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
 	if (found.is_null() || found->is_empty()) {
 		return {};
 	}
 	Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
 	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
-			"GrassSpecies: the texture of `card` is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.");
+			vformat("GrassSpecies: the texture of `%s` is compressed in a way that cannot be read. Import it as Lossless or VRAM "
+					"Uncompressed.",
+					p_property));
 	image->clear_mipmaps();
 	image->convert(Image::FORMAT_RGBA8);
-	image->resize(Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
-	image->generate_mipmaps();
-	return with_kept_coverage(image);
+	image->resize(p_pictures * Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);
+	std::vector<Ref<Image>> pictures;
+	for (int i = 0; i < p_pictures; i++) {
+		const Ref<Image> picture = image->get_region(Rect2i(i * Cards::SIDE, 0, Cards::SIDE, Cards::SIDE));
+		picture->generate_mipmaps();
+		pictures.push_back(with_kept_coverage(picture));
+	}
+	return pictures;
 }
 
 bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks) {
-	for (size_t s = 0; s < p_cards.images.size(); s++) {
-		if (p_cards.images[s] != (s < p_looks.size() ? p_looks[s].card : Ref<Image>())) {
+	const auto same = [&](size_t p_species) {
+		const bool has_card = p_species < p_looks.size() && !p_looks[p_species].card.empty();
+		const bool has_leaf = p_species < p_looks.size() && p_looks[p_species].leaf.is_valid();
+		return p_cards.flowers[p_species].pictures == (has_card ? int(p_looks[p_species].card.size()) : 0) &&
+				p_cards.leaves[p_species].pictures == int(has_leaf);
+	};
+	for (size_t s = 0; s < p_cards.flowers.size(); s++) { // the same pictures may be of other species
+		if (!same(s)) {
 			return false;
 		}
 	}
-	return true;
+	return p_cards.images == images_of(p_looks);
 }
 
 int64_t Cards::get_memory_usage() const {
@@ -83,15 +123,21 @@ int64_t Cards::get_memory_usage() const {
 
 Cards make_cards(std::span<const SpeciesLook> p_looks) {
 	Cards cards;
-	TypedArray<Ref<Image>> images;
+	cards.images = images_of(p_looks);
+	int layer = 0;
 	for (size_t s = 0; s < p_looks.size(); s++) {
-		const Ref<Image> &image = p_looks[s].card;
-		cards.images[s] = image;
-		if (image.is_valid()) {
-			cards.colors[s] = mean_color(image);
-			cards.layers[s] = int(images.size());
-			images.push_back(image);
+		const SpeciesLook &look = p_looks[s];
+		if (!look.card.empty()) {
+			cards.flowers[s] = { layer, int(look.card.size()), mean_color(std::span(look.card)) };
+			layer += int(look.card.size());
 		}
+		if (look.leaf.is_valid()) {
+			cards.leaves[s] = { layer++, 1, mean_color(look.leaf) };
+		}
+	}
+	TypedArray<Ref<Image>> images;
+	for (const Ref<Image> &image : cards.images) {
+		images.push_back(image);
 	}
 	if (!images.is_empty()) {
 		cards.textures.instantiate();
@@ -103,7 +149,8 @@ Cards make_cards(std::span<const SpeciesLook> p_looks) {
 Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const Cards &p_cards) {
 	static_assert(GRASS_LOOK_DRY == GRASS_LOOK_COLORS && GRASS_LOOK_CANOPY == GRASS_LOOK_DRY + 1 &&
 			GRASS_LOOK_CARD == GRASS_LOOK_CANOPY + 1 && GRASS_LOOK_CARD_COLOR == GRASS_LOOK_CARD + 1 &&
-			GRASS_LOOK_CARD_FAR == GRASS_LOOK_CARD_COLOR + 1 && GRASS_LOOK_TEXELS == GRASS_LOOK_CARD_FAR + 1);
+			GRASS_LOOK_CARD_FAR == GRASS_LOOK_CARD_COLOR + 1 && GRASS_LOOK_LEAF == GRASS_LOOK_CARD_FAR + 1 &&
+			GRASS_LOOK_TEXELS == GRASS_LOOK_LEAF + 1);
 	std::vector<uint16_t> halves;
 	const auto put = [&](float p_r, float p_g, float p_b, float p_a) {
 		for (const float value : { p_r, p_g, p_b, p_a }) {
@@ -116,11 +163,13 @@ Ref<ImageTexture> make_look_texture(std::span<const SpeciesLook> p_looks, const 
 			put(color.r, color.g, color.b, 1.0f);
 		}
 		put(look.dry_color.r, look.dry_color.g, look.dry_color.b, look.dry);
-		put(look.canopy_among_others, look.canopy_alone, look.blade_area, 0.0f);
-		const Color &tint = look.card_color, far = tint * p_cards.colors[s];
-		put(look.card_width, look.card_height, float(p_cards.layers[s]), look.card_share);
-		put(tint.r, tint.g, tint.b, 1.0f);
+		put(look.canopy_among_others, look.canopy_alone, look.blade_area, look.leaf_width);
+		const Cards::Seen &flower = p_cards.flowers[s], &leaf = p_cards.leaves[s];
+		const Color &tint = look.card_color, far = tint * flower.color;
+		put(look.card_width, look.card_height, float(flower.layer), look.card_share);
+		put(tint.r, tint.g, tint.b, 1.0f / std::max(luminance(leaf.color), 0.1f));
 		put(far.r, far.g, far.b, far.a * look.card_width * look.card_height / std::max(look.blade_area, 1e-6f));
+		put(look.leaf_size, float(leaf.layer), look.card_flatness, float(look.card.size()));
 	}
 	return ImageTexture::create_from_image(Image::create_from_data(
 			GRASS_LOOK_TEXELS, int32_t(p_looks.size()), false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(halves))));

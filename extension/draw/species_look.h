@@ -12,6 +12,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace grass {
 
@@ -19,28 +20,38 @@ struct SpeciesLook {
 	std::array<godot::Color, GRASS_LOOK_COLORS> colors; // from root to tip, linear
 	godot::Color dry_color; // linear
 	float dry = 0.0f; // share of dryness in tips and light clumps
-	godot::Ref<godot::Image> card; // flower or seed head at the tip, of read_card(); null: none
+	std::vector<godot::Ref<godot::Image>> card; // flowers or seed heads at the tip, of read_card(); empty: none
 	godot::Color card_color; // times the card's, linear
 	float card_share = 0.0f; // of the blades
 	float card_width = 0.0f, card_height = 0.0f; // metres
-	float blade_area = 0.0f; // that a mean blade covers, m^2
+	float card_flatness = 0.0f; // 0: it faces the eye; 1: it lies across the tip
+	godot::Ref<godot::Image> leaf; // at the tip of blades without a flower, of read_card(); null: none
+	float leaf_size = 0.0f; // metres
+	float leaf_width = 0.0f; // width_of_leaf() of the mean blade, metres
+	float blade_area = 0.0f; // that a mean blade covers with its leaf, m^2
 	float canopy_among_others = 0.0f, canopy_alone = 0.0f; // metres; up there a blade is as light as its tips
 };
 
-// The cards of species as the layers of one texture, RGBA8, Cards::SIDE texels a side, and what looks read of them.
+// The cards and leaves of species as the layers of one texture, RGBA8, Cards::SIDE texels a side, and what looks read of them.
 struct Cards {
 	static constexpr int SIDE = 256; // texels
-	std::array<godot::Ref<godot::Image>, GRASS_MAX_SPECIES> images; // that they were made of
+	struct Seen {
+		int layer = GRASS_NO_CARD; // the first of its pictures
+		int pictures = 0;
+		godot::Color color; // linear, the mean of what is opaque; alpha: how much that is, 0..1
+	};
+	std::vector<godot::Ref<godot::Image>> images; // a layer each
 	godot::Ref<godot::Texture2DArray> textures; // null: there is none
-	std::array<int, GRASS_MAX_SPECIES> layers; // or GRASS_NO_CARD
-	std::array<godot::Color, GRASS_MAX_SPECIES> colors; // linear, the mean of what is opaque; alpha: how much that is, 0..1
+	std::array<Seen, GRASS_MAX_SPECIES> flowers, leaves;
 
-	Cards() { layers.fill(GRASS_NO_CARD); }
 	int64_t get_memory_usage() const; // bytes, of the textures
 };
 
-// A texture's image in the format of a layer, with mipmaps; null if it has none. Waits for the GPU.
-godot::Ref<godot::Image> read_card(const godot::Ref<godot::Texture2D> &p_texture);
+// Linear, the mean of what is opaque; alpha: how much that is, 0..1. p_image: of read_card().
+godot::Color mean_color(const godot::Ref<godot::Image> &p_image);
+// The pictures that lie side by side in a texture, in the format of a layer, with mipmaps; none if it has no image. Waits for the GPU.
+// p_property: that it was set as.
+std::vector<godot::Ref<godot::Image>> read_card(const godot::Ref<godot::Texture2D> &p_texture, int p_pictures, const char *p_property);
 bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks);
 Cards make_cards(std::span<const SpeciesLook> p_looks);
 

@@ -38,8 +38,8 @@ const SurfaceHook::Uniform *SurfaceHook::find(const StringName &p_name) const {
 	return nullptr;
 }
 
-bool is_compiled(const Ref<Shader> &p_shader, const String &p_hook) {
-	return p_hook.is_empty() || !p_shader->get_shader_uniform_list().is_empty(); // the engine knows none of a shader with a mistake
+bool is_compiled(const Ref<Shader> &p_shader) {
+	return !p_shader->get_shader_uniform_list().is_empty(); // the engine knows none of a shader with a mistake
 }
 
 SurfaceHook compile_hook(const Ref<ShaderInclude> &p_include) {
@@ -50,7 +50,7 @@ SurfaceHook compile_hook(const Ref<ShaderInclude> &p_include) {
 	const String text = text_of(p_include);
 	Ref<Shader> probe;
 	probe.instantiate();
-	probe->set_code(make_shader_code(shader::SURFACE_PROBE_GDSHADER, 0, text));
+	probe->set_code(make_shader_code(shader::SURFACE_PROBE_GDSHADER, { 0, text }));
 	const Array uniforms = probe->get_shader_uniform_list();
 	for (int64_t i = 0; i < uniforms.size(); i++) {
 		const Dictionary found = uniforms[i];

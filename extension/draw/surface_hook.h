@@ -27,7 +27,7 @@ struct SurfaceHook {
 // Compiles the include alone, which takes some ms; the engine reports what is wrong with it.
 SurfaceHook compile_hook(const godot::Ref<godot::ShaderInclude> &p_include);
 
-// Whether the shader compiled. Without p_hook it is ours, and did.
-bool is_compiled(const godot::Ref<godot::Shader> &p_shader, const godot::String &p_hook);
+// Whether a shader with a hook compiled.
+bool is_compiled(const godot::Ref<godot::Shader> &p_shader);
 
 } // namespace grass

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/brush_preview.h"
 
-#include "editor/painted_fields.h"
-
 using namespace godot;
 
 namespace grass {
@@ -15,16 +13,15 @@ GrassField *find(uint64_t p_id) {
 
 } // namespace
 
-void BrushPreview::show(
-		std::span<GrassField *const> p_fields, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys) {
+void BrushPreview::show(const PaintedFields &p_painted, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys) {
 	hide();
 	const StrokeStep way{ _last, p_point.place() };
 	_last = p_point.place();
-	const Eigen::Isometry3d space = to_field_of(*p_fields[0]).inverse();
-	for (GrassField *field : p_fields) {
-		const std::optional<int64_t> species = find_species(*p_fields[0], p_brush.get_species(), *field);
-		const auto over = step_over(*field, space, { p_point.place(), p_point.place() }, p_point.position.y(), p_brush.get_reach());
-		const auto along = step_over(*field, space, way, p_point.position.y(), p_brush.get_reach());
+	const double reach = p_brush.get_reach() + p_painted.margin();
+	for (GrassField *field : p_painted.fields) {
+		const std::optional<int64_t> species = find_species(*p_painted.fields[0], p_brush.get_species(), *field);
+		const auto over = step_over(*field, p_painted.space, { p_point.place(), p_point.place() }, p_point.position.y(), reach);
+		const auto along = step_over(*field, p_painted.space, way, p_point.position.y(), reach);
 		if (!over || !along) {
 			continue;
 		}

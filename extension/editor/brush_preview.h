@@ -5,15 +5,14 @@
 
 #include "editor/field_stroke.h"
 
-#include <span>
 #include <vector>
 
 namespace grass {
 
 class BrushPreview {
 public:
-	// p_fields: that a stroke would paint; the chosen one first, in whose space the point is. A field without a map shows nothing.
-	void show(std::span<GrassField *const> p_fields, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys);
+	// p_painted: what a stroke would paint. A field without a map shows nothing.
+	void show(const PaintedFields &p_painted, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys);
 	void hide();
 	int get_count() const; // of fields that show it
 

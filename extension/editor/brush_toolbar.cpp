@@ -207,6 +207,13 @@ bool BrushToolbar::is_checked(MenuItem p_item) const {
 	return popup->is_item_checked(popup->get_item_index(p_item));
 }
 
+void BrushToolbar::fit_to_world(bool p_is_world) {
+	PopupMenu *popup = _menu->get_popup();
+	for (const MenuItem item : { MENU_BARE, MENU_FULL, MENU_CLEAR, MENU_NEIGHBOURS }) {
+		popup->set_item_disabled(popup->get_item_index(item), p_is_world);
+	}
+}
+
 bool BrushToolbar::follows_ground() const {
 	return is_checked(MENU_FOLLOW);
 }

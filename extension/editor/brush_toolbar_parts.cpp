@@ -68,7 +68,7 @@ EditorSpinSlider *BrushToolbar::add_slider(
 	EditorSpinSlider *slider = memnew(EditorSpinSlider);
 	slider->set_name(String(p_tunable.name).to_pascal_case());
 	slider->set_label(p_label);
-	slider->set_suffix(p_tunable.unit);
+	slider->set_suffix(String::utf8(p_tunable.unit));
 	slider->set_min(p_tunable.minimum);
 	slider->set_max(p_tunable.maximum);
 	slider->set_step(p_tunable.step);

@@ -60,7 +60,7 @@ std::optional<FieldStep> step_over(
 	return is_over ? std::optional<FieldStep>(over) : std::nullopt;
 }
 
-FieldStroke::FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground) :
+FieldStroke::FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground, GrassWorld *p_world) :
 		_field_id(p_field->get_instance_id()),
 		_map(p_field->get_map()),
 		_new_map(_map.is_null()),
@@ -69,10 +69,18 @@ FieldStroke::FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground) :
 		_map = add_map(p_field, p_bakes);
 	}
 	_before = _map->take_snapshot();
+	if (p_world != nullptr) {
+		_world_id = p_world->get_instance_id();
+		_plot = p_world->get_plot_at(p_field->get_global_position());
+	}
 }
 
 GrassField *FieldStroke::find_field() const {
 	return Object::cast_to<GrassField>(ObjectDB::get_instance(_field_id));
+}
+
+GrassWorld *FieldStroke::find_world() const {
+	return Object::cast_to<GrassWorld>(ObjectDB::get_instance(_world_id));
 }
 
 // The squares that the brush meets for the first time in this stroke, and those between them.
@@ -118,13 +126,20 @@ void FieldStroke::step(const MapShape &p_shape, const Brush &p_brush, double p_l
 
 std::optional<MapStep> FieldStroke::get_step() const {
 	GrassField *field = find_field();
-	if (!_changed || (field == nullptr && _new_map)) {
+	GrassWorld *world = find_world();
+	if (!_changed || (field == nullptr && _new_map) || (_world_id != 0 && world == nullptr)) {
 		return {};
 	}
-	return MapStep{ _map, _before, _new_map ? field : nullptr };
+	return MapStep{ _map, _before, _new_map ? field : nullptr, world, _plot };
 }
 
 void FieldStroke::cancel() {
+	if (_world_id != 0) { // the plot may have left meanwhile
+		if (GrassWorld *world = find_world(); world != nullptr && _changed) {
+			world->restore_plot(_plot, _before, _map->take_snapshot());
+		}
+		return;
+	}
 	if (_changed) {
 		_map->restore_snapshot(_before);
 	}

@@ -52,7 +52,8 @@ class FieldStroke {
 public:
 	// p_bakes: reads the ground under the brush into a new map; p_is_ground: and into any, before the brush paints there, for the
 	// grass to stand on and the brush's limits to use.
-	FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground);
+	// p_world: whose plot the field is, or null.
+	FieldStroke(GrassField *p_field, bool p_bakes, bool p_is_ground, GrassWorld *p_world);
 
 	// p_level: of the ground under the cursor, metres above the field.
 	void step(const MapShape &p_shape, const Brush &p_brush, double p_level, StrokeCosts &r_costs);
@@ -66,8 +67,10 @@ public:
 private:
 	void bake(const MapShape &p_shape, double p_level, StrokeCosts &r_costs);
 	GrassField *find_field() const;
+	GrassWorld *find_world() const;
 
-	uint64_t _field_id;
+	uint64_t _field_id, _world_id = 0; // 0: of no world
+	godot::Vector2i _plot;
 	godot::Ref<GrassMap> _map;
 	godot::Ref<GrassMapSnapshot> _before;
 	bool _new_map, _changed = false, _bakes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the mouse and the keys do in the 3D view while a GrassField is selected.
+// What the mouse and the keys do in the 3D view while a GrassField or a GrassWorld is selected.
 #include "editor/grass_editor_plugin.h"
 
 #include "convert.h"
@@ -13,6 +13,7 @@ namespace grass {
 namespace {
 
 constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres around the field that can be asked about; of the mark at the place
+constexpr const char *AWAY = "No plot of the world is in memory here. Come nearer, or raise the world's `radius` and `budget`.";
 const Color ASKED_COLOR(1.0f, 0.8f, 0.37f);
 
 StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
@@ -26,7 +27,7 @@ StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
 
 int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
 	const bool is_idle = _toolbar == nullptr || (!_toolbar->has_tool() && !_toolbar->is_asking());
-	if (is_idle || find_field() == nullptr || p_camera == nullptr) {
+	if (is_idle || !find_painted() || p_camera == nullptr) {
 		put_down();
 		return AFTER_GUI_INPUT_PASS;
 	}
@@ -55,11 +56,13 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 		return AFTER_GUI_INPUT_STOP;
 	}
 	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
-		GrassField *field = find_field();
-		if (const auto point = pick_ground({ &field, 1 }, p_camera, motion->get_position(), ASKED_AROUND)) {
-			_ring.show(field, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
-			const Vector3 place = field->field_transform().xform(to_godot(point->position));
-			_answer.show(p_camera, motion->get_position(), field->explain(place, p_camera)["text"]);
+		GrassWorld *world = Object::cast_to<GrassWorld>(find_selected());
+		const PaintedFields asked = world != nullptr ? *find_painted() : painted_field(find_field());
+		if (const auto point = pick_ground(asked, p_camera, motion->get_position(), ASKED_AROUND)) {
+			_ring.show(asked, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
+			const Vector3 place = to_godot(Eigen::Vector3d(asked.space * point->position));
+			GrassField *field = world != nullptr ? world->get_field_at(place) : asked.fields[0];
+			_answer.show(p_camera, motion->get_position(), field != nullptr ? String(field->explain(place, p_camera)["text"]) : AWAY);
 		} else {
 			_ring.hide();
 			_answer.hide();
@@ -125,7 +128,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		finish_stroke();
 		if (const auto point = show_brush(p_camera, p_button->get_position(), keys_of(p_button.ptr()), false)) {
 			finish_ground();
-			_stroke.begin(find_fields(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
+			_stroke.begin(*find_painted(), _toolbar->get_brush(), *point, keys_of(p_button.ptr()), _toolbar->follows_ground());
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
@@ -160,17 +163,17 @@ int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEvent
 	if (point) {
 		StrokeKeys keys = keys_of(p_motion.ptr());
 		keys.pressure = p_motion->get_pressure() > 0.0 ? double(p_motion->get_pressure()) : 1.0; // a mouse has none
-		_stroke.move(*point, keys);
+		_stroke.move(*find_painted(), *point, keys);
 	}
 	return AFTER_GUI_INPUT_STOP;
 }
 
 std::optional<GroundPoint> GrassEditorPlugin::show_brush(
 		Camera3D *p_camera, const Vector2 &p_mouse, const StrokeKeys &p_keys, bool p_is_hover) {
-	const std::vector<GrassField *> fields = find_fields();
+	const std::optional<PaintedFields> painted = find_painted();
 	const Ref<GrassBrush> brush = _toolbar->get_brush();
 	const double radius = brush->get_param(BRUSH_RADIUS);
-	const auto point = pick_ground(fields, p_camera, p_mouse, radius);
+	const auto point = painted ? pick_ground(*painted, p_camera, p_mouse, radius) : std::nullopt;
 	if (!point) {
 		hide_brush();
 		return {};
@@ -181,11 +184,11 @@ std::optional<GroundPoint> GrassEditorPlugin::show_brush(
 	if (p_is_hover) {
 		look.strength = does.strength;
 		look.shape = brush->get_stroke(touch.from, touch.to);
-		_preview.show(fields, **brush, *point, p_keys);
+		_preview.show(*painted, **brush, *point, p_keys);
 	} else {
 		_preview.hide();
 	}
-	_ring.show(fields[0], p_camera, *point, look);
+	_ring.show(*painted, p_camera, *point, look);
 	return point;
 }
 

@@ -4,7 +4,7 @@
 
 #include "editor/fill_action.h"
 #include "editor/map_step.h"
-#include "editor/painted_fields.h"
+#include "editor/save_worlds.h"
 #include "editor/species_drop.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
@@ -42,11 +42,13 @@ void GrassEditorPlugin::_enter_tree() {
 	_size_handles.instantiate();
 	_size_handles->create_materials();
 	add_node_3d_gizmo_plugin(_size_handles);
+	GrassWorld::scene_saved = &save_world;
 	set_process(true);
 }
 
 void GrassEditorPlugin::_exit_tree() {
 	clear_editor_hooks();
+	GrassWorld::scene_saved = nullptr;
 	put_down();
 	_watch.forget();
 	_ring.free();
@@ -94,12 +96,15 @@ void GrassEditorPlugin::_apply_changes() {
 }
 
 bool GrassEditorPlugin::_handles(Object *p_object) const {
-	return Object::cast_to<GrassField>(p_object) != nullptr;
+	return Object::cast_to<GrassField>(p_object) != nullptr || Object::cast_to<GrassWorld>(p_object) != nullptr;
 }
 
 void GrassEditorPlugin::_edit(Object *p_object) {
 	put_down();
-	_field_id = p_object == nullptr ? 0 : p_object->get_instance_id();
+	_selected_id = p_object == nullptr ? 0 : p_object->get_instance_id();
+	if (_toolbar != nullptr) {
+		_toolbar->fit_to_world(Object::cast_to<GrassWorld>(p_object) != nullptr);
+	}
 }
 
 void GrassEditorPlugin::_make_visible(bool p_visible) {
@@ -118,14 +123,30 @@ Dictionary GrassEditorPlugin::_get_state() const {
 }
 
 // Null once it is deleted, or while it is outside of the tree.
-GrassField *GrassEditorPlugin::find_field() const {
-	GrassField *field = _field_id == 0 ? nullptr : Object::cast_to<GrassField>(ObjectDB::get_instance(_field_id));
-	return field != nullptr && field->is_inside_tree() ? field : nullptr;
+Node3D *GrassEditorPlugin::find_selected() const {
+	Node3D *node = _selected_id == 0 ? nullptr : Object::cast_to<Node3D>(ObjectDB::get_instance(_selected_id));
+	return node != nullptr && node->is_inside_tree() ? node : nullptr;
 }
 
-std::vector<GrassField *> GrassEditorPlugin::find_fields() const {
-	GrassField *field = find_field();
-	return _toolbar->paints_neighbours() ? find_painted_fields(field) : std::vector<GrassField *>{ field };
+std::optional<PaintedFields> GrassEditorPlugin::find_painted() const {
+	Node3D *selected = find_selected();
+	if (GrassWorld *world = Object::cast_to<GrassWorld>(selected)) {
+		return painted_plots(world);
+	}
+	GrassField *field = Object::cast_to<GrassField>(selected);
+	if (field == nullptr) {
+		return {};
+	}
+	return _toolbar->paints_neighbours() ? painted_neighbours(field) : painted_field(field);
+}
+
+GrassField *GrassEditorPlugin::find_field() const {
+	Node3D *selected = find_selected();
+	if (GrassWorld *world = Object::cast_to<GrassWorld>(selected)) {
+		const std::optional<PaintedFields> painted = painted_plots(world);
+		return painted ? painted->fields[0] : nullptr;
+	}
+	return Object::cast_to<GrassField>(selected);
 }
 
 void GrassEditorPlugin::finish_stroke() {
@@ -156,42 +177,59 @@ void GrassEditorPlugin::_tool_changed() {
 	_toolbar->show_species(find_field());
 }
 
-// Something done to the whole field's map, as one step of the history.
-template <typename F> void GrassEditorPlugin::change_map(const char *p_name, F &&p_change) {
+// Something done to whole fields, or to all plots of a world in memory, as one step of the history.
+template <typename F> void GrassEditorPlugin::change_maps(const char *p_name, F &&p_change) {
 	finish_stroke();
 	finish_ground();
-	GrassField *field = find_field();
-	if (field == nullptr) {
-		return;
-	}
-	const bool is_new = field->get_map().is_null();
-	const Ref<GrassMap> map = is_new ? add_map(field, _toolbar->follows_ground()) : field->get_map();
-	const Ref<GrassMapSnapshot> before = map->take_snapshot();
-	if (!p_change(*field, **map)) {
-		if (is_new) {
-			field->set_map(Ref<GrassMap>());
+	Node3D *selected = find_selected();
+	GrassWorld *world = Object::cast_to<GrassWorld>(selected);
+	std::vector<MapStep> steps;
+	for (GrassField *field : world != nullptr && find_painted() ? find_painted()->fields : std::vector<GrassField *>{ find_field() }) {
+		if (const auto step = field != nullptr ? change_map(field, world, p_change) : std::nullopt) {
+			steps.push_back(*step);
 		}
-		return;
 	}
-	const MapStep step{ map, before, is_new ? field : nullptr };
-	add_map_steps(get_undo_redo(), p_name, field, { &step, 1 });
+	if (!steps.empty()) {
+		add_map_steps(get_undo_redo(), p_name, selected, steps);
+	}
+}
+
+template <typename F> std::optional<MapStep> GrassEditorPlugin::change_map(GrassField *p_field, GrassWorld *p_world, F &&p_change) {
+	const bool is_new = p_field->get_map().is_null();
+	const Ref<GrassMap> map = is_new ? add_map(p_field, _toolbar->follows_ground()) : p_field->get_map();
+	const Ref<GrassMapSnapshot> before = map->take_snapshot();
+	if (!p_change(*p_field, **map)) {
+		if (is_new) {
+			p_field->set_map(Ref<GrassMap>());
+		}
+		return {};
+	}
+	const Vector2i plot = p_world != nullptr ? p_world->get_plot_at(p_field->get_global_position()) : Vector2i();
+	return MapStep{ map, before, is_new ? p_field : nullptr, p_world, plot };
 }
 
 void GrassEditorPlugin::_bake_pressed() {
-	change_map("Bake Grass Ground", [](GrassField &r_field, GrassMap &) {
-		const bool found = r_field.bake_ground() > 0;
-		if (!found) {
-			EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-					"GrassField: no ground found. Give what the grass shall stand on a collision shape.", EditorToaster::SEVERITY_WARNING);
-		}
-		return found;
+	bool found = false;
+	change_maps("Bake Grass Ground", [&found](GrassField &r_field, GrassMap &) {
+		const bool is_here = r_field.bake_ground() > 0;
+		found = found || is_here;
+		return is_here;
 	});
+	if (!found) {
+		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+				"GrassField: no ground found. Give what the grass shall stand on a collision shape.", EditorToaster::SEVERITY_WARNING);
+	}
 }
 
 // They grow beside the field's own, and the last one is in the hand.
 void GrassEditorPlugin::_species_dropped(const Array &p_species) {
-	GrassField *field = find_field();
+	GrassField *field = Object::cast_to<GrassField>(find_selected());
 	if (field == nullptr) {
+		if (find_selected() != nullptr) {
+			EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
+					"GrassWorld: all plots grow the species of one field. Open the scene in `plot_scene` and drop it there.",
+					EditorToaster::SEVERITY_WARNING);
+		}
 		return;
 	}
 	const TypedArray<GrassSpecies> before = field->get_species();
@@ -240,7 +278,7 @@ void GrassEditorPlugin::end_drag() {
 // The brush follows to that field.
 void GrassEditorPlugin::_species_dropped_on(Object *p_field, const Array &p_species) {
 	GrassField *field = Object::cast_to<GrassField>(p_field);
-	if (field != find_field()) {
+	if (field != find_selected()) {
 		EditorInterface *editor = EditorInterface::get_singleton();
 		editor->get_selection()->clear();
 		editor->get_selection()->add_node(field);
@@ -252,7 +290,7 @@ void GrassEditorPlugin::_species_dropped_on(Object *p_field, const Array &p_spec
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
-	change_map(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
+	change_maps(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
 		const bool is_clear = p_item == BrushToolbar::MENU_CLEAR;
 		const Ref<GrassMapSnapshot> after = r_map.take_snapshot();
 		for (const MapKey &key : after->map.get_keys()) {

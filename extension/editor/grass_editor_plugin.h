@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField is selected. Active as soon
-// as the library is loaded; nothing to enable.
+// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField or a GrassWorld is selected. Active as soon as the
+// library is loaded; nothing to enable.
 #pragma once
 
 #include "editor/answer_view.h"
@@ -51,8 +51,9 @@ protected:
 	void _notification(int p_what);
 
 private:
-	GrassField *find_field() const;
-	std::vector<GrassField *> find_fields() const; // that the brush paints, the selected one first; it exists
+	godot::Node3D *find_selected() const; // field or world, in the tree; or null
+	std::optional<PaintedFields> find_painted() const; // that the brush paints; nothing: no field stands
+	GrassField *find_field() const; // whose species the brush plants; or null
 	int32_t key_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
@@ -64,7 +65,8 @@ private:
 	void finish_stroke();
 	void finish_ground();
 	void put_down(); // ends the stroke, hides ring, preview and answer
-	template <typename F> void change_map(const char *p_name, F &&p_change);
+	template <typename F> void change_maps(const char *p_name, F &&p_change);
+	template <typename F> std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, F &&p_change);
 	void _tool_changed();
 	void _bake_pressed();
 	void _species_dropped(const godot::Array &p_species);
@@ -77,7 +79,7 @@ private:
 	godot::Ref<ExportCheck> _export_check;
 	godot::Ref<SpeciesPreview> _species_preview;
 	godot::Ref<SizeHandles> _size_handles;
-	uint64_t _field_id = 0; // of the selected field; 0: none
+	uint64_t _selected_id = 0; // of the selected field or world; 0: none
 	PaintStroke _stroke;
 	GroundWatch _watch;
 	RingView _ring;

@@ -2,7 +2,6 @@
 #include "editor/ground_picker.h"
 
 #include "convert.h"
-#include "editor/painted_fields.h"
 #include "nodes/ground_rays.h"
 
 #include <godot_cpp/classes/sub_viewport_container.hpp>
@@ -23,29 +22,31 @@ real_t shrink_of(const Camera3D *p_camera) {
 	return container == nullptr ? real_t(1) : real_t(container->get_stretch_shrink());
 }
 
+GroundRays rays_in(const PaintedFields &p_painted) {
+	return GroundRays(p_painted.chosen->get_world_3d(), to_godot(Eigen::Affine3d(p_painted.space)));
+}
+
 } // namespace
 
-std::optional<GroundPoint> pick_ground(
-		std::span<GrassField *const> p_fields, const Camera3D *p_camera, const Vector2 &p_mouse, double p_margin) {
-	const GrassField &first = *p_fields[0];
+std::optional<GroundPoint> pick_ground(const PaintedFields &p_painted, const Camera3D *p_camera, const Vector2 &p_mouse, double p_margin) {
 	const Vector2 pixel = p_mouse / shrink_of(p_camera);
-	const Eigen::Isometry3d to_first = to_field_of(first);
+	const Eigen::Isometry3d to_space = p_painted.space.inverse();
 	const Eigen::Vector3d eye = to_eigen(p_camera->project_ray_origin(pixel)), way = to_eigen(p_camera->project_ray_normal(pixel));
 	const auto is_within = [&](const GrassField &p_field, const Eigen::Vector3d &p_local) {
 		const Eigen::Array2d limit = 0.5 * to_eigen(p_field.get_size()).array() + p_margin;
 		return p_local.allFinite() && std::abs(p_local.x()) <= limit.x() && std::abs(p_local.z()) <= limit.y();
 	};
 
-	GroundRays rays(first.get_world_3d(), first.field_transform());
-	if (const auto hit = rays.cast(to_first * eye, to_first * Eigen::Vector3d(eye + double(p_camera->get_far()) * way))) {
-		for (const GrassField *field : p_fields) {
-			if (is_within(*field, to_field_of(*field) * to_first.inverse() * *hit)) {
+	GroundRays rays = rays_in(p_painted);
+	if (const auto hit = rays.cast(to_space * eye, to_space * Eigen::Vector3d(eye + double(p_camera->get_far()) * way))) {
+		for (const GrassField *field : p_painted.fields) {
+			if (is_within(*field, to_field_of(*field) * p_painted.space * *hit)) {
 				return GroundPoint{ *hit, true };
 			}
 		}
 	}
 	double nearest = std::numeric_limits<double>::infinity(); // along the ray, to y = 0 of a field
-	for (const GrassField *field : p_fields) {
+	for (const GrassField *field : p_painted.fields) {
 		const Eigen::Isometry3d to_field = to_field_of(*field);
 		const double distance = -(to_field * eye).y() / (to_field.linear() * way).y();
 		if (distance > 0.0 && distance < nearest && is_within(*field, to_field * Eigen::Vector3d(eye + distance * way))) {
@@ -55,12 +56,12 @@ std::optional<GroundPoint> pick_ground(
 	if (!std::isfinite(nearest)) {
 		return {};
 	}
-	return GroundPoint{ to_first * Eigen::Vector3d(eye + nearest * way), false };
+	return GroundPoint{ to_space * Eigen::Vector3d(eye + nearest * way), false };
 }
 
 std::vector<Eigen::Vector3d> drape(
-		const GrassField *p_field, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius) {
-	GroundRays rays(p_field->get_world_3d(), p_field->field_transform());
+		const PaintedFields &p_painted, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius) {
+	GroundRays rays = rays_in(p_painted);
 	const double level = p_centre.position.y(), span = search_height(p_radius);
 	std::vector<Eigen::Vector3d> points;
 	for (const Eigen::Vector2d &place : p_places) {

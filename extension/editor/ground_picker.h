@@ -2,9 +2,7 @@
 // Where the cursor meets the ground: on the physics body there, unless it moves about, else on the field's own plane.
 #pragma once
 
-#include "nodes/grass_field.h"
-
-#include <Eigen/Core>
+#include "editor/painted_fields.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 
@@ -15,25 +13,25 @@
 namespace grass {
 
 struct GroundPoint {
-	Eigen::Vector3d position; // field space, metres
-	bool on_body = false; // else on the field's plane
+	Eigen::Vector3d position; // in PaintedFields::space, metres
+	bool on_body = false; // else on the plane of a field
 
 	Eigen::Vector2d place() const { return { position.x(), position.z() }; }
 };
 
-// p_mouse: in the 3D editor's viewport, as in its input events. In the space of the first field. Nothing where the ray meets
-// neither the fields nor a body within p_margin metres of one.
+// p_mouse: in the 3D editor's viewport, as in its input events. Nothing where the ray meets neither the fields nor a body within p_margin
+// metres of one.
 std::optional<GroundPoint> pick_ground(
-		std::span<GrassField *const> p_fields, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
+		const PaintedFields &p_painted, const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, double p_margin);
 
 // How far up and down to search for the ground around a cursor: it may be as steep as 60 degrees. Metres.
 inline double search_height(double p_radius) {
 	return 2.0 * p_radius + 1.0;
 }
 
-// Points of the ground at places around p_centre, no further than p_radius from it; field space. Where there is no body
-// near, level with the centre.
+// Points of the ground at places around p_centre, no further than p_radius from it; in PaintedFields::space. Where there is no body near,
+// level with the centre.
 std::vector<Eigen::Vector3d> drape(
-		const GrassField *p_field, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius);
+		const PaintedFields &p_painted, const GroundPoint &p_centre, std::span<const Eigen::Vector2d> p_places, double p_radius);
 
 } // namespace grass

@@ -51,7 +51,7 @@ std::vector<uint64_t> ids_of_fields(Node *p_root) {
 		}
 	};
 	add(p_root);
-	const TypedArray<Node> nodes = p_root->find_children("*", "GrassField", true, false);
+	const TypedArray<Node> nodes = p_root->find_children("*", "GrassField"); // that are saved: the plots of a world are not
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		add(nodes[i]);
 	}

@@ -16,12 +16,20 @@ void add_map_steps(EditorUndoRedoManager *p_history, const String &p_name, Objec
 			p_history->add_undo_property(step.new_of, "map", Variant());
 		}
 		GrassMap *map = step.map.ptr();
+		if (step.world != nullptr) {
+			const Ref<GrassMapSnapshot> after = map->take_snapshot();
+			p_history->add_do_method(step.world, "restore_plot", step.plot, after, step.before);
+			p_history->add_undo_method(step.world, "restore_plot", step.plot, step.before, after);
+			continue;
+		}
 		p_history->add_do_method(map, "restore_snapshot", map->take_snapshot());
 		p_history->add_undo_method(map, "restore_snapshot", step.before);
 	}
 	p_history->commit_action(false);
 	for (const MapStep &step : p_steps) {
-		EditorInterface::get_singleton()->set_object_edited(const_cast<GrassMap *>(step.map.ptr()), true);
+		if (step.world == nullptr) { // which saves its plots itself
+			EditorInterface::get_singleton()->set_object_edited(const_cast<GrassMap *>(step.map.ptr()), true);
+		}
 	}
 }
 

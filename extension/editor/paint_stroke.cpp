@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "editor/paint_stroke.h"
 
-#include "editor/painted_fields.h"
-
 #include <godot_cpp/classes/time.hpp>
 
 #include <algorithm>
@@ -18,13 +16,21 @@ const char *name_of(GrassBrush::Tool p_tool) {
 	return NAMES[size_t(p_tool)];
 }
 
-void PaintStroke::begin(std::span<GrassField *const> p_fields, const Ref<GrassBrush> &p_brush, const GroundPoint &p_point,
+void PaintStroke::set_fields(const PaintedFields &p_painted) {
+	_fields.clear();
+	for (const GrassField *field : p_painted.fields) {
+		_fields.push_back({ field->get_instance_id(), find_species(*p_painted.fields[0], _brush->get_species(), *field) });
+	}
+}
+
+void PaintStroke::begin(const PaintedFields &p_painted, const Ref<GrassBrush> &p_brush, const GroundPoint &p_point,
 		const StrokeKeys &p_keys, bool p_bakes) {
 	_brush = p_brush;
-	for (const GrassField *field : p_fields) {
-		_fields.push_back({ field->get_instance_id(), find_species(*p_fields[0], p_brush->get_species(), *field) });
-	}
-	_space = to_field_of(*p_fields[0]).inverse();
+	set_fields(p_painted);
+	_chosen_id = p_painted.chosen->get_instance_id();
+	_world_id = p_painted.world != nullptr ? p_painted.world->get_instance_id() : 0;
+	_space = p_painted.space;
+	_margin = p_painted.margin();
 	_bakes = p_bakes;
 	_costs = {};
 	_left_out.clear();
@@ -32,7 +38,8 @@ void PaintStroke::begin(std::span<GrassField *const> p_fields, const Ref<GrassBr
 	step(_path.begin(p_point.place()), p_keys);
 }
 
-void PaintStroke::move(const GroundPoint &p_point, const StrokeKeys &p_keys) {
+void PaintStroke::move(const PaintedFields &p_painted, const GroundPoint &p_point, const StrokeKeys &p_keys) {
+	set_fields(p_painted);
 	_point = p_point;
 	for (const StrokeStep &one : _path.move(p_point.place(), _brush->get_spacing())) {
 		step(one, p_keys);
@@ -55,7 +62,7 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 	if (field == nullptr || !field->is_inside_tree()) {
 		return;
 	}
-	const auto over = step_over(*field, _space, p_step, _point.position.y(), _brush->get_reach());
+	const auto over = step_over(*field, _space, p_step, _point.position.y(), _brush->get_reach() + _margin);
 	if (!over) {
 		return;
 	}
@@ -73,14 +80,11 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 // Null where the field's map is painted already, as another field's: one place of a shared map is under the brush, not two.
 FieldStroke *PaintStroke::find_part(GrassField *p_field) {
 	for (FieldStroke &part : _parts) {
-		if (part.get_field_id() == p_field->get_instance_id()) {
-			return &part;
-		}
 		if (part.get_map() == p_field->get_map()) {
-			return nullptr;
+			return part.get_field_id() == p_field->get_instance_id() ? &part : nullptr;
 		}
 	}
-	return &_parts.emplace_back(p_field, _bakes, _point.on_body);
+	return &_parts.emplace_back(p_field, _bakes, _point.on_body, Object::cast_to<GrassWorld>(ObjectDB::get_instance(_world_id)));
 }
 
 void PaintStroke::finish(EditorUndoRedoManager *p_history) {
@@ -97,7 +101,7 @@ void PaintStroke::finish(EditorUndoRedoManager *p_history) {
 	}
 	if (!steps.empty()) {
 		// A field's scene keeps the step, also where the map is a file of its own.
-		Object *context = nullptr;
+		Object *context = ObjectDB::get_instance(_chosen_id);
 		for (size_t i = 0; i < _fields.size() && context == nullptr; i++) {
 			context = ObjectDB::get_instance(_fields[i].id);
 		}

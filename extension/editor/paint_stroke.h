@@ -8,16 +8,15 @@
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 
-#include <span>
-
 namespace grass {
 
 class PaintStroke {
 public:
-	// p_fields: that it may paint; the chosen one first, in whose space the points are. p_bakes: see FieldStroke.
-	void begin(std::span<GrassField *const> p_fields, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point,
-			const StrokeKeys &p_keys, bool p_bakes);
-	void move(const GroundPoint &p_point, const StrokeKeys &p_keys);
+	// p_bakes: see FieldStroke.
+	void begin(const PaintedFields &p_painted, const godot::Ref<GrassBrush> &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys,
+			bool p_bakes);
+	// p_painted: the same, and of a world what has come meanwhile.
+	void move(const PaintedFields &p_painted, const GroundPoint &p_point, const StrokeKeys &p_keys);
 	// Ends the stroke and writes it into the history, if it changed anything. Fields may be gone by then.
 	void finish(godot::EditorUndoRedoManager *p_history);
 	// Ends the stroke and undoes it.
@@ -34,6 +33,7 @@ private:
 		std::optional<int64_t> species; // that the brush plants, as this field numbers it
 	};
 
+	void set_fields(const PaintedFields &p_painted);
 	void step(const StrokeStep &p_step, const StrokeKeys &p_keys);
 	void step_in(const Reached &p_field, const StrokeStep &p_step, const StrokeKeys &p_keys);
 	FieldStroke *find_part(GrassField *p_field);
@@ -42,7 +42,9 @@ private:
 	godot::Ref<GrassBrush> _brush; // null between strokes
 	std::vector<Reached> _fields;
 	std::vector<FieldStroke> _parts; // of the fields that were reached
-	Eigen::Isometry3d _space = Eigen::Isometry3d::Identity(); // of the chosen field
+	uint64_t _chosen_id = 0, _world_id = 0; // see PaintedFields
+	Eigen::Isometry3d _space = Eigen::Isometry3d::Identity();
+	double _margin = 0.0;
 	StrokePath _path; // in that space
 	GroundPoint _point; // under the cursor
 	bool _bakes = false;

@@ -52,18 +52,31 @@ bool is_reached(const GrassField &p_field, const Eigen::Vector2d &p_place, doubl
 	return ((p_place.array().abs() - half).max(0.0)).matrix().norm() <= p_radius;
 }
 
-std::vector<GrassField *> find_painted_fields(GrassField *p_chosen) {
-	std::vector<GrassField *> fields = { p_chosen };
+PaintedFields painted_field(GrassField *p_field) {
+	return { p_field, to_field_of(*p_field).inverse(), { p_field } };
+}
+
+PaintedFields painted_neighbours(GrassField *p_chosen) {
+	PaintedFields painted = painted_field(p_chosen);
 	const Node *root = EditorInterface::get_singleton()->get_edited_scene_root();
 	if (root == nullptr) {
-		return fields;
+		return painted;
 	}
 	for (GrassField *field : FieldMonitors::get_fields()) {
 		if (field != p_chosen && is_neighbour(*field, *p_chosen, root)) {
-			fields.push_back(field);
+			painted.fields.push_back(field);
 		}
 	}
-	return fields;
+	return painted;
+}
+
+std::optional<PaintedFields> painted_plots(GrassWorld *p_world) {
+	PaintedFields painted{ p_world, Eigen::Isometry3d(to_eigen(p_world->world_transform()).matrix()), {}, p_world };
+	const TypedArray<GrassField> fields = p_world->get_fields();
+	for (int64_t i = 0; i < fields.size(); i++) {
+		painted.fields.push_back(Object::cast_to<GrassField>(fields[i]));
+	}
+	return painted.fields.empty() ? std::nullopt : std::optional<PaintedFields>(painted);
 }
 
 std::optional<int64_t> find_species(const GrassField &p_chosen, int64_t p_species, const GrassField &p_field) {

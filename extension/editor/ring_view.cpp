@@ -32,19 +32,19 @@ constexpr uint32_t TOOL_LAYER = 1 << 24; // seen by the 3D editor's own cameras 
 
 // Width of a pixel and the eye, such that width times distance from the eye is what a pixel covers.
 struct Sight {
-	Eigen::Vector3d eye; // field space
+	Eigen::Vector3d eye; // in PaintedFields::space
 	double pixel;
 };
 
-Sight sight_of(const Camera3D *p_camera, const Eigen::Isometry3d &p_field, const Eigen::Vector3d &p_centre) {
+Sight sight_of(const Camera3D *p_camera, const Eigen::Isometry3d &p_space, const Eigen::Vector3d &p_centre) {
 	const double height = std::max(1.0, double(p_camera->get_viewport()->get_visible_rect().size.y));
 	const double scale = EditorInterface::get_singleton()->get_editor_scale();
 	if (p_camera->get_projection() == Camera3D::PROJECTION_ORTHOGONAL) { // an eye so far away that all is equally far
 		const double far = 1e4 * p_camera->get_size();
-		const Eigen::Vector3d back = p_field.linear().transpose() * to_eigen(p_camera->get_camera_transform().basis.get_column(2));
+		const Eigen::Vector3d back = p_space.linear().transpose() * to_eigen(p_camera->get_camera_transform().basis.get_column(2));
 		return { p_centre + far * back, scale * p_camera->get_size() / (height * far) };
 	}
-	const Eigen::Vector3d eye = p_field.inverse() * to_eigen(p_camera->get_camera_transform().origin);
+	const Eigen::Vector3d eye = p_space.inverse() * to_eigen(p_camera->get_camera_transform().origin);
 	return { eye, scale * 2.0 * std::tan(0.5 * Math::deg_to_rad(double(p_camera->get_fov()))) / height };
 }
 
@@ -58,16 +58,16 @@ void RingView::create() {
 	server->instance_set_layer_mask(_instance, TOOL_LAYER);
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 	_material.instantiate();
-	_material->set_shader(shared_shader(shader::BRUSH_RING_GDSHADER));
+	_material->set_shader(shared_shader({ shader::BRUSH_RING_GDSHADER, VertexKind::GROUND }));
 	server->instance_geometry_set_material_override(_instance, _material->get_rid());
 }
 
-void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look) {
+void RingView::show(const PaintedFields &p_painted, const Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look) {
 	if (!_instance.is_valid()) {
 		create();
 	}
-	const Transform3D transform = p_field->field_transform();
-	const Sight sight = sight_of(p_camera, Eigen::Isometry3d(to_eigen(transform).matrix()), p_centre.position);
+	const Transform3D transform = to_godot(Eigen::Affine3d(p_painted.space));
+	const Sight sight = sight_of(p_camera, p_painted.space, p_centre.position);
 	const Color color = p_look.color.srgb_to_linear();
 	PackedVector3Array vertices;
 	PackedColorArray colors;
@@ -77,14 +77,14 @@ void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const G
 	};
 	const auto add_ring = [&](double p_radius, double p_pixels, double p_alpha) {
 		const std::vector<Eigen::Vector2d> places = circle_places(p_centre.place(), p_radius, POINTS);
-		const std::vector<Eigen::Vector3d> loop = drape(p_field, p_centre, places, p_look.radius);
+		const std::vector<Eigen::Vector3d> loop = drape(p_painted, p_centre, places, p_look.radius);
 		for (const Eigen::Vector3d &vertex : ring_band(loop, sight.eye, p_pixels * sight.pixel)) {
 			add(vertex, p_alpha);
 		}
 	};
 	if (p_look.strength > 0.0) {
 		const std::vector<Eigen::Vector2d> places = disc_places(p_centre.place(), p_look.radius, VEIL_RINGS, VEIL_POINTS);
-		const std::vector<Eigen::Vector3d> disc = drape(p_field, p_centre, places, p_look.radius);
+		const std::vector<Eigen::Vector3d> disc = drape(p_painted, p_centre, places, p_look.radius);
 		for (const int place : disc_triangles(VEIL_RINGS, VEIL_POINTS)) {
 			const double weight = p_look.shape.get_weight(places[size_t(place)]);
 			add(disc[size_t(place)], weight * (VEIL_LEAST + (VEIL_MOST - VEIL_LEAST) * p_look.strength));
@@ -101,7 +101,7 @@ void RingView::show(const GrassField *p_field, const Camera3D *p_camera, const G
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->mesh_clear(_mesh);
 	server->mesh_add_surface_from_arrays(_mesh, RenderingServer::PRIMITIVE_TRIANGLES, arrays);
-	server->instance_set_scenario(_instance, p_field->get_world_3d()->get_scenario());
+	server->instance_set_scenario(_instance, p_painted.chosen->get_world_3d()->get_scenario());
 	server->instance_set_transform(_instance, transform.translated_local(to_godot(p_centre.position)));
 	server->instance_set_visible(_instance, true);
 	_shown = true;

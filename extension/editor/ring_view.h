@@ -25,7 +25,7 @@ public:
 	};
 
 	// Around p_centre. Lies on the ground, as wide as seen by p_camera.
-	void show(const GrassField *p_field, const godot::Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look);
+	void show(const PaintedFields &p_painted, const godot::Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look);
 	void hide();
 	bool is_shown() const { return _shown; }
 	void free();

@@ -71,7 +71,8 @@ SpeciesPalette::Entry SpeciesPalette::entry_of(const Ref<GrassSpecies> &p_specie
 	}
 	const SpeciesLook look = entry.species->get_look();
 	entry.card = look.card;
-	entry.look = { look.dry, look.card_share, look.card_width, look.card_height };
+	entry.card.push_back(look.leaf);
+	entry.look = { look.dry, look.card_share, look.card_width, look.card_height, look.leaf_size };
 	std::vector<Color> colors(look.colors.begin(), look.colors.end());
 	colors.insert(colors.end(), { look.dry_color, look.card_color });
 	for (const Color &color : colors) {

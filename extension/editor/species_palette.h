@@ -33,7 +33,7 @@ private:
 	struct Entry {
 		godot::String name;
 		godot::Ref<GrassSpecies> species; // null: an empty place
-		godot::Ref<godot::Image> card;
+		std::vector<godot::Ref<godot::Image>> card; // and the leaf
 		std::vector<double> look; // all else that its picture shows
 		bool operator==(const Entry &) const = default;
 	};

@@ -31,9 +31,12 @@ Ref<Image> draw_picture(const GrassSpecies &p_species, const SpeciesLook &p_look
 	picture.card_share = p_look.card_share;
 	picture.card_width = p_look.card_width;
 	picture.card_height = p_look.card_height;
-	const PackedByteArray card = p_look.card.is_valid() ? p_look.card->get_data() : PackedByteArray();
+	picture.leaf_size = p_look.leaf_size;
+	const PackedByteArray card = p_look.card.empty() ? PackedByteArray() : p_look.card.front()->get_data();
+	const PackedByteArray leaf = p_look.leaf.is_valid() ? p_look.leaf->get_data() : PackedByteArray();
 	picture.card = { card.ptr(), size_t(card.size()) };
-	picture.card_side = p_look.card.is_valid() ? Cards::SIDE : 0;
+	picture.leaf = { leaf.ptr(), size_t(leaf.size()) };
+	picture.card_side = Cards::SIDE;
 	const Ref<GrassPatch> patch = p_species.get_patch();
 	const std::vector<uint8_t> bytes = draw_species(patch.is_valid() ? patch->get_params() : PatchParams(), picture, p_side);
 	return Image::create_from_data(p_side, p_side, false, Image::FORMAT_RGBA8, to_bytes(std::span<const uint8_t>(bytes)));
@@ -50,7 +53,10 @@ Ref<Texture2D> SpeciesPreview::_generate(const Ref<Resource> &p_resource, const 
 	if (species == nullptr || side <= 0) {
 		return {};
 	}
-	return ImageTexture::create_from_image(draw_picture(*species, species->make_look(read_card(species->get_card())), side));
+	const std::vector<Ref<Image>> leaf = read_card(species->get_leaf(), 1, "leaf");
+	const SpeciesLook look = species->make_look(
+			read_card(species->get_card(), species->get_card_pictures(), "card"), leaf.empty() ? Ref<Image>() : leaf.front());
+	return ImageTexture::create_from_image(draw_picture(*species, look, side));
 }
 
 } // namespace grass

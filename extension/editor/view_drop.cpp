@@ -33,7 +33,7 @@ GrassField *ViewDrop::find_field(const Vector2 &p_place) const {
 		if (camera == nullptr || root == nullptr || (field != root && field->get_owner() != root) || !field->is_visible_in_tree()) {
 			continue;
 		}
-		if (const auto point = pick_ground({ &field, 1 }, camera, p_place, 0.0)) {
+		if (const auto point = pick_ground(painted_field(field), camera, p_place, 0.0)) {
 			const Vector3 place = field->field_transform().xform(to_godot(point->position));
 			const double here = double((camera->get_global_position() - place).length());
 			if (here < distance) {

@@ -69,8 +69,7 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
 		_method(p_setup.method),
-		_patch_texture(make_patch_texture(*p_setup.patch)),
-		_materials(shader_features(p_setup)),
+		_patch_texture(patch_texture(p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_knot_report(std::make_shared<KnotReport>()),
 		_field(std::make_shared<GpuField>(_report)) {
@@ -80,10 +79,6 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_picture.create(
-			make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, _bounds, Role::PICTURE);
-	_shadows.create(
-			make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, _bounds, Role::SHADOWS);
 	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
 		field->create(setup, patch->get_rid(), pool);
 	});
@@ -95,8 +90,19 @@ GpuBackend::~GpuBackend() {
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 
+void GpuBackend::set_look(const Look &p_look) {
+	_materials.set_look(p_look);
+	if (!_picture.is_created()) { // an instance without shaders would be drawn with the engine's own
+		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, _bounds,
+				Role::PICTURE);
+		_shadows.create(
+				make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, _bounds, Role::SHADOWS);
+		set_bounds(_bounds);
+	}
+}
+
 FieldMultiMeshes GpuBackend::multimeshes() const {
-	return { _picture.multimesh(), _shadows.multimesh() };
+	return { _picture.multimesh(), _shadows.multimesh(), uint32_t(_picture.capacity()), uint32_t(_shadows.capacity()) };
 }
 
 void GpuBackend::begin_passes(bool p_species, Method p_method) {
@@ -109,8 +115,7 @@ bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_species = p_setup.species != nullptr;
 	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method }).can_simulate;
 	const bool has_plants = !p_setup.has_plants || prepare_plants(p_setup.is_mapped);
-	return BladeMaterials::prepare(shader_features(p_setup)) && Plants::prepare(shader_features(p_setup)) && has_passes && has_plants &&
-			prepare_patch(p_setup.patch);
+	return has_passes && has_plants && prepare_patch(p_setup.patch);
 }
 
 Prepared GpuBackend::prepare_passes(const PassKind &p_kind) {
@@ -125,15 +130,15 @@ bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
 		return true;
 	}
 	if (FrameShare::has_time()) {
-		_next_patch_texture = make_patch_texture(*p_patch);
+		_next_patch_texture = patch_texture(p_patch);
 		_next_patch = p_patch;
 	}
 	return p_patch == _next_patch;
 }
 
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
-	if (!p_setup.has_meshes_of(_setup) || p_setup.instance_capacity() > _picture.capacity() ||
-			p_setup.shadow_capacity() > _shadows.capacity()) {
+	const bool has_room = p_setup.instance_capacity() <= _picture.capacity() && p_setup.shadow_capacity() <= _shadows.capacity();
+	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room)) {
 		return false;
 	}
 	const bool has_other_blades = p_setup.patch != _setup.patch,
@@ -141,9 +146,8 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_setup = p_setup;
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
-	_materials.set_features(shader_features(_setup));
 	if (has_other_blades) { // plants are set anew
-		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : make_patch_texture(*_setup.patch);
+		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : patch_texture(_setup.patch);
 		_materials.set("patch_knots", _patch_texture);
 		_materials.set("blade_length", _setup.blade_length());
 	}
@@ -316,12 +320,15 @@ BackendStatistics GpuBackend::get_statistics() {
 	return statistics;
 }
 
+int64_t GpuBackend::get_shared_memory() const {
+	return int64_t(_setup.patch->texels.size()) * 2; // as a texture
+}
+
 int64_t GpuBackend::get_memory_usage() const {
-	const int64_t patch = int64_t(_setup.patch->texels.size()) * 2;
 	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
-	return patch + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) + _report->statistics.buffer_bytes +
-			int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
+	return get_shared_memory() + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) +
+			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());
 }
 
 } // namespace grass

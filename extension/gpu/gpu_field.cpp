@@ -3,6 +3,7 @@
 #include "gpu/gpu_field.h"
 
 #include "compute_shaders.gen.h"
+#include "draw/shared_shader.h"
 #include "gpu/gpu_times.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
@@ -42,8 +43,8 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method), p_tiles == TILES_WITH_CROWDS };
 }
 
-// RGBA16F, a row for each slot.
-RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_usage) {
+// RGBA16F, a row for each slot; without p_is_resting nobody knows what is in it, with it blades at rest.
+RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_usage, bool p_is_resting = false) {
 	Ref<RDTextureFormat> format;
 	format.instantiate();
 	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
@@ -52,7 +53,14 @@ RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_
 	format->set_usage_bits(p_usage);
 	Ref<RDTextureView> view;
 	view.instantiate();
-	return main_device()->texture_create(format, view);
+	TypedArray<PackedByteArray> data;
+	if (p_is_resting) {
+		PackedByteArray zeros;
+		zeros.resize(p_slots * POOL_TEXTURE_WIDTH * 8);
+		zeros.fill(0);
+		data.push_back(zeros);
+	}
+	return main_device()->texture_create(format, view, data);
 }
 
 void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
@@ -65,14 +73,12 @@ void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RI
 } // namespace
 
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
-	_instances = p_setup.instance_capacity();
-	_shadow_instances = p_setup.shadow_capacity();
 	_counts.allocate(COUNTS * 4);
 	_pool = p_pool;
 	Ref<RDSamplerState> state;
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
-	_cull.create(CULL);
+	_cull.create(CULL, has_shader_workers() ? GpuPass::Compile::LATER : GpuPass::Compile::NOW);
 	_kind = { p_setup.species != nullptr, p_setup.method };
 	make_simulate();
 	_reader.create();
@@ -164,12 +170,16 @@ void GpuField::make_before_texture() {
 				make_texture(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
 		replace_texture(_before, old, _before_texture);
 		_has_moved = true;
+		if (!_resting_rows.is_valid()) {
+			_resting_rows = make_texture(RESTING_ROWS, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
+		}
 	}
 }
 
 void GpuField::set_motion(const Ref<Texture2DRD> &p_before) {
 	if (_before.is_valid() && p_before.is_null()) {
 		replace_texture(_before, std::exchange(_before_texture, RID()), RID());
+		main_device()->free_rid(std::exchange(_resting_rows, RID()));
 	}
 	_before = p_before;
 	make_before_texture();
@@ -181,6 +191,27 @@ void GpuField::keep_pool() {
 		main_device()->texture_copy(
 				_pool_texture, _before_texture, Vector3(), Vector3(), Vector3(POOL_TEXTURE_WIDTH, real_t(_used_rows), 1), 0, 0, 0, 0);
 		_has_moved = false;
+	}
+}
+
+// The last frame showed tiles at rest that wake in this step. Their rows hold what other tiles left there, or nothing that is known.
+void GpuField::rest_before(std::span<const GrassSlot> p_slots) {
+	if (!_before.is_valid()) {
+		return;
+	}
+	std::vector<int> rows;
+	for (const GrassSlot &slot : p_slots) {
+		if ((slot.list.w & GRASS_SLOT_FRESH) != 0) {
+			rows.push_back(slot.tile.w);
+		}
+	}
+	std::ranges::sort(rows);
+	for (size_t first = 0, next = 0; first < rows.size(); first = next) { // rows that follow each other, by one copy
+		while (next < rows.size() && rows[next] - rows[first] == int(next - first) && next - first < RESTING_ROWS) {
+			next++;
+		}
+		const Vector3 size(POOL_TEXTURE_WIDTH, real_t(next - first), 1);
+		main_device()->texture_copy(_resting_rows, _before_texture, Vector3(), Vector3(0, real_t(rows[first]), 0), size, 0, 0, 0, 0);
 	}
 }
 
@@ -219,8 +250,10 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 		_pool->set_texture_rd_rid(RID());
 		_pool.unref();
 	}
-	for (const RID &rid : { _pool_texture, _sampler, server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture),
-				 server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows) }) {
+	const auto commands_of = [server](const RID &p_multimesh) {
+		return p_multimesh.is_valid() ? server->multimesh_get_command_buffer_rd_rid(p_multimesh) : RID(); // never shown
+	};
+	for (const RID &rid : { _pool_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}
@@ -247,7 +280,8 @@ void GpuField::report_times() {
 
 // The report's mutex is held.
 void GpuField::report_memory() {
-	int64_t bytes = _pool_size * POOL_TEXTURE_WIDTH * 8 * (_before.is_valid() ? 2 : 1) + _reader.get_memory_usage();
+	int64_t bytes = POOL_TEXTURE_WIDTH * 8 * (_pool_size + (_before.is_valid() ? _pool_size + int64_t(RESTING_ROWS) : 0)) +
+			_reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

@@ -44,6 +44,7 @@ struct ViewRecords {
 // The MultiMeshes that a field is drawn by.
 struct FieldMultiMeshes {
 	godot::RID picture, shadows;
+	uint32_t picture_capacity, shadow_capacity; // instances
 };
 
 // What the simulation passes of a field are compiled for.
@@ -105,6 +106,7 @@ public:
 
 private:
 	static constexpr int64_t KNOT_FLOATS_PER_HALF = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
+	static constexpr size_t RESTING_ROWS = 16;
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
@@ -115,6 +117,7 @@ private:
 	void make_pool_texture();
 	void make_before_texture();
 	void keep_pool();
+	void rest_before(std::span<const GrassSlot> p_slots);
 	void make_simulate();
 	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
 	// Begins to compile their pass at the first call.
@@ -130,7 +133,6 @@ private:
 
 	std::shared_ptr<GpuReport> _report;
 	int64_t _tiles = 0, _pool_size = -1; // -1: none yet
-	int64_t _instances = 0, _shadow_instances = 0; // that the MultiMeshes hold
 	bool _table_changed = true; // since the last cull
 
 	// Written by the main thread's records every step, read by simulate, one step long.
@@ -156,6 +158,8 @@ private:
 	godot::Ref<godot::Texture2DRD> _pool;
 	// A copy of it, as long as motion vectors are read: written before the first step of a frame, read by the blade shader.
 	godot::RID _before_texture;
+	// As long as that: rows of blades at rest, to be copied into it.
+	godot::RID _resting_rows;
 	godot::Ref<godot::Texture2DRD> _before; // null: nobody reads them
 	int _used_rows = 0; // of the pool's texture
 	bool _has_kept = false; // since the last frame

@@ -6,6 +6,8 @@
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -80,13 +82,14 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 			_plants.clear_counts();
 		}
 		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
-		const bool have_room = _tiles <= _instances && _tiles <= _shadow_instances; // all at once
+		const auto [picture, shadows, capacity, shadow_capacity] = p_multimeshes;
+		const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // all at once
 		const int64_t list = device->compute_list_begin();
 		for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
 			if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
 				continue;
 			}
-			const uvec4 constants{ phase, uint32_t(_tiles), uint32_t(_instances), uint32_t(_shadow_instances) };
+			const uvec4 constants{ phase, uint32_t(_tiles), capacity, shadow_capacity };
 			_cull.dispatch(list, to_bytes(std::span(&constants, 1)), phase == GRASS_CULL_FIT ? 1 : groups);
 			device->compute_list_add_barrier(list);
 		}

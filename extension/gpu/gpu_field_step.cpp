@@ -65,6 +65,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (!_has_kept) {
 		keep_pool();
 	}
+	rest_before(p_records.slots);
 	int64_t uploaded = 0;
 	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once
 	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;

@@ -59,7 +59,7 @@ public:
 
 private:
 	struct Mix { // as plants.glsl has it
-		std::array<ivec4, GRASS_MAX_SPECIES> mix;
+		std::array<ivec4, GRASS_MAX_SPECIES> mix, origin;
 		std::array<int32_t, GRASS_MAX_SPECIES> stems;
 		int32_t count, texel, unused[2];
 	};

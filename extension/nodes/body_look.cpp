@@ -24,6 +24,8 @@ constexpr double BLADE_FRICTION = 0.5;
 // Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
 // grass notices a change later.
 constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
+// Looks in a tick, about: a crowd is looked at less often, a body of 5,000 every 79 ticks. More: these calls are what a crowd costs.
+constexpr size_t LOOKS_A_TICK = 64;
 // Looks from one at everything to the next: at friction, and at which shapes are disabled. Where such a shape touches grass,
 // the server notifies, too: an overlap begins or ends.
 constexpr int LOOK_AT_ALL_EVERY = 2;
@@ -56,6 +58,10 @@ std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count
 
 } // namespace
 
+int BodyTracker::look_every(size_t p_bodies) {
+	return std::max(LOOK_EVERY, int((p_bodies + LOOKS_A_TICK - 1) / LOOKS_A_TICK));
+}
+
 // Checks now and then what kind of body it is. Returns whether its shapes are due for a look, too.
 bool BodyTracker::look(Body &r_body) {
 	if (r_body.next_look-- > 0) {
@@ -70,8 +76,8 @@ bool BodyTracker::look(Body &r_body) {
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
 			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
 	// Spreads the looks at bodies that came together over the ticks.
-	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % LOOK_EVERY);
-	r_body.next_look = LOOK_EVERY - 1 + phase;
+	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % _look_every);
+	r_body.next_look = _look_every - 1 + phase;
 	return true;
 }
 
@@ -88,7 +94,7 @@ void BodyTracker::follow_sleep(Body &r_body, const Transform3D &p_world, bool p_
 			r_body.is_asleep = r_body.is_watched;
 		}
 	}
-	r_body.next_read = LOOK_EVERY - 1;
+	r_body.next_read = _look_every - 1;
 }
 
 // Only nodes tell of it, not the server.
@@ -131,6 +137,9 @@ bool BodyTracker::read_shapes(Body &r_body) {
 	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
 	_reads.engine_calls++;
 	bool has_changed = size_t(count) != r_body.shapes.size();
+	if (has_changed) {
+		r_body.is_written = r_body.is_written_still = false;
+	}
 	if (has_changed || r_body.next_look_at_all-- <= 0) {
 		r_body.next_look_at_all = LOOK_AT_ALL_EVERY - 1;
 		read_traits(r_body, count);
@@ -150,6 +159,7 @@ bool BodyTracker::read_shapes(Body &r_body) {
 			continue;
 		}
 		has_changed = true;
+		r_body.is_written = r_body.is_written_still = false;
 		r_body.next_look_at_all = 0;
 		shape.transform = transform;
 		shape.enabled = is_enabled;
@@ -187,6 +197,14 @@ void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
 // All shapes that are enabled. Those far from the grass find no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
 	const bool stands_still = r_body.before.matrix() == p_now.matrix();
+	const bool is_there = r_body.is_written && r_body.first_collider == _written;
+	r_body.first_collider = uint32_t(_written);
+	if (is_there && stands_still && r_body.is_written_still && !r_body.was_put) {
+		_written += r_body.colliders;
+		_mesh_pieces += r_body.mesh_pieces;
+		return;
+	}
+	r_body.mesh_pieces = 0;
 	for (TrackedShape &shape : r_body.shapes) {
 		if (shape.enabled && !stands_still) {
 			warn_of(r_body, shape);
@@ -200,16 +218,23 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::
 				r_colliders.emplace_back();
 			}
 			ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
-			collider = part.collider;
-			collider.owner = r_body.instance_id;
+			if (!is_there) {
+				collider = part.collider;
+				collider.owner = r_body.instance_id;
+			}
 			// It usually starts where it ended in the tick before.
 			collider.before = part.has_pose && !r_body.was_put ? part.pose : ColliderShape::make_pose(r_body.before * part.local);
 			collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * part.local);
+			collider.stamp = stands_still ? ++_stamps : 0;
 			part.pose = collider.now;
 			part.has_pose = true;
 		}
-		_mesh_pieces += shape.enabled && shape.is_split && !shape.is_bound ? int64_t(shape.parts.size()) : 0;
+		r_body.mesh_pieces += shape.enabled && shape.is_split && !shape.is_bound ? int64_t(shape.parts.size()) : 0;
 	}
+	_mesh_pieces += r_body.mesh_pieces;
+	r_body.colliders = uint32_t(_written) - r_body.first_collider;
+	r_body.is_written = true;
+	r_body.is_written_still = stands_still;
 }
 
 } // namespace grass

@@ -3,13 +3,13 @@
 
 #include "convert.h"
 
-#include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 using namespace godot;
 
@@ -25,10 +25,23 @@ constexpr double FIELD_JUMP = 2.0;
 constexpr double FASTEST = 600.0;
 // It reaches this far at least, since bodies are reported a tick late. Metres.
 constexpr double APPROACH_MIN = 3.0;
-// Ticks after which a static body that moved is ground again.
-constexpr int STILL_TICKS = 120;
 // For so many ticks after a jump of the field, bodies that the server reports as gone are kept: kinematic ones follow late.
 constexpr int JUMP_TICKS = 6;
+// Bodies from the one at hand to that whose memory is fetched next: as long as a fetch takes.
+constexpr size_t FETCH_AHEAD = 4;
+
+// p_bytes from p_place on.
+void prefetch(const void *p_place, size_t p_bytes) {
+#ifdef __GNUC__
+	constexpr size_t LINE = 64; // of the cache
+	for (size_t i = 0; i < p_bytes; i += LINE) {
+		__builtin_prefetch(static_cast<const char *>(p_place) + i);
+	}
+#else
+	(void)p_place;
+	(void)p_bytes;
+#endif
+}
 
 } // namespace
 
@@ -89,6 +102,7 @@ void BodyTracker::stop() {
 		watch_sleep(body, false);
 	}
 	_bodies.clear();
+	_line.clear();
 	_woke = Callable();
 }
 
@@ -100,8 +114,10 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
 		if (found == _bodies.end()) {
 			found = _bodies.emplace(key, Body()).first;
+			_line.clear();
 			found->second.rid = p_body;
 			found->second.instance_id = uint64_t(p_instance_id);
+			found->second.turn = int(key % WAITING_TICKS);
 		}
 		found->second.overlaps++;
 	} else if (found != _bodies.end()) {
@@ -109,7 +125,7 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	}
 	if (found != _bodies.end()) {
 		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
-		found->second.is_asleep = false;
+		found->second.is_asleep = found->second.is_at_rest = false;
 	}
 }
 
@@ -139,108 +155,60 @@ bool BodyTracker::find_state(Body &r_body) {
 	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
 }
 
-// In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
-// kinematic bodies in it) are where they were beside the field, not far away from it.
-Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) const {
-	const Eigen::Affine3d world = to_eigen(p_world);
-	const Eigen::Affine3d now = p_field.from_world * world;
-	if (!p_field.has_jumped || !p_body.has_before) {
-		return now;
-	}
-	const Eigen::Affine3d late = p_field.from_world_before * world;
-	const Eigen::Vector3d before = p_body.before.translation();
-	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
-}
-
-// In the world, metres per second. A kinematic body's follows from the places where it was put, teleports included.
-Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
-	_reads.engine_calls++;
-	return to_eigen(p_body.state->get_linear_velocity());
-}
-
-// The velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between what a character wanted
-// and what it could do.
-Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion) {
-	if (p_body.is_driven) {
-		return server_velocity(p_body);
-	}
-	const CharacterBody3D *character =
-			p_body.is_character ? Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(p_body.instance_id)) : nullptr;
-	if (character == nullptr) {
-		return Eigen::Vector3d::Zero();
-	}
-	_reads.engine_calls += 2;
-	const Eigen::Vector3d wanted = to_eigen(character->get_velocity()), real = to_eigen(character->get_real_velocity());
-	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
-}
-
-// Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
-void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
-	const Eigen::Matrix3d from_world = _from_world_before.linear();
-	const Eigen::Vector3d now = p_now.translation();
-	r_body.was_put = !r_body.has_before;
-	if (!r_body.has_before) {
-		const Eigen::Vector3d seen = server_velocity(r_body);
-		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen);
-		r_body.has_before = true;
-		r_body.before = p_now;
-		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, p_tick);
-		return;
-	}
-	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;
-	Eigen::Vector3d own = Eigen::Vector3d::Zero();
-	if (!r_body.motion.expects(step, p_tick)) {
-		own = from_world * own_velocity(r_body, from_world.transpose() * step / p_tick.delta);
-	}
-	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, p_tick);
-	if (from == now && step != Eigen::Vector3d::Zero()) {
-		r_body.before = p_now;
-		r_body.was_put = true;
-		return;
-	}
-	r_body.before.translation() = from;
-	r_body.was_put = from != before;
-	judge_turn(r_body, p_now, p_tick.delta);
-}
-
-void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
-	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
-	const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-	double own = 0.0;
-	if (r_body.is_driven && angle > Motion::PLAUSIBLE_TURN) {
-		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
-		_reads.engine_calls++;
-	}
-	if (!r_body.motion.follow_turn(angle, own)) {
-		r_body.before.linear() = p_now.linear();
-		r_body.was_put = true;
-	}
-}
-
 // One that moves is kept for two ticks more: it passed grass on its way out, or was reported only when it had passed all of it.
 bool BodyTracker::has_left(Body &r_body) const {
 	r_body.left_for = r_body.overlaps > 0 ? 0 : r_body.left_for + 1;
 	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
 }
 
-// A static body bends grass from its first motion on, until it has stood still for a while. p_is_carried: the field
-// jumped and the body with it, in the same tick or the next: nodes pass on either to the server when they are updated.
-bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
-	if (!r_body.is_static) {
-		r_body.still_ticks = 0;
-		r_body.world_before = p_world;
-		return false;
+void BodyTracker::line_up() {
+	if (_line.size() == _bodies.size()) {
+		return;
 	}
-	if (!r_body.has_before || p_is_carried) { // just found
-		r_body.still_ticks = r_body.has_before ? r_body.still_ticks : STILL_TICKS;
-	} else {
-		r_body.still_ticks = p_world == r_body.world_before ? std::min(r_body.still_ticks + 1, STILL_TICKS) : 0;
+	_line.clear();
+	for (auto &[id, body] : _bodies) {
+		_line.push_back(&body);
 	}
-	r_body.world_before = p_world;
-	return r_body.still_ticks >= STILL_TICKS;
 }
 
-void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+// A body that is where it was: whether all else is as it was, too. Its colliders then lie ready.
+bool BodyTracker::keep_at_rest(Body &r_body, const FieldPose &p_field) {
+	const bool is_kept = r_body.is_at_rest && r_body.overlaps > 0 && r_body.first_collider == _written && !p_field.has_moved;
+	if (is_kept) {
+		r_body.waited = 0; // it went nowhere meanwhile
+		_written += r_body.colliders;
+		_mesh_pieces += r_body.mesh_pieces;
+	}
+	return is_kept;
+}
+
+// What following body p_index reads, from pointer to pointer: each of them three times as far ahead as what it points to. The memory of a
+// crowd is more than the caches hold.
+void BodyTracker::fetch_ahead(size_t p_index, const std::vector<ColliderShape> &p_colliders) const {
+	if (const size_t far = p_index + 3 * FETCH_AHEAD; far < _line.size()) {
+		prefetch(_line[far], offsetof(Body, rid));
+	}
+	const auto is_read = [this](const Body &p_body) { return !p_body.is_asleep && (p_body.waited == 0 || is_its_turn(p_body)); };
+	if (const size_t near = p_index + 2 * FETCH_AHEAD; near < _line.size() && is_read(*_line[near])) {
+		const Body &body = *_line[near];
+		prefetch(body.state, 1);
+		for (const TrackedShape &shape : body.shapes) {
+			prefetch(&shape, offsetof(TrackedShape, rid));
+		}
+		prefetch(p_colliders.data() + body.first_collider, body.colliders * sizeof(ColliderShape));
+	}
+	if (const size_t next = p_index + FETCH_AHEAD; next < _line.size() && is_read(*_line[next])) {
+		const Body &body = *_line[next];
+		for (const TrackedShape &shape : body.shapes) {
+			for (const ShapePart &part : shape.parts) {
+				prefetch(&part, ShapePart::HOT);
+			}
+		}
+	}
+}
+
+void BodyTracker::collect(
+		const Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, std::vector<ColliderShape> &r_colliders) {
 	FieldPose field;
 	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
 	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
@@ -252,45 +220,73 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
 	_written = 0;
 	_mesh_pieces = 0;
+	_tick = (_tick + 1) % WAITING_TICKS;
 	MotionTick tick = p_tick;
 	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
-	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
-		Body &body = entry->second;
-		const bool is_asleep = body.is_asleep && !field.has_moved && body.next_read-- > 0;
-		if (has_left(body) || (!is_asleep && !find_state(body))) {
-			watch_sleep(body, false);
-			entry = _bodies.erase(entry);
+	line_up();
+	_look_every = look_every(_line.size());
+	bool has_lost = false;
+	for (size_t i = 0; i < _line.size(); i++) {
+		fetch_ahead(i, r_colliders);
+		Body &body = *_line[i];
+		if (body.is_asleep && body.overlaps > 0 && !field.has_moved && body.next_read-- > 0) {
+			if (!keep_at_rest(body, field)) {
+				follow(body, body.world_before, field, tick, false, r_colliders);
+			}
 			continue;
 		}
-		++entry;
-		bool is_due = false;
-		Transform3D world = body.world_before;
-		if (!is_asleep) {
-			_reads.poses++;
-			_reads.engine_calls++;
-			is_due = look(body);
-			world = body.state->get_transform();
-			follow_sleep(body, world, is_due);
+		if (!is_its_turn(body) && !field.has_moved && waits_for_slots(body, p_tiles)) {
+			wait(body, r_colliders);
+			continue;
 		}
-		const Eigen::Affine3d now = pose_of(body, world, field);
-		const bool is_carried =
-				_ticks_since_jump <= 1 && body.has_before && (now.translation() - body.before.translation()).norm() < FIELD_JUMP;
-		const bool ground = is_ground(body, world, is_carried);
-		judge_motion(body, now, tick);
-		if (ground) {
-			body.shapes.clear(); // unused, and a terrain's are large
-		} else {
-			if (is_due || body.shapes.empty()) {
-				look_at_shapes(body);
-			}
-			write_shapes(body, now, r_colliders);
+		if (has_left(body) || !find_state(body)) {
+			watch_sleep(body, false);
+			has_lost = true;
+			body.is_lost = true;
+			continue;
 		}
-		body.before = now;
+		_reads.poses++;
+		_reads.engine_calls++;
+		const bool is_due = look(body);
+		const Transform3D world = body.state->get_transform();
+		follow_sleep(body, world, is_due);
+		if (is_due || world != body.world_before || !keep_at_rest(body, field)) {
+			follow(body, world, field, tick, is_due, r_colliders);
+		}
+	}
+	if (has_lost) {
+		std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.is_lost; });
+		_line.clear();
 	}
 	r_colliders.resize(_written);
 }
 
+void BodyTracker::follow(Body &r_body, const Transform3D &p_world, const FieldPose &p_field, const MotionTick &p_tick, bool p_is_due,
+		std::vector<ColliderShape> &r_colliders) {
+	const Eigen::Affine3d now = pose_of(r_body, p_world, p_field);
+	const bool is_carried =
+			_ticks_since_jump <= 1 && r_body.has_before && (now.translation() - r_body.before.translation()).norm() < FIELD_JUMP;
+	const bool ground = is_ground(r_body, p_world, is_carried);
+	const bool has_waited = r_body.waited > 0;
+	if (has_waited) {
+		catch_up(r_body, now);
+		r_body.waited = 0;
+	}
+	judge_motion(r_body, now, p_tick);
+	r_body.was_put = r_body.was_put || has_waited;
+	if (ground && !r_body.shapes.empty()) {
+		r_body.shapes.clear(); // unused, and a terrain's are large
+		r_body.is_written = r_body.is_written_still = false;
+	} else if (!ground && (p_is_due || r_body.shapes.empty())) {
+		look_at_shapes(r_body);
+	}
+	write_shapes(r_body, now, r_colliders);
+	r_body.before = now;
+	r_body.is_at_rest = r_body.is_written_still && r_body.motion.is_at_rest() && _ticks_since_jump > 1 && (ground || !r_body.is_static);
+}
+
 void BodyTracker::forget_left() {
+	const size_t before = _bodies.size();
 	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
 		if (entry->second.overlaps > 0) {
 			++entry;
@@ -299,13 +295,16 @@ void BodyTracker::forget_left() {
 			entry = _bodies.erase(entry);
 		}
 	}
+	if (_bodies.size() != before) {
+		_line.clear();
+	}
 }
 
 void BodyTracker::forget_motion() {
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {
-		body.has_before = false;
-		body.is_asleep = false;
+		body.has_before = body.is_asleep = body.is_at_rest = body.is_written = body.is_written_still = false;
+		body.waited = 0;
 	}
 }
 

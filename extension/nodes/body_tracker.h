@@ -6,6 +6,7 @@
 #include "core/bodies/body_reads.h"
 #include "core/bodies/body_shape.h"
 #include "core/bodies/motion.h"
+#include "core/tiles/tiles.h"
 #include "nodes/physics_shapes.h"
 
 #include <Eigen/Geometry>
@@ -40,9 +41,11 @@ public:
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
 	// A body that sleeps, as the physics server has it, falls asleep or wakes up.
 	void body_woke(int64_t p_body);
-	// Overwrites r_colliders with every shape that may touch grass in this tick, posed in the field's space. p_field: the
-	// field's transform (orthonormal); the tracker sets p_tick.watched itself.
-	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+	// Makes of r_colliders every shape that may touch grass in this tick, posed in the field's space. It must be what the last call
+	// left: of bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
+	// p_tick.watched itself. p_tiles: those of the field, as they took these colliders in the tick before.
+	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles,
+			std::vector<ColliderShape> &r_colliders);
 	// Time has passed without collect(): the way from where bodies were last is no motion.
 	void forget_motion();
 
@@ -56,33 +59,44 @@ public:
 	int64_t get_mesh_pieces() const { return _mesh_pieces; }
 
 private:
+	// From one read to the next of a body that waits for slots. More: it is seen late once there are some. Fewer: crowds cost more.
+	static constexpr int WAITING_TICKS = 8;
+
 	struct Body {
-		godot::RID rid;
-		uint64_t instance_id = 0;
-		int64_t overlaps = 0; // shapes of it that overlap the area
-		int left_for = 0; // ticks since none does
+		// First what a tick reads of a body that stands still.
+		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
+		bool is_at_rest = false; // asleep or not: its next tick is as its last one, if it is where it was
+		bool is_lost = false; // has left, or was freed
+		bool is_written = false, is_written_still = false; // its colliders lie where they were last written; with one pose
+		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
+		int waited = 0; // ticks since it was last read, while the pool has no slot for a tile below it
+		int turn = 0; // in which ticks it is read meanwhile
+		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
+		int left_for = 0; // ticks since no shape of it overlaps the area
+		int64_t overlaps = 0; // shapes of it that do
+		uint32_t first_collider = 0, colliders = 0; // where they lie, how many
+		int64_t mesh_pieces = 0; // of these
 		uint64_t state_id = 0; // of the server's state object, which has its pose and ends with the body
 		godot::PhysicsDirectBodyState3D *state = nullptr;
-		// As it was when it was last looked at.
-		std::vector<TrackedShape> shapes; // none while it is ground
+		godot::Transform3D world_before; // in the last tick, in the world, for a field may move over ground that does not
+
+		// What it reads of one that moves.
+		std::vector<TrackedShape> shapes; // as they were last looked at; none while it is ground
+		Motion motion; // in field space
+		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space, in the last tick
+		bool has_before = false;
+		bool was_put = true; // since then: `before` is not where it was in the last tick
 		bool is_static = false; // ground, while it stands still
 		bool is_driven = false; // moves as its velocity says; a character's is in its node
 		bool is_character = false;
-		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
+		int still_ticks = 0; // for which a static one has not moved; starts as ground
+		uint64_t instance_id = 0;
+
+		godot::RID rid;
 		int next_look_at_all = 0; // looks to the next one at everything
 		double friction = 0.0; // of blades along it
 		std::vector<bool> disabled; // by shape
-		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
-		bool is_watched = false; // its node does
-		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
-		// As it was in the last tick.
-		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space
-		bool has_before = false;
-		Motion motion; // in field space
-		bool was_put = true; // since then: `before` is not where it was in the last tick
-		// Of a static one.
-		godot::Transform3D world_before; // in the world, for a field may move over ground that does not
-		int still_ticks = 0; // for which it has not moved; starts as ground
+		bool is_watched = false; // its node tells when it wakes
 	};
 	// The field's pose in this tick, and in the one before.
 	struct FieldPose {
@@ -91,9 +105,15 @@ private:
 		bool has_moved = false; // since the tick before
 	};
 
+	void line_up();
+	void fetch_ahead(size_t p_index, const std::vector<ColliderShape> &p_colliders) const;
+	bool keep_at_rest(Body &r_body, const FieldPose &p_field);
+	void follow(Body &r_body, const godot::Transform3D &p_world, const FieldPose &p_field, const MotionTick &p_tick, bool p_is_due,
+			std::vector<ColliderShape> &r_colliders);
 	bool find_state(Body &r_body);
 	bool has_left(Body &r_body) const;
 	// body_look.cpp
+	static int look_every(size_t p_bodies);
 	bool look(Body &r_body);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
@@ -102,7 +122,11 @@ private:
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
 	void watch_sleep(Body &r_body, bool p_watch);
 	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
-	// body_tracker.cpp
+	// body_motion.cpp
+	bool is_its_turn(const Body &p_body) const { return _tick == p_body.turn; }
+	static bool waits_for_slots(const Body &p_body, const TileManager &p_tiles);
+	void wait(Body &r_body, std::vector<ColliderShape> &r_colliders);
+	static void catch_up(Body &r_body, const Eigen::Affine3d &p_now);
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
 	Eigen::Vector3d server_velocity(const Body &p_body);
@@ -122,8 +146,12 @@ private:
 	bool _has_warned_of_height_map = false, _has_warned_of_mesh = false;
 	int64_t _mesh_pieces = 0; // in this tick
 	size_t _written = 0; // colliders in this tick
+	int _tick = 0; // calls of collect(), modulo WAITING_TICKS
+	uint64_t _stamps = 0; // of colliders, given so far
+	int _look_every = 0; // ticks from one look at a body to the next, in this tick
 	BodyReads _reads; // since it was made
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run
+	std::vector<Body *> _line; // the same in their order, since a walk through a map waits for each step; empty once some come or go
 };
 
 } // namespace grass

@@ -13,7 +13,7 @@ void FieldBodies::collect(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
 	_tracker.set_box(p_transform, half, p_delta);
-	_tracker.collect(p_transform, tick, _colliders);
+	_tracker.collect(p_transform, tick, p_field.get_tiles(), _colliders);
 	_registered.collect(p_transform, tick, _colliders);
 	_wheels.collect(p_transform, tick, _colliders);
 	_bones.collect(p_world, p_transform, tick, _colliders);

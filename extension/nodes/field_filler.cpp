@@ -27,6 +27,12 @@ uint64_t scene_revision() {
 	return GrassExclusion3D::get_revision() + GrassPath3D::get_revision();
 }
 
+FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
+	FillRule rule = r_rule.get_rule(p_place.region);
+	rule.noise_origin = p_place.noise_origin;
+	return rule;
+}
+
 void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
 	Parallel *parallel = memnew(Parallel);
 	parallel->run(p_count, p_body);
@@ -63,7 +69,7 @@ std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
 	if (_rule.is_null()) {
 		return {};
 	}
-	Gathered gathered{ _rule->get_rule(p_place.region), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+	Gathered gathered{ rule_for(**_rule, p_place), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
 	gathered.sources.terrain = _terrain;
 	return gathered;
 }
@@ -128,7 +134,7 @@ void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
 }
 
 double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
-	const FillRule rule = p_rule->get_rule(p_place.region);
+	const FillRule rule = rule_for(**p_rule, p_place);
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
 	sources.terrain = _terrain;
 	return change(p_map, [&](PaintMap &r_map) {

@@ -22,6 +22,7 @@ public:
 		godot::Node3D *node;
 		godot::Transform3D transform;
 		MapRegion region;
+		Eigen::Vector2d noise_origin; // metres, see FieldProperties
 	};
 
 	// p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/field_maker.h"
 
+#include "draw/field_shaders.h"
 #include "draw/frame_share.h"
-#include "draw/ground.h"
 #include "draw/patch_texture.h"
 
 #include <algorithm>
@@ -19,14 +19,14 @@ void FieldMaker::request() {
 }
 
 bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend) {
-	const bool in_parts = p_backend != nullptr;
+	const bool in_parts = p_backend != nullptr || p_properties.is_streamed;
 	if (in_parts && !p_properties.species.prepare_patches()) {
 		return false;
 	}
-	const auto has_time = [in_parts] { return !in_parts || FrameShare::has_time(); };
+	const auto has_time = [&] { return !in_parts || (p_properties.is_streamed ? FrameShare::has_part() : FrameShare::has_time()); };
 	if (!_wanted && has_time()) {
 		// A new backend of this field continues with the passes that are compiled.
-		_wanted = find_wanted(p_properties, in_parts ? p_now.get_method() : p_properties.method);
+		_wanted = find_wanted(p_properties, p_backend != nullptr ? p_now.get_method() : p_properties.method);
 	}
 	if (_wanted && !_wanted->bounds && has_time()) {
 		_wanted->bounds = p_now.bounds_of(_wanted->setup);
@@ -34,28 +34,36 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	if (!_wanted || !_wanted->bounds) {
 		return false;
 	}
-	const bool has_shaders = !in_parts || (p_backend->prepare(_wanted->setup) && Ground::prepare(shader_features(_wanted->setup)));
-	return has_shaders && prepare_map(p_properties, in_parts) && has_time();
+	const Look look{ shader_features(_wanted->setup), p_properties.hook.get_text() };
+	const bool has_shaders = !in_parts || ((p_backend == nullptr || p_backend->prepare(_wanted->setup)) & prepare_shaders(look));
+	return has_shaders && prepare_map(p_properties, has_time) && has_time();
 }
 
-bool FieldMaker::prepare_map(const FieldProperties &p_properties, bool p_in_parts) {
+bool FieldMaker::prepare_map(const FieldProperties &p_properties, const std::function<bool()> &p_has_time) {
 	if (!_wanted->setup.is_mapped || _wanted->setup.patch->is_empty()) {
 		return true;
 	}
-	const auto has_time = [p_in_parts] { return !p_in_parts || FrameShare::has_time(); };
 	std::unique_ptr<ShownMap> &map = _wanted->map;
-	if (!map && has_time()) {
+	if (!map && p_has_time()) {
 		map = std::make_unique<ShownMap>(p_properties.map, _wanted->setup, std::move(_prepared));
 	}
-	while (map && has_time()) {
-		if (!map->work()) {
-			return true;
+	while (map && map->has_work()) {
+		if (!p_has_time()) {
+			return false;
 		}
+		map->work();
 	}
-	return false;
+	return map != nullptr;
 }
 
-WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method p_method) const {
+std::optional<ShownPlace> FieldMaker::find_place(const FieldProperties &p_properties) {
+	if (!p_properties.species.prepare_patches()) {
+		return {};
+	}
+	return shown_place_of(find_wanted(p_properties, p_properties.method).setup);
+}
+
+WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method p_method) {
 	WantedField wanted;
 	FieldSetup &setup = wanted.setup;
 	setup.grid = p_properties.grid();
@@ -67,8 +75,9 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.seed = uint32_t(p_properties.seed);
 	setup.is_mapped = p_properties.map.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
-	setup.has_terrain = p_properties.terrain_texture.is_valid();
+	setup.has_terrain = p_properties.find_terrain_texture().is_valid();
 	setup.card_size = p_properties.species.find_card_size();
+	setup.leaf_area = p_properties.species.find_leaf_area();
 	wanted.plants = p_properties.species.find_plants(p_properties.param(PARAM_DENSITY));
 	for (const DrawnPlant &plant : wanted.plants) {
 		setup.plant_size = std::max(setup.plant_size, plant.size());
@@ -76,7 +85,9 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	const std::vector<int> stems = p_properties.species.find_stems();
 	setup.has_plants = setup.plant_size > 0.0f || std::ranges::any_of(stems, [](int p_stems) { return p_stems > 1; });
 	wanted.mix = p_properties.species.find_mix();
-	setup.species = p_properties.species.is_plain() ? nullptr : std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed);
+	setup.species = p_properties.species.is_plain() ? nullptr
+													: std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed,
+															  Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
 	wanted.species = p_properties.species.find_grown();
 	return wanted;
 }
@@ -98,7 +109,7 @@ void FieldMaker::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.map_waiting += map->get_waiting();
 		r_statistics.memory += map->get_memory_usage();
 	}
-	r_statistics.is_waiting = _is_waiting;
+	r_statistics.is_waiting = r_statistics.is_waiting || _is_waiting;
 	r_statistics.makings = _makings;
 	r_statistics.build_ms = _most_ms;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on. A field
-// that stands goes on until everything slow has been made beside it: patches and passes by other threads, shaders and the map piece by
-// piece, as frames have time (draw/frame_share.h).
+// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on, unless it is
+// streamed. A field that stands goes on until everything slow has been made beside it: patches and passes by other threads, shaders and the
+// map piece by piece, as frames have time (draw/frame_share.h).
 #pragma once
 
 #include "backend/backend.h"
@@ -10,6 +10,7 @@
 #include "nodes/field_properties.h"
 #include "nodes/shown_map.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,6 +36,8 @@ public:
 	bool is_waiting() const { return _is_waiting; }
 	// Prepares it; beside a field that stands (p_backend), as far as this frame has time. True once it can be made.
 	bool prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend);
+	// For what a map would have to be prepared; nothing while the patches are not made yet.
+	static std::optional<ShownPlace> find_place(const FieldProperties &p_properties);
 	// The field that was prepared, to be made now.
 	WantedField take();
 	void forget() { _wanted.reset(); }
@@ -42,11 +45,12 @@ public:
 	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
 	// Milliseconds that the making took in one frame, at most, since request().
 	void add_time(double p_ms);
+	double get_most_ms() const { return _most_ms; }
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	WantedField find_wanted(const FieldProperties &p_properties, Method p_method) const;
-	bool prepare_map(const FieldProperties &p_properties, bool p_in_parts);
+	static WantedField find_wanted(const FieldProperties &p_properties, Method p_method);
+	bool prepare_map(const FieldProperties &p_properties, const std::function<bool()> &p_has_time);
 
 	bool _is_waiting = false;
 	std::unique_ptr<PreparedMap> _prepared;

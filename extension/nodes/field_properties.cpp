@@ -31,8 +31,10 @@ FieldProperties::FieldProperties() {
 }
 
 ClumpParams FieldProperties::clump() const {
-	return { float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
+	ClumpParams clump{ float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
+	clump.set_origin(Eigen::Vector2d(noise_origin.x, noise_origin.y));
+	return clump;
 }
 
 LodParams FieldProperties::lod() const {

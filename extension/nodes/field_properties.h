@@ -36,15 +36,21 @@ struct FieldProperties {
 	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
 
 	godot::Vector2 size{ 32, 32 };
+	// Where the field's centre lies in the noise of clumps, stands, rules and wind, metres: (0, 0) but for the plots of a world.
+	godot::Vector2i noise_origin;
 	FieldSpecies species;
 	FieldHook hook;
 	godot::Ref<GrassMap> map;
-	godot::Ref<godot::Texture2D> terrain_texture;
+	godot::Ref<godot::Texture2D> terrain_texture, terrain_colors; // the user's; the terrain's own, where that tells any
+	const godot::Ref<godot::Texture2D> &find_terrain_texture() const {
+		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
+	}
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
 	bool simulated = true, measure_time = false, has_ground = true;
 	Method method = SolverParams().method;
 	SleepMode sleep_mode = TileParams().sleep_mode;
 	bool is_on_cpu = false;
+	bool is_streamed = false; // a plot of a world: made in parts, a few a frame, from the first time on
 	int64_t debug_view = GRASS_DEBUG_OFF;
 	std::array<double, FIELD_PARAMS.size()> params;
 	std::array<godot::Color, FIELD_COLORS.size()> colors;

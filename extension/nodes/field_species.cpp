@@ -5,6 +5,31 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+struct Joining {
+	std::vector<std::shared_ptr<const Patch>> from;
+	std::vector<double> shares;
+	std::vector<int> stems;
+	bool operator==(const Joining &) const = default;
+};
+
+// The same for all fields of these species: it takes megabytes, and milliseconds. Main thread only.
+std::shared_ptr<const Patch> find_join(const Joining &p_joining) {
+	static std::vector<std::pair<Joining, std::weak_ptr<const Patch>>> made;
+	std::erase_if(made, [](const auto &p_made) { return p_made.second.expired(); });
+	for (const auto &[joining, patch] : made) {
+		if (joining == p_joining) {
+			return patch.lock();
+		}
+	}
+	auto patch = std::make_shared<const Patch>(join_patches(p_joining.from, p_joining.shares, p_joining.stems));
+	made.emplace_back(p_joining, patch);
+	return patch;
+}
+
+} // namespace
+
 std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field) {
 	std::vector<SolverParams> solvers;
 	for (const GrownSpecies &grown : p_species) {
@@ -61,9 +86,9 @@ bool FieldSpecies::is_plain() const {
 }
 
 bool FieldSpecies::prepare_patches() const {
-	bool are_made = true;
+	bool are_made = !_list.empty() || GrassPatch::is_default_made();
 	for (const Ref<GrassSpecies> &species : _list) {
-		are_made = (species.is_null() || species->prepare_patch()) && are_made;
+		are_made = (species.is_null() ? GrassPatch::is_default_made() : species->prepare_patch()) && are_made;
 	}
 	return are_made;
 }
@@ -131,7 +156,7 @@ std::shared_ptr<const Patch> FieldSpecies::join() const {
 		_joined_shares = find_shares();
 		_joined_stems = find_stems();
 		const bool is_one = _joined_from.size() == 1 && _joined_stems[0] == 1;
-		_joined = is_one ? _joined_from[0] : std::make_shared<const Patch>(join_patches(_joined_from, _joined_shares, _joined_stems));
+		_joined = is_one ? _joined_from[0] : find_join({ _joined_from, _joined_shares, _joined_stems });
 	}
 	return _joined;
 }
@@ -168,6 +193,16 @@ float FieldSpecies::find_card_size() const {
 		most = std::max(most, species->get_card_size());
 	}
 	return float(most);
+}
+
+float FieldSpecies::find_leaf_area() const {
+	const std::vector<double> shares = find_shares();
+	double area = 0.0;
+	size_t s = 0;
+	for (const Ref<GrassSpecies> &species : find_used()) {
+		area += shares[s++] * species->get_leaf_area();
+	}
+	return float(area);
 }
 
 void FieldSpecies::warn_of_plants(int64_t p_species, double p_density, PackedStringArray &r_warnings) const {

@@ -48,8 +48,9 @@ public:
 	godot::Ref<GrassSpecies> make_first(const godot::Callable &p_changed);
 	std::vector<SpeciesParams> find_mix() const;
 	std::vector<GrownSpecies> find_grown() const;
-	// Radius of the largest flower or seed head around its tip, metres; a card on a thinned tile is drawn larger.
+	// Radius of the largest flower, seed head or leaf around its tip, metres; a card on a thinned tile is drawn larger.
 	float find_card_size() const;
+	float find_leaf_area() const; // of the mean blade, m^2
 	// The meshes that species have, in the order of find_used(); null: none. p_density: blades a square metre.
 	std::vector<DrawnPlant> find_plants(double p_density) const;
 	std::vector<int> find_stems() const; // that share a root

@@ -2,10 +2,12 @@
 #include "nodes/field_terrain.h"
 
 #include "convert.h"
+#include "core/fill/terrain_picture.h"
 #include "draw/frame_share.h"
 #include "nodes/field_view.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object.hpp>
 
@@ -58,6 +60,8 @@ void FieldTerrain::forget() {
 	_calls_before += _source ? _source->get_calls() : 0;
 	_source.reset();
 	_ids.reset();
+	_colors.reset();
+	_shown_colors.unref();
 	_queue.clear();
 	_piece.reset();
 	_areas.clear();
@@ -97,6 +101,10 @@ void FieldTerrain::find(Node3D &p_field, const TerrainSource::Handlers &p_handle
 	_source = std::move(found);
 	if (_source) {
 		_ids = _source->has_textures() ? std::make_shared<TerrainIds>() : nullptr;
+		if (_source->has_colors()) {
+			_colors.emplace();
+			_colors->set_area(_region);
+		}
 		listen(p_handlers);
 		_is_all_changed = true;
 	}
@@ -117,6 +125,38 @@ void FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 	if (!(_queue.get_area() == area)) {
 		_queue.set_area(area);
 		_is_all_changed = true;
+		if (_colors) {
+			_colors->set_area(p_region);
+			_has_old_colors = true;
+		}
+	}
+}
+
+void FieldTerrain::read_all(bool p_is_elsewhere) {
+	_queue.add_all();
+	if (_colors && p_is_elsewhere) {
+		_colors->clear();
+		_has_old_colors = true;
+	}
+}
+
+// Once all is read: a picture has mipmaps, which change as a whole.
+void FieldTerrain::show_colors() {
+	const bool is_read = _queue.get_waiting() == 0 && !_piece;
+	if (!_colors || (_shown_colors.is_valid() && !is_read && !_has_old_colors) || !_colors->take_changed()) {
+		return;
+	}
+	_has_old_colors = false;
+	const std::vector<TerrainColor> texels = picture_of(*_colors);
+	const PackedByteArray bytes = to_bytes(std::span(texels));
+	const Ref<Image> image = Image::create_from_data(_colors->get_width(), _colors->get_depth(), false, Image::FORMAT_RGBA8, bytes);
+	image->generate_mipmaps();
+	FrameShare::count_bytes(bytes.size());
+	if (_shown_colors.is_valid() && _shown_colors->get_width() == _colors->get_width() &&
+			_shown_colors->get_height() == _colors->get_depth()) {
+		_shown_colors->update(image);
+	} else {
+		_shown_colors = ImageTexture::create_from_image(image);
 	}
 }
 
@@ -125,6 +165,7 @@ bool FieldTerrain::look(
 	if (_path.is_empty()) {
 		return false;
 	}
+	_region = p_region;
 	if (--_frames_to_look <= 0 || (_source && !_source->is_alive())) {
 		_frames_to_look = FRAMES_BETWEEN_QUERIES;
 		find(p_field, p_handlers);
@@ -190,6 +231,9 @@ void FieldTerrain::lay(const Ref<GrassMap> &p_map, const std::function<void(cons
 	const TerrainPiece piece = std::move(*_piece);
 	_piece.reset(); // a listener of the map may change the terrain
 	const bool has_new_textures = _ids && piece.put_textures(*_ids);
+	if (_colors) {
+		piece.put_colors(*_colors);
+	}
 	p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map); });
 	if (has_new_textures) {
 		p_touched(piece.get_region());
@@ -201,12 +245,18 @@ void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, const
 	if (!p_map->is_readable()) {
 		return;
 	}
+	show_colors();
+	if (!_piece && _queue.get_waiting() == 0) {
+		return;
+	}
 	std::vector<Eigen::Vector2d> eyes;
 	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
 		_frame = frame;
 		_last_query = _queries + QUERIES_A_FRAME;
 	}
-	for (int rows = 0; _queries < _last_query && (rows < ROWS_AT_LEAST || FrameShare::has_time()); rows++) {
+	static uint64_t frame_of_rows = UINT64_MAX; // however many fields read: those rows are for one of them, the first
+	const int at_least = std::exchange(frame_of_rows, _frame) == _frame ? 0 : ROWS_AT_LEAST;
+	for (int rows = 0; _queries < _last_query && (rows < at_least || FrameShare::has_time()); rows++) {
 		if (!_piece) {
 			if (eyes.empty()) {
 				eyes = find_eyes(&p_field, to_eigen(_field));
@@ -248,6 +298,7 @@ void FieldTerrain::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.terrain_calls = _calls_before + (_source ? _source->get_calls() : 0);
 	r_statistics.terrain_waiting = _queue.get_waiting() + (_piece ? 1 : 0);
 	r_statistics.memory += _ids ? int64_t(_ids->get_memory_usage()) : 0;
+	r_statistics.memory += _colors ? 2 * int64_t(_colors->get_memory_usage()) : 0; // here, and as a texture
 }
 
 } // namespace grass

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A field's terrain: asks it for heights, holes and textures, some places a frame and the nearest to a camera first, and lays them into
-// the map. Notices what changes.
+// A field's terrain: asks it for heights, holes, textures and colours, some places a frame and the nearest to a camera first, and lays them
+// into the map. Notices what changes.
 #pragma once
 
 #include "core/field/field_statistics.h"
 #include "nodes/grass_map.h"
 #include "nodes/terrain_source.h"
 
+#include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/node_path.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -33,13 +34,15 @@ public:
 	void area_changed(const godot::AABB &p_area);
 	void anything_changed() { _is_all_changed = true; }
 	void cells_changed(const godot::Vector2 &p_first, const godot::Vector2 &p_count);
-	// Another map: all is laid again.
-	void read_all() { _queue.add_all(); }
+	// Another map: all is laid again. p_is_elsewhere: and the field serves another place, so that no colours are known.
+	void read_all(bool p_is_elsewhere);
 	// The field leaves the tree.
 	void leave();
 
 	// Null where no terrain tells textures.
 	std::shared_ptr<const TerrainIds> get_ids() const { return _ids; }
+	// The terrain's colours over the field; null where it tells none.
+	const godot::Ref<godot::ImageTexture> &get_colors() const { return _shown_colors; }
 	bool is_found() const { return _source != nullptr; }
 	void warn(godot::PackedStringArray &r_warnings) const;
 	// Whether warn() says something else than when last asked this.
@@ -53,6 +56,7 @@ private:
 	void watch_place(const godot::Transform3D &p_transform, const MapRegion &p_region);
 	void take_changes();
 	void read_row();
+	void show_colors();
 	void lay(const godot::Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched);
 
 	godot::NodePath _path;
@@ -61,9 +65,13 @@ private:
 	godot::String _problem, _warned; // with the terrain
 	godot::Transform3D _field; // global
 	std::optional<godot::Transform3D> _beside, _beside_when_read; // the field as the terrain sees it: at the last look; when it was read
+	MapRegion _region; // what the field covers
 	TerrainQueue _queue;
 	std::optional<TerrainPiece> _piece; // being read
 	std::shared_ptr<TerrainIds> _ids;
+	std::optional<TerrainColors> _colors;
+	godot::Ref<godot::ImageTexture> _shown_colors;
+	bool _has_old_colors = false; // it shows those of another place
 	std::vector<godot::AABB> _areas; // that changed since the last frame, global
 	bool _is_all_changed = false;
 	int _frames_to_look = 0;

@@ -18,11 +18,15 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	const TileGrid &grid = p_setup.grid;
 	p_set("tiles", Vector2(real_t(grid.get_tiles_x()), real_t(grid.get_tiles_z())));
 	p_set("lattice_points", lattice_texture());
+	p_set("leaf_pictures", leaf_textures());
 	p_set("tile_size", grid.get_tile_size());
 	const BladeSize size = p_setup.blade_size();
 	p_set("grass_cover", grass_lod_cover(size.width, size.length, float(grid.get_tile_size())));
 	p_set("grass_length", size.length);
 	p_set("clump", Vector4(p_setup.clump.size, p_setup.clump.height, p_setup.clump.lean, p_setup.clump.tint));
+	const std::array<float, 4> &origin = p_setup.clump.origin;
+	p_set("clump_origin", Vector4(origin[0], origin[1], origin[2], origin[3]));
+	p_set("noise_origin", Vector2(real_t(p_properties.noise_origin.x), real_t(p_properties.noise_origin.y)));
 	p_set("canopy_height", p_setup.patch->mean_height * 1.1);
 	p_set("debug_view", p_properties.debug_view);
 	p_set("follow_slope", p_setup.follow_slope);
@@ -35,7 +39,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
 		p_set(FIELD_COLORS[i].name, p_properties.colors[i]);
 	}
-	p_set("terrain_texture", p_properties.terrain_texture);
+	p_set("terrain_texture", p_properties.find_terrain_texture());
 	set_wind(p_properties, p_set);
 }
 
@@ -99,21 +103,27 @@ void FieldUniforms::set_forces(std::span<const Force> p_forces, const TileGrid &
 	p_set("force_beat", beats);
 }
 
-// Colours of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.
+// Colours and dryness of the ground, and of blades that are all of one species: the mean over the species, weighted by their shares.
 void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set) {
 	double shares = 0.0;
 	for (const GrownSpecies &grown : p_species) {
 		shares += grown.species->get_mix().share;
 	}
+	const auto share_of = [&](const GrownSpecies &p_grown) {
+		return shares > 0.0 ? p_grown.species->get_mix().share / shares : 1.0 / double(p_species.size());
+	};
+	double dry = 0.0;
+	for (const GrownSpecies &grown : p_species) {
+		dry += share_of(grown) * grown.species->get_param(SPECIES_PARAM_DRY);
+	}
 	for (int color = SPECIES_ROOT_COLOR; color <= SPECIES_DRY_COLOR; color++) {
 		Color mean(0.0f, 0.0f, 0.0f);
 		for (const GrownSpecies &grown : p_species) {
-			const double share = shares > 0.0 ? grown.species->get_mix().share / shares : 1.0 / double(p_species.size());
-			mean += grown.species->get_color(color).srgb_to_linear() * float(share);
+			mean += grown.species->get_color(color).srgb_to_linear() * float(share_of(grown));
 		}
 		p_set(SPECIES_COLORS[size_t(color)].name, p_species.size() == 1 ? p_species[0].species->get_color(color) : mean.linear_to_srgb());
 	}
-	p_set(DRY.name, p_species[0].species->get_param(SPECIES_PARAM_DRY));
+	p_set(DRY.name, float(dry));
 }
 
 // How plants with a mesh look as blades, and where they are.
@@ -137,13 +147,17 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	if (!p_setup.species) {
 		return;
 	}
-	PackedInt32Array records;
+	PackedInt32Array records, origins;
 	for (const SpeciesRecord &record : p_setup.species->get_records()) {
 		for (const int32_t value : { record.cell, record.strength, record.limit, record.salt }) {
 			records.push_back(value);
 		}
+		for (const int32_t value : { record.x, record.z, record.column, record.row }) {
+			origins.push_back(value);
+		}
 	}
 	records.resize(4 * GRASS_MAX_SPECIES);
+	origins.resize(4 * GRASS_MAX_SPECIES);
 	if (p_setup.has_plants) {
 		PackedInt32Array stems;
 		for (const SpeciesRecord &record : p_setup.species->get_records()) {
@@ -161,6 +175,7 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 	p_set("species_shares", shares);
 	p_set("species_count", p_setup.species->get_count());
 	p_set("species_mix", records);
+	p_set("species_origin", origins);
 	p_set_blades("species_texel", p_setup.species->get_texel_units());
 	constexpr float OVER_MEAN = 1.1f; // as canopy_height is over the patch's
 	constexpr float COVERS = float(GRASS_LOD_FULLNESS * GRASS_LOD_FACING); // of width times length: seen from anywhere
@@ -169,9 +184,10 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 		SpeciesLook look = grown.species->get_look();
 		const float own = grown.patch->mean_height * OVER_MEAN, mixed = p_setup.patch->mean_height * OVER_MEAN;
 		const float alone = float(grown.species->get_mix().stand_strength);
-		look.blade_area = COVERS * grown.patch->mean_width * grown.patch->mean_length;
 		look.canopy_alone = std::max(own, 0.01f);
 		look.canopy_among_others = std::max(mixed + (own - mixed) * alone, 0.01f);
+		look.leaf_width = width_of_leaf(float(grown.species->get_leaf_area()), grown.patch->mean_length);
+		look.blade_area = COVERS * (grown.patch->mean_width + look.leaf_width) * grown.patch->mean_length;
 		looks.push_back(look);
 	}
 	if (!are_made_of(_cards, looks)) {

@@ -28,6 +28,7 @@ public:
 	void set_wind_clock(const Set &p_set);
 	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
 	bool keep_wind_clock(const Set &p_set);
+	void join_wind(const FieldUniforms &p_other) { _wind = p_other._wind; } // gusts go on from one field to the other
 
 	// Of blades.
 	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set);

@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
+#include "draw/shared_shader.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
 #include "nodes/scene_watch.h"
@@ -57,6 +58,9 @@ bool GrassField::belongs_here() const {
 }
 
 void GrassField::enter() {
+	if (FieldMonitors::get_fields().empty()) {
+		hold_shader_jobs(); // what comes with the field may be drawn as nothing was before
+	}
 	FieldMonitors::add(this);
 	SceneWatch::get_singleton()->start(this);
 	set_process_internal(true);
@@ -73,6 +77,9 @@ void GrassField::enter() {
 
 void GrassField::leave() {
 	FieldMonitors::remove(this);
+	if (FieldMonitors::get_fields().empty()) {
+		forget_shader_jobs();
+	}
 	RenderingServer::get_singleton()->disconnect("frame_pre_draw", callable_mp(this, &GrassField::_before_draw));
 	set_process_internal(false);
 	set_physics_process_internal(false);
@@ -137,6 +144,7 @@ void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 
 void GrassField::frame(double p_delta) {
 	build();
+	show(); // also where nothing is drawn
 	update_terrain();
 	update_fill();
 	if (_standing.stands()) {
@@ -152,12 +160,16 @@ void GrassField::_before_draw() {
 		return;
 	}
 	CpuClock clock;
+	show();
 	update_map();
 	const FieldView view = is_visible_in_tree() ? find_view(this, field_transform(), _properties, _standing.get_field()) : FieldView();
 	if (is_compatibility() && !view.cameras.empty()) {
 		_standing.show_light(_other_light.find(this));
 	}
 	_standing.read_asked();
+	if (view.has_motion) {
+		expect_motion_vectors();
+	}
 	_standing.show_motion(view.has_motion);
 	_standing.follow(this, field_transform());
 	if (_standing.draw(view, is_visible_in_tree())) {

@@ -83,10 +83,16 @@ public:
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return _properties.map; }
-	// Instead of set_map(), for a map that another thread prepared as get_shown_place() says.
+	// Instead of set_map(), for a map that another thread prepared as find_shown_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
-	ShownPlace get_shown_place() const { return shown_place_of(_standing.get_field().get_setup()); } // of a field that is made
-	bool is_made() const { return _standing.stands() && !_maker.is_waiting(); } // as the properties have it
+	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
+	std::optional<ShownPlace> find_shown_place() const { return FieldMaker::find_place(_properties); }
+	bool is_made() const { return _standing.is_shown() && !_maker.is_waiting(); } // as the properties have it
+	double get_build_ms() const { return _maker.get_most_ms(); } // that its last making took in one frame, at most
+	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
+	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree
+	// For a world: where the centre lies in the noise, metres. A field of its own is at (0, 0).
+	void set_noise_origin(const godot::Vector2i &p_place);
 	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
@@ -212,6 +218,7 @@ private:
 	void request_rebuild();
 	void build() override;
 	void update_map();
+	void show_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture, const godot::Ref<godot::Texture2D> &p_colors);
 	bool is_map_bare() const;
 	void watch_bare_map();
 	void start_fill();
@@ -224,7 +231,7 @@ private:
 	void _fill_pressed();
 
 	// grass_field_hook.cpp
-	void show_hook();
+	void show(); // with its hook, once there are shaders for it
 	void compile_hook();
 	void _hook_changed();
 
@@ -232,6 +239,7 @@ private:
 	void update_terrain();
 	void _terrain_edited(const godot::AABB &p_area);
 	void _terrain_replaced();
+	void _terrain_rectangle_changed(const godot::Rect2 &p_cells);
 	void _terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel);
 
 	// grass_field_methods.cpp

@@ -26,13 +26,13 @@ void GrassField::build() {
 		return;
 	}
 	CpuClock clock;
-	if (!_standing.stands()) { // the ground beside the cameras is there from the first frame on
+	if (!_standing.stands() && !_properties.is_streamed) { // the ground beside the cameras is there from the first frame on
 		update_terrain();
 	}
 	start_fill();
 	if (_maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
-		_standing.make(_maker.take(), this, field_transform());
-		show_hook();
+		_standing.make(_maker.take(), _properties.is_streamed && !is_visible());
+		show();
 		report_warnings();
 	}
 	_maker.add_time(clock.lap());
@@ -51,6 +51,13 @@ void GrassField::report_warnings() {
 		}
 	}
 	_warned_of = warnings;
+}
+
+void GrassField::set_noise_origin(const Vector2i &p_place) {
+	if (_properties.noise_origin != p_place) {
+		_properties.noise_origin = p_place;
+		request_rebuild();
+	}
 }
 
 void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
@@ -76,7 +83,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed");
 	_work.forget_map();
 	_filler.forget_map();
-	_terrain.read_all();
+	_terrain.read_all(_properties.is_streamed);
 	_is_map_bare = is_map_bare();
 	request_rebuild();
 }
@@ -89,12 +96,19 @@ void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<PreparedMa
 // Shaders without a texture of the terrain have no line of it.
 void GrassField::set_terrain_texture(const Ref<Texture2D> &p_texture) {
 	GRASS_MAIN_THREAD_ONLY();
-	const bool had_one = _properties.terrain_texture.is_valid();
+	show_terrain_texture(p_texture, _properties.terrain_colors);
+}
+
+// The user's stands before the terrain's own.
+void GrassField::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref<Texture2D> &p_colors) {
+	const Ref<Texture2D> before = _properties.find_terrain_texture();
 	_properties.terrain_texture = p_texture;
-	if (had_one != p_texture.is_valid()) {
+	_properties.terrain_colors = p_colors;
+	const Ref<Texture2D> now = _properties.find_terrain_texture();
+	if (before.is_valid() != now.is_valid()) {
 		request_rebuild();
-	} else {
-		_standing.set_uniform("terrain_texture", p_texture);
+	} else if (before != now) {
+		_standing.set_uniform("terrain_texture", now);
 	}
 }
 
@@ -175,7 +189,8 @@ void GrassField::_fill_rule_changed() {
 }
 
 FieldFiller::Place GrassField::fill_place() const {
-	return { const_cast<GrassField *>(this), field_transform(), MapRegion::of_grid(_properties.grid()) };
+	return { const_cast<GrassField *>(this), field_transform(), MapRegion::of_grid(_properties.grid()),
+		Eigen::Vector2d(_properties.noise_origin.x, _properties.noise_origin.y) };
 }
 
 // A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
@@ -186,7 +201,7 @@ void GrassField::start_fill() {
 	if (_properties.map.is_null()) {
 		make_map();
 	}
-	_filler.start(_properties.map, fill_place(), !_standing.stands());
+	_filler.start(_properties.map, fill_place(), !_standing.stands() && !_properties.is_streamed);
 }
 
 void GrassField::update_fill() {

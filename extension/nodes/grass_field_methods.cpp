@@ -162,7 +162,7 @@ int64_t GrassField::get_memory_usage() const {
 
 // The patch, here and as a texture: fields of the same species use one.
 int64_t GrassField::get_shared_memory() const {
-	return _standing.stands() ? int64_t(_standing.get_field().get_setup().patch->texels.size()) * 4 : 0;
+	return _standing.stands() ? _standing.get_backend()->get_shared_memory() : 0;
 }
 
 String GrassField::get_version() {
@@ -294,7 +294,7 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 	if (_filler.is_set()) {
 		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
 	}
-	return _filler.fill(_properties.map, p_rule, { this, field_transform(), MapRegion::of_grid(_standing.get_field().get_grid()) });
+	return _filler.fill(_properties.map, p_rule, fill_place());
 }
 
 void GrassField::blast(const Vector3 &p_global_position, double p_speed, double p_radius, double p_duration) {

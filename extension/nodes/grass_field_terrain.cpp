@@ -20,7 +20,8 @@ void GrassField::set_terrain(const NodePath &p_path) {
 // After the field has its properties, and once a frame.
 void GrassField::update_terrain() {
 	const TerrainSource::Handlers handlers{ callable_mp(this, &GrassField::_terrain_edited),
-		callable_mp(this, &GrassField::_terrain_replaced), callable_mp(this, &GrassField::_terrain_cells_changed) };
+		callable_mp(this, &GrassField::_terrain_replaced), callable_mp(this, &GrassField::_terrain_cells_changed),
+		callable_mp(this, &GrassField::_terrain_rectangle_changed) };
 	const bool is_there = _terrain.look(*this, field_transform(), MapRegion::of_grid(_properties.grid()), handlers);
 	_filler.set_terrain(_terrain.get_ids());
 	if (is_there) {
@@ -28,6 +29,9 @@ void GrassField::update_terrain() {
 			make_map();
 		}
 		_terrain.read(*this, _properties.map, [this](const MapRegion &p_region) { _filler.touch_textures(p_region); });
+	}
+	if (const Ref<Texture2D> colors = _terrain.get_colors(); _properties.terrain_colors != colors) {
+		show_terrain_texture(_properties.terrain_texture, colors);
 	}
 	if (_terrain.has_new_warning()) {
 		report_warnings();
@@ -57,6 +61,10 @@ void GrassField::_terrain_replaced() {
 		return;
 	}
 	_terrain.anything_changed();
+}
+
+void GrassField::_terrain_rectangle_changed(const Rect2 &p_cells) {
+	_terrain_cells_changed(p_cells.position.x, p_cells.position.y, p_cells.size.x, p_cells.size.y, 0);
 }
 
 void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel) {

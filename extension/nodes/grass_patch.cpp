@@ -108,6 +108,12 @@ void GrassPatch::prepare_default() {
 	}
 }
 
+bool GrassPatch::is_default_made() {
+	prepare_default();
+	std::lock_guard lock(default_mutex);
+	return shared_default->patch || shared_default->maker.is_done();
+}
+
 std::shared_ptr<const Patch> GrassPatch::get_default() {
 	prepare_default();
 	std::lock_guard lock(default_mutex);

@@ -44,6 +44,7 @@ public:
 	// The default patch, shared by all fields without one of their own.
 	static std::shared_ptr<const Patch> get_default();
 	static void prepare_default();
+	static bool is_default_made(); // get_default() need not wait
 	static void free_default(); // when the library is unloaded
 
 protected:

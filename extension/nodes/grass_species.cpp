@@ -7,6 +7,7 @@
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -38,7 +39,14 @@ void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
 void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
 	watch_instead(_card, p_card, callable_mp(this, &GrassSpecies::_part_changed));
-	_card_image.unref();
+	_card_images.clear();
+	emit_changed();
+}
+
+void GrassSpecies::set_leaf(const Ref<Texture2D> &p_leaf) {
+	GRASS_CHANGE_GUARD("GrassSpecies");
+	watch_instead(_leaf, p_leaf, callable_mp(this, &GrassSpecies::_part_changed));
+	_leaf_image.unref();
 	emit_changed();
 }
 
@@ -66,15 +74,26 @@ String GrassSpecies::get_plant_problem() const {
 }
 
 double GrassSpecies::get_card_size() const {
-	return _card.is_valid() && param(SPECIES_PARAM_CARD_SHARE) > 0.0
-			? 0.5 * std::hypot(param(SPECIES_PARAM_CARD_WIDTH), param(SPECIES_PARAM_CARD_HEIGHT))
+	const double flower = _card.is_valid() && param(SPECIES_PARAM_CARD_SHARE) > 0.0
+			? std::hypot(param(SPECIES_PARAM_CARD_WIDTH), param(SPECIES_PARAM_CARD_HEIGHT))
 			: 0.0;
+	const double leaf = _leaf.is_valid() ? std::sqrt(2.0) * param(SPECIES_PARAM_LEAF_SIZE) : 0.0;
+	return 0.5 * double(GRASS_CARD_LARGEST) * std::max(flower, leaf);
+}
+
+double GrassSpecies::get_leaf_area() {
+	read_pictures();
+	const double side = param(SPECIES_PARAM_LEAF_SIZE), bare = _card.is_valid() ? 1.0 - param(SPECIES_PARAM_CARD_SHARE) : 1.0;
+	return _leaf_image.is_valid() ? bare * side * side * _leaf_cover : 0.0;
 }
 
 void GrassSpecies::set_param(int64_t p_param, double p_value) {
 	GRASS_CHANGE_GUARD("GrassSpecies");
 	ERR_FAIL_INDEX(p_param, int(SPECIES_PARAM_COUNT));
 	_params[size_t(p_param)] = checked(SPECIES_PARAMS[size_t(p_param)], p_value, "GrassSpecies");
+	if (p_param == SPECIES_PARAM_CARD_PICTURES) {
+		_card_images.clear();
+	}
 	emit_changed();
 }
 
@@ -100,7 +119,7 @@ std::shared_ptr<const Patch> GrassSpecies::find_patch() const {
 }
 
 bool GrassSpecies::prepare_patch() const {
-	return _patch.is_null() || const_cast<GrassPatch *>(_patch.ptr())->prepare();
+	return _patch.is_null() ? GrassPatch::is_default_made() : const_cast<GrassPatch *>(_patch.ptr())->prepare();
 }
 
 SpeciesParams GrassSpecies::get_mix() const {
@@ -119,19 +138,29 @@ SolverParams GrassSpecies::get_solver(const SolverParams &p_field) const {
 }
 
 void GrassSpecies::_part_changed() {
-	_card_image.unref(); // it may have been the card
+	_card_images.clear(); // it may have been the card
+	_leaf_image.unref(); // or the leaf
 	_plant.reset(); // or the mesh
 	emit_changed();
 }
 
-SpeciesLook GrassSpecies::get_look() {
-	if (_card_image.is_null()) {
-		_card_image = read_card(_card);
+void GrassSpecies::read_pictures() {
+	if (_card_images.empty()) {
+		_card_images = read_card(_card, get_card_pictures(), "card");
 	}
-	return make_look(_card_image);
+	if (_leaf_image.is_null()) {
+		const std::vector<Ref<Image>> leaf = read_card(_leaf, 1, "leaf");
+		_leaf_image = leaf.empty() ? Ref<Image>() : leaf.front();
+		_leaf_cover = leaf.empty() ? 0.0 : double(mean_color(_leaf_image).a);
+	}
 }
 
-SpeciesLook GrassSpecies::make_look(const Ref<Image> &p_card) const {
+SpeciesLook GrassSpecies::get_look() {
+	read_pictures();
+	return make_look(_card_images, _leaf_image);
+}
+
+SpeciesLook GrassSpecies::make_look(const std::vector<Ref<Image>> &p_card, const Ref<Image> &p_leaf) const {
 	SpeciesLook look;
 	const Color root = _colors[SPECIES_ROOT_COLOR].srgb_to_linear(), tip = _colors[SPECIES_TIP_COLOR].srgb_to_linear();
 	for (size_t i = 0; i < look.colors.size(); i++) {
@@ -146,6 +175,9 @@ SpeciesLook GrassSpecies::make_look(const Ref<Image> &p_card) const {
 	look.card_share = float(param(SPECIES_PARAM_CARD_SHARE));
 	look.card_width = float(param(SPECIES_PARAM_CARD_WIDTH));
 	look.card_height = float(param(SPECIES_PARAM_CARD_HEIGHT));
+	look.card_flatness = float(param(SPECIES_PARAM_CARD_FLATNESS));
+	look.leaf = p_leaf;
+	look.leaf_size = float(param(SPECIES_PARAM_LEAF_SIZE));
 	return look;
 }
 
@@ -161,6 +193,8 @@ void GrassSpecies::_bind_methods() {
 
 	ClassDB::bind_method(D_METHOD("set_card", "card"), &GrassSpecies::set_card);
 	ClassDB::bind_method(D_METHOD("get_card"), &GrassSpecies::get_card);
+	ClassDB::bind_method(D_METHOD("set_leaf", "leaf"), &GrassSpecies::set_leaf);
+	ClassDB::bind_method(D_METHOD("get_leaf"), &GrassSpecies::get_leaf);
 	ClassDB::bind_method(D_METHOD("set_plant_mesh", "mesh"), &GrassSpecies::set_plant_mesh);
 	ClassDB::bind_method(D_METHOD("get_plant_mesh"), &GrassSpecies::get_plant_mesh);
 
@@ -190,7 +224,10 @@ void GrassSpecies::_bind_methods() {
 	ADD_GROUP("Card", "card");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "card", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_card", "get_card");
 	add_colors(SPECIES_CARD_COLOR, SPECIES_CARD_COLOR);
-	add_numbers(SPECIES_PARAM_CARD_SHARE, SPECIES_PARAM_CARD_HEIGHT);
+	add_numbers(SPECIES_PARAM_CARD_SHARE, SPECIES_PARAM_CARD_PICTURES);
+	ADD_GROUP("Leaf", "leaf");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "leaf", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), "set_leaf", "get_leaf");
+	add_numbers(SPECIES_PARAM_LEAF_SIZE, SPECIES_PARAM_LEAF_SIZE);
 	ADD_GROUP("Plant", "");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "plant_mesh", PROPERTY_HINT_RESOURCE_TYPE, "Mesh"), "set_plant_mesh", "get_plant_mesh");
 	add_numbers(SPECIES_PARAM_PLANT_DISTANCE, SPECIES_PARAM_STEMS);

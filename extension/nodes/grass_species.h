@@ -28,6 +28,8 @@ public:
 	godot::Ref<godot::Gradient> get_gradient() const { return _gradient; }
 	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
 	godot::Ref<godot::Texture2D> get_card() const { return _card; }
+	void set_leaf(const godot::Ref<godot::Texture2D> &p_leaf); // null: blades end in a tip
+	godot::Ref<godot::Texture2D> get_leaf() const { return _leaf; }
 	void set_plant_mesh(const godot::Ref<godot::Mesh> &p_mesh); // null: blades
 	godot::Ref<godot::Mesh> get_plant_mesh() const { return _plant_mesh; }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
@@ -42,11 +44,14 @@ public:
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look(); // without canopies
-	SpeciesLook make_look(const godot::Ref<godot::Image> &p_card) const; // the same with an image of read_card()
+	SpeciesLook make_look(const std::vector<godot::Ref<godot::Image>> &p_card,
+			const godot::Ref<godot::Image> &p_leaf) const; // the same with images of read_card()
+	int get_card_pictures() const { return int(param(SPECIES_PARAM_CARD_PICTURES)); }
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
-	double get_card_size() const; // farthest from the tip, metres; 0: no card
-	// Two colours, no card, no mesh, one stem: a field of it alone is drawn by shaders that know no species.
-	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
+	double get_card_size() const; // farthest that a card or leaf reaches from the tip, metres; 0: neither
+	double get_leaf_area(); // that leaves cover, of the mean blade, m^2
+	// Two colours, no card, no leaf, no mesh, one stem: a field of it alone is drawn by shaders that know no species.
+	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _leaf.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
 	int get_stems() const; // that share a root: a power of two
 	// The mesh as it is drawn, or null.
 	std::shared_ptr<const PlantModel> find_plant() const;
@@ -58,12 +63,16 @@ protected:
 
 private:
 	void _part_changed();
+	void read_pictures();
 	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }
 
 	godot::Ref<GrassPatch> _patch;
 	godot::Ref<godot::Gradient> _gradient;
 	godot::Ref<godot::Texture2D> _card;
-	godot::Ref<godot::Image> _card_image; // of _card, read on first use
+	godot::Ref<godot::Texture2D> _leaf;
+	std::vector<godot::Ref<godot::Image>> _card_images; // of _card, read on first use
+	godot::Ref<godot::Image> _leaf_image; // of _leaf, likewise
+	double _leaf_cover = 0.0; // of it, 0..1
 	godot::Ref<godot::Mesh> _plant_mesh;
 	mutable std::optional<PlantReading> _plant; // of it, read on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params;

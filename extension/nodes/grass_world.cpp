@@ -40,6 +40,11 @@ void GrassWorld::_notification(int p_what) {
 				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y));
 			}
 			break;
+		case NOTIFICATION_EDITOR_POST_SAVE: // of its scene, shown or not
+			if (scene_saved != nullptr) {
+				scene_saved(*this);
+			}
+			break;
 	}
 }
 
@@ -67,15 +72,18 @@ void GrassWorld::restart() {
 	_most_frame_ms = 0.0;
 	_warned_of.clear();
 	if (!Engine::get_singleton()->is_editor_hint()) {
-		_eyes.start(get_world_3d()->get_space(), callable_mp(this, &GrassWorld::_body_changed), _plots.get_collision_mask());
+		_eyes.start(get_world_3d()->get_space(), callable_mp(this, &GrassWorld::_body_changed),
+				_plots.get_fields().get_pattern().collision_mask);
 	}
 	update_configuration_warnings();
 }
 
-// The editor writes nothing by itself; without a folder there is nowhere to.
+// The editor knows what a level holds, not what a game made of it, and writes nothing but with the scene. Without a folder there is
+// nowhere to write to.
 WorldFolders GrassWorld::find_folders() const {
-	const String to = _save_folder.is_empty() ? _folder : _save_folder;
-	return { _folder, to, label(), to.is_empty() || Engine::get_singleton()->is_editor_hint() };
+	const bool is_editor = Engine::get_singleton()->is_editor_hint();
+	const String to = _save_folder.is_empty() || is_editor ? _folder : _save_folder;
+	return { _folder, to, label(), to.is_empty() || is_editor };
 }
 
 void GrassWorld::frame() {
@@ -143,7 +151,7 @@ Vector2i GrassWorld::get_plot_at(const Vector3 &p_global_position) const {
 }
 
 String GrassWorld::get_plot_path(const Vector2i &p_plot) const {
-	return WorldFiles::path_of(_save_folder.is_empty() ? _folder : _save_folder, { p_plot.x, p_plot.y });
+	return WorldFiles::path_of(find_folders().to, { p_plot.x, p_plot.y });
 }
 
 GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
@@ -200,11 +208,26 @@ void GrassWorld::shift_origin(const Vector3 &p_offset) {
 
 int64_t GrassWorld::save() {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	ERR_FAIL_COND_V_MSG(find_folders().to.is_empty(), 0, vformat("%s: save() needs a folder. Set `save_folder`.", label()));
+	ERR_FAIL_COND_V_MSG(find_folders().to.is_empty(), 0,
+			vformat("%s: save() needs a folder. Set `%s`.", label(),
+					String(Engine::get_singleton()->is_editor_hint() ? "folder" : "save_folder")));
 	const int64_t count = _plots.save();
 	const int64_t kept = _plots.get_files().get_statistics().kept;
 	_plots.get_files().write_kept();
 	return count + kept;
+}
+
+bool GrassWorld::has_unsaved() const {
+	return _plots.get_files().get_statistics().kept > 0 || _plots.get_statistics().changed > 0;
+}
+
+void GrassWorld::restore_plot(const Vector2i &p_plot, const Ref<GrassMapSnapshot> &p_snapshot, const Ref<GrassMapSnapshot> &p_from) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(
+			p_snapshot.is_null() || p_from.is_null(), vformat("%s: restore_plot() needs what take_snapshot() of a map returned.", label()));
+	ERR_FAIL_COND_MSG(!grid().has({ p_plot.x, p_plot.y }),
+			vformat("%s: restore_plot(): (%d, %d) is no plot of this world.", label(), p_plot.x, p_plot.y));
+	_plots.restore({ p_plot.x, p_plot.y }, p_from->map, p_snapshot->map);
 }
 
 void GrassWorld::wait_for_files() {
@@ -226,6 +249,10 @@ Dictionary GrassWorld::get_statistics() const {
 	result["left"] = plots.left;
 	result["fields_made"] = plots.fields_made;
 	result["most_moves"] = plots.most_moves;
+	const FrameShare::Most most = FrameShare::get_most();
+	result["most_parts"] = most.parts;
+	result["most_bytes"] = most.bytes;
+	result["most_build_ms"] = plots.most_build_ms;
 	result["bodies"] = _eyes.get_body_count();
 	result["files_waiting"] = files.waiting;
 	result["files_read"] = files.read;

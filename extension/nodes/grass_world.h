@@ -42,7 +42,15 @@ public:
 	void shift_origin(const godot::Vector3 &p_offset);
 	int64_t save(); // how many plots changed; a thread writes them
 	void wait_for_files(); // until it has
+	// A step of an undo history: a plot becomes what p_snapshot says, wherever that differs from p_from.
+	void restore_plot(
+			const godot::Vector2i &p_plot, const godot::Ref<GrassMapSnapshot> &p_snapshot, const godot::Ref<GrassMapSnapshot> &p_from);
 	godot::Dictionary get_statistics() const;
+
+	// For the editor.
+	static inline void (*scene_saved)(GrassWorld &r_world) = nullptr; // its scene was saved just now
+	godot::Transform3D world_transform() const; // global, without scale
+	bool has_unsaved() const;
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
@@ -59,7 +67,6 @@ private:
 	WorldGrid grid() const { return { to_metres(_size), _plot_size }; }
 	static Eigen::Vector2d to_metres(const godot::Vector2 &p_size) { return { p_size.x, p_size.y }; }
 	WorldFolders find_folders() const;
-	godot::Transform3D world_transform() const; // without scale
 	Eigen::Vector2d place_of(const godot::Vector3 &p_global_position) const;
 	void tell(const char *p_signal, const PlotKey &p_key, GrassField *p_field);
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);

@@ -6,6 +6,8 @@
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
 
+#include <godot_cpp/classes/engine.hpp>
+
 #include <cmath>
 
 using namespace godot;
@@ -61,15 +63,19 @@ void GrassWorld::set_save_folder(const String &p_folder) {
 
 PackedStringArray GrassWorld::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (_plots.has_wrong_scene()) {
+	if (_plots.get_fields().has_wrong_scene()) {
 		warnings.push_back("The root of `plot_scene` is no GrassField, so plots grow with the defaults. Choose a scene whose root is one.");
 	}
-	if (find_folders().to.is_empty()) {
+	if (find_folders().to.is_empty() && Engine::get_singleton()->is_editor_hint()) {
+		warnings.push_back(
+				"`folder` is empty, so plots that are painted here are not saved with the scene. Set it, to a folder in res:// for "
+				"instance.");
+	} else if (find_folders().to.is_empty()) {
 		warnings.push_back(
 				"`folder` and `save_folder` are empty: what is cut, worn and painted is kept in memory and lost with the game. Set "
 				"`save_folder`, to a folder in user:// for instance.");
 	}
-	const double tiles = _plots.get_tile_size() > 0.0 ? _plot_size / _plots.get_tile_size() : 0.0;
+	const double tile_size = _plots.get_fields().get_pattern().tile_size, tiles = tile_size > 0.0 ? _plot_size / tile_size : 0.0;
 	if (std::abs(tiles - std::round(tiles)) > 1e-6) {
 		const double fitting = 64.0 * std::round(tiles) * std::round(tiles) / (_plot_size * _plot_size);
 		warnings.push_back(vformat("`density` of `plot_scene` makes tiles that do not fit `plot_size`, so plots overlap or gape by some "
@@ -105,6 +111,7 @@ void GrassWorld::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("shift_origin", "offset"), &GrassWorld::shift_origin);
 	ClassDB::bind_method(D_METHOD("save"), &GrassWorld::save);
 	ClassDB::bind_method(D_METHOD("wait_for_files"), &GrassWorld::wait_for_files);
+	ClassDB::bind_method(D_METHOD("restore_plot", "plot", "snapshot", "from"), &GrassWorld::restore_plot);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassWorld::get_statistics);
 	const PropertyInfo plot(Variant::VECTOR2I, "plot"), field(Variant::OBJECT, "field", PROPERTY_HINT_RESOURCE_TYPE, "GrassField");
 	ADD_SIGNAL(MethodInfo("plot_loaded", plot, field));

@@ -10,14 +10,13 @@
 
 namespace grass {
 
-inline constexpr std::array<std::string_view, 17> PROPERTIES_WITHOUT_EFFECT = {
+inline constexpr std::array<std::string_view, 16> PROPERTIES_WITHOUT_EFFECT = {
 	"material_override",
 	"material_overlay",
 	"extra_cull_margin",
 	"custom_aabb",
 	"lod_bias",
 	"ignore_occlusion_culling",
-	"gi_mode",
 	"gi_lightmap_texel_scale",
 	"gi_lightmap_scale",
 	"visibility_range_begin",

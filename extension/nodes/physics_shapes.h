@@ -18,28 +18,30 @@ namespace grass {
 
 // One shape of the solver.
 struct ShapePart {
-	ColliderShape shape;
-	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space
-
+	// First what a tick reads of a body that moves.
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
-	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
 	ColliderPose pose; // in field space, as it was handed on in the last tick
 	bool has_pose = false; // it was handed on
+	static constexpr size_t HOT = sizeof(Eigen::Affine3d) + sizeof(ColliderPose) + 1; // bytes
+
+	ColliderShape shape;
+	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space
+	ColliderShape collider; // the shape at its scaled size, with its friction; without poses
 };
 
 // A physics shape as the solver reads it, and what it was made from (to detect changes).
 struct TrackedShape {
-	godot::RID rid;
-	int64_t type = -1; // PhysicsServer3D.ShapeType
-	godot::Variant data; // PhysicsServer3D.shape_get_data
 	std::vector<ShapePart> parts; // one, but for a trimesh; none: it bends no grass
-	MeshPieces::Future pieces; // of a trimesh, while the box around it is its only part
-	uint64_t pieces_due = 0; // physics tick of the engine in which they take the box's place
+	int64_t type = -1; // PhysicsServer3D.ShapeType
+	bool enabled = false;
 	bool is_split = false; // a trimesh, and its pieces were due
 	bool is_bound = false; // it has none: its box stays
 
+	godot::RID rid;
+	godot::Variant data; // PhysicsServer3D.shape_get_data
+	MeshPieces::Future pieces; // of a trimesh, while the box around it is its only part
+	uint64_t pieces_due = 0; // physics tick of the engine in which they take the box's place
 	godot::Transform3D transform; // of the physics shape in its body
-	bool enabled = false;
 	double friction = 0.0;
 };
 

@@ -2,6 +2,7 @@
 #include "nodes/shown_map.h"
 
 #include "core/field/field_setup.h"
+#include "draw/frame_share.h"
 
 using namespace godot;
 
@@ -11,8 +12,11 @@ ShownPlace shown_place_of(const FieldSetup &p_setup) {
 	return { { p_setup.grid, double(p_setup.blade_length()), p_setup.follow_slope }, p_setup.species != nullptr };
 }
 
-PreparedMap::PreparedMap(const PaintMap &p_map, const ShownPlace &p_place) :
+PreparedMap::PreparedMap(const PaintMap &p_map, const ShownPlace &p_place, bool p_with_textures) :
 		laid(p_map, p_place.map), textures(p_place.has_species), has_species(p_place.has_species) {
+	if (!p_with_textures) {
+		return;
+	}
 	const int painted = laid.field.count_painted(laid.map);
 	while (textures.make_one(laid.field.get_layers(), painted)) {
 	}
@@ -65,19 +69,18 @@ FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
 	while (get_waiting() > 0 && p_go_on()) {
 		changes.add(_field.work(shown()));
 	}
+	const int64_t before = _textures.get_uploaded_bytes();
 	_textures.update(_field.get_layers(), changes.layers);
+	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 	return changes;
 }
 
-bool ShownMap::work() {
-	if (_textures.make_one(_field.get_layers(), _field.count_painted(shown()))) {
-		return true;
+void ShownMap::work() {
+	const int64_t before = _textures.get_uploaded_bytes();
+	if (!_textures.make_one(_field.get_layers(), _field.count_painted(shown())) && get_waiting() > 0) {
+		_textures.update(_field.get_layers(), _field.work(shown()).layers);
 	}
-	if (get_waiting() == 0) {
-		return false;
-	}
-	_textures.update(_field.get_layers(), _field.work(shown()).layers);
-	return true;
+	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 }
 
 void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set) {

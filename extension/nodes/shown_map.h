@@ -23,7 +23,8 @@ ShownPlace shown_place_of(const FieldSetup &p_setup);
 
 // A map laid out and turned into textures by another thread, for a field that is yet to show it.
 struct PreparedMap {
-	PreparedMap(const PaintMap &p_map, const ShownPlace &p_place);
+	// p_with_textures: else the field makes them.
+	PreparedMap(const PaintMap &p_map, const ShownPlace &p_place, bool p_with_textures);
 
 	LaidMap laid;
 	MapTextures textures;
@@ -43,8 +44,9 @@ public:
 	int get_waiting() const { return _field.get_waiting(); } // chunks
 	// Lays the map out chunk by chunk, as long as p_go_on returns true.
 	FieldMap::Changes update(const std::function<bool()> &p_go_on);
-	// A piece of that, or of making the textures: for a map that is not shown yet. False: nothing is left to do.
-	bool work();
+	// A piece of that, or of making the textures: for a map that is not shown yet.
+	void work();
+	bool has_work() const { return get_waiting() > 0 || !_textures.are_made(_field.count_painted(shown())); }
 
 	const FieldMap &get_field() const { return _field; }
 	const MapTextures &get_textures() const { return _textures; }

@@ -3,8 +3,8 @@
 
 #include "backend/cpu_backend.h"
 #include "draw/blade_mesh.h"
+#include "draw/field_shaders.h"
 #include "draw/frame_share.h"
-#include "draw/patch_texture.h"
 #include "gpu/gpu_backend.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -41,7 +41,7 @@ void StandingField::begin_passes() const {
 	}
 }
 
-void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, const Transform3D &p_transform) {
+void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_is_crowded = false;
 	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),
 			_properties.field_params(p_wanted.species));
@@ -50,34 +50,17 @@ void StandingField::make(WantedField &&p_wanted, GeometryInstance3D *p_node, con
 	_plants = std::move(p_wanted.plants);
 	_map = std::move(p_wanted.map);
 	_ground.free();
+	_is_shown = false;
+	_parts_shown = _rows_shown = 0;
 	const FieldSetup &setup = _field.get_setup();
-	if (setup.patch->is_empty() || !_backend || !_backend->set_field(setup)) {
+	_is_backend_waiting = setup.patch->is_empty() || !_backend || !_backend->set_field(setup);
+	if (_is_backend_waiting && !p_in_parts) {
 		make_backend();
 	}
-	if (_backend) {
-		_ground.create(setup.grid, shader_features(setup));
-		_is_carried = false;
-		set_uniform("ground_carries", 0.0);
-		set_plants();
-		follow(p_node, p_transform);
-		_uniforms.set_all(_properties, setup, uniform_setter(true));
-		set_wind_clock();
-		set_species_uniforms();
-		show_map();
-	}
-}
-
-void StandingField::set_plants() {
-	uint32_t with_mesh = 0;
-	for (size_t s = 0; s < _plants.size(); s++) {
-		with_mesh |= _plants[s].model ? 1u << s : 0u;
-	}
-	_backend->set_plants(_plants, [this, with_mesh](int p_x, int p_z, std::vector<StandingPlant> &r_plants) {
-		_field.get_blades().find_plants(p_x, p_z, with_mesh, r_plants);
-	});
 }
 
 void StandingField::make_backend() {
+	_is_backend_waiting = false;
 	_backend.reset();
 	const FieldSetup &setup = _field.get_setup();
 	if (setup.patch->is_empty()) {
@@ -95,6 +78,7 @@ void StandingField::make_backend() {
 
 void StandingField::drop_backend() {
 	_backend.reset();
+	_is_backend_waiting = false;
 	_ground.free();
 	_field.rest(); // its blades went with it
 }
@@ -137,7 +121,7 @@ bool StandingField::update_species() {
 	const FieldSetup &setup = _field.get_setup();
 	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
 			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size ||
-			species.find_plants(_properties.param(PARAM_DENSITY)) != _plants) {
+			species.find_leaf_area() != setup.leaf_area || species.find_plants(_properties.param(PARAM_DENSITY)) != _plants) {
 		return false;
 	}
 	set_species_uniforms();
@@ -150,16 +134,6 @@ void StandingField::set_uniform(const StringName &p_name, const Variant &p_value
 		_backend->set_uniform(p_name, p_value);
 		_ground.set_uniform(p_name, p_value);
 	}
-}
-
-bool StandingField::update_hook() {
-	if (!_backend) {
-		return true;
-	}
-	const String &text = _properties.hook.get_text();
-	const bool is_compiled = _backend->set_hook(text) & _ground.set_hook(text);
-	_properties.hook.hand_on(setter());
-	return is_compiled;
 }
 
 // p_ground: of the ground, too, not of the blades alone.
@@ -177,28 +151,20 @@ void StandingField::set_wind_clock() {
 	_uniforms.set_wind_clock(uniform_setter(true));
 }
 
-// All of it, to a backend that has not seen it yet.
-void StandingField::show_map() {
-	if (!_map) {
-		MapTextures::clear_uniforms(uniform_setter(true));
-		return;
-	}
-	_map->set_uniforms(uniform_setter(true));
-	const TileGrid &grid = _field.get_grid();
-	_backend->set_cover(_map->get_field().get_cover(), { 0, grid.get_tiles_x(), 0, grid.get_tiles_z() });
-}
-
 bool StandingField::update_map() {
 	if (!_backend || !_map || _map->get_waiting() == 0) {
 		return true;
 	}
-	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE;
-	const FieldMap::Changes changes = _map->update([are_few] { return are_few || FrameShare::has_time(); });
+	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE, is_streamed = _properties.is_streamed;
+	const FieldMap::Changes changes =
+			_map->update([=] { return is_streamed ? FrameShare::has_part() : are_few || FrameShare::has_time(); });
 	if (changes.tiles.count() == 0) {
 		return true;
 	}
-	_map->set_uniforms(uniform_setter(true));
-	_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+	if (_is_shown) { // else show() does it, for all of the map
+		_map->set_uniforms(uniform_setter(true));
+		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+	}
 	_field.regrow(changes.tiles);
 	return !_field.get_layers()->is_full();
 }
@@ -236,6 +202,9 @@ void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
 }
 
 void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	if (!_is_shown) {
+		return;
+	}
 	_backend->follow(p_node, p_transform);
 	const bool is_carried = _properties.has_ground;
 	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
@@ -255,7 +224,7 @@ void StandingField::read_asked() {
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
 	_field.see(p_view, p_is_visible);
-	if (!p_view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
+	if (_is_shown && !p_view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(p_view);
 		_is_crowded = _is_crowded || leaves_tiles_out();
 	}
@@ -304,6 +273,7 @@ void StandingField::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.tiles = _field.get_grid().get_tile_count();
 		r_statistics.pool_tiles = _field.get_setup().pool_size;
 		r_statistics.awake_tiles = _field.get_tiles().get_statistics().awake;
+		r_statistics.is_waiting = r_statistics.is_waiting || is_look_waiting();
 	}
 	if (_map) {
 		r_statistics.bare_tiles = _map->get_field().get_cover()->get_bare_count();

@@ -7,6 +7,7 @@
 #include "core/field/field.h"
 #include "core/field/field_statistics.h"
 #include "draw/ground.h"
+#include "draw/patch_texture.h"
 #include "nodes/field_maker.h"
 #include "nodes/field_properties.h"
 #include "nodes/field_uniforms.h"
@@ -25,20 +26,29 @@ public:
 
 	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
 	void begin_passes() const;
-	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit.
-	void make(WantedField &&p_wanted, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. show() follows.
+	// p_in_parts: a new backend is made by show().
+	void make(WantedField &&p_wanted, bool p_in_parts);
+	// Whether what is drawn is not yet what the properties say: show(), in each frame.
+	bool is_look_waiting() const { return _is_backend_waiting || (_backend != nullptr && (!_is_shown || _look != find_look())); }
+	// Draws the field with the properties' hook, as soon as the shaders are there. False if they do not compile with it.
+	bool show(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Nothing is simulated or drawn any more, until it is made again.
 	void drop_backend();
 	// The same, and forgets its map.
 	void clear();
 	bool stands() const { return _backend != nullptr; }
+	bool is_shown() const { return _is_shown; } // all of it: a streamed field comes in parts while it is hidden
 
 	// What a field that goes on as it is reads from the properties.
 	void update_params();
 	void update_method();
 	void update_measuring();
-	// Draws with the properties' hook. False if the shaders do not compile with it.
-	bool update_hook();
+	// Before it is made for the first time, beside another field of the same blades: gusts go on from there.
+	void join(const StandingField &p_other) {
+		_uniforms.join_wind(p_other._uniforms);
+		_field.join(p_other._field);
+	}
 	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
 	// Colours and frequencies of the species. False if their change needs another field.
 	bool update_species();
@@ -86,7 +96,10 @@ public:
 
 private:
 	void make_backend();
-	void show_map();
+	Look find_look() const { return { shader_features(_field.get_setup()), _properties.hook.get_text() }; }
+	static constexpr int PARTS = 6; // of show_part(); the cover's rows follow
+	bool show_parts(const Look &p_look, bool p_is_hidden);
+	void show_part(const Look &p_look, int p_part);
 	void set_wind_clock();
 	void set_species_uniforms() {
 		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
@@ -105,6 +118,10 @@ private:
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
 	FieldUniforms _uniforms;
+	bool _is_backend_waiting = false; // to be made
+	bool _is_shown = false; // as it is now
+	int _parts_shown = 0, _rows_shown = 0; // until it is
+	Look _look; // that it is shown with
 	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
 	bool _is_measured = false; // somebody reads the monitors of times

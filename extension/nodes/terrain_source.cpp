@@ -70,6 +70,15 @@ Vector3 TerrainSource::to_vector(const Variant &p_value, const char *p_method) {
 	return Vector3();
 }
 
+TerrainColor TerrainSource::to_color(const Variant &p_value, const char *p_method) {
+	if (p_value.get_type() == Variant::COLOR) {
+		const Color color = p_value;
+		return TerrainColor::of(color.r, color.g, color.b, color.a);
+	}
+	complain(p_value, p_method, "a Color");
+	return {};
+}
+
 TerrainTexel TerrainSource::to_texture(const Variant &p_value, const char *p_method) {
 	if (p_value.get_type() == Variant::VECTOR3) {
 		const Vector3 shown = p_value;

@@ -34,6 +34,7 @@ public:
 	// Whether p_other asks the very same objects.
 	bool is_same(const TerrainSource &p_other) const { return _node == p_other._node && _data == p_other._data; }
 	virtual bool has_textures() const = 0;
+	virtual bool has_colors() const = 0;
 	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive().
 	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
 	// Where the terrain stands: what is read holds as long as the field stays where it is beside this.
@@ -44,6 +45,7 @@ public:
 		godot::Callable in_area; // global AABB
 		godot::Callable anywhere;
 		godot::Callable in_cells; // x, y, width, height, channel: of to_area()
+		godot::Callable in_rectangle; // the same as a Rect2
 	};
 	struct Notice {
 		const char *signal;
@@ -73,6 +75,8 @@ protected:
 	godot::Vector3 to_vector(const godot::Variant &p_value, const char *p_method);
 	// A number, or a vector of base, overlay and blend.
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
+	// Nothing told, and a problem, if it is none.
+	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
 
 private:
 	void complain(const godot::Variant &p_value, const char *p_method, const char *p_wanted);

@@ -7,6 +7,7 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,20 +26,27 @@ Eigen::Vector3d to_normal(const Vector3 &p_normal) {
 	return { p_normal.x, p_normal.y, p_normal.z };
 }
 
+// Where nobody painted a colour, the colour maps of these addons are white: it multiplies the textures, and tells nothing of the ground.
+TerrainColor unless_white(const TerrainColor &p_color) {
+	return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
+}
+
 // A node with methods of its own. Only a height is needed.
 class PlainTerrain : public TerrainSource {
 public:
 	static constexpr const char *HEIGHT = "get_height", *HEIGHTS = "get_heights", *NORMAL = "get_normal", *TEXTURE = "get_texture_id",
-								*HOLE = "is_hole", *CHANGED = "terrain_changed";
+								*COLOR = "get_color", *HOLE = "is_hole", *CHANGED = "terrain_changed";
 
 	explicit PlainTerrain(Node *p_node) :
 			TerrainSource(p_node, p_node),
 			_has_heights(p_node->has_method(HEIGHTS)),
 			_has_normals(p_node->has_method(NORMAL)),
 			_has_textures(p_node->has_method(TEXTURE)),
+			_has_colors(p_node->has_method(COLOR)),
 			_has_holes(p_node->has_method(HOLE)) {}
 
 	bool has_textures() const override { return _has_textures; }
+	bool has_colors() const override { return _has_colors; }
 
 	void read(std::span<const Vector3> p_places, std::span<TerrainSample> r_samples) override {
 		Object *node = get_data();
@@ -56,6 +64,9 @@ public:
 			}
 			if (_has_textures) {
 				sample.texture = to_texture(ask(node, _texture, p_places[i]), TEXTURE);
+			}
+			if (_has_colors) {
+				sample.color = to_color(ask(node, _color, p_places[i]), COLOR);
 			}
 		}
 	}
@@ -90,19 +101,21 @@ private:
 		}
 	}
 
-	const StringName _height = HEIGHT, _heights = HEIGHTS, _normal = NORMAL, _texture = TEXTURE, _hole = HOLE;
-	bool _has_heights, _has_normals, _has_textures, _has_holes;
+	const StringName _height = HEIGHT, _heights = HEIGHTS, _normal = NORMAL, _texture = TEXTURE, _color = COLOR, _hole = HOLE;
+	bool _has_heights, _has_normals, _has_textures, _has_colors, _has_holes;
 };
 
 // Terrain3D: a node whose `data` tells of global places. Its get_height() is not a number in holes; in versions where it is one there,
 // get_texture_id() is not.
 class Terrain3DSource : public TerrainSource {
 public:
-	static constexpr const char *HEIGHT = "get_height", *TEXTURE = "get_texture_id";
+	static constexpr const char *HEIGHT = "get_height", *TEXTURE = "get_texture_id", *COLOR = "get_color";
 
-	Terrain3DSource(Node *p_node, Object *p_data) : TerrainSource(p_node, p_data), _has_textures(p_data->has_method(TEXTURE)) {}
+	Terrain3DSource(Node *p_node, Object *p_data) :
+			TerrainSource(p_node, p_data), _has_textures(p_data->has_method(TEXTURE)), _has_colors(p_data->has_method(COLOR)) {}
 
 	bool has_textures() const override { return _has_textures; }
+	bool has_colors() const override { return _has_colors; }
 
 	void read(std::span<const Vector3> p_places, std::span<TerrainSample> r_samples) override {
 		Object *data = get_data();
@@ -114,6 +127,9 @@ public:
 				sample.texture = to_texture(shown, TEXTURE);
 				sample.height = std::isfinite(shown.x) ? sample.height : NO_GROUND;
 			}
+			if (_has_colors && std::isfinite(sample.height)) {
+				sample.color = unless_white(to_color(ask(data, _color, p_places[i]), COLOR));
+			}
 		}
 	}
 
@@ -122,8 +138,8 @@ public:
 	}
 
 private:
-	const StringName _height = HEIGHT, _texture = TEXTURE;
-	bool _has_textures;
+	const StringName _height = HEIGHT, _texture = TEXTURE, _color = COLOR;
+	bool _has_textures, _has_colors;
 };
 
 // HTerrain: a node whose data counts in cells and in heights without the node's scale. Its colour map's alpha cuts holes, its splat maps
@@ -131,21 +147,24 @@ private:
 class HTerrainSource : public TerrainSource {
 public:
 	static constexpr const char *TRANSFORM = "get_internal_transform", *HEIGHT = "get_interpolated_height_at";
-	static constexpr int64_t SPLAT = 2, COLOR = 3; // its numbers of maps
+	static constexpr int64_t SPLAT = 2, COLOR = 3, ALBEDO = 5; // its numbers of maps; the last one is baked from the others
+	static constexpr const char *CHANGED = "region_changed";
 	static constexpr float HOLE = 0.5f; // where the alpha is below this, it draws nothing
 
 	HTerrainSource(Node *p_node, Object *p_data) :
 			TerrainSource(p_node, p_data), _has_images(p_data->has_method("get_image")), _has_counts(p_data->has_method("get_map_count")) {}
 
 	bool has_textures() const override { return _has_images; }
+	bool has_colors() const override { return _has_images; }
 
 	void read(std::span<const Vector3> p_places, std::span<TerrainSample> r_samples) override {
 		Object *data = get_data();
 		const Transform3D to_world = get_transform(), to_cells = to_world.affine_inverse();
 		const double last = to_number(ask(data, "get_resolution"), "get_resolution") - 1.0;
 		const Ref<Image> color = _has_images ? find_image(data, COLOR, 0) : Ref<Image>();
+		const Ref<Image> albedo = _has_images && _has_counts && count_maps(data, ALBEDO) > 0 ? find_image(data, ALBEDO, 0) : Ref<Image>();
 		std::vector<Ref<Image>> splats;
-		for (int64_t n = 0; _has_images && n < count_splats(data); n++) {
+		for (int64_t n = 0; _has_images && n < (_has_counts ? count_maps(data, SPLAT) : 1); n++) {
 			splats.push_back(find_image(data, SPLAT, n));
 		}
 		for (size_t i = 0; i < p_places.size(); i++) {
@@ -157,6 +176,7 @@ public:
 			const double height = to_number(ask(data, _height, cell), HEIGHT);
 			r_samples[i].height = to_world.xform(Vector3(cell.x, real_t(height), cell.z)).y;
 			r_samples[i].texture = find_texture(splats, cell);
+			r_samples[i].color = find_color(color, albedo, cell, last);
 		}
 	}
 
@@ -166,7 +186,7 @@ public:
 	}
 
 	std::vector<Notice> get_notices(const Handlers &p_handlers) const override {
-		return { { "region_changed", p_handlers.in_cells }, { "resolution_changed", p_handlers.anywhere } };
+		return { { CHANGED, find_handler(p_handlers) }, { "resolution_changed", p_handlers.anywhere } };
 	}
 
 	AABB to_area(const Vector2 &p_first_cell, const Vector2 &p_cells) const override {
@@ -179,7 +199,34 @@ private:
 		return image.is_valid() && !image->is_empty() && !image->is_compressed() ? image : Ref<Image>();
 	}
 
-	int64_t count_splats(Object *p_data) { return _has_counts ? int64_t(ask(p_data, "get_map_count", SPLAT)) : 1; }
+	int64_t count_maps(Object *p_data, int64_t p_map) { return int64_t(ask(p_data, "get_map_count", p_map)); }
+
+	// Up to 1.8 the signal has x, y, width, height and channel; later ones a rectangle and one or two numbers.
+	Callable find_handler(const Handlers &p_handlers) const {
+		constexpr int64_t NUMBERS = 5;
+		const TypedArray<Dictionary> signals = get_data()->get_signal_list();
+		for (int64_t i = 0; i < signals.size(); i++) {
+			const Dictionary signal = signals[i];
+			const int64_t count = Array(signal["args"]).size();
+			if (String(signal["name"]) == CHANGED && count > 0 && count < NUMBERS) {
+				return count > 1 ? p_handlers.in_rectangle.unbind(count - 1) : p_handlers.in_rectangle;
+			}
+		}
+		return p_handlers.in_cells;
+	}
+
+	// p_last: cell. Without a baked picture of the ground, the colour that was painted.
+	static TerrainColor find_color(const Ref<Image> &p_color, const Ref<Image> &p_albedo, const Vector3 &p_cell, double p_last) {
+		if (p_albedo.is_valid()) {
+			const Color baked = pixel_of(p_albedo, p_cell * real_t((p_albedo->get_width() - 1) / std::max(p_last, 1.0)));
+			return TerrainColor::of(baked.r, baked.g, baked.b, 1.0);
+		}
+		if (p_color.is_null()) {
+			return {};
+		}
+		const Color painted = pixel_of(p_color, p_cell);
+		return unless_white(TerrainColor::of(painted.r, painted.g, painted.b, 1.0));
+	}
 
 	static Color pixel_of(const Ref<Image> &p_image, const Vector3 &p_cell) {
 		const auto clip = [](real_t p_place, int64_t p_size) { return std::clamp<int64_t>(int64_t(std::lround(p_place)), 0, p_size - 1); };

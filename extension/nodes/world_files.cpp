@@ -5,6 +5,7 @@
 #include "nodes/grass_map_file.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
+#include <godot_cpp/classes/display_server.hpp>
 #include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -31,6 +32,8 @@ String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
 void WorldFiles::start(const WorldFolders &p_folders) {
 	stop();
 	_folders = p_folders;
+	// Without a renderer the engine's list of textures is no other thread's (Godot 4.6: one leaked at exit in some runs).
+	_makes_textures = DisplayServer::get_singleton()->get_name() != "headless";
 	_is_ending = _has_ended = false;
 	_thread = std::thread([this] { work(); });
 }
@@ -68,7 +71,12 @@ void WorldFiles::work() {
 	}
 }
 
+// Out of the tree no thread runs: what is to be written then is written here.
 void WorldFiles::add(Job &&p_job) {
+	if (!_thread.joinable()) {
+		p_job.run();
+		return;
+	}
 	{
 		std::lock_guard lock(_mutex);
 		_jobs.push_back(std::move(p_job));
@@ -90,23 +98,34 @@ void WorldFiles::wait_until(std::unique_lock<std::mutex> &r_lock, const std::fun
 	}
 }
 
-void WorldFiles::read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
-	add({ true, [this, p_key, p_default, p_place] {
-			 ReadPlot plot = find(p_key, p_default, p_place);
+void WorldFiles::read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const ShownPlace &p_place) {
+	add({ true, [this, p_key, p_ask, p_default, p_place] {
+			 ReadPlot plot{ p_key, p_ask, find(p_key, p_default), nullptr };
+			 plot.prepared = std::make_unique<PreparedMap>(plot.map, p_place, _makes_textures);
 			 std::lock_guard lock(_mutex);
 			 _read.push_back(std::move(plot));
 		 } });
 }
 
 void WorldFiles::write(const PlotKey &p_key, const PaintMap &p_map) {
-	add({ false, [this, p_key, p_map] {
-			 const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
-			 if (_folders.keeps) {
-				 keep(p_key, data);
-			 } else {
-				 write_file(p_key, data);
-			 }
+	add({ false, [this, p_key, p_map] { put(p_key, p_map); } });
+}
+
+void WorldFiles::change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change) {
+	add({ false, [this, p_key, p_default, p_change] {
+			 PaintMap map = find(p_key, p_default);
+			 p_change(map);
+			 put(p_key, map);
 		 } });
+}
+
+void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
+	const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
+	if (_folders.keeps) {
+		keep(p_key, data);
+	} else {
+		write_file(p_key, data);
+	}
 }
 
 void WorldFiles::write_kept() {
@@ -144,7 +163,7 @@ void WorldFiles::keep(const PlotKey &p_key, const PackedByteArray &p_data) {
 }
 
 // What is kept is newer than any file.
-ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place) {
+PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	PackedByteArray kept;
 	{
 		std::lock_guard lock(_mutex);
@@ -152,20 +171,15 @@ ReadPlot WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default, const
 			kept = found->second;
 		}
 	}
-	ReadPlot plot;
-	plot.key = p_key;
-	plot.map = p_default;
+	PaintMap map = p_default;
 	if (!kept.is_empty()) {
-		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), plot.map);
-	} else if (_folders.to.is_empty() || !read_file(path_of(_folders.to, p_key), plot.map)) {
+		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), map);
+	} else if (_folders.to.is_empty() || !read_file(path_of(_folders.to, p_key), map)) {
 		if (!_folders.from.is_empty() && _folders.from != _folders.to) {
-			read_file(path_of(_folders.from, p_key), plot.map);
+			read_file(path_of(_folders.from, p_key), map);
 		}
 	}
-	if (p_place) {
-		plot.prepared = std::make_unique<PreparedMap>(plot.map, *p_place);
-	}
-	return plot;
+	return map;
 }
 
 // False, and r_map stays as it was, where there is none that can be read.
@@ -209,6 +223,7 @@ void WorldFiles::write_file(const PlotKey &p_key, const PackedByteArray &p_data)
 		return;
 	}
 	std::lock_guard lock(_mutex);
+	_kept.erase(p_key); // of a write that failed
 	_statistics.written++;
 	_statistics.bytes_written += p_data.size();
 }

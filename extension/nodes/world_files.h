@@ -14,7 +14,6 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <thread>
 #include <vector>
@@ -30,8 +29,9 @@ struct WorldFolders {
 // A plot's map as it was found, and laid out for its field.
 struct ReadPlot {
 	PlotKey key;
+	int64_t ask = 0; // whose answer it is
 	PaintMap map;
-	std::unique_ptr<PreparedMap> prepared; // null: it was not known for what field
+	std::unique_ptr<PreparedMap> prepared;
 };
 
 struct WorldFileStatistics {
@@ -48,9 +48,11 @@ public:
 	void start(const WorldFolders &p_folders);
 	// Waits until all is written, and ends the thread.
 	void stop();
-	// p_default: where there is no file. p_place: what field it is for, if that is known.
-	void read(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
+	// p_ask: comes back with it; p_default: where there is no file. p_place: what field it is for.
+	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const ShownPlace &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
+	// Changes a plot that is not in memory, and writes it.
+	void change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change);
 	// Writes what is kept.
 	void write_kept();
 	void wait(); // until nothing is waiting
@@ -67,12 +69,14 @@ private:
 	void add(Job &&p_job);
 	void wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done);
 	void work();
-	ReadPlot find(const PlotKey &p_key, const PaintMap &p_default, const std::optional<ShownPlace> &p_place);
+	PaintMap find(const PlotKey &p_key, const PaintMap &p_default);
 	bool read_file(const godot::String &p_path, PaintMap &r_map);
+	void put(const PlotKey &p_key, const PaintMap &p_map);
 	void write_file(const PlotKey &p_key, const godot::PackedByteArray &p_data);
 	void keep(const PlotKey &p_key, const godot::PackedByteArray &p_data);
 
 	WorldFolders _folders; // changes only while no thread runs
+	bool _makes_textures = false; // likewise
 	std::thread _thread;
 	mutable std::mutex _mutex; // of all below
 	std::condition_variable _has_changed;

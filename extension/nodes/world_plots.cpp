@@ -15,38 +15,14 @@ namespace grass {
 
 namespace {
 
-// Fields that wait for a plot at most, as long as the budget holds them.
-constexpr size_t MOST_SPARE = 3;
 // Plots that are read ahead of those that come.
 constexpr int MOST_READ = 2;
 // The pool of a plot where nothing moves: enough for a blast. More: memory in every plot.
 constexpr int64_t QUIET_POOL = 32;
 // Metres around a plot in which what moves has its pool made larger.
 constexpr double MOVES_NEAR = 16.0;
-constexpr real_t AWAY = -1e5f; // metres: where no body meets a field that waits
-
-GrassField *field_with(uint64_t p_id) {
-	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
-}
 
 } // namespace
-
-GrassField *WorldPlots::make_field() {
-	Node *made = _settings.scene.is_valid() && _settings.scene->can_instantiate() ? _settings.scene->instantiate() : nullptr;
-	GrassField *field = Object::cast_to<GrassField>(made);
-	_has_wrong_scene = _settings.scene.is_valid() && field == nullptr;
-	if (field == nullptr) {
-		if (made != nullptr) {
-			memdelete(made);
-		}
-		field = memnew(GrassField);
-	}
-	const real_t side = real_t(_settings.grid.get_plot_size());
-	field->set_size(Vector2(side, side));
-	field->set_param(PARAM_BORDER_FADE, 0.0);
-	field->set_visible(false);
-	return field;
-}
 
 GrassField *WorldPlots::field_of(const Plot &p_plot) const {
 	return p_plot.field != 0 ? field_with(p_plot.field) : nullptr;
@@ -62,18 +38,7 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	_settings = p_settings;
 	_statistics = {};
 	_planner.forget();
-	_place.reset();
-	GrassField *first = make_field(); // tells what all of them are like
-	_has_terrain = !first->get_terrain().is_empty();
-	_pool = first->get_pool_tiles();
-	_mask = uint32_t(first->get_collision_mask());
-	_tile_size = first->get_tile_size();
-	_default.clear();
-	_default.set_base_density(1.0);
-	if (first->get_map().is_valid()) {
-		_default = first->get_map()->get_map();
-	}
-	memdelete(first);
+	_fields.start(p_settings.scene, p_settings.grid.get_plot_size());
 	_files.start(p_folders);
 	_is_running = true;
 }
@@ -88,13 +53,8 @@ void WorldPlots::stop() {
 			field->queue_free();
 		}
 	}
-	for (const uint64_t id : _spare) {
-		if (GrassField *field = field_with(id)) {
-			field->queue_free();
-		}
-	}
+	_fields.stop();
 	_plots.clear();
-	_spare.clear();
 	_files.stop();
 	_is_running = false;
 }
@@ -118,7 +78,7 @@ void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const Eigen:
 void WorldPlots::take_read() {
 	for (ReadPlot &read : _files.take_read()) {
 		const auto found = _plots.find(read.key);
-		if (found != _plots.end() && found->second.state == State::ASKED) {
+		if (found != _plots.end() && found->second.state == State::ASKED && found->second.ask == read.ask) {
 			found->second.known = std::move(read.map);
 			found->second.prepared = std::move(read.prepared);
 			found->second.state = State::READ;
@@ -140,8 +100,8 @@ void WorldPlots::show_coming() {
 			continue;
 		}
 		plot.state = State::STANDING;
+		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
 		field->set_visible(true);
-		_place = field->get_shown_place();
 		_shared = size_t(field->get_shared_memory());
 		_tell("plot_loaded", key, field);
 		return; // a listener may have changed everything
@@ -156,8 +116,8 @@ void WorldPlots::bring_one(std::span<const Eigen::Vector2d> p_movers) {
 	for (const PlotKey &key : _plan.wanted) {
 		const auto found = _plots.find(key);
 		if (found != _plots.end() && found->second.state == State::READ) {
-			std::erase_if(_spare, [](uint64_t p_id) { return field_with(p_id) == nullptr; });
-			if (!_spare.empty() || count_bytes() + _planner.expected(key) <= _settings.budget) {
+			_fields.forget_freed();
+			if (_fields.count_spare() > 0 || count_bytes() + _planner.expected(key) <= _settings.budget) {
 				bring(key, found->second, p_movers);
 			}
 			return;
@@ -166,17 +126,10 @@ void WorldPlots::bring_one(std::span<const Eigen::Vector2d> p_movers) {
 }
 
 void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, std::span<const Eigen::Vector2d> p_movers) {
-	GrassField *field = nullptr;
-	if (_spare.empty()) {
-		field = make_field();
-		_world.add_child(field, false, Node::INTERNAL_MODE_BACK);
-		_statistics.fields_made++;
-	} else {
-		field = field_with(_spare.back());
-		_spare.pop_back();
-	}
+	GrassField *field = _fields.take();
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
+	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots are made of whole chunks
 	const int64_t pool = pool_for(p_key, p_movers);
 	if (field->get_pool_tiles() != pool) {
 		field->set_pool_tiles(pool);
@@ -200,16 +153,14 @@ void WorldPlots::leave_one() {
 		Plot &plot = _plots.at(key);
 		if (plot.field == 0) {
 			_plots.erase(key);
-		} else if (plot.state == State::STANDING && (_spare.size() < MOST_SPARE || is_all_here || count_bytes() > _settings.budget)) {
+		} else if (plot.state == State::STANDING &&
+				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() > _settings.budget)) {
 			leave(key, plot);
 			return;
 		}
 	}
-	if (_plan.leaving.empty() && !_spare.empty() && count_bytes() > _settings.budget) {
-		if (GrassField *field = field_with(_spare.back())) {
-			field->queue_free();
-		}
-		_spare.pop_back();
+	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() > _settings.budget) {
+		_fields.free_spare();
 	}
 }
 
@@ -221,26 +172,25 @@ void WorldPlots::leave(const PlotKey &p_key, Plot &r_plot) {
 		return;
 	}
 	if (is_changed(found->second, *field)) {
-		_files.write(p_key, kept_of(field->get_map()->get_map(), _has_terrain));
+		_files.write(p_key, kept_of(field->get_map()->get_map(), _fields.get_pattern().has_terrain));
 	}
 	_plots.erase(found);
 	_statistics.left++;
-	if (_spare.size() < MOST_SPARE && count_bytes() <= _settings.budget) {
-		field->set_visible(false);
-		field->set_position(Vector3(0, AWAY, 0));
-		_spare.push_back(field->get_instance_id());
-	} else {
-		field->queue_free();
-	}
+	_fields.give_back(field, count_bytes() <= _settings.budget);
 }
 
 bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const {
 	const Ref<GrassMap> map = p_field.get_map();
-	return map.is_valid() && map->is_readable() && !is_same(kept_of(map->get_map(), _has_terrain), kept_of(p_plot.known, _has_terrain));
+	return map.is_valid() && map->is_readable() &&
+			!is_same(kept_of(map->get_map(), _fields.get_pattern().has_terrain), kept_of(p_plot.known, _fields.get_pattern().has_terrain));
 }
 
 // Of the wanted plots the nearest that nobody asked for.
 void WorldPlots::ask() {
+	const std::optional<ShownPlace> &place = _fields.find_place();
+	if (!place) {
+		return;
+	}
 	const auto count = std::ranges::count_if(
 			_plots, [](const auto &p_entry) { return p_entry.second.state == State::ASKED || p_entry.second.state == State::READ; });
 	for (const PlotKey &key : _plan.wanted) {
@@ -248,8 +198,8 @@ void WorldPlots::ask() {
 			return;
 		}
 		if (!_plots.contains(key)) {
-			_plots[key];
-			_files.read(key, _default, _place);
+			_plots[key].ask = ++_asks;
+			_files.read(key, _asks, _fields.get_pattern().map, *place);
 			return;
 		}
 	}
@@ -276,9 +226,10 @@ void WorldPlots::measure_one() {
 }
 
 int64_t WorldPlots::pool_for(const PlotKey &p_key, std::span<const Eigen::Vector2d> p_movers) const {
+	const int64_t pool = _fields.get_pattern().pool_tiles;
 	const bool moves = std::ranges::any_of(
 			p_movers, [&](const Eigen::Vector2d &p_place) { return _settings.grid.distance(p_key, p_place) <= MOVES_NEAR; });
-	return moves ? _pool : std::min(_pool, QUIET_POOL);
+	return moves ? pool : std::min(pool, QUIET_POOL);
 }
 
 // A pool costs memory, and few plots have anything that moves. One field at a time, and only while nothing comes.
@@ -308,7 +259,7 @@ size_t WorldPlots::count_bytes() const {
 		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key))
 								 : (plot.prepared ? plot.prepared->laid.get_memory_usage() : 0);
 	}
-	return bytes + _spare.size() * _planner.expected({ 1 << 30, 0 });
+	return bytes + _fields.count_spare() * _planner.expected({ 1 << 30, 0 });
 }
 
 std::vector<PlotKey> WorldPlots::get_keys() const {
@@ -335,21 +286,43 @@ int64_t WorldPlots::save() {
 		const GrassField *field = field_of(plot);
 		if (field != nullptr && is_changed(plot, *field)) {
 			plot.known = field->get_map()->get_map();
-			_files.write(key, kept_of(plot.known, _has_terrain));
+			_files.write(key, kept_of(plot.known, _fields.get_pattern().has_terrain));
 			count++;
 		}
 	}
 	return count;
 }
 
+// One that is being read is read again: what was asked for comes from before.
+void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to) {
+	const bool has_terrain = _fields.get_pattern().has_terrain;
+	const auto change = [from = kept_of(p_from, has_terrain), to = kept_of(p_to, has_terrain)](
+								PaintMap &r_map) { put_back(r_map, from, to); };
+	const auto found = _plots.find(p_key);
+	if (GrassField *field = found != _plots.end() ? field_of(found->second) : nullptr) {
+		if (field->get_map().is_null()) { // a script took it
+			return;
+		}
+		const Ref<GrassMapSnapshot> snapshot = field->get_map()->take_snapshot();
+		change(snapshot->map);
+		field->get_map()->restore_snapshot(snapshot);
+		return;
+	}
+	if (found != _plots.end()) {
+		_plots.erase(found);
+	}
+	_files.change(p_key, _fields.get_pattern().map, change);
+}
+
 WorldStatistics WorldPlots::get_statistics() const {
 	WorldStatistics statistics = _statistics;
+	statistics.fields_made = _fields.get_made();
 	for (const auto &[key, plot] : _plots) {
 		const GrassField *field = field_of(plot);
 		(plot.state == State::STANDING ? statistics.plots : statistics.waiting)++;
 		statistics.changed += field != nullptr && is_changed(plot, *field) ? 1 : 0;
 	}
-	statistics.spare = int64_t(_spare.size());
+	statistics.spare = int64_t(_fields.count_spare());
 	statistics.memory = int64_t(count_bytes());
 	return statistics;
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The plots of a world that are in memory: read by a thread, brought into the tree one at a time, kept while they are wanted, written
-// when they leave changed. A field that has left waits, hidden, for the next plot, so that none of its buffers is made again.
+// when they leave changed.
 #pragma once
 
 #include "core/world/world_plan.h"
-#include "nodes/grass_field.h"
+#include "nodes/world_fields.h"
 #include "nodes/world_files.h"
-
-#include <godot_cpp/classes/packed_scene.hpp>
 
 #include <functional>
 #include <map>
@@ -26,6 +24,7 @@ struct WorldStatistics {
 	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; those that wait are being read or made
 	int64_t memory = 0; // bytes
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
+	double most_build_ms = 0.0; // of one field in one frame
 	int64_t most_moves = 0; // plots that were brought or left in one frame, at most
 };
 
@@ -33,7 +32,7 @@ class WorldPlots {
 public:
 	using Tell = std::function<void(const char *p_signal, const PlotKey &p_key, GrassField *p_field)>;
 
-	WorldPlots(godot::Node3D &p_world, Tell p_tell) : _world(p_world), _tell(std::move(p_tell)) {}
+	WorldPlots(godot::Node3D &p_world, Tell p_tell) : _fields(p_world), _tell(std::move(p_tell)) {}
 
 	// In the tree.
 	void start(const WorldSettings &p_settings, const WorldFolders &p_folders);
@@ -47,12 +46,11 @@ public:
 	GrassField *find(const PlotKey &p_key) const; // null: not in memory, or not made yet
 	std::vector<PlotKey> get_standing() const;
 	int64_t save(); // how many plots are written
+	// Makes a plot what p_to says, wherever that differs from p_from, also one that is not in memory.
+	void restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to);
 	const WorldPlan &get_plan() const { return _plan; }
 	const WorldGrid &get_grid() const { return _settings.grid; }
-	int64_t get_pool_tiles() const { return _pool; }
-	uint32_t get_collision_mask() const { return _mask; }
-	double get_tile_size() const { return _tile_size; }
-	bool has_wrong_scene() const { return _has_wrong_scene; }
+	const WorldFields &get_fields() const { return _fields; }
 	WorldFiles &get_files() { return _files; }
 	const WorldFiles &get_files() const { return _files; }
 	WorldStatistics get_statistics() const;
@@ -61,13 +59,13 @@ private:
 	enum class State { ASKED, READ, COMING, STANDING };
 	struct Plot {
 		State state = State::ASKED;
+		int64_t ask = 0; // which ask() is to be answered
 		uint64_t field = 0; // the instance's id: a script may free it
 		PaintMap known; // as it is in its file
 		std::unique_ptr<PreparedMap> prepared;
 		size_t bytes = 0;
 	};
 
-	GrassField *make_field();
 	GrassField *field_of(const Plot &p_plot) const;
 	void take_read();
 	void show_coming();
@@ -84,20 +82,15 @@ private:
 	size_t count_bytes() const; // of fields and maps, also of those that wait
 	std::vector<PlotKey> get_keys() const;
 
-	godot::Node3D &_world;
+	WorldFields _fields;
 	Tell _tell;
 	WorldSettings _settings;
 	WorldFiles _files;
 	WorldPlanner _planner;
 	WorldPlan _plan;
 	std::map<PlotKey, Plot> _plots;
-	std::vector<uint64_t> _spare; // fields that wait, hidden
-	PaintMap _default; // of plots without a file
-	std::optional<ShownPlace> _place; // of all fields, once one is made
-	bool _has_terrain = false, _has_wrong_scene = false, _is_running = false;
-	int64_t _pool = 0;
-	uint32_t _mask = 1;
-	double _tile_size = 0.0;
+	int64_t _asks = 0; // so far
+	bool _is_running = false;
 	size_t _shared = 0; // bytes that all fields have in common
 	PlotKey _measured{ 1 << 30, 0 }; // last
 	WorldStatistics _statistics;

@@ -30,13 +30,13 @@ static func add_sun(p_to: Node3D, p_shadows: bool) -> DirectionalLight3D:
 	return sun
 
 
-## Waits until the driver has compiled the passes of the simulation; until then grass stands, and those for tiles near something sharp take
-## no part.
+## Waits until the field is drawn, and the driver has compiled the passes of the simulation; until then grass stands, and those for tiles
+## near something sharp take no part.
 static func compiled(p_field: GrassField) -> void:
 	var start := Time.get_ticks_msec()
 	for i in 3:
 		await p_field.get_tree().process_frame
-	while p_field.get_statistics().compiling > 0 and Time.get_ticks_msec() - start < 120000:
+	while (p_field.get_statistics().waiting or p_field.get_statistics().compiling > 0) and Time.get_ticks_msec() - start < 120000:
 		await p_field.get_tree().process_frame
 	if p_field.get_statistics().compiling > 0:
 		push_error("A pass of the simulation has not been compiled in two minutes: the times that follow are not its own.")

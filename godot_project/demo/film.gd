@@ -32,12 +32,12 @@ func _process(_delta: float) -> void:
 	_frame += 1
 
 
-## Grass stands until the driver has compiled its passes, and shaders take a frame or two.
+## Grass is drawn when its shaders are there, and stands until the driver has compiled its passes.
 func _compiled() -> void:
 	var deadline := Time.get_ticks_msec() + COMPILING
 	for i in 10:
 		await get_tree().process_frame
-	while _field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
+	while (_field.get_statistics().waiting or _field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
 		await get_tree().process_frame
 
 

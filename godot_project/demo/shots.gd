@@ -18,12 +18,13 @@ func _init(p_viewport: Viewport, p_folder: String) -> void:
 	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
 
 
-## Draws once, so that shaders are compiled, and waits for the passes of the grass, which stands until they are.
+## Draws once, so that shaders are compiled, and waits for those of the grass, which is not drawn before, and for its passes: until they
+## are there it stands.
 func warm_up() -> void:
 	await _draw(2)
 	var deadline := Time.get_ticks_msec() + COMPILING
 	for field: GrassField in _viewport.find_children("*", "GrassField", true, false):
-		while field.get_statistics().compiling > 0 and Time.get_ticks_msec() < deadline:
+		while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
 			await _viewport.get_tree().process_frame
 
 

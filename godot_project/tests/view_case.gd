@@ -52,13 +52,24 @@ func look(from: Vector3, at: Vector3) -> void:
 	camera.look_at_from_position(from, at, Vector3.UP if absf((at - from).normalized().y) < 0.99 else Vector3.FORWARD)
 
 
+## Frames until all fields are shown as they are wanted: worker threads make shaders that no test before needed.
+func fields_shown() -> void:
+	var fields := viewport.find_children("*", "GrassField", true, false)
+	var waits := func(field: GrassField) -> bool: return field.get_statistics().waiting
+	await wait_until(func() -> bool: return not fields.any(waits), "all fields are shown")
+
+
 ## Frames until what was drawn is known: the GPU's counts come about two frames late.
 func drawn() -> void:
+	await frames(1)
+	await fields_shown()
 	await frames(5)
 
 
 ## The viewport's picture as it is now.
 func picture() -> Image:
+	await frames(1)
+	await fields_shown()
 	await frames(2)
 	return await next_picture()
 

@@ -41,6 +41,7 @@ layout(set = 0, binding = GRASS_PLANTS_PATCH) uniform sampler2D patch_knots;
 // Written by the CPU, as long as the field: PlantPasses::Mix.
 layout(set = 0, binding = GRASS_PLANTS_MIX, std430) readonly buffer MixBuffer {
 	ivec4 species_mix[GRASS_MAX_SPECIES];
+	ivec4 species_origin[GRASS_MAX_SPECIES];
 	int species_stems[GRASS_MAX_SPECIES];
 	int species_count;
 	int species_texel;

@@ -226,7 +226,8 @@ void find_blade(uint p_blade) {
 		clump = GrassClump(growth.x, growth.yz, 0.0);
 		ground = growth.w;
 	} else {
-		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump);
+		// A field elsewhere in the noise hands its clumps on, as one with a map.
+		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
 	}
 	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
 	energy = 0.0;

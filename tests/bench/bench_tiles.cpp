@@ -67,7 +67,7 @@ void run(double p_size, int p_count, std::vector<uint64_t> &r_other) {
 	manager.set_params(params);
 	manager.set_bounds(bounds);
 	const Frustum frustum = see_all();
-	manager.see(std::span(&frustum, 1), 3.0f);
+	manager.get_view().see(std::span(&frustum, 1), 3.0f);
 	const std::vector<float> lively(size_t(params.pool_size), 1.0f); // J/kg: tiles sleep by the timer, the pool is full
 	std::mt19937 random(1);
 	const double extent = 0.5 * std::min(p_size, 70.0); // the crowd stays together on any field

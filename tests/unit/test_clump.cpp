@@ -113,3 +113,27 @@ TEST_CASE("blade: rest knots keep the root at the origin, segments equal and eve
 	}
 	CHECK(lowest > 0.03f); // sine of the elevation
 }
+
+// [Eq B1] [Eq B2] Of fields side by side, 16 km from the noise's origin.
+TEST_CASE("clump: the noise continues from one field to the next, wherever they are") {
+	constexpr float SIDE = 256.0f;
+	for (const double metres : { 0.0, 128.0, -4224.0, 8064.0 }) {
+		ClumpParams left, right;
+		left.set_origin({ metres, -metres });
+		right.set_origin({ metres + double(SIDE), -metres });
+		double most = 0.0, least = 2.0, tallest = 0.0;
+		for (float z = -100.0f; z < 100.0f; z += 1.7f) {
+			const Clump here = clump_at(Eigen::Vector2f(0.5f * SIDE, z), left), there = clump_at(Eigen::Vector2f(-0.5f * SIDE, z), right);
+			most = std::max({ most, std::abs(double(here.height) - double(there.height)), std::abs(double(here.tint) - double(there.tint)),
+					double((from_glsl(here.lean) - from_glsl(there.lean)).cwiseAbs().maxCoeff()) });
+			least = std::min(least, double(here.height));
+			tallest = std::max(tallest, double(here.height));
+		}
+		CHECK(most < 1e-3);
+		CHECK(tallest - least > 0.4); // there are clumps
+	}
+	ClumpParams plain;
+	plain.set_origin({ 0.0, 0.0 });
+	CHECK_FALSE(plain.is_elsewhere());
+	CHECK(plain == ClumpParams());
+}

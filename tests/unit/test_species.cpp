@@ -265,3 +265,25 @@ TEST_CASE("plants with a mesh are drawn up to their distance, or as far as so ma
 	CHECK(20.0 * 1000.0 * 3.14159265 * near * near == doctest::Approx(NEAR_PLANT_VERTICES));
 	CHECK(near_plants(1000.0, 20.0, 1000) == near);
 }
+
+// [Eq P1] [Eq P2] Where one field ends, the next begins with the same numbers, exactly.
+TEST_CASE("species: stands continue from one field to the next, wherever they are") {
+	const SpeciesParams params[] = { { 0.5, 4.0, 0.8, 1 }, { 0.3, 7.3, 0.6, 1 }, { 0.4, 2.0, 1.0, 1 } };
+	const double side = SPECIES_GRID.get_size_x();
+	for (const double metres : { 0.0, 8000.0, -8192.0 }) {
+		const double origin = std::round(metres / side) * side;
+		const SpeciesMix left(params, SPECIES_GRID, 3, { origin, -origin }), right(params, SPECIES_GRID, 3, { origin + side, -origin });
+		double most = 0.0, spread = 0.0;
+		const std::array<float, GRASS_MAX_SPECIES> first = left.get_shares_at({ float(0.5 * side), 0.0f }, nullptr);
+		for (float z = float(-0.45 * side); z < float(0.45 * side); z += 0.13f) {
+			const auto here = left.get_shares_at({ float(0.5 * side), z }, nullptr);
+			const auto there = right.get_shares_at({ float(-0.5 * side), z }, nullptr);
+			for (size_t s = 0; s < 3; s++) {
+				most = std::max(most, std::abs(double(here[s]) - double(there[s])));
+				spread = std::max(spread, std::abs(double(here[s]) - double(first[s])));
+			}
+		}
+		CHECK(most < 1e-6);
+		CHECK(spread > 0.3); // there are stands
+	}
+}

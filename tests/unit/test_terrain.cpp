@@ -94,6 +94,8 @@ TEST_CASE("holes: nothing grows in them, whatever is painted, until the terrain 
 	CHECK(laid.missing == 6 * 16);
 	CHECK(hole_at(map, 1, 0) == 0);
 	CHECK(hole_at(map, 2, 0) == 1);
+	CHECK(map.get_code(MAP_GROUND, 0, 2, 0) == info_of(MAP_GROUND).code(1.0)); // blades at its rim stay on the ground
+	CHECK(map.get_code(MAP_GROUND, 0, 3, 0) == info_of(MAP_GROUND).code(0.0));
 	CHECK_FALSE(laid.changed.empty());
 	CHECK(read(region, with_hole).lay(map).changed.empty());
 	MapLayers layers;

@@ -4,6 +4,9 @@
 
 #include "tile_scene.h"
 
+#include <algorithm>
+#include <random>
+
 using namespace grass;
 using namespace grass::test;
 
@@ -154,4 +157,78 @@ TEST_CASE("solver: the time in which a swing dies down: to a hundredth, within a
 	params.damping_ratio = 1.0;
 	params.natural_frequency = 8.0;
 	CHECK(params.calm_time() == 1.0);
+}
+
+TEST_CASE("tiles: colliders with the stamp of the last step are not looked at again, and wake the same tiles as others do") {
+	std::mt19937 random(5);
+	std::uniform_real_distribution<double> place(-4.0, 4.0), size(0.1, 0.6);
+	for (const int pool_size : { 4096, 40 }) { // the second is too small for all of them
+		TileManager stamped = make_manager(pool_size), plain = make_manager(pool_size);
+		std::vector<ColliderShape> colliders(24);
+		uint64_t stamps = 0;
+		for (int round = 0; round < 120; round++) {
+			for (size_t i = 0; i < colliders.size(); i++) {
+				ColliderShape &collider = colliders[i];
+				collider.before = collider.now;
+				const bool moves = round == 0 || int(random() % 40) == 0;
+				if (moves) {
+					collider.size.x() = size(random);
+					collider.now.position = { place(random), 0.1, place(random) };
+				}
+				collider.stamp = moves ? 0 : (collider.stamp == 0 ? ++stamps : collider.stamp);
+			}
+			if (round % 30 == 29) { // others move up
+				colliders.erase(colliders.begin() + 2);
+			}
+			std::vector<ColliderShape> copies = colliders, without = colliders;
+			for (ColliderShape &collider : without) {
+				collider.stamp = 0;
+			}
+			stamped.update(0.1, copies);
+			plain.update(0.1, without);
+			REQUIRE(stamped.get_slots().size() == plain.get_slots().size());
+			CHECK(std::ranges::equal(stamped.get_slots(), plain.get_slots(), [](const GrassSlot &p_a, const GrassSlot &p_b) {
+				return p_a.tile == p_b.tile && p_a.list == p_b.list && p_a.blend == p_b.blend;
+			}));
+			CHECK(std::ranges::equal(stamped.get_collider_list(), plain.get_collider_list()));
+			CHECK(stamped.get_statistics().refused == plain.get_statistics().refused);
+			for (size_t i = 0; i < colliders.size(); i++) {
+				CHECK(stamped.has_met_grass(i) == plain.has_met_grass(i));
+			}
+		}
+		CHECK(stamped.get_statistics().looked_at < plain.get_statistics().looked_at / (pool_size > 100 ? 3 : 1));
+	}
+}
+
+TEST_CASE("tiles: a collider that stands still costs no look at a tile, until the ground changes below it") {
+	StillScene scene;
+	scene.balls[0].stamp = 1;
+	scene.steps_until_still();
+	const uint64_t before = scene.manager.get_statistics().looked_at;
+	CHECK(before > 0);
+	for (int i = 0; i < 10; i++) {
+		CHECK(!scene.is_simulated());
+	}
+	CHECK(scene.manager.get_statistics().looked_at == before);
+	SUBCASE("the ground") {
+		scene.manager.stir({ 0, 1, 0, 1 });
+		scene.is_simulated();
+		CHECK(scene.manager.get_statistics().looked_at > before);
+	}
+	SUBCASE("the limits of the tiles") {
+		TileParams params = scene.manager.get_params();
+		params.height = 0.01;
+		scene.manager.set_params(params);
+		scene.balls[0].now.position.y() = scene.balls[0].before.position.y() = 0.3;
+		scene.balls[0].stamp = 2;
+		CHECK(step(scene.manager, scene.balls) == 1); // leaves, and rises
+		CHECK(!scene.manager.has_met_grass(0));
+	}
+	SUBCASE("another pool: all tiles are at rest") {
+		TileParams params = scene.manager.get_params();
+		params.pool_size = 8;
+		scene.manager.set_params(params);
+		CHECK(scene.is_simulated());
+		CHECK(scene.manager.get_statistics().woken == 1);
+	}
 }

@@ -6,6 +6,9 @@
 #include "core/base/tunable.h"
 #include "core/blades/glsl_texts.h"
 
+#include <array>
+#include <cmath>
+
 namespace grass {
 
 using Clump = glsl::GrassClump;
@@ -18,13 +21,23 @@ inline constexpr Tunable CLUMP_HEIGHT{ "clump_height", "", 0.0, 1.0, 0.01, 1.0 }
 inline constexpr Tunable CLUMP_LEAN{ "clump_lean", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CLUMP_TINT{ "clump_tint", "", 0.0, 1.0, 0.01, 1.0 };
 
-// The shader's vec4 `clump`, in this order.
+// The shader's vec4 `clump`, in this order, and `clump_origin`.
 struct ClumpParams {
 	float size = float(CLUMP_SIZE.initial); // metres
 	float height = float(CLUMP_HEIGHT.initial);
 	float lean = float(CLUMP_LEAN.initial);
 	float tint = float(CLUMP_TINT.initial);
+	std::array<float, 4> origin{}; // see set_origin()
 
+	// Where the field's centre lies in the noise, metres. The lattices repeat, so that the rest of a division is enough: wherever that is,
+	// places keep their precision.
+	void set_origin(const Eigen::Vector2d &p_metres) {
+		const double finer = double(GRASS_CLUMP_FINER);
+		const auto rest = [](double p_cells) { return float(p_cells - GRASS_LATTICE_CELLS * std::floor(p_cells / GRASS_LATTICE_CELLS)); };
+		const Eigen::Vector2d coarse = p_metres / double(size);
+		origin = { rest(coarse.x()), rest(coarse.y()), rest(finer * coarse.x()), rest(finer * coarse.y()) };
+	}
+	bool is_elsewhere() const { return origin != std::array<float, 4>{}; }
 	bool operator==(const ClumpParams &) const = default;
 };
 
@@ -33,7 +46,8 @@ inline constexpr float CLUMP_TALLEST = float(1.0 + GRASS_CLUMP_TALLER);
 
 // [Eq B2] The clump at p_place (field-space x, z in metres).
 inline Clump clump_at(const Eigen::Vector2f &p_place, const ClumpParams &p_clump) {
-	return glsl::grass_clump_at(to_glsl(p_place), glsl::vec4(p_clump.size, p_clump.height, p_clump.lean, p_clump.tint));
+	return glsl::grass_clump_at(to_glsl(p_place), glsl::vec4(p_clump.size, p_clump.height, p_clump.lean, p_clump.tint),
+			glsl::vec4(p_clump.origin[0], p_clump.origin[1], p_clump.origin[2], p_clump.origin[3]));
 }
 
 } // namespace grass

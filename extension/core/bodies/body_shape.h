@@ -42,6 +42,8 @@ struct ColliderShape {
 	int force = NO_FORCE;
 	static constexpr int NO_FORCE = -1;
 	uint64_t revision = 0; // of a force: another one whenever it blows otherwise than in the step before
+	// Whoever gives it one promises: while it is the same, so is all of the collider. Spares TileManager to look again. 0: none.
+	uint64_t stamp = 0;
 
 	// From a transform into field space; scale and shear are left out.
 	static ColliderPose make_pose(const Eigen::Affine3d &p_transform);

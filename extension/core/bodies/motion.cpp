@@ -84,6 +84,10 @@ Eigen::Vector3d Motion::follow(
 	return p_now;
 }
 
+bool Motion::is_at_rest() const {
+	return !_is_new && _still_time > MEMORY;
+}
+
 bool Motion::follow_turn(double p_angle, double p_own) {
 	const double explained = std::max(p_own, _last_turn);
 	_last_turn = p_angle;

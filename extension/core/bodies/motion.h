@@ -47,6 +47,9 @@ public:
 	// Whether the next tick may still show that the body passed grass, even if it has left by then.
 	bool is_open() const { return _is_new || (_still_time == 0.0 && (_is_jumping || !_velocity.isZero(0.0))); }
 
+	// It has stood still for so long that standing still for longer changes nothing.
+	bool is_at_rest() const;
+
 	// Radians of a turn that need no reason.
 	static constexpr double PLAUSIBLE_TURN = 0.5 * EIGEN_PI;
 

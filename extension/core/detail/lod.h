@@ -6,6 +6,7 @@
 #include "core/base/glsl.h"
 #include "core/base/tunable.h"
 
+#include <algorithm>
 #include <array>
 
 namespace grass {
@@ -54,6 +55,11 @@ struct LodParams {
 struct BladeSize {
 	float width = 0.0f, length = 0.0f;
 };
+
+// How much wider a blade would be, metres, if it covered what its leaf does. p_area: of the leaf, m^2; p_length: of the blade, metres.
+inline float width_of_leaf(float p_area, float p_length) {
+	return p_area / (float(GRASS_LOD_FULLNESS) * std::max(p_length, 1e-3f));
+}
 
 // What a tile needs: blades, segments of each, and the blades that would cover as much as all. The most that any camera needs counts.
 struct LodNeed {

@@ -208,7 +208,9 @@ double Field::ground_range() const {
 }
 
 std::shared_ptr<TileBounds> Field::bounds_of(const FieldSetup &p_next) const {
-	const bool same_blades = _bounds && _setup.patch == p_next.patch && _setup.clump == p_next.clump && _setup.seed == p_next.seed &&
+	ClumpParams clump = _setup.clump;
+	clump.origin = p_next.clump.origin; // bounds hold wherever in the noise
+	const bool same_blades = _bounds && _setup.patch == p_next.patch && clump == p_next.clump && _setup.seed == p_next.seed &&
 			_setup.is_mapped == p_next.is_mapped && (_setup.species == nullptr) == (p_next.species == nullptr) &&
 			_setup.card_size == p_next.card_size && _setup.follow_slope == p_next.follow_slope;
 	return same_blades ? std::make_shared<TileBounds>(*_bounds, p_next.grid)

@@ -29,6 +29,11 @@ public:
 	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map, const SpeciesPatches &p_species,
 			const FieldParams &p_params);
 	void forget_map();
+	// Before set(): what blades of the same patch need, another field has found already.
+	void join(const Field &p_other) {
+		_setup = p_other._setup;
+		_bounds = p_other._bounds;
+	}
 	// Puts every blade to rest at once.
 	void rest() { _tiles.reset(); }
 

@@ -31,7 +31,8 @@ struct FieldSetup {
 	Method method = Method::DIRECT; // that it begins with
 
 	bool has_terrain = false; // a texture of the terrain gives it colour
-	float card_size = 0.0f; // farthest that a card reaches from its tip, metres; 0: no species has one
+	float card_size = 0.0f; // farthest that a card or a leaf reaches from its tip, metres; 0: no species has one
+	float leaf_area = 0.0f; // that leaves cover, of the mean blade, m^2
 	bool has_plants = false; // a species has a mesh, or several stems to a root
 	float plant_size = 0.0f; // farthest that a mesh reaches from its blade, metres; 0: no species has one
 
@@ -50,7 +51,7 @@ struct FieldSetup {
 	// Beyond a blade: its card, its mesh.
 	float tip_size() const { return std::max(card_size, plant_size); }
 	// Of the mean blade.
-	BladeSize blade_size() const { return { patch->mean_width, patch->mean_length }; }
+	BladeSize blade_size() const { return { patch->mean_width + width_of_leaf(leaf_area, patch->mean_length), patch->mean_length }; }
 	CullField cull_field() const {
 		return { grid, blade_spread(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
 	}

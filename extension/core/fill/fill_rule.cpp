@@ -95,7 +95,7 @@ double FillRule::noise_share(const Eigen::Vector2d &p_place) const {
 		return cover;
 	}
 	const double fade = get(FILL_NOISE_FADE) * 2.0 * std::min(cover, 1.0 - cover);
-	return fade_out(fill_noise(p_place, get(FILL_NOISE_SIZE), seed), cover - 0.5 * fade, fade);
+	return fade_out(fill_noise(p_place + noise_origin, get(FILL_NOISE_SIZE), seed), cover - 0.5 * fade, fade);
 }
 
 double FillRule::texture_share(const TerrainTexel *p_texel) const {

@@ -61,6 +61,15 @@ bool TerrainPiece::put_textures(TerrainIds &r_ids) const {
 	return differs;
 }
 
+void TerrainPiece::put_colors(TerrainColors &r_colors) const {
+	for (int j = 1; j < _size.y() - 1; j++) {
+		for (int i = 1; i < _size.x() - 1; i++) {
+			const Eigen::Vector2d place((_first.x() + i + 0.5) * TEXEL, (_first.y() + j + 0.5) * TEXEL);
+			r_colors.set(place, _samples[size_t(j) * size_t(_size.x()) + size_t(i)].color);
+		}
+	}
+}
+
 void TerrainQueue::set_area(const MapRegion &p_area) {
 	_area = p_area;
 	_waiting.clear();

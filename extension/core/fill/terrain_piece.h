@@ -2,6 +2,7 @@
 // A part of a terrain that is being read, row by row, and the queue of those that wait: what changed, the nearest to a camera first.
 #pragma once
 
+#include "core/fill/terrain_colors.h"
 #include "core/fill/terrain_ids.h"
 #include "core/paint/lay_ground.h"
 
@@ -15,6 +16,7 @@ struct TerrainSample {
 	double height = std::numeric_limits<double>::quiet_NaN(); // metres above the field; not finite: a hole
 	Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // field space; null: not told
 	TerrainTexel texture;
+	TerrainColor color;
 };
 
 class TerrainPiece {
@@ -31,6 +33,7 @@ public:
 	LaidGround lay(PaintMap &r_map) const;
 	// True if any of them is another than before.
 	bool put_textures(TerrainIds &r_ids) const;
+	void put_colors(TerrainColors &r_colors) const;
 	const MapRegion &get_region() const { return _region; }
 
 private:

@@ -28,6 +28,20 @@ public:
 	double at(int p_i, int p_j) const { return _heights[size_t(p_j - _first.y()) * size_t(_width) + size_t(p_i - _first.x())]; }
 	int64_t count() const { return int64_t(_heights.size()); }
 
+	// The mean of those beside a texel; not finite where there is none.
+	double beside(int p_i, int p_j) const {
+		double sum = 0.0;
+		int count = 0;
+		for (int j = p_j - 1; j <= p_j + 1; j++) {
+			for (int i = p_i - 1; i <= p_i + 1; i++) {
+				const double height = at(i, j);
+				sum += std::isfinite(height) ? height : 0.0;
+				count += std::isfinite(height) ? 1 : 0;
+			}
+		}
+		return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+	}
+
 	Eigen::Vector3d normal(int p_i, int p_j) const {
 		const auto slope = [&](int p_di, int p_dj) {
 			const double ahead = at(p_i + p_di, p_j + p_dj), behind = at(p_i - p_di, p_j - p_dj), here = at(p_i, p_j);
@@ -56,7 +70,12 @@ public:
 		differs = write(MAP_HOLE, 0, p_i, p_j, 0) || differs;
 		note(differs, p_i, p_j);
 	}
-	void open(int p_i, int p_j) { note(write(MAP_HOLE, 0, p_i, p_j, 1), p_i, p_j); }
+	// p_rim: height of the ground beside it, which blades at its rim would else leave for 0.
+	void open(int p_i, int p_j, double p_rim) {
+		bool differs = std::isfinite(p_rim) && write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_rim));
+		differs = write(MAP_HOLE, 0, p_i, p_j, 1) || differs;
+		note(differs, p_i, p_j);
+	}
 	void report() { _changed.report(_result); }
 
 private:
@@ -103,7 +122,7 @@ LaidGround lay_ground(
 			if (!std::isfinite(heights.at(i, j))) {
 				result.missing++;
 				if (p_missing == MissingGround::HOLE) {
-					writer.open(i, j);
+					writer.open(i, j, heights.beside(i, j));
 				}
 				continue;
 			}

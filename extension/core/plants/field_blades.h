@@ -45,7 +45,7 @@ public:
 	// All blades of an awake tile, as the simulation reads them.
 	SlotGrowth grow(const GrassSlot &p_slot) const;
 	// Whether the simulation needs grow(); otherwise it works the blades out by itself.
-	bool needs_growth() const { return _species || _map; }
+	bool needs_growth() const { return _species || _map || _clump.is_elsewhere(); }
 
 private:
 	int first_of(int p_tile_x, int p_tile_z) const; // blade of a tile, in the patch

@@ -4,6 +4,9 @@
 #include "core/map/map_layers.h"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace grass {
@@ -20,7 +23,7 @@ const std::vector<uint32_t> &noise_values() {
 		std::vector<uint32_t> counts(65536); // of each value
 		for (uint32_t z = 0; z < SIDE; z++) {
 			for (uint32_t x = 0; x < SIDE; x++) {
-				counts[grass_stand_noise(x, z, CELL, 1)]++;
+				counts[grass_stand_noise(x, z, CELL, 1, 0, 0)]++;
 			}
 		}
 		std::vector<uint32_t> found;
@@ -33,6 +36,11 @@ const std::vector<uint32_t> &noise_values() {
 	return values;
 }
 
+// p_a / p_b, rounded down.
+int64_t floor_of(int64_t p_a, int64_t p_b) {
+	return p_a / p_b - (p_a % p_b < 0 ? 1 : 0);
+}
+
 // Share of the blades whose number is below p_limit where the noise is p_noise.
 double share_below(double p_limit, double p_noise, double p_strength) {
 	const double left = p_limit - p_noise * p_strength, span = (256.0 - p_strength) * 65536.0;
@@ -40,7 +48,7 @@ double share_below(double p_limit, double p_noise, double p_strength) {
 }
 
 // [Eq P2] The limit below which the numbers of a share of all blades lie.
-int32_t find_limit(double p_share, int32_t p_strength) {
+int32_t search_limit(double p_share, int32_t p_strength) {
 	if (p_share <= 0.0) {
 		return 0;
 	}
@@ -65,12 +73,29 @@ int32_t find_limit(double p_share, int32_t p_strength) {
 	return high;
 }
 
+// The same mix is made for every plot of a world, and a search takes a tenth of a millisecond.
+int32_t find_limit(double p_share, int32_t p_strength) {
+	constexpr size_t MOST = 256;
+	static std::mutex mutex;
+	static std::map<std::pair<double, int32_t>, int32_t> known; // guarded by mutex
+	std::lock_guard lock(mutex);
+	if (known.size() > MOST) {
+		known.clear();
+	}
+	const auto [entry, is_new] = known.try_emplace({ p_share, p_strength }, 0);
+	if (is_new) {
+		entry->second = search_limit(p_share, p_strength);
+	}
+	return entry->second;
+}
+
 } // namespace
 
-SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed) :
+SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed, const Eigen::Vector2d &p_origin) :
 		_grid(p_grid), _seed(p_seed), _count(int(std::min<size_t>(p_species.size(), GRASS_MAX_SPECIES))) {
 	const double units = GRASS_ROOT_UNITS / p_grid.get_tile_size(); // a metre
 	_texel_units = int(std::lround(units * GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS));
+	const int64_t x = std::llround(p_origin.x() * units), z = std::llround(p_origin.y() * units);
 	double total = 0.0; // of the species up to this one: later ones choose first
 	for (int s = 0; s < _count; s++) {
 		const SpeciesParams &params = p_species[size_t(s)];
@@ -81,6 +106,10 @@ SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid 
 		record.strength = int32_t(std::lround(STAND_STRENGTH.clamp(params.stand_strength) * 256.0));
 		record.limit = find_limit(total > 0.0 ? share / total : 0.0, record.strength);
 		record.stems = std::clamp(params.stems, 1, int(PLANT_STEMS.maximum));
+		record.column = int32_t(floor_of(x, record.cell));
+		record.row = int32_t(floor_of(z, record.cell));
+		record.x = int32_t(x - int64_t(record.column) * record.cell);
+		record.z = int32_t(z - int64_t(record.row) * record.cell);
 		record.salt = int32_t(grass_hash(p_seed + 0x5eed0000u + uint32_t(s)) >> 1);
 		_shares[size_t(s)] = share;
 	}
@@ -141,8 +170,9 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 		if (record.stems > 1 && find_painted(at, p_layers) >= 0) {
 			continue;
 		}
-		if (grass_species_takes(uint32_t(at.x), uint32_t(at.z), uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit),
-					uint32_t(record.salt), grass_species_random(bits, at.blade, uint32_t(s)))) {
+		if (grass_species_takes(uint32_t(at.x + record.x), uint32_t(at.z + record.z), uint32_t(record.cell), uint32_t(record.strength),
+					uint32_t(record.limit), uint32_t(record.salt), uint32_t(record.column), uint32_t(record.row),
+					grass_species_random(bits, at.blade, uint32_t(s)))) {
 			return s;
 		}
 	}
@@ -170,8 +200,9 @@ std::array<float, GRASS_MAX_SPECIES> SpeciesMix::get_shares_at(const Eigen::Vect
 	for (int s = _count - 1; s > 0; s--) {
 		const SpeciesRecord &record = _records[size_t(s)];
 		const float taken = left *
-				grass_species_chance(uint32_t(units.x()), uint32_t(units.y()), uint32_t(record.cell), uint32_t(record.strength),
-						uint32_t(record.limit), uint32_t(record.salt));
+				grass_species_chance(uint32_t(units.x()) + uint32_t(record.x), uint32_t(units.y()) + uint32_t(record.z),
+						uint32_t(record.cell), uint32_t(record.strength), uint32_t(record.limit), uint32_t(record.salt),
+						uint32_t(record.column), uint32_t(record.row));
 		shares[size_t(s)] = taken;
 		left -= taken;
 	}

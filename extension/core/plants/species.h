@@ -38,6 +38,12 @@ inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
 // Of a flower or seed head. Above 0.3 cards look like paper.
 inline constexpr Tunable CARD_WIDTH{ "card_width", "m", 0.005, 1.0, 0.005, 0.05 };
 inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.05 };
+// 0: a card is upright and faces the eye; 1: it lies across its blade's tip, as a daisy.
+inline constexpr Tunable CARD_FLATNESS{ "card_flatness", "", 0.0, 1.0, 0.01, 0.0 };
+// Pictures side by side in a card's texture, of which each blade has one.
+inline constexpr Tunable CARD_PICTURES{ "card_pictures", "", 1.0, 8.0, 1.0, 1.0 };
+// Side of a leaf. Above 0.15 single leaves look like paper.
+inline constexpr Tunable LEAF_SIZE{ "leaf_size", "m", 0.005, 1.0, 0.005, 0.05 };
 
 // From there on a plant with a mesh is drawn as a blade. Each costs its mesh's vertices until then.
 inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0, 30.0 };
@@ -65,12 +71,16 @@ struct SpeciesParams {
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
 	int32_t stems = 1; // that are chosen together
+	// Where the field's first corner lies in the noise: units in a cell, and which cell.
+	int32_t x = 0, z = 0, column = 0, row = 0;
 };
 
 class SpeciesMix {
 public:
 	// Species beyond GRASS_MAX_SPECIES are ignored. Where all shares are 0 the first species grows.
-	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed);
+	// p_origin: where the field lies in the noise, metres. Fields of one size and one p_origin apart from each other continue.
+	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed,
+			const Eigen::Vector2d &p_origin = Eigen::Vector2d::Zero());
 
 	int get_count() const { return _count; }
 	std::span<const SpeciesRecord> get_records() const { return { _records.data(), size_t(_count) }; }

@@ -113,19 +113,20 @@ Eigen::Vector3f color_of(const PictureLook &p_look, const DrawnBlade &p_blade, f
 	return 1.3f * light * color;
 }
 
-void draw_card(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
+// A flower or a leaf. p_texels: RGBA8, sRGB, p_side squared; p_tint: times these; p_width, p_height: on the canvas.
+void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint8_t> p_texels, int p_side, const Eigen::Vector3f &p_tint,
+		float p_width, float p_height) {
 	const Eigen::Vector2f middle = p_blade.knots.back();
-	const float width = p_look.card_width * p_texels, height = p_look.card_height * p_texels;
+	const float width = p_width, height = p_height;
 	for (int y = int(-0.5f * height); y <= int(0.5f * height); y++) {
 		for (int x = int(-0.5f * width); x <= int(0.5f * width); x++) {
 			const auto place = [&](float p_at, float p_size) {
-				return size_t(std::clamp(p_at / std::max(p_size, 1.0f) + 0.5f, 0.0f, 0.999f) * float(p_look.card_side));
+				return size_t(std::clamp(p_at / std::max(p_size, 1.0f) + 0.5f, 0.0f, 0.999f) * float(p_side));
 			};
-			const uint8_t *texel = &p_look.card[4 * (place(float(y), height) * size_t(p_look.card_side) + place(float(x), width))];
+			const uint8_t *texel = &p_texels[4 * (place(float(y), height) * size_t(p_side) + place(float(x), width))];
 			if (texel[3] >= 128) {
 				const Eigen::Vector3f color(from_srgb(texel[0]), from_srgb(texel[1]), from_srgb(texel[2]));
-				r_canvas.put(
-						int(middle.x()) + x, int(middle.y()) + y, (1.0f - 0.3f * p_blade.depth) * color.cwiseProduct(p_look.card_color));
+				r_canvas.put(int(middle.x()) + x, int(middle.y()) + y, (1.0f - 0.3f * p_blade.depth) * color.cwiseProduct(p_tint));
 			}
 		}
 	}
@@ -142,7 +143,12 @@ void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p
 		}
 	}
 	if (!p_look.card.empty() && p_blade.chance(3) < p_look.card_share) {
-		draw_card(r_canvas, p_look, p_blade, p_texels);
+		const float width = p_look.card_width * p_texels, height = p_look.card_height * p_texels;
+		draw_card(r_canvas, p_blade, p_look.card, p_look.card_side, p_look.card_color, width, height);
+	} else if (!p_look.leaf.empty()) {
+		const float side = p_look.leaf_size * p_texels;
+		const float grey = 1.5f; // leaves are multiples of their blade's colour
+		draw_card(r_canvas, p_blade, p_look.leaf, p_look.card_side, grey * color_of(p_look, p_blade, 1.0f), side, 0.6f * side);
 	}
 }
 

@@ -16,11 +16,11 @@ struct PictureLook {
 	std::vector<Eigen::Vector3f> colors; // from root to tip, linear; at least one
 	Eigen::Vector3f dry_color = Eigen::Vector3f::Zero(); // linear
 	float dry = 0.0f; // 0..1
-	std::span<const uint8_t> card; // RGBA8, sRGB, card_side squared texels; empty: none
+	std::span<const uint8_t> card, leaf; // RGBA8, sRGB, card_side squared texels each; empty: none
 	int card_side = 0;
 	Eigen::Vector3f card_color = Eigen::Vector3f::Ones(); // times the card's, linear
 	float card_share = 0.0f; // of the blades
-	float card_width = 0.0f, card_height = 0.0f; // metres
+	float card_width = 0.0f, card_height = 0.0f, leaf_size = 0.0f; // metres
 };
 
 // RGBA8, sRGB, p_side squared texels; clear where no blade is. The tallest blades fill the height. A patch without blades leaves it clear.

@@ -46,6 +46,7 @@ struct TileParams {
 	TileParams sanitised() const;
 	// Never more pairs of a tile and a collider than this, for buffers made once.
 	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }
+	bool operator==(const TileParams &) const = default;
 
 private:
 	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).

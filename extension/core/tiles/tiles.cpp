@@ -20,6 +20,9 @@ void TileManager::set_params(const TileParams &p_params) {
 	if (_params.pool_size != before.pool_size || _params.seed != before.seed) {
 		reset();
 	}
+	if (!(_params == before)) {
+		_meetings.forget();
+	}
 }
 
 void TileManager::reset() {

@@ -25,7 +25,10 @@ public:
 	void set_grid(const TileGrid &p_grid);
 	void set_params(const TileParams &p_params);
 	// The boxes around the tiles' blades; without them a tile's box is its square grown by TileParams' overhang and height.
-	void set_bounds(std::shared_ptr<const TileBounds> p_bounds) { _bounds = std::move(p_bounds); }
+	void set_bounds(std::shared_ptr<const TileBounds> p_bounds) {
+		_bounds = std::move(p_bounds);
+		_meetings.forget();
+	}
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
 
@@ -66,6 +69,8 @@ public:
 	Eigen::Vector3f get_bend(int p_tile) const;
 	// Whether collider p_collider of the last update met grass: the box around the blades of a tile on which some stand.
 	bool has_met_grass(size_t p_collider) const { return _meetings.has_met_grass(p_collider); }
+	// Whether one of these tiles is awake now.
+	bool has_met_awake(size_t p_collider) const { return _meetings.has_met_awake(p_collider); }
 
 	int get_slot_of(int p_tile) const; // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.

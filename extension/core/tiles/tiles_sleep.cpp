@@ -175,6 +175,7 @@ void TileManager::stir(const TileRange &p_tiles) {
 	if (p_tiles.count() == 0) {
 		return;
 	}
+	_meetings.forget(); // what stands on them, and how high
 	for (const int slot : _used) {
 		const TileBounds::Tile tile = _places[size_t(slot)].tile;
 		if (p_tiles.has(tile.x, tile.z)) {

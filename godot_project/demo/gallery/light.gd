@@ -2,8 +2,11 @@
 ## The light of a view of the gallery, and what else the view names: lamps, walls, fog, a decal.
 extends Node3D
 
+const Probes := preload("res://demo/gallery/probes.gd")
+const Place := preload("res://demo/gallery/place.gd")
 const DAY := preload("res://demo/day.tres")
 const WALLS := {Vector3(-3.2, 1.3, 1.0): Color(0.75, 0.08, 0.06), Vector3(3.2, 1.3, 1.0): Color(0.85, 0.85, 0.82)}
+const WALL := Vector3(0.3, 2.6, 5.0)
 const LAMPS := {Vector3(-2.5, 2.2, 1.0): Color(1.0, 0.7, 0.4), Vector3(3.5, 2.2, -3.0): Color(0.7, 0.85, 1.0)}
 
 var _environment: Environment = DAY.duplicate(true)
@@ -69,7 +72,7 @@ func _add_lamps() -> void:
 
 func _add_walls() -> void:
 	for place: Vector3 in WALLS:
-		add_child(_box(place, Vector3(0.3, 2.6, 5.0), WALLS[place]))
+		add_child(_box(place, WALL, WALLS[place]))
 
 
 func _add_fog() -> void:
@@ -95,6 +98,11 @@ func _add_voxel_gi() -> void:
 	voxels.position = Vector3(0, 1.5, 1)
 	add_child(voxels)
 	voxels.ready.connect(func() -> void: voxels.bake.call_deferred(get_parent()))
+
+
+## Five plots, each of which takes the light of its own place.
+func _add_light_probes() -> void:
+	add_child(Probes.new(PackedVector3Array(Place.PLOTS), WALLS, WALL))
 
 
 func _add_decal() -> void:

@@ -13,8 +13,12 @@ const KINDS := {
 	hills = [96.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
 	painted = [120.0, 500.0, ["meadow", "tall_dry_grass", "daisy"]],
 	plants = [40.0, 60.0, ["meadow", "fern", "ox_eye_daisy", "small_shrub"]],
+	plots = [1.2, 600.0, ["meadow"]],
 	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
 }
+
+## Middles of the fields where there are several, from left to right.
+const PLOTS: Array[Vector3] = [Vector3(-2.4, 0, 1), Vector3(-1.2, 0, 1), Vector3(0, 0, 1), Vector3(1.2, 0, 1), Vector3(2.4, 0, 1)]
 
 ## Shares of plants with a mesh, fewer than where they stand alone.
 const THINNED := {fern = 0.2, small_shrub = 0.04}
@@ -41,6 +45,8 @@ func _init(p_kind: String, is_small: bool) -> void:
 			species[-1].share = THINNED[name]
 	field.species = species
 	add_child(field)
+	if kind == "plots":
+		_make_plots()
 	if kind == "hills":
 		_make_hills()
 	else:
@@ -77,13 +83,29 @@ func on_ground(place: Vector3) -> Vector3:
 	return place
 
 
+## Of all fields.
+func blade_count() -> int:
+	var count := 0
+	for each: GrassField in find_children("*", "GrassField", true, false):
+		count += each.get_blade_count()
+	return count
+
+
 func facts() -> PackedStringArray:
-	return [
-		(
-			"%s: %d blades, %d a square metre, of %s"
-			% [kind, field.get_blade_count(), KINDS[kind][1], ", ".join(PackedStringArray(KINDS[kind][2]))]
-		)
-	]
+	return ["%s: %d blades, %d a square metre, of %s" % [kind, blade_count(), KINDS[kind][1], ", ".join(PackedStringArray(KINDS[kind][2]))]]
+
+
+## A field takes the light of probes as one value, so several stand side by side.
+func _make_plots() -> void:
+	field.border_fade = 0.0
+	field.size = Vector2(1.2, 5.0)
+	field.gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC
+	field.position = PLOTS[0]
+	for i in range(1, PLOTS.size()):
+		var plot: GrassField = field.duplicate()
+		plot.position = PLOTS[i]
+		plot.seed = i
+		add_child(plot)
 
 
 func _plain() -> MeshInstance3D:

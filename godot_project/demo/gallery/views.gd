@@ -30,6 +30,15 @@ const ALL := {
 		target = Vector3(0, 0.7, 0)
 	},
 	voxel_gi = {about = "VoxelGI, the same walls", with = ["voxel_gi", "walls"], eye = Vector3(0, 1.7, 9), target = Vector3(0, 0.7, 0)},
+	light_probes =
+	{
+		about = "Light probes of a lightmap, the same walls; no sun",
+		place = "plots",
+		sky = "shade",
+		with = ["light_probes", "walls"],
+		eye = Vector3(0, 1.7, 7),
+		target = Vector3(0, 0.4, 1)
+	},
 	decal = {about = "A decal", with = ["decal"], eye = Vector3(0, 3, 10), target = Vector3(0, 0, 2)},
 	plants = {about = "Ferns, daisies and shrubs with meshes", place = "plants", eye = Vector3(0, 1.5, 12), target = Vector3(0, 0.4, 6)},
 	snow = {about = "Snow", sun = Vector2(25, 100), with = ["snow"]},

@@ -12,9 +12,10 @@ const FAR_WIDTH := 2.5  # times as wide
 const SOIL := Color(0.24, 0.27, 0.12)
 const FAR_POOL := 256  # tiles, of each far field: a jeep's
 const TRACK := 24.0  # metres, radius of the track
-## Species of the middle, and their shares. The far fields have no plants with a mesh, which show up to 30 m only.
+## Species of the middle, and their shares. The far fields have no plants with a mesh, which show nearby only.
 const SPECIES := {meadow = 0.62, hay_meadow = 0.28, daisy = 0.06, ox_eye_daisy = 0.006, fern = 0.003}
 const WITH_MESH: Array[String] = ["ox_eye_daisy", "fern"]
+const MESHES_TO := 15.0  # metres: they cost as much as all the grass to 30 m, and a quarter of that to here
 
 var field: GrassField  ## the one in the middle
 var fields: Array[GrassField] = []  ## all of them
@@ -71,6 +72,8 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 		if is_near or preset not in WITH_MESH:
 			species.append((load(PRESETS % preset) as GrassSpecies).duplicate())
 			species[-1].share = SPECIES[preset]
+			if preset in WITH_MESH:
+				species[-1].plant_distance = MESHES_TO
 			if not is_near:
 				species[-1].patch = species[-1].patch.duplicate()
 				species[-1].patch.width_min *= FAR_WIDTH

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 ## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. Started with `-- --out DIR` it takes
 ## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/walk.md says how.
+##   --parts FILE   measures what its parts cost to draw, then ends
 ##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
 ##                  rendering, or tiny (64 m in 128 m), for tests
 extends Node3D
 
 const Actions := preload("res://demo/walk/actions.gd")
+const Parts := preload("res://demo/walk/parts.gd")
 const Tour := preload("res://demo/walk/tour.gd")
 const SIZES := {"large": [256, 1024], "small": [64, 320], "tiny": [64, 128]}  # metres, side of the near field and of the hills
 const START := Vector3(0.0, 0.0, 9.0)
@@ -48,7 +50,11 @@ func _ready() -> void:
 	mower.add_collision_exception_with(walker)
 	reset()
 	var out := _argument("--out", "")
-	if out:
+	var parts := _argument("--parts", "")
+	if parts:
+		await Parts.new(self).measure(parts)
+		get_tree().quit()
+	elif out:
 		await Tour.new(self).record(out)
 		get_tree().quit()
 	elif DisplayServer.get_name() != "headless":

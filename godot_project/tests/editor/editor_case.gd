@@ -176,9 +176,26 @@ func redo() -> void:
 
 ## Writes what the editor shows, beside the test's copy of the project.
 func shoot(picture: String) -> void:
+	(await seen()).save_png(ProjectSettings.globalize_path("res://").path_join("../%s.png" % picture))
+
+
+## Without the view's grid: software Vulkan draws grey squares around it.
+func seen() -> Image:
+	_show_grid(false)
 	await frames(3)
+	EditorInterface.get_base_control().queue_redraw()  # an idle editor draws no frame
 	await RenderingServer.frame_post_draw
-	get_tree().root.get_texture().get_image().save_png(ProjectSettings.globalize_path("res://").path_join("../%s.png" % picture))
+	var image := get_tree().root.get_texture().get_image()
+	_show_grid(true)
+	return image
+
+
+func _show_grid(shown: bool) -> void:
+	for menu: MenuButton in get_tree().root.find_children("*", "MenuButton", true, false):
+		var popup := menu.get_popup()
+		for i in popup.item_count:
+			if popup.get_item_text(i) == "View Grid" and popup.is_item_checked(i) != shown:
+				popup.id_pressed.emit(popup.get_item_id(i))
 
 
 func _hold(event: InputEventWithModifiers, modifiers: int) -> void:

@@ -74,6 +74,7 @@ func test_a_preset_that_is_dropped_on_a_field_grows_there() -> void:
 	assert_eq(over_views(), 0, "nothing is left over the view")
 	assert_eq(EditorInterface.get_selection().get_selected_nodes(), [right] as Array[Node])
 	assert_true(toolbar.is_visible_in_tree() and (toolbar.get_node("Species") as Button).button_pressed, "in the hand")
+	set_number("Strength", 1.0)  # with less, single touches may leave none
 	await stroke([Vector3(2, 0, 0), Vector3(2.5, 0, 0)])
 	assert_true(right.map != null, "and planted by the next stroke")
 	await undo()
@@ -93,6 +94,11 @@ func test_a_picture_that_is_dropped_on_a_tool_is_the_stamp() -> void:
 	(toolbar.get_node("Erase") as Button).button_pressed = true
 	set_number("Strength", 1.0)
 	set_number("Radius", 2.0)
+	assert_eq((toolbar.get_node("StampRotation") as EditorSpinSlider).suffix, "°")
+	await move(at(Vector3.ZERO))
+	field.density = 144.0
+	await wait_until(func() -> bool: return not field.get_statistics().waiting, "the field is made")
+	await shoot("stamp")
 	await stroke([Vector3.ZERO])
 	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(1.0, 1.0)), 0.0, 0.01, "white erases")
 	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-1.0, 1.0)), 1.0, 0.01, "black leaves")

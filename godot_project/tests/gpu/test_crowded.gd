@@ -94,3 +94,18 @@ func test_fields_with_room_are_drawn_as_ever() -> void:
 	await drawn()
 	assert_eq(field.get_statistics().drawn_tiles, 1024)
 	assert_eq(field.get_statistics().left_out_tiles, 0)
+
+
+## While its shaders are compiled, a field is made, but not shown.
+func test_a_field_that_has_more_tiles_before_it_is_shown_has_room_for_them() -> void:
+	var hook := ShaderInclude.new()
+	hook.code = "void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission) {\n\talbedo.b += 0.01;\n}\n"
+	var field := add_seen_field(MANY.merged({drawn_tiles_max = 4096, density = 1.0, surface_hook = hook}, true))
+	await wait_until(func() -> bool: return field.get_statistics().builds == 1, "the field is made")
+	if not assert_true(field.get_statistics().waiting, "not shown yet"):
+		return
+	field.density = MANY.density
+	await drawn()
+	var now := field.get_statistics()
+	assert_eq(now.builds, 1, "what was made serves")
+	assert_eq([now.tiles, now.drawn_tiles, now.left_out_tiles], [1024, 1024, 0])

@@ -41,6 +41,23 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	assert_eq(field.get_statistics().drawn_triangles, triangles)
 
 
+func test_flowers_stay_with_their_species_when_these_change_places() -> void:
+	var green := make(0.5, Color(0.3, 0.6, 0.2))
+	var violet := make(0.5, Color(0.3, 0.6, 0.2), {card_share = 0.3, card_width = 0.06, card_height = 0.06})
+	violet.card = flower(Color(0.7, 0.1, 0.7))
+	var field := add_seen_field({species = [green, violet]})
+	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.4, 0))
+	await drawn()
+	field.species = [violet, green]
+	await drawn()
+	var changed := await picture()
+	field.free()
+	add_seen_field({species = [violet, green]})
+	await drawn()
+	assert_less(difference(changed, await picture()).y, 1e-3, "as if it had been made so")
+	assert_greater(share_of(changed, is_violet), 0.005)
+
+
 func _check_no_flowers(image: Image) -> void:
 	assert_eq(share_of(image, is_violet), 0.0, "no flower")
 
@@ -118,6 +135,7 @@ func test_flowers_bend_with_their_blades() -> void:
 	assert_less(stayed, 0.5)
 	body.free()
 	violet.card_share = 0.25
+	field.clump_tint = 0.0  # by which they stand in groups
 	await drawn()
 	var some := _share_of_flowers(await picture(), _tips(field))
 	print("    flowers on %.3f of the blades, where 0.25 were asked for" % some)

@@ -180,6 +180,33 @@ func push_tip(field: GrassField) -> void:
 	assert_greater(found.y, 1.0)
 
 
+## Blades at rest that wake in the slot of a tile that was bent: they have not moved.
+func test_a_tile_that_takes_the_slot_of_another() -> void:
+	var field := await add_one_blade(0.0, {size = Vector2(8, 4), pool_tiles = 1})
+	assert_eq(field.get_tiles(), Vector2i(2, 1))
+	var press := AnimatableBody3D.new()
+	press.sync_to_physics = false
+	add_shape(press, ball(0.15))
+	press.position = field.get_knots(Vector2i(1, 0), 0)[9] + Vector3(0.05, 0, 0)
+	viewport.add_child(press)
+	await ticks(20)
+	assert_true(field.is_tile_awake(Vector2i(1, 0)))
+	press.free()
+	var waking := AnimatableBody3D.new()
+	waking.sync_to_physics = false
+	add_shape(waking, ball(0.02))
+	var root := field.get_knots(Vector2i.ZERO, 0)[0]
+	waking.position = root.lerp(field.get_tile_center(Vector2i.ZERO), 0.5) + Vector3(0, 0.02, 0)
+	viewport.add_child(waking)
+	var farthest := 0.0
+	for frame in 10:
+		var here := crossing(await next_picture(), ROW)
+		if assert_false(is_nan(here)):
+			farthest = maxf(farthest, vectors.at(Vector2i(roundi(here), ROW)).length())
+	assert_true(field.is_tile_awake(Vector2i.ZERO))
+	assert_less(farthest, 0.1, "pixels")
+
+
 ## How sharp the picture of a meadow is with TAA, as a share of without.
 func sharpness(wind_speed: float) -> float:
 	var field := add_seen_field({size = Vector2(12, 12), wind_speed = wind_speed})

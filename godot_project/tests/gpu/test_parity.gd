@@ -237,5 +237,5 @@ func test_a_map_is_simulated_alike() -> void:
 	print("    parity after a cut under an awake tile: %s of a blade's length" % String.num_scientific(cut))
 	assert_true(gpu.is_tile_awake(tile))
 	assert_less(cut, MANY_STEPS)
-	var stub := blade_of(tile_knots(gpu, tile), 5)
-	assert_less(stub[0].distance_to(stub[15]), 0.11)
+	var stump := blade_of(tile_knots(gpu, tile), 5)
+	assert_less(stump[0].distance_to(stump[15]), 0.11)

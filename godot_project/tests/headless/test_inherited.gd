@@ -9,7 +9,6 @@ const HIDDEN: Array[String] = [
 	"custom_aabb",
 	"lod_bias",
 	"ignore_occlusion_culling",
-	"gi_mode",
 	"gi_lightmap_texel_scale",
 	"gi_lightmap_scale",
 	"visibility_range_begin",
@@ -20,7 +19,7 @@ const HIDDEN: Array[String] = [
 	"sorting_offset",
 	"sorting_use_aabb_center",
 ]
-const WITH_EFFECT: Array[String] = ["transparency", "cast_shadow", "layers"]
+const WITH_EFFECT: Array[String] = ["transparency", "cast_shadow", "layers", "gi_mode"]
 
 
 class Meadow:
@@ -68,7 +67,6 @@ func test_hidden_properties_are_kept() -> void:
 		custom_aabb = AABB(Vector3.ONE, Vector3.ONE),
 		lod_bias = 2.0,
 		ignore_occlusion_culling = true,
-		gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC,
 		visibility_range_end = 3.0,
 		sorting_offset = 1.0,
 	}

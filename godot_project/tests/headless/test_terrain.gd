@@ -22,7 +22,7 @@ func hills_of(terrain: Node) -> Hills:
 
 
 func all_kinds() -> Array[Node]:
-	return [PlainTerrain.new(), Terrain3DLike.new(), HTerrainLike.new()]
+	return [PlainTerrain.new(), Terrain3DLike.new(), HTerrainLike.new(), HTerrainLike.new(true)]
 
 
 func field_on(properties := {}) -> GrassField:
@@ -168,7 +168,7 @@ func test_an_edit_is_noticed_and_only_its_area_is_read() -> void:
 			terrain.data.maps_edited.emit(AABB(Vector3(-4, 0, -4), Vector3(8, 0, 8)))
 		else:
 			terrain.shape()
-			terrain.get_data().region_changed.emit(61, 61, 6, 6, 0)
+			terrain.get_data().tell_of(Rect2i(61, 61, 6, 6))
 		await read(field)
 		var what: String = terrain.get_script().resource_path
 		assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, 0.5)), hills.height(0.5, 0.5), 0.02, what)

@@ -77,6 +77,101 @@ func test_bodies_asleep_cost_next_to_nothing() -> void:
 	assert_ne(awake_tiles(field), awake, "and bends grass where it slides")
 
 
+## ... for so many ticks.
+func add_crowd_asleep(count: int) -> void:
+	var bodies: Array[RigidBody3D] = []
+	for i in 1000:
+		var body := add_body(RigidBody3D.new(), ball(0.1), Vector3(i % 40 - 19.7, 0.2, 0.8 * floorf(i / 40.0) - 10.0)) as RigidBody3D
+		body.gravity_scale = 0.0
+		bodies.append(body)
+	await wait_until(func() -> bool: return bodies.all(func(p_body: RigidBody3D) -> bool: return p_body.sleeping), "they sleep", true)
+	await ticks(count)
+
+
+## A crowd that lies in the grass: where it is is asked of 64 bodies a tick, and no tile is looked at.
+func test_a_crowd_asleep_costs_a_few_calls_and_no_tiles() -> void:
+	var field := add_field({size = Vector2(40, 40)})
+	await add_crowd_asleep(200)
+	var before := field.get_statistics()
+	await ticks(64)
+	var after := field.get_statistics()
+	assert_eq(before.colliders, 1000)
+	assert_eq(after.colliders, 1000)
+	assert_less(after.body_reads - before.body_reads, 64 * 64 + 1, "poses")
+	assert_less(after.engine_calls - before.engine_calls, 64 * 64 * 4, "calls")
+	for key: String in ["tiles_looked_at", "steps", "woken", "uploaded_bytes"]:
+		assert_eq(after[key], before[key], key)
+
+
+func test_a_crowd_asleep_that_waits_for_slots_costs_as_few_calls() -> void:
+	var field := add_field({size = Vector2(40, 40), pool_tiles = 16})
+	await add_crowd_asleep(40)
+	var before := field.get_statistics()
+	await ticks(64)
+	var after := field.get_statistics()
+	assert_greater(after.refused - before.refused, 64 * 900)
+	assert_less(after.body_reads - before.body_reads, 64 * 64 + 1, "poses")
+
+
+## A crowd that moves over more tiles than the pool holds: a body that nothing can follow is read in every eighth tick.
+func test_a_crowd_without_slots_is_read_seldom() -> void:
+	const POOL := 16
+	var field := add_field({size = Vector2(60, 60), pool_tiles = POOL})
+	var bodies: Array[RigidBody3D] = []
+	for i in 200:
+		var body := add_body(RigidBody3D.new(), ball(0.1), Vector3(4 * (i % 14) - 27, 0.2, 4 * floorf(i / 14.0) - 27)) as RigidBody3D
+		body.gravity_scale = 0.0
+		body.linear_velocity = Vector3(0.5, 0, 0)
+		bodies.append(body)
+	await ticks(30)
+	var before := field.get_statistics()
+	await ticks(64)
+	var after := field.get_statistics()
+	assert_less(after.body_reads - before.body_reads, 64 * (200 / 8 + POOL) + 1)
+	assert_greater(after.refused - before.refused, 64 * 150)
+	var is_followed := func(p_body: RigidBody3D) -> bool: return field.is_tile_awake(field.get_tile_at(p_body.global_position))
+	for body: RigidBody3D in bodies.filter(is_followed):
+		bodies.erase(body)
+		body.free()
+	await ticks(12)
+	assert_greater(bodies.filter(is_followed).size(), 0, "others have their slots")
+
+
+## A lid holds the whole pool. Below the ball nothing bends until the lid goes, and then only where the ball is or was when it was read
+## last.
+func test_a_body_that_waited_for_slots_bends_grass_where_it_is() -> void:
+	var field := add_field({size = Vector2(40, 8), pool_tiles = 100, sleep_mode = GrassField.SLEEP_TIMER})
+	var lid := BoxShape3D.new()
+	lid.size = Vector3(6, 0.1, 6)
+	var cover := add_held_body(lid, Vector3(-16, 0.3, 0))
+	await ticks(3)
+	var mover := add_held_body(ball(0.1), Vector3(-8, 0.2, 0))
+	var found := Vector2.ZERO
+	for i in 70:
+		mover.position.x += 0.25  # 15 m/s, 2 m in eight ticks
+		await ticks(1)
+		if i == 20:
+			assert_eq(awake_along(field, -8.0), Vector2.ZERO, "no slot is left")
+			cover.free()
+		found = awake_along(field, -8.0)
+		if found != Vector2.ZERO:
+			break
+	assert_less(found.y - found.x, 2.5, "metres of grass that woke first")
+	assert_less(absf(0.5 * (found.x + found.y) - mover.position.x), 8 * 0.25 + 0.5)
+	await ticks(1)
+	assert_less(absf(awake_along(field, found.y + 0.25).y - mover.position.x), 1.5, "a tick later it is followed")
+
+
+## From which x to which tiles are awake beyond `from`, metres; zero: none is.
+func awake_along(field: GrassField, from: float) -> Vector2:
+	var found := Vector2.ZERO
+	for tile in awake_tiles(field):
+		var centre := field.get_tile_center(tile)
+		if centre.x > from:
+			found = Vector2(centre.x, centre.x) if found == Vector2.ZERO else Vector2(minf(found.x, centre.x), maxf(found.y, centre.x))
+	return found
+
+
 func test_a_body_that_is_put_elsewhere_in_its_sleep() -> void:
 	var field := add_field()
 	var body := await add_sleeper(field)

@@ -215,3 +215,53 @@ func test_wrong_properties() -> void:
 	world.get_field_at(Vector3(10, 0, 10)).free()
 	await go(world, Vector3(10, 0, 10))
 	assert_true(world.get_field_at(Vector3(10, 0, 10)) != null, "a field that a script freed comes again")
+
+
+func test_clumps_and_stands_continue_across_borders() -> void:
+	var tall := GrassSpecies.new()
+	tall.stand_strength = 1.0
+	tall.stand_size = 12.0
+	var short := GrassSpecies.new()
+	short.stand_strength = 1.0
+	short.stand_size = 9.0
+	short.patch = GrassPatch.new()
+	short.patch.length_min = 0.1
+	short.patch.length_max = 0.12
+	var world := add_world({plot_scene = pattern({clump_size = 8.0, clump_height = 1.0, species = [tall, short]})})
+	await go(world, Vector3(128, 0, 64))
+	var left := world.get_field(Vector2i(0, 0))
+	var right := world.get_field(Vector2i(1, 0))
+	var most := 0.0
+	var heights: Array[float] = []
+	for z in range(4, 124):
+		var here := left.height_at(Vector3(127.999, 0, z + 0.3))
+		most = maxf(most, absf(here - right.height_at(Vector3(128.001, 0, z + 0.3))))
+		heights.append(here)
+	assert_less(most, 0.01, "metres, between the last of one plot and the first of the next")
+	assert_greater(heights.max() - heights.min(), 0.2, "there are clumps and stands")
+	var other: Array[float] = []
+	for z in range(4, 124):
+		other.append(right.height_at(Vector3(255.999, 0, z + 0.3)))
+	assert_ne(heights, other, "and they are not the same in each plot")
+
+
+func test_noise_of_a_rule_continues_across_borders() -> void:
+	var rule := GrassFillRule.new()
+	rule.noise_cover = 0.5
+	rule.noise_size = 12.0
+	rule.noise_fade = 0.0
+	var world := add_world({plot_scene = pattern({fill_rule = rule})})
+	await go(world, Vector3(128, 0, 64))
+	var left := world.get_field(Vector2i(0, 0))
+	var right := world.get_field(Vector2i(1, 0))
+	await wait_until(func() -> bool: return left.get_statistics().fill_waiting + right.get_statistics().fill_waiting == 0, "rules have run")
+	await frames(4)
+	var same := 0
+	var grown := 0
+	for z in range(4, 124):
+		var here := left.density_at(Vector3(127.7, 0, z + 0.25)) > 0.5
+		grown += 1 if here else 0
+		same += 1 if here == (right.density_at(Vector3(128.3, 0, z + 0.25)) > 0.5) else 0
+	assert_greater(same, 112, "of 120 places on both sides of the border")
+	assert_greater(grown, 20)
+	assert_less(grown, 100)

@@ -6,6 +6,8 @@ const WIDE := 256.0  # metres of a plot
 const PLOTS := 4
 const DISK := 4e6  # bytes of a square kilometre, at most
 const MEMORY := 100.0  # MB
+# In a frame. Of the cover four parts of 0.3 MB; without a renderer the textures of a map are made there, too: four of 25 chunks.
+const MOST_BYTES := 4e6
 
 
 ## A plot on rolling ground, with strokes of every kind all over it.
@@ -71,5 +73,8 @@ func test_painted_ground_on_disk_and_in_memory() -> void:
 	assert_greater(now.brought - before.brought, 4)
 	assert_eq(now.fields_made, before.fields_made, "in flight")
 	assert_less(now.most_moves, 3, "plots that come or leave in a frame")
+	assert_less(now.most_parts, 5, "parts of fields that are made in a frame")
+	assert_less(now.most_bytes, MOST_BYTES, "handed to the renderer in a frame")
+	assert_greater(now.most_bytes, 0)
 	assert_greater(now.plots, 3)
 	print("world: %.2f MB a km2 on disk, %.1f MB in memory, %d plots" % [1e-6 * per_square_kilometre, 1e-6 * most, now.plots])

@@ -8,15 +8,33 @@ class Data:
 	extends Resource
 
 	signal resolution_changed
-	signal region_changed(x: int, y: int, w: int, h: int, channel: int)
 
 	const CHANNEL_HEIGHT := 0
 	const CHANNEL_SPLAT := 2
 	const CHANNEL_COLOR := 3
+	const CHANNEL_GLOBAL_ALBEDO := 5
 
 	var heights := Image.create_empty(129, 129, false, Image.FORMAT_RF)
 	var splat := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
 	var color := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
+	var albedo: Image  # baked, of any size
+
+	var by_rectangle: bool
+
+	## Up to 1.8 `region_changed` has five numbers, later a rectangle and two.
+	func _init(by_a_rectangle: bool) -> void:
+		by_rectangle = by_a_rectangle
+		var numbers := ["channel", "index"] if by_rectangle else ["x", "y", "w", "h", "channel"]
+		var arguments: Array = numbers.map(func(named: String) -> Dictionary: return {name = named, type = TYPE_INT})
+		if by_rectangle:
+			arguments.push_front({name = "rect", type = TYPE_RECT2I})
+		add_user_signal("region_changed", arguments)
+
+	func tell_of(rect: Rect2i) -> void:
+		if by_rectangle:
+			emit_signal("region_changed", rect, CHANNEL_HEIGHT, 0)
+		else:
+			emit_signal("region_changed", rect.position.x, rect.position.y, rect.size.x, rect.size.y, CHANNEL_HEIGHT)
 
 	func get_resolution() -> int:
 		return heights.get_width()
@@ -29,10 +47,10 @@ class Data:
 		return lerpf(lerpf(_height(x, y), _height(x + 1, y), s), lerpf(_height(x, y + 1), _height(x + 1, y + 1), s), t)
 
 	func get_map_count(map_type: int) -> int:
-		return 1 if map_type <= CHANNEL_COLOR else 0
+		return 1 if map_type <= CHANNEL_COLOR or map_type == CHANNEL_GLOBAL_ALBEDO and albedo else 0
 
 	func get_image(map_type: int, _index := 0) -> Image:
-		return {CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color}.get(map_type)
+		return {CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color, CHANNEL_GLOBAL_ALBEDO: albedo}.get(map_type)
 
 	func _height(x: int, y: int) -> float:
 		var last := get_resolution() - 1
@@ -43,10 +61,11 @@ const Hills := preload("res://tests/terrains/hills.gd")
 
 var map_scale := Vector3(2, 4, 2)  # of cells, and of heights
 var hills := Hills.new()
-var _data := Data.new()
+var _data: Data
 
 
-func _init() -> void:
+func _init(by_rectangle := false) -> void:
+	_data = Data.new(by_rectangle)
 	shape()
 
 
@@ -74,4 +93,4 @@ func shape() -> void:
 			weights[int(texture.y)] += texture.z
 			_data.heights.set_pixel(x, y, Color(hills.height(at.x, at.y) / map_scale.y, 0, 0))
 			_data.splat.set_pixel(x, y, Color(weights[0], weights[1], weights[2], 0))
-			_data.color.set_pixel(x, y, Color(1, 1, 1, 1 if hills.has_ground(at.x, at.y) else 0))
+			_data.color.set_pixel(x, y, Color(hills.color_at(at.x, at.y), 1 if hills.has_ground(at.x, at.y) else 0))

@@ -7,6 +7,8 @@ var bump_area := Rect2()
 var hole := Rect2()  # x, z; without ground
 var grass := Rect2()  # x, z; here texture 1 shows, elsewhere texture 0
 var path := Rect2()  # x, z; here texture 2 shows over the others, by 3/4
+var painted := Rect2()  # x, z; here the ground has `color`
+var color := Color(0.8, 0.2, 0.1)
 
 
 func height(x: float, z: float) -> float:
@@ -15,6 +17,11 @@ func height(x: float, z: float) -> float:
 
 func has_ground(x: float, z: float) -> bool:
 	return not hole.has_point(Vector2(x, z))
+
+
+## White where nobody painted, as in the colour maps of Terrain3D and HTerrain.
+func color_at(x: float, z: float) -> Color:
+	return color if painted.has_point(Vector2(x, z)) else Color.WHITE
 
 
 ## Base, overlay and blend, as Terrain3D tells them.

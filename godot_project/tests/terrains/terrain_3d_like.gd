@@ -31,6 +31,9 @@ class Data:
 			return Vector3(NAN, NAN, NAN)
 		return hills.texture(at.x, at.z)
 
+	func get_color(at: Vector3) -> Color:
+		return hills.color_at(at.x, at.z) if _has_data(at) else Color(NAN, NAN, NAN, 1.0)
+
 	func _has_data(at: Vector3) -> bool:
 		return maxf(absf(at.x), absf(at.z)) < REGION
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The colours that a terrain tells, as a picture that spans the field: what its blades' roots, its soil and its far grass take.
+#pragma once
+
+#include "core/map/map_layers.h"
+
+namespace grass {
+
+struct TerrainColor {
+	uint8_t red = 255, green = 255, blue = 255; // sRGB
+	uint8_t alpha = 0; // how much it counts; 0: nothing is told, and grass keeps its own
+
+	// 0..1 each, clamped; with one that is no number nothing is told.
+	static TerrainColor of(double p_red, double p_green, double p_blue, double p_alpha);
+	bool operator==(const TerrainColor &) const = default;
+};
+
+class TerrainColors {
+public:
+	static constexpr int LARGEST = 2048; // texels along a side; larger fields show larger texels
+
+	// What it spans, metres. All is forgotten.
+	void set_area(const MapRegion &p_area);
+	void clear();
+	// Of the square metre around a place (x, z in metres); places beyond the area are left out.
+	void set(const Eigen::Vector2d &p_place, const TerrainColor &p_color);
+
+	int get_width() const { return _size.x(); }
+	int get_depth() const { return _size.y(); }
+	std::span<const TerrainColor> get_texels() const { return _texels; } // row by row along x
+	bool take_changed() { return std::exchange(_has_changed, false); } // since the last call
+	size_t get_memory_usage() const { return _texels.size() * sizeof(TerrainColor); } // bytes
+
+private:
+	MapRegion _area;
+	Eigen::Array2i _size = Eigen::Array2i::Zero();
+	std::vector<TerrainColor> _texels;
+	bool _has_changed = false;
+};
+
+} // namespace grass

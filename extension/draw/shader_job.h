@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Makes a shader, and the pipelines that the renderer draws with. On the main thread either would hold up a frame, by some 80 ms and,
+// with an empty cache of the driver, by more than a second.
+#pragma once
+
+#include "draw/shared_shader.h"
+
+#include <godot_cpp/classes/shader_material.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/rid.hpp>
+
+#include <atomic>
+
+namespace grass {
+
+class ShaderJob {
+public:
+	explicit ShaderJob(const ShaderText &p_text);
+	ShaderJob(const ShaderJob &) = delete;
+	ShaderJob &operator=(const ShaderJob &) = delete;
+	~ShaderJob();
+
+	// Does it: on a worker thread, where there is a RenderingDevice.
+	void work();
+	// Returns when no thread makes a shader: at most some 90 ms later. Their pipelines may go on.
+	static void wait_for_shaders();
+	bool has_begun() const { return _has_begun; }
+	bool is_done() const { return _is_done; }
+	const godot::Ref<godot::Shader> &get_shader() const { return _shader; } // once it is done
+
+private:
+	godot::String _code;
+	godot::Dictionary _surface; // what the renderer is handed of a mesh
+	godot::Ref<godot::Shader> _shader;
+	godot::Ref<godot::ShaderMaterial> _material;
+	godot::RID _mesh;
+	std::atomic<bool> _has_begun = false, _is_done = false;
+};
+
+} // namespace grass

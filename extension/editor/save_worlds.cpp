@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "editor/save_worlds.h"
+
+#include "nodes/grass_world.h"
+
+#include <godot_cpp/classes/editor_file_system.hpp>
+#include <godot_cpp/classes/editor_interface.hpp>
+#include <godot_cpp/classes/editor_toaster.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+void warn(const String &p_text) {
+	EditorInterface::get_singleton()->get_editor_toaster()->push_toast(p_text, EditorToaster::SEVERITY_WARNING);
+}
+
+} // namespace
+
+void save_world(GrassWorld &r_world) {
+	r_world.wait_for_files(); // plots that just left memory
+	if (!r_world.has_unsaved()) {
+		return;
+	}
+	if (r_world.get_folder().is_empty()) {
+		warn(vformat("GrassWorld '%s': what was painted is not saved yet. Set the world's `folder`, and save again.", r_world.get_name()));
+		return;
+	}
+	r_world.save();
+	r_world.wait_for_files();
+	if (r_world.has_unsaved()) {
+		warn(vformat("GrassWorld '%s': some of what was painted cannot be written to '%s'. It stays in memory; make room there, and save "
+					 "again.",
+				r_world.get_name(), r_world.get_folder()));
+	}
+	EditorInterface::get_singleton()->get_resource_filesystem()->scan(); // new files are exported only once the editor knows them
+}
+
+} // namespace grass

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// How BodyTracker tells what a body did in a tick, motion, or a place that it was put at, and in which ticks it looks.
+#include "nodes/body_tracker.h"
+
+#include "convert.h"
+
+#include <godot_cpp/classes/character_body3d.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+// Ticks after which a static body that moved is ground again.
+constexpr int STILL_TICKS = 120;
+
+// In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
+// kinematic bodies in it) are where they were beside the field, not far away from it.
+Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) const {
+	const Eigen::Affine3d world = to_eigen(p_world);
+	const Eigen::Affine3d now = p_field.from_world * world;
+	if (!p_field.has_jumped || !p_body.has_before) {
+		return now;
+	}
+	const Eigen::Affine3d late = p_field.from_world_before * world;
+	const Eigen::Vector3d before = p_body.before.translation();
+	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
+}
+
+// In the world, metres per second. A kinematic body's follows from the places where it was put, teleports included.
+Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
+	_reads.engine_calls++;
+	return to_eigen(p_body.state->get_linear_velocity());
+}
+
+// The velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between what a character wanted
+// and what it could do.
+Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion) {
+	if (p_body.is_driven) {
+		return server_velocity(p_body);
+	}
+	const CharacterBody3D *character =
+			p_body.is_character ? Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(p_body.instance_id)) : nullptr;
+	if (character == nullptr) {
+		return Eigen::Vector3d::Zero();
+	}
+	_reads.engine_calls += 2;
+	const Eigen::Vector3d wanted = to_eigen(character->get_velocity()), real = to_eigen(character->get_real_velocity());
+	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
+}
+
+// Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
+void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
+	const Eigen::Matrix3d from_world = _from_world_before.linear();
+	const Eigen::Vector3d now = p_now.translation();
+	r_body.was_put = !r_body.has_before;
+	if (!r_body.has_before) {
+		const Eigen::Vector3d seen = server_velocity(r_body);
+		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen);
+		r_body.has_before = true;
+		r_body.before = p_now;
+		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, p_tick);
+		return;
+	}
+	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;
+	Eigen::Vector3d own = Eigen::Vector3d::Zero();
+	if (!r_body.motion.expects(step, p_tick)) {
+		own = from_world * own_velocity(r_body, from_world.transpose() * step / p_tick.delta);
+	}
+	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, p_tick);
+	if (from == now && step != Eigen::Vector3d::Zero()) {
+		r_body.before = p_now;
+		r_body.was_put = true;
+		return;
+	}
+	r_body.before.translation() = from;
+	r_body.was_put = from != before;
+	judge_turn(r_body, p_now, p_tick.delta);
+}
+
+void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
+	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
+	const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+	double own = 0.0;
+	if (r_body.is_driven && angle > Motion::PLAUSIBLE_TURN) {
+		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
+		_reads.engine_calls++;
+	}
+	if (!r_body.motion.follow_turn(angle, own)) {
+		r_body.before.linear() = p_now.linear();
+		r_body.was_put = true;
+	}
+}
+
+// A static body bends grass from its first motion on, until it has stood still for a while. p_is_carried: the field
+// jumped and the body with it, in the same tick or the next: nodes pass on either to the server when they are updated.
+bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
+	if (!r_body.is_static) {
+		r_body.still_ticks = 0;
+		r_body.world_before = p_world;
+		return false;
+	}
+	if (!r_body.has_before || p_is_carried) { // just found
+		r_body.still_ticks = r_body.has_before ? r_body.still_ticks : STILL_TICKS;
+	} else {
+		r_body.still_ticks = p_world == r_body.world_before ? std::min(r_body.still_ticks + 1, STILL_TICKS) : 0;
+	}
+	r_body.world_before = p_world;
+	return r_body.still_ticks >= STILL_TICKS;
+}
+
+// Whether nothing can follow it: the pool, which is full, had no slot for any tile that it met.
+bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles) {
+	if (p_body.overlaps <= 0 || !p_body.is_written) {
+		return false;
+	}
+	bool has_met = false;
+	for (size_t i = p_body.first_collider; i < size_t(p_body.first_collider) + p_body.colliders; i++) {
+		if (p_tiles.has_met_awake(i)) {
+			return false;
+		}
+		has_met = has_met || p_tiles.has_met_grass(i);
+	}
+	return has_met;
+}
+
+// Its colliders stay where it was read last, to be found there when there is a slot.
+void BodyTracker::wait(Body &r_body, std::vector<ColliderShape> &r_colliders) {
+	r_body.waited++;
+	r_body.next_look = std::max(r_body.next_look - 1, 0); // falls asleep as soon as others
+	r_body.was_put = false;
+	write_shapes(r_body, r_body.before, r_colliders);
+}
+
+// What it did while it waited bends nothing: its way in this tick begins where it was a tick ago if it went evenly.
+void BodyTracker::catch_up(Body &r_body, const Eigen::Affine3d &p_now) {
+	const Eigen::Vector3d way = p_now.translation() - r_body.before.translation();
+	r_body.before.translation() += way * (double(r_body.waited) / double(r_body.waited + 1));
+	r_body.before.linear() = p_now.linear();
+}
+
+} // namespace grass

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "nodes/world_fields.h"
+
+#include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/core/object.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr real_t AWAY = -1e5f; // metres: where no body meets a field that waits
+
+} // namespace
+
+GrassField *field_with(uint64_t p_id) {
+	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
+}
+
+GrassField *WorldFields::make() {
+	Node *made = _scene.is_valid() && _scene->can_instantiate() ? _scene->instantiate() : nullptr;
+	GrassField *field = Object::cast_to<GrassField>(made);
+	_has_wrong_scene = _scene.is_valid() && field == nullptr;
+	if (field == nullptr) {
+		if (made != nullptr) {
+			memdelete(made);
+		}
+		field = memnew(GrassField);
+	}
+	field->set_size(Vector2(real_t(_side), real_t(_side)));
+	field->set_param(PARAM_BORDER_FADE, 0.0);
+	field->set_visible(false);
+	field->set_streamed();
+	return field;
+}
+
+void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side) {
+	_scene = p_scene;
+	_side = p_side;
+	_made = 0;
+	forget_first();
+	_place.reset();
+	GrassField *first = _first = make();
+	_pattern = {};
+	_pattern.has_terrain = !first->get_terrain().is_empty();
+	_pattern.pool_tiles = first->get_pool_tiles();
+	_pattern.collision_mask = uint32_t(first->get_collision_mask());
+	_pattern.tile_size = first->get_tile_size();
+	_pattern.map.set_base_density(1.0);
+	if (first->get_map().is_valid()) {
+		_pattern.map = first->get_map()->get_map();
+	}
+}
+
+void WorldFields::forget_first() {
+	if (_first != nullptr) {
+		memdelete(_first);
+	}
+	_first = nullptr;
+}
+
+const std::optional<ShownPlace> &WorldFields::find_place() {
+	if (!_place && _first != nullptr) {
+		_place = _first->find_shown_place();
+		if (_place) {
+			forget_first();
+		}
+	}
+	return _place;
+}
+
+void WorldFields::stop() {
+	forget_first();
+	while (!_spare.empty()) {
+		free_spare();
+	}
+}
+
+void WorldFields::forget_freed() {
+	std::erase_if(_spare, [](uint64_t p_id) { return field_with(p_id) == nullptr; });
+}
+
+GrassField *WorldFields::take() {
+	forget_freed();
+	if (!_spare.empty()) {
+		GrassField *field = field_with(_spare.back());
+		_spare.pop_back();
+		return field;
+	}
+	GrassField *field = make();
+	for (int32_t i = _world.get_child_count(); i < _world.get_child_count(true); i++) { // behind the user's own
+		if (const GrassField *other = Object::cast_to<GrassField>(_world.get_child(i, true))) {
+			field->join(*other);
+			break;
+		}
+	}
+	_world.add_child(field, false, Node::INTERNAL_MODE_BACK);
+	_made++;
+	return field;
+}
+
+void WorldFields::give_back(GrassField *p_field, bool p_keeps) {
+	if (p_keeps && _spare.size() < MOST_SPARE) {
+		p_field->set_visible(false);
+		p_field->set_position(Vector3(0, AWAY, 0));
+		_spare.push_back(p_field->get_instance_id());
+	} else {
+		p_field->queue_free();
+	}
+}
+
+void WorldFields::free_spare() {
+	if (GrassField *field = field_with(_spare.back())) {
+		field->queue_free();
+	}
+	_spare.pop_back();
+}
+
+} // namespace grass
