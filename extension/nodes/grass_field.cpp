@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
+#include "draw/quit.h"
 #include "draw/shared_shader.h"
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
@@ -11,6 +12,8 @@
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -61,6 +64,7 @@ void GrassField::enter() {
 	if (FieldMonitors::get_fields().empty()) {
 		hold_shader_jobs(); // what comes with the field may be drawn as nothing was before
 	}
+	watch_for_quit(get_tree()->get_root());
 	FieldMonitors::add(this);
 	SceneWatch::get_singleton()->start(this);
 	set_process_internal(true);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "draw/quit.h"
+
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// How long a game that ends waits for tasks of low priority, microseconds. Shorter: it may hang. Longer: whoever ends it waits.
+constexpr uint64_t LONGEST_WAIT = 30'000'000;
+
+// When the game ends, the engine wakes its worker threads once. One that finds no work then, while tasks of low priority still wait for
+// their turn, sleeps on, and the engine waits for it for ever (Godot's issue 117064). Pipelines are such tasks, and a field brings many:
+// so all of them begin before. The engine would wait for them anyway.
+void begin_all_tasks() {
+	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
+	const Time *time = Time::get_singleton();
+	const uint64_t begin = time->get_ticks_usec();
+	const int64_t last = pool->add_native_task([](void *) {}, nullptr, false, "GrassField's last task");
+	while (!pool->is_task_completed(last) && time->get_ticks_usec() - begin < LONGEST_WAIT) {
+		OS::get_singleton()->delay_usec(500);
+	}
+}
+
+} // namespace
+
+void watch_for_quit(Node *p_root) {
+	const Callable begin = callable_mp_static(&begin_all_tasks);
+	if (RenderingServer::get_singleton()->get_rendering_device() != nullptr && !p_root->is_connected("tree_exiting", begin)) {
+		p_root->connect("tree_exiting", begin);
+	}
+}
+
+} // namespace grass

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Lets a game end while the renderer's pipelines are still being made.
+#pragma once
+
+#include <godot_cpp/classes/node.hpp>
+
+namespace grass {
+
+// Call when a field enters the tree with this root.
+void watch_for_quit(godot::Node *p_root);
+
+} // namespace grass
