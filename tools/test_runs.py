@@ -5,6 +5,7 @@ import concurrent.futures
 import os
 import re
 import subprocess
+import time
 from dataclasses import dataclass, field
 
 from tools import engine
@@ -17,6 +18,7 @@ ENGINE_LIMIT = 14400
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
 UNSUPPORTED = re.compile(r"is not supported yet")  # the engine about a shader of ours
+WORTH_SAYING = 5.0  # seconds that a test takes
 CASES_A_PART = 8  # test cases that a slow program runs at a time
 
 
@@ -104,7 +106,7 @@ class Reports:
 	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
 		"""`forbidden`: what the engine must not say, as (pattern, what it is); `said`: gets all that it says."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
-		self.open, self.running = [], None
+		self.open, self.running, self.began = [], None, time.monotonic()
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
 		self.heard = {}  # lines, by what they are
 		self.said = [] if said is None else said
@@ -121,9 +123,11 @@ class Reports:
 		name = self.title + name.removeprefix(self.layer)
 		if what in ("plan", "run"):
 			self.open += [name] if what == "plan" else []
-			self.running = name if what == "run" else self.running
+			if what == "run":
+				self.running, self.began = name, time.monotonic()
 			return
-		print(f"{what:>6} {name}", flush=True)
+		seconds = time.monotonic() - self.began
+		print(f"{what:>6} {name}" + (f" ({seconds:.0f} s)" if seconds >= WORTH_SAYING else ""), flush=True)
 		test = name.split(": ", 1)[0]
 		self.open.remove(test)
 		if what == "pass":

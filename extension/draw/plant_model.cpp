@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "draw/plant_model.h"
 
-#include "core/plants/species.h"
-
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/packed_color_array.hpp>
@@ -20,6 +18,9 @@ namespace grass {
 
 namespace {
 
+constexpr int FACE_STEPS = 4; // parts of a triangle's side, each of which counts where its middle is
+// Share of a far blade's rows that lie where the plant is wide. 0: a flower is a streak down its stem; 1: a thin stem has no rows.
+constexpr float WIDE_ROWS = 0.85f;
 constexpr int TEXTURE_STEPS = 32; // places of a texture along each side that its mean colour is taken from
 
 // Linear; alpha: share of the texture that is opaque.
@@ -65,8 +66,65 @@ float highest_of(const Ref<Mesh> &p_mesh) {
 	return float(bounds.position.y + bounds.size.y);
 }
 
-// Adds a surface; its triangles to the model's area, and to the sum of what they show.
-void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, Color &r_shown) {
+// What the triangles of a plant show, and how much of it, by its parts from the root up. Areas in heights squared.
+struct Shown {
+	std::array<Color, GRASS_PLANT_BANDS> colors; // times area
+	std::array<float, GRASS_PLANT_BANDS> areas, reaches; // farthest from the blade
+
+	Shown() {
+		colors.fill(Color(0, 0, 0, 0));
+		areas.fill(0.0f);
+		reaches.fill(0.0f);
+	}
+
+	// p_places: the corners, in heights; p_colors: theirs, linear.
+	void add(const Vector3 (&p_places)[3], const Color (&p_colors)[3], float p_area) {
+		const float part = p_area / float(FACE_STEPS * FACE_STEPS);
+		for (int i = 0; i < FACE_STEPS; i++) {
+			for (int j = 0; j < 2 * (FACE_STEPS - i) - 1; j++) { // upright ones and those between them
+				const float third = j % 2 == 0 ? 1.0f / 3.0f : 2.0f / 3.0f;
+				const float b = (float(i) + third) / FACE_STEPS, c = (float(j / 2) + third) / FACE_STEPS, a = 1.0f - b - c;
+				const Vector3 place = p_places[0] * a + p_places[1] * b + p_places[2] * c;
+				const size_t band = size_t(std::clamp(int(place.y * GRASS_PLANT_BANDS), 0, GRASS_PLANT_BANDS - 1));
+				areas[band] += part;
+				reaches[band] = std::max(reaches[band], float(std::hypot(place.x, place.z)));
+				colors[band] += (p_colors[0] * a + p_colors[1] * b + p_colors[2] * c) * part;
+			}
+		}
+	}
+};
+
+// The model's colours and area, of what all of its triangles show.
+void find_looks(PlantModel &r_model, const Shown &p_shown) {
+	Color sum(0, 0, 0, 0);
+	float area = 0.0f;
+	for (size_t k = 0; k < p_shown.areas.size(); k++) {
+		sum += p_shown.colors[k];
+		area += p_shown.areas[k];
+	}
+	const auto mean_of = [](const Color &p_sum, float p_area) { return Color(p_sum.r / p_area, p_sum.g / p_area, p_sum.b / p_area); };
+	const float whole = std::max(area, 1e-9f);
+	r_model.color = mean_of(sum, whole);
+	// Turned every way, a face shows half of itself; what stands behind other faces covers no more.
+	r_model.area = std::min(0.5f * area, 2.0f * r_model.reach);
+	for (size_t k = 0; k < p_shown.areas.size(); k++) {
+		const float own = p_shown.areas[k], widest = 2.0f * p_shown.reaches[k] / std::max(r_model.area, 1e-9f);
+		const float width = std::min(own / whole * GRASS_PLANT_BANDS, widest);
+		r_model.bands[k] = { own > 1e-4f * whole ? mean_of(p_shown.colors[k], own) : r_model.color, width };
+	}
+	float squares = 0.0f, rows = 0.0f;
+	for (const PlantModel::Band &band : r_model.bands) {
+		squares += band.width * band.width;
+	}
+	for (PlantModel::Band &band : r_model.bands) {
+		const float even = 1.0f / GRASS_PLANT_BANDS, wide = band.width * band.width / std::max(squares, 1e-9f);
+		rows += even + (wide - even) * WIDE_ROWS;
+		band.rows = rows;
+	}
+}
+
+// Adds a surface, and its triangles to what is shown.
+void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, Shown &r_shown) {
 	const Array from = p_mesh->surface_get_arrays(p_surface);
 	PackedVector3Array places = from[Mesh::ARRAY_VERTEX];
 	const PackedColorArray colors = from[Mesh::ARRAY_COLOR];
@@ -101,9 +159,10 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 	for (int64_t i = 0; i + 2 < indices.size(); i += 3) {
 		const int64_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
 		const float area = float((places[b] - places[a]).cross(places[c] - places[a]).length()) * 0.5f * float(mean.a);
-		const Color tint = shows_colors ? colors[a].srgb_to_linear() : Color(1, 1, 1);
-		r_shown += albedo * mean * tint * area;
-		r_model.area += 0.5f * area; // turned every way, a face shows half of itself
+		const auto color_of = [&](int64_t p_vertex) {
+			return albedo * mean * (shows_colors ? colors[p_vertex].srgb_to_linear() : Color(1, 1, 1));
+		};
+		r_shown.add({ places[a], places[b], places[c] }, { color_of(a), color_of(b), color_of(c) }, area);
 	}
 	r_model.vertices += places.size();
 	r_model.indices += indices.size();
@@ -126,7 +185,7 @@ int64_t PlantModel::get_memory_usage() const {
 PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 	const float height = highest_of(p_mesh);
 	auto model = std::make_shared<PlantModel>();
-	Color shown(0, 0, 0, 0);
+	Shown shown;
 	int surfaces = 0;
 	int64_t vertices = 0;
 	for (int s = 0; s < p_mesh->get_surface_count(); s++) {
@@ -157,9 +216,7 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 	if (model->indices == 0) {
 		return { nullptr, "it has no triangles. Give it a surface of triangles." };
 	}
-	const float whole = 1.0f / std::max(2.0f * model->area, 1e-9f);
-	model->color = Color(shown.r * whole, shown.g * whole, shown.b * whole);
-	model->area = std::min(model->area, 2.0f * model->reach); // what stands behind other faces covers no more
+	find_looks(*model, shown);
 	return { model, String() };
 }
 

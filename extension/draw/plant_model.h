@@ -8,6 +8,9 @@
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/string.hpp>
 
+#include "core/plants/species.h"
+
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,7 +28,14 @@ struct PlantModel {
 		godot::Ref<godot::Texture2D> texture; // likewise; null: none
 		float scissor = 0.0f; // alpha below which nothing is drawn
 	};
+	// What an eye beside it sees of a part of it, from the root up; each is as high.
+	struct Band {
+		godot::Color color; // mean, linear
+		float width = 1.0f; // over the mean of all
+		float rows = 1.0f; // share of a far blade's rows up to its upper end
+	};
 	std::vector<Surface> surfaces;
+	std::array<Band, GRASS_PLANT_BANDS> bands;
 	int64_t vertices = 0, indices = 0;
 	float reach = 0.0f; // farthest from the blade, heights
 	float area = 0.0f; // that it covers in the mean, from the side, heights squared

@@ -128,16 +128,25 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 
 // How plants with a mesh look as blades, and where they are.
 void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set) {
-	PackedVector4Array looks;
+	PackedVector4Array looks, bands;
 	PackedVector2Array reaches;
+	PackedFloat32Array rows;
 	for (const DrawnPlant &plant : p_plants) {
 		const Color color = plant.model ? plant.model->color : Color();
 		looks.push_back({ real_t(color.r), real_t(color.g), real_t(color.b), plant.cover() });
 		reaches.push_back({ plant.distance, plant.width() });
+		for (const PlantModel::Band &band : plant.model ? plant.model->bands : decltype(PlantModel::bands)()) {
+			bands.push_back({ real_t(band.color.r), real_t(band.color.g), real_t(band.color.b), band.width });
+			rows.push_back(band.rows);
+		}
 	}
 	looks.resize(GRASS_MAX_SPECIES);
 	reaches.resize(GRASS_MAX_SPECIES);
+	bands.resize(GRASS_MAX_SPECIES * GRASS_PLANT_BANDS);
 	p_set("plant_far", looks);
+	rows.resize(GRASS_MAX_SPECIES * GRASS_PLANT_BANDS);
+	p_set("plant_bands", bands);
+	p_set("plant_rows", rows);
 	p_set("plant_reach", reaches);
 }
 

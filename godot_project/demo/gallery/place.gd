@@ -6,6 +6,7 @@ const Terrain := preload("res://demo/terrain.gd")
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
 const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
 const EARTH := Color(0.2, 0.2, 0.1)
+const STONE := Color(0.33, 0.32, 0.29)  # around plots in the shade
 const SMALL := 20.0  # metres, the side of a field in software
 ## Side of the field in metres, blades a square metre, species.
 const KINDS := {
@@ -113,6 +114,9 @@ func _plain() -> MeshInstance3D:
 	ground.mesh = PlaneMesh.new()
 	ground.mesh.size = Vector2(6000, 6000)
 	ground.mesh.material = _earth()
+	if kind == "plots":
+		ground.mesh.material.albedo_color = STONE
+		ground.gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC  # the light of the probes in its middle
 	return ground
 
 

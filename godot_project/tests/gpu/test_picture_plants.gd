@@ -51,3 +51,45 @@ func test_plants_show_all_channels_of_their_vertices() -> void:
 			if other != channel:
 				assert_less(shares[other], 0.005, "channel %d" % other)
 		field.free()
+
+
+## A thin green stem with a wide red head on the last fifth of its height.
+func stem_with_head() -> ArrayMesh:
+	var mesh := ArrayMesh.new()
+	for part: Array in [[Vector3(0.03, 0.8, 0.03), 0.4, Color(0.1, 0.7, 0.1)], [Vector3(0.25, 0.2, 0.25), 0.9, Color(0.8, 0.1, 0.1)]]:
+		var box := BoxMesh.new()
+		box.size = part[0]
+		var arrays := box.get_mesh_arrays()
+		var places: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+		var colors := PackedColorArray()
+		colors.resize(places.size())
+		colors.fill(part[2])
+		arrays[Mesh.ARRAY_VERTEX] = Transform3D(Basis(), Vector3(0, part[1], 0)) * places
+		arrays[Mesh.ARRAY_COLOR] = colors
+		mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays)
+		var material := StandardMaterial3D.new()
+		material.vertex_color_use_as_albedo = true
+		mesh.surface_set_material(mesh.get_surface_count() - 1, material)
+	return mesh
+
+
+## Far away a plant is a blade; its head stays on top, in its own colour, and its stem green.
+func test_a_far_plant_keeps_the_place_of_its_colours() -> void:
+	var upright := {length_min = 1.0, length_max = 1.0, weight_upright = 1.0, weight_arched = 0.0, weight_drooping = 0.0, weight_wavy = 0.0}
+	var species := make(1.0, Color(0.3, 0.6, 0.2), upright.merged({plant_mesh = stem_with_head(), plant_distance = 1.0}))
+	look(Vector3(0, 0.5, 5), Vector3(0, 0.5, 0))
+	var field := add_seen_field(
+		{species = [species] as Array[GrassSpecies], size = Vector2(6, 1), density = 4.0, ground = false, border_fade = 0.0}
+	)
+	field.clump_height = 0.0
+	field.clump_lean = 0.0
+	await drawn()
+	var image := await picture()
+	image.save_png(PICTURES + "far_plants.png")
+	var half := Vector2i(image.get_width(), image.get_height() / 2)
+	var above := image.get_region(Rect2i(Vector2i.ZERO, half))
+	var below := image.get_region(Rect2i(Vector2i(0, half.y), half))
+	print("    red above %.4f, below %.4f; green below %.4f" % [share_with(above, 0), share_with(below, 0), share_with(below, 1)])
+	assert_greater(share_with(above, 0), 0.002)
+	assert_less(share_with(below, 0), 0.05 * share_with(above, 0))
+	assert_greater(share_with(below, 1), 0.005)
