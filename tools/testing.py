@@ -61,7 +61,7 @@ def gpu(only, hardware):
 
 def copy_project(light):
 	"""The project once more, with the plugin that runs the tests in the editor. `light`: it draws what software draws in half the time;
-	else its pictures are those for the docs."""
+	else, in a larger window, its pictures are those for the docs."""
 	shutil.rmtree(EDITED, ignore_errors=True)
 	shutil.copytree(PROJECT, EDITED, symlinks=True)
 	with open(EDITED / "project.godot", "a") as file:
@@ -73,7 +73,7 @@ def copy_project(light):
 
 def editor(only):
 	copy_project(light=not only)
-	with engine.window(size="1280x720", software=True) as (command, environment):
+	with engine.window(size="1280x720" if only else "1024x600", software=True) as (command, environment):
 		return in_engine("editor", command, environment, only, start=("--editor",), project=EDITED)
 
 

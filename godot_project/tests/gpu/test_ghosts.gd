@@ -21,7 +21,7 @@ func before() -> void:
 	exact = SubViewport.new()
 	exact.size = SIZE * FINER
 	exact.world_3d = viewport.find_world_3d()
-	exact.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	exact.render_target_update_mode = SubViewport.UPDATE_DISABLED  # but where it is compared: it takes sixteen times as long
 	add_child(exact)
 	exact.add_child(Camera3D.new())
 	look(FROM, AT)
@@ -65,9 +65,11 @@ func error_of_frame() -> float:
 
 func mean_error(frame_count: int, each_frame: Callable) -> float:
 	var sum := 0.0
+	exact.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	for frame in frame_count:
 		each_frame.call(frame)
 		sum += await error_of_frame()
+	exact.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	return sum / frame_count
 
 

@@ -48,11 +48,13 @@ func look_under(elevation: float) -> void:
 	look(8.0 / tan(deg_to_rad(0.5 * camera.fov)) * Vector3(0, sin(angle), cos(angle)), Vector3.ZERO)
 
 
-## By a picture with so many pixels that every blade is drawn, and one with so few that none is.
+## By a picture with so many pixels that every blade is drawn, and one with so few that none is. All of them in Forward+: that other
+## renderers show the same colours is for test_picture_light.
 func assert_ground_is_like_blades(field: GrassField, name: String, most: float, elevations: Array[float], lights: Array[Vector3]) -> void:
-	for elevation in elevations:
+	var shows_all := RenderingServer.get_current_rendering_method() == "forward_plus"
+	for elevation in elevations if shows_all else elevations.slice(0, 1):
 		look_under(elevation)
-		for light in lights:
+		for light in lights if shows_all else lights.slice(0, 1):
 			sun.rotation_degrees = light
 			var fine := await full_picture(FINER * SIZE)
 			var drawn_blades: int = field.get_statistics().drawn_blades
