@@ -14,6 +14,7 @@ from tools import (
 	engine,
 	formatting,
 	machine,
+	quitting,
 	sanitize,
 	side_by_side,
 	testing_platforms,
@@ -56,6 +57,7 @@ def gpu(only, hardware):
 	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
 		with engine.window(method, **where) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
+	tally.add(quitting.layer(only, where))
 	return tally
 
 
