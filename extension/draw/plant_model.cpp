@@ -82,8 +82,9 @@ struct Shown {
 		const float part = p_area / float(FACE_STEPS * FACE_STEPS);
 		for (int i = 0; i < FACE_STEPS; i++) {
 			for (int j = 0; j < 2 * (FACE_STEPS - i) - 1; j++) { // upright ones and those between them
+				const int column = j / 2;
 				const float third = j % 2 == 0 ? 1.0f / 3.0f : 2.0f / 3.0f;
-				const float b = (float(i) + third) / FACE_STEPS, c = (float(j / 2) + third) / FACE_STEPS, a = 1.0f - b - c;
+				const float b = (float(i) + third) / FACE_STEPS, c = (float(column) + third) / FACE_STEPS, a = 1.0f - b - c;
 				const Vector3 place = p_places[0] * a + p_places[1] * b + p_places[2] * c;
 				const size_t band = size_t(std::clamp(int(place.y * GRASS_PLANT_BANDS), 0, GRASS_PLANT_BANDS - 1));
 				areas[band] += part;
