@@ -189,7 +189,7 @@ void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
 	_steps++;
 	RenderQueue::get_singleton()->post(
-			[field = _field, records = StepRecords(p_input), measure = _measure] { field->step(records, measure); });
+			[field = _field, records = StepRecords(p_input, _energy), measure = _measure] { field->step(records, measure); });
 }
 
 void GpuBackend::draw(const FieldView &p_view) {

@@ -31,7 +31,8 @@ struct StepRecords {
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
 
-	explicit StepRecords(const StepInput &p_input);
+	// p_energies: as choose_passes() takes them.
+	StepRecords(const StepInput &p_input, std::span<const float> p_energies);
 };
 
 // The records of one drawn frame.

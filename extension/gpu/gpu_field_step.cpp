@@ -12,10 +12,10 @@ using namespace godot;
 
 namespace grass {
 
-StepRecords::StepRecords(const StepInput &p_input) : number(p_input.number), step(p_input.step) {
+StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_energies) : number(p_input.number), step(p_input.step) {
 	CpuClock clock;
-	slots.assign(p_input.slots.begin(), p_input.slots.end());
-	passes = choose_passes(p_input, slots);
+	slots.resize(p_input.slots.size());
+	passes = choose_passes(p_input, p_energies, slots);
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
