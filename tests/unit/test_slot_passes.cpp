@@ -75,19 +75,24 @@ TEST_CASE("slot passes: retired tiles stay first, then come those with a fast co
 	input.step.chain.x = 1.0f / 60.0f;
 	std::vector<GrassSlot> slots{ make_slot(0, 0, GRASS_SLOT_RETIRED), make_slot(0, 1, 0), make_slot(1, 1, 0), make_slot(2, 0, 0),
 		make_slot(2, 2, 0), make_slot(0, 1, 0), make_slot(0, 1, 0) };
+	const size_t looked_at = slots.size();
+	slots.resize(looked_at + 128, make_slot(0, 0, 0)); // of these nothing is known
 	for (size_t i = 0; i < slots.size(); i++) {
 		slots[i].tile.w = int(i);
 	}
-	input.slots = slots;
-	const auto order_by = [&](const std::vector<float> &p_energies) {
-		std::vector<GrassSlot> chosen(slots.size());
+	const auto order_of = [&](std::span<const GrassSlot> p_slots, const std::vector<float> &p_energies) {
+		input.slots = p_slots;
+		std::vector<GrassSlot> chosen(p_slots.size());
 		choose_passes(input, p_energies, chosen);
 		std::vector<int> order;
-		for (const GrassSlot &slot : chosen) {
+		for (const GrassSlot &slot : std::span(chosen).first(looked_at)) {
 			order.push_back(slot.tile.w);
 		}
 		return order;
 	};
+	const auto order_by = [&](const std::vector<float> &p_energies) { return order_of(slots, p_energies); };
+	CHECK(order_of(std::span(slots).first(looked_at), { 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 2.0f }) ==
+			std::vector<int>{ 0, 2, 4, 1, 3, 5, 6 }); // so few run at once
 	CHECK(order_by({}) == std::vector<int>{ 0, 2, 4, 1, 3, 5, 6 });
 	CHECK(order_by({ 9.0f, 0.5f, 0.0f, 2.0f, 0.0f, 0.5f, 8.0f }) == std::vector<int>{ 0, 2, 4, 6, 3, 1, 5 });
 	CHECK(order_by({ 0.0f, 1e-30f, 0.0f, 1e30f }) == std::vector<int>{ 0, 2, 4, 3, 1, 5, 6 }); // of the last nothing is known

@@ -25,6 +25,8 @@ std::vector<uint8_t> find_fast(const StepInput &p_input) {
 	return fast;
 }
 
+// Up to so many tiles a card simulates at once, and their order is left alone: records that change are uploaded again.
+constexpr size_t AT_ONCE = 128;
 // The order of a step's slots: ranks of equal work, within which slots keep their order.
 constexpr int RETIRED_RANK = 0, FAST_RANK = 1, LIVELIEST_RANK = 2;
 // Two ranks a power of 2 of energy, from 64 J/kg (11 m/s) down to 1e-5 (5 mm/s): parts of a step follow from a blade's speed.
@@ -46,14 +48,18 @@ SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_ener
 		const std::span<const uint32_t> colliders = p_input.collider_list.subspan(p_slot.list.y, p_slot.list.z);
 		return std::ranges::any_of(colliders, [&](uint32_t p_collider) { return p_of_colliders[p_collider] != 0; });
 	};
+	const std::span<const float> energies = p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>();
+	const auto find_rank = [&](const GrassSlot &p_slot) {
+		if (p_slot.list.w & GRASS_SLOT_RETIRED) {
+			return RETIRED_RANK;
+		}
+		const size_t number = size_t(p_slot.tile.w);
+		return has_any(p_slot, fast) ? FAST_RANK : rank_of(number < energies.size() ? energies[number] : 0.0f);
+	};
 	std::vector<uint8_t> ranks(p_input.slots.size());
 	std::array<size_t, RANKS + 1> places{}; // of the first slot of each rank
 	for (size_t i = 0; i < ranks.size(); i++) {
-		const GrassSlot &slot = p_input.slots[i];
-		const size_t number = size_t(slot.tile.w);
-		const bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0;
-		const int rank = is_retired ? RETIRED_RANK
-				: has_any(slot, fast) ? FAST_RANK : rank_of(number < p_energies.size() ? p_energies[number] : 0.0f);
+		const int rank = find_rank(p_input.slots[i]);
 		ranks[i] = uint8_t(rank);
 		places[size_t(rank) + 1]++;
 	}
