@@ -55,11 +55,13 @@ def clang_format():
 def ensure():
 	machine.ensure((clang_format, (f"clang-format-{CLANG_FORMAT}", "patchelf"), CROSS))
 	pip_packages.ensure(REQUIREMENTS, PACKAGES, "formatters of Python and GDScript")
+	if not (PACKAGES / ".cache").exists():  # gdformat makes it, and fails where two of its processes do so at once
+		run(formatters()["gdscript"][1], [path.relative_to(ROOT) for path in sources("gdscript")[:1]])
 
 
 def run(command, paths):
 	"""Runs a formatter over `paths`, as many at a time as there are processors; returns what it printed, and whether all went well."""
-	environment = {**os.environ, "PYTHONPATH": str(PACKAGES), "PYTHONDONTWRITEBYTECODE": "1"}
+	environment = {**os.environ, "HOME": str(PACKAGES), "PYTHONPATH": str(PACKAGES), "PYTHONDONTWRITEBYTECODE": "1"}
 	parts = [part for part in (paths[start :: os.cpu_count()] for start in range(os.cpu_count() or 1)) if part]
 	started = [
 		subprocess.Popen(
