@@ -31,7 +31,6 @@ using namespace godot;
 
 void initialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
-		GDREGISTER_INTERNAL_CLASS(grass::Parallel);
 		GDREGISTER_INTERNAL_CLASS(grass::RenderQueue);
 		GDREGISTER_INTERNAL_CLASS(grass::SceneWatch);
 		GDREGISTER_INTERNAL_CLASS(grass::FieldMonitors);
@@ -68,6 +67,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 
 void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		grass::finish_parallel();
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
 		grass::GrassPatch::free_default();

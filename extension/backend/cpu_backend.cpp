@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backend/cpu_backend.h"
 
+#include "backend/parallel.h"
 #include "convert.h"
 #include "draw/blade_mesh.h"
 
@@ -41,18 +42,11 @@ void show_instances(FieldInstance &r_instance, std::span<const float> p_instance
 } // namespace
 
 CpuBackend::CpuBackend(const FieldSetup &p_setup) :
-		_setup(p_setup),
-		_pool(p_setup.patch, p_setup.pool_size),
-		_parallel(memnew(Parallel)),
-		_patch_texture(patch_texture(p_setup.patch)) {
+		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_size), _patch_texture(patch_texture(p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
 	_changed_slots.reset(p_setup.pool_size, false);
 	update_pool_texture();
-}
-
-CpuBackend::~CpuBackend() {
-	memdelete(_parallel);
 }
 
 bool CpuBackend::set_field(const FieldSetup &p_setup) {
@@ -83,7 +77,7 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 void CpuBackend::step(const StepInput &p_input) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const int64_t blades_before = _pool.get_simulated_blades();
-	_pool.step(p_input, [this](int p_count, const std::function<void(int)> &p_body) { _parallel->run(p_count, p_body); });
+	_pool.step(p_input, run_parallel);
 	for (const GrassSlot &slot : p_input.slots) {
 		_tiles_changed = _tiles_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
 		if (slot.list.w & GRASS_SLOT_RETIRED) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "backend/parallel.h"
 #include "core/detail/cull.h"
 #include "core/solver/simulate.h"
 #include "core/tiles/slot_set.h"
@@ -22,7 +21,6 @@ namespace grass {
 class CpuBackend : public Backend {
 public:
 	explicit CpuBackend(const FieldSetup &p_setup);
-	~CpuBackend() override;
 
 	bool prepare(const FieldSetup &p_setup) override {
 		(void)p_setup; // it has no passes
@@ -55,7 +53,6 @@ private:
 
 	FieldSetup _setup;
 	CpuPool _pool;
-	Parallel *_parallel;
 	bool _measure = false;
 	uint64_t _step_number = 0; // of the last step
 	BackendStatistics _statistics;

@@ -2,26 +2,14 @@
 // The engine's worker threads as a ParallelFor of the core.
 #pragma once
 
-#include <godot_cpp/classes/object.hpp>
-
 #include <functional>
 
 namespace grass {
 
-class Parallel : public godot::Object {
-	GDCLASS(Parallel, godot::Object)
-
-public:
-	// Calls p_body(i) once for every i below p_count, on the engine's WorkerThreadPool; returns when all are done.
-	void run(int p_count, const std::function<void(int)> &p_body);
-
-protected:
-	static void _bind_methods() {}
-
-private:
-	void _run_one(uint32_t p_index);
-
-	const std::function<void(int)> *_body = nullptr; // of the run under way
-};
+// Calls p_body(i) once for every i below p_count, here and on the engine's WorkerThreadPool; returns when all are done. It waits for no
+// thread that has not begun: where all of them are busy, the caller does everything. From any thread.
+void run_parallel(int p_count, const std::function<void(int)> &p_body);
+// To be called before the library is unloaded: what run_parallel() has left in the engine's queue ends.
+void finish_parallel();
 
 } // namespace grass

@@ -194,16 +194,13 @@ void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
 	}
 }
 
-// All shapes that are enabled. Those far from the grass find no tile.
-void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders) {
+// All shapes that are enabled, at the places from first_collider on. Those far from the grass find no tile.
+void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
 	const bool stands_still = r_body.before.matrix() == p_now.matrix();
-	const bool is_there = r_body.is_written && r_body.first_collider == _written;
-	r_body.first_collider = uint32_t(_written);
-	if (is_there && stands_still && r_body.is_written_still && !r_body.was_put) {
-		_written += r_body.colliders;
-		_mesh_pieces += r_body.mesh_pieces;
+	if (stands_still && r_body.is_written_still && !r_body.was_put) {
 		return;
 	}
+	size_t next = r_body.first_collider;
 	r_body.mesh_pieces = 0;
 	for (TrackedShape &shape : r_body.shapes) {
 		if (shape.enabled && !stands_still) {
@@ -214,25 +211,24 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::
 				part.has_pose = false;
 				continue;
 			}
-			if (_written == r_colliders.size()) {
-				r_colliders.emplace_back();
+			if (next == p_following.colliders.size()) {
+				p_following.colliders.emplace_back();
 			}
-			ColliderShape &collider = r_colliders[_written++]; // keeps the memory of what was there
-			if (!is_there) {
+			ColliderShape &collider = p_following.colliders[next++]; // keeps the memory of what was there
+			if (!r_body.is_written) {
 				collider = part.collider;
 				collider.owner = r_body.instance_id;
 			}
 			// It usually starts where it ended in the tick before.
 			collider.before = part.has_pose && !r_body.was_put ? part.pose : ColliderShape::make_pose(r_body.before * part.local);
 			collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * part.local);
-			collider.stamp = stands_still ? ++_stamps : 0;
+			collider.stamp = stands_still ? ++p_following.stamps : 0;
 			part.pose = collider.now;
 			part.has_pose = true;
 		}
 		r_body.mesh_pieces += shape.enabled && shape.is_split && !shape.is_bound ? int64_t(shape.parts.size()) : 0;
 	}
-	_mesh_pieces += r_body.mesh_pieces;
-	r_body.colliders = uint32_t(_written) - r_body.first_collider;
+	r_body.colliders = uint32_t(next) - r_body.first_collider;
 	r_body.is_written = true;
 	r_body.is_written_still = stands_still;
 }

@@ -31,46 +31,47 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 }
 
 // In the world, metres per second. A kinematic body's follows from the places where it was put, teleports included.
-Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body) {
-	_reads.engine_calls++;
+Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body, BodyReads &r_reads) {
+	r_reads.engine_calls++;
 	return to_eigen(p_body.state->get_linear_velocity());
 }
 
 // The velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between what a character wanted
 // and what it could do.
-Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion) {
+Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion, BodyReads &r_reads) {
 	if (p_body.is_driven) {
-		return server_velocity(p_body);
+		return server_velocity(p_body, r_reads);
 	}
 	const CharacterBody3D *character =
 			p_body.is_character ? Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(p_body.instance_id)) : nullptr;
 	if (character == nullptr) {
 		return Eigen::Vector3d::Zero();
 	}
-	_reads.engine_calls += 2;
+	r_reads.engine_calls += 2;
 	const Eigen::Vector3d wanted = to_eigen(character->get_velocity()), real = to_eigen(character->get_real_velocity());
 	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
 }
 
 // Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
-void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick) {
-	const Eigen::Matrix3d from_world = _from_world_before.linear();
+void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
+	const MotionTick &tick = p_following.tick;
+	const Eigen::Matrix3d from_world = p_following.field.from_world.linear();
 	const Eigen::Vector3d now = p_now.translation();
 	r_body.was_put = !r_body.has_before;
 	if (!r_body.has_before) {
-		const Eigen::Vector3d seen = server_velocity(r_body);
-		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen);
+		const Eigen::Vector3d seen = server_velocity(r_body, p_following.reads);
+		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen, p_following.reads);
 		r_body.has_before = true;
 		r_body.before = p_now;
-		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, p_tick);
+		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, tick);
 		return;
 	}
 	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;
 	Eigen::Vector3d own = Eigen::Vector3d::Zero();
-	if (!r_body.motion.expects(step, p_tick)) {
-		own = from_world * own_velocity(r_body, from_world.transpose() * step / p_tick.delta);
+	if (!r_body.motion.expects(step, tick)) {
+		own = from_world * own_velocity(r_body, from_world.transpose() * step / tick.delta, p_following.reads);
 	}
-	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, p_tick);
+	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, tick);
 	if (from == now && step != Eigen::Vector3d::Zero()) {
 		r_body.before = p_now;
 		r_body.was_put = true;
@@ -78,16 +79,16 @@ void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const
 	}
 	r_body.before.translation() = from;
 	r_body.was_put = from != before;
-	judge_turn(r_body, p_now, p_tick.delta);
+	judge_turn(r_body, p_now, p_following);
 }
 
-void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta) {
+void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
 	const double cosine = 0.5 * ((r_body.before.linear().transpose() * p_now.linear()).trace() - 1.0);
 	const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
 	double own = 0.0;
 	if (r_body.is_driven && angle > Motion::PLAUSIBLE_TURN) {
-		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_delta;
-		_reads.engine_calls++;
+		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_following.tick.delta;
+		p_following.reads.engine_calls++;
 	}
 	if (!r_body.motion.follow_turn(angle, own)) {
 		r_body.before.linear() = p_now.linear();
@@ -128,11 +129,11 @@ bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles
 }
 
 // Its colliders stay where it was read last, to be found there when there is a slot.
-void BodyTracker::wait(Body &r_body, std::vector<ColliderShape> &r_colliders) {
+void BodyTracker::wait(Body &r_body, const Following &p_following) {
 	r_body.waited++;
 	r_body.next_look = std::max(r_body.next_look - 1, 0); // falls asleep as soon as others
 	r_body.was_put = false;
-	write_shapes(r_body, r_body.before, r_colliders);
+	write_shapes(r_body, r_body.before, p_following);
 }
 
 // What it did while it waited bends nothing: its way in this tick begins where it was a tick ago if it went evenly.

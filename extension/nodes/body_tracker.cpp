@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 using namespace godot;
 
@@ -27,21 +26,6 @@ constexpr double FASTEST = 600.0;
 constexpr double APPROACH_MIN = 3.0;
 // For so many ticks after a jump of the field, bodies that the server reports as gone are kept: kinematic ones follow late.
 constexpr int JUMP_TICKS = 6;
-// Bodies from the one at hand to that whose memory is fetched next: as long as a fetch takes.
-constexpr size_t FETCH_AHEAD = 4;
-
-// p_bytes from p_place on.
-void prefetch(const void *p_place, size_t p_bytes) {
-#ifdef __GNUC__
-	constexpr size_t LINE = 64; // of the cache
-	for (size_t i = 0; i < p_bytes; i += LINE) {
-		__builtin_prefetch(static_cast<const char *>(p_place) + i);
-	}
-#else
-	(void)p_place;
-	(void)p_bytes;
-#endif
-}
 
 } // namespace
 
@@ -141,9 +125,9 @@ int64_t BodyTracker::body_count() const {
 }
 
 // False once the body is freed: it may stay listed until the server's next report.
-bool BodyTracker::find_state(Body &r_body) {
+bool BodyTracker::find_state(Body &r_body, BodyReads &r_reads) {
 	if (r_body.state_id == 0) {
-		_reads.engine_calls += 3;
+		r_reads.engine_calls += 3;
 		if (r_body.instance_id != 0 && !UtilityFunctions::is_instance_id_valid(int64_t(r_body.instance_id))) {
 			return false;
 		}
@@ -151,7 +135,7 @@ bool BodyTracker::find_state(Body &r_body) {
 		r_body.state_id = r_body.state == nullptr ? 0 : r_body.state->get_instance_id();
 		return r_body.state != nullptr;
 	}
-	_reads.engine_calls++;
+	r_reads.engine_calls++;
 	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
 }
 
@@ -171,44 +155,23 @@ void BodyTracker::line_up() {
 	}
 }
 
+// The next places are its own. Colliders of it that lie elsewhere must be written again.
+void BodyTracker::place(Body &r_body) const {
+	const bool is_there = r_body.is_written && r_body.first_collider == _written;
+	r_body.is_written = is_there;
+	r_body.is_written_still = r_body.is_written_still && is_there;
+	r_body.first_collider = uint32_t(_written);
+}
+
 // A body that is where it was: whether all else is as it was, too. Its colliders then lie ready.
 bool BodyTracker::keep_at_rest(Body &r_body, const FieldPose &p_field) {
-	const bool is_kept = r_body.is_at_rest && r_body.overlaps > 0 && r_body.first_collider == _written && !p_field.has_moved;
-	if (is_kept) {
-		r_body.waited = 0; // it went nowhere meanwhile
-		_written += r_body.colliders;
-		_mesh_pieces += r_body.mesh_pieces;
-	}
+	const bool is_kept = r_body.is_at_rest && r_body.overlaps > 0 && r_body.is_written_still && !p_field.has_moved;
+	r_body.waited = is_kept ? 0 : r_body.waited; // it went nowhere meanwhile
 	return is_kept;
 }
 
-// What following body p_index reads, from pointer to pointer: each of them three times as far ahead as what it points to. The memory of a
-// crowd is more than the caches hold.
-void BodyTracker::fetch_ahead(size_t p_index, const std::vector<ColliderShape> &p_colliders) const {
-	if (const size_t far = p_index + 3 * FETCH_AHEAD; far < _line.size()) {
-		prefetch(_line[far], offsetof(Body, rid));
-	}
-	const auto is_read = [this](const Body &p_body) { return !p_body.is_asleep && (p_body.waited == 0 || is_its_turn(p_body)); };
-	if (const size_t near = p_index + 2 * FETCH_AHEAD; near < _line.size() && is_read(*_line[near])) {
-		const Body &body = *_line[near];
-		prefetch(body.state, 1);
-		for (const TrackedShape &shape : body.shapes) {
-			prefetch(&shape, offsetof(TrackedShape, rid));
-		}
-		prefetch(p_colliders.data() + body.first_collider, body.colliders * sizeof(ColliderShape));
-	}
-	if (const size_t next = p_index + FETCH_AHEAD; next < _line.size() && is_read(*_line[next])) {
-		const Body &body = *_line[next];
-		for (const TrackedShape &shape : body.shapes) {
-			for (const ShapePart &part : shape.parts) {
-				prefetch(&part, ShapePart::HOT);
-			}
-		}
-	}
-}
-
-void BodyTracker::collect(
-		const Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, std::vector<ColliderShape> &r_colliders) {
+// Where it is now, and what it did since the last tick.
+BodyTracker::FieldPose BodyTracker::pose_field(const Transform3D &p_field) {
 	FieldPose field;
 	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
 	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
@@ -218,52 +181,77 @@ void BodyTracker::collect(
 	_from_world_before = field.from_world;
 	_has_field_before = true;
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
-	_written = 0;
-	_mesh_pieces = 0;
-	_tick = (_tick + 1) % WAITING_TICKS;
+	return field;
+}
+
+void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles,
+		const ParallelFor &p_parallel_for, std::vector<ColliderShape> &r_colliders) {
+	const FieldPose field = pose_field(p_field);
 	MotionTick tick = p_tick;
 	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
+	_written = 0;
+	_mesh_pieces = 0;
+	_has_lost = false;
+	_tick = (_tick + 1) % WAITING_TICKS;
 	line_up();
 	_look_every = look_every(_line.size());
-	bool has_lost = false;
+	const Following following{ field, tick, r_colliders, _reads, _stamps };
+	_crowd.clear();
 	for (size_t i = 0; i < _line.size(); i++) {
-		fetch_ahead(i, r_colliders);
-		Body &body = *_line[i];
-		if (body.is_asleep && body.overlaps > 0 && !field.has_moved && body.next_read-- > 0) {
-			if (!keep_at_rest(body, field)) {
-				follow(body, body.world_before, field, tick, false, r_colliders);
-			}
-			continue;
-		}
-		if (!is_its_turn(body) && !field.has_moved && waits_for_slots(body, p_tiles)) {
-			wait(body, r_colliders);
-			continue;
-		}
-		if (has_left(body) || !find_state(body)) {
-			watch_sleep(body, false);
-			has_lost = true;
-			body.is_lost = true;
-			continue;
-		}
-		_reads.poses++;
-		_reads.engine_calls++;
-		const bool is_due = look(body);
-		const Transform3D world = body.state->get_transform();
-		follow_sleep(body, world, is_due);
-		if (is_due || world != body.world_before || !keep_at_rest(body, field)) {
-			follow(body, world, field, tick, is_due, r_colliders);
-		}
+		fetch_head(i);
+		meet(*_line[i], p_tiles, following);
 	}
-	if (has_lost) {
+	follow_crowd(following, p_parallel_for);
+	r_colliders.resize(_written);
+	if (_has_lost) {
 		std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.is_lost; });
 		_line.clear();
 	}
-	r_colliders.resize(_written);
 }
 
-void BodyTracker::follow(Body &r_body, const Transform3D &p_world, const FieldPose &p_field, const MotionTick &p_tick, bool p_is_due,
-		std::vector<ColliderShape> &r_colliders) {
-	const Eigen::Affine3d now = pose_of(r_body, p_world, p_field);
+// Gives its colliders their places, and follows it, but for a plain one, which the crowd follows.
+void BodyTracker::meet(Body &r_body, const TileManager &p_tiles, const Following &p_following) {
+	const FieldPose &field = p_following.field;
+	if (r_body.is_asleep && r_body.overlaps > 0 && !field.has_moved && r_body.next_read-- > 0) {
+		place(r_body);
+		if (!keep_at_rest(r_body, field)) {
+			follow(r_body, r_body.world_before, false, p_following);
+		}
+	} else if (!is_its_turn(r_body) && !field.has_moved && waits_for_slots(r_body, p_tiles)) {
+		place(r_body);
+		wait(r_body, p_following);
+	} else if (is_plain_now(r_body)) {
+		place(r_body);
+		join_crowd(r_body, p_following);
+	} else {
+		read(r_body, p_following);
+	}
+	_written += r_body.colliders;
+	_mesh_pieces += r_body.mesh_pieces;
+}
+
+void BodyTracker::read(Body &r_body, const Following &p_following) {
+	if (has_left(r_body) || !find_state(r_body, _reads)) {
+		watch_sleep(r_body, false);
+		_has_lost = r_body.is_lost = true;
+		r_body.colliders = 0;
+		r_body.mesh_pieces = 0;
+		return;
+	}
+	_reads.poses++;
+	_reads.engine_calls++;
+	const bool is_due = look(r_body);
+	const Transform3D world = r_body.state->get_transform();
+	follow_sleep(r_body, world, is_due);
+	place(r_body);
+	if (is_due || world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {
+		follow(r_body, world, is_due, p_following);
+	}
+	r_body.is_plain = is_plain(r_body);
+}
+
+void BodyTracker::follow(Body &r_body, const Transform3D &p_world, bool p_is_due, const Following &p_following) {
+	const Eigen::Affine3d now = pose_of(r_body, p_world, p_following.field);
 	const bool is_carried =
 			_ticks_since_jump <= 1 && r_body.has_before && (now.translation() - r_body.before.translation()).norm() < FIELD_JUMP;
 	const bool ground = is_ground(r_body, p_world, is_carried);
@@ -272,7 +260,7 @@ void BodyTracker::follow(Body &r_body, const Transform3D &p_world, const FieldPo
 		catch_up(r_body, now);
 		r_body.waited = 0;
 	}
-	judge_motion(r_body, now, p_tick);
+	judge_motion(r_body, now, p_following);
 	r_body.was_put = r_body.was_put || has_waited;
 	if (ground && !r_body.shapes.empty()) {
 		r_body.shapes.clear(); // unused, and a terrain's are large
@@ -280,7 +268,7 @@ void BodyTracker::follow(Body &r_body, const Transform3D &p_world, const FieldPo
 	} else if (!ground && (p_is_due || r_body.shapes.empty())) {
 		look_at_shapes(r_body);
 	}
-	write_shapes(r_body, now, r_colliders);
+	write_shapes(r_body, now, p_following);
 	r_body.before = now;
 	r_body.is_at_rest = r_body.is_written_still && r_body.motion.is_at_rest() && _ticks_since_jump > 1 && (ground || !r_body.is_static);
 }
@@ -303,7 +291,7 @@ void BodyTracker::forget_left() {
 void BodyTracker::forget_motion() {
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {
-		body.has_before = body.is_asleep = body.is_at_rest = body.is_written = body.is_written_still = false;
+		body.has_before = body.is_asleep = body.is_at_rest = body.is_plain = body.is_written = body.is_written_still = false;
 		body.waited = 0;
 	}
 }

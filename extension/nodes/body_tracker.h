@@ -3,6 +3,7 @@
 // which bodies overlap the field; every tick their shapes and poses become colliders.
 #pragma once
 
+#include "core/base/parallel_for.h"
 #include "core/bodies/body_reads.h"
 #include "core/bodies/body_shape.h"
 #include "core/bodies/motion.h"
@@ -43,8 +44,9 @@ public:
 	void body_woke(int64_t p_body);
 	// Makes of r_colliders every shape that may touch grass in this tick, posed in the field's space. It must be what the last call
 	// left: of bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
-	// p_tick.watched itself. p_tiles: those of the field, as they took these colliders in the tick before.
-	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles,
+	// p_tick.watched itself. p_tiles: those of the field, as they took these colliders in the tick before. Crowds are read by
+	// p_parallel_for, with the same result.
+	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, const ParallelFor &p_parallel_for,
 			std::vector<ColliderShape> &r_colliders);
 	// Time has passed without collect(): the way from where bodies were last is no motion.
 	void forget_motion();
@@ -67,7 +69,8 @@ private:
 		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
 		bool is_at_rest = false; // asleep or not: its next tick is as its last one, if it is where it was
 		bool is_lost = false; // has left, or was freed
-		bool is_written = false, is_written_still = false; // its colliders lie where they were last written; with one pose
+		bool is_plain = false; // until the next look it needs nothing but its pose, and nothing that it shares with others
+		bool is_written = false, is_written_still = false; // its colliders lie at first_collider; with one pose
 		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
 		int waited = 0; // ticks since it was last read, while the pool has no slot for a tile below it
 		int turn = 0; // in which ticks it is read meanwhile
@@ -105,13 +108,37 @@ private:
 		bool has_moved = false; // since the tick before
 	};
 
+	// What following a body reads beside it, and writes.
+	struct Following {
+		const FieldPose &field;
+		const MotionTick &tick;
+		std::vector<ColliderShape> &colliders;
+		BodyReads &reads;
+		uint64_t &stamps; // of colliders, given so far
+	};
+	// A plain body whose colliders have their places in this tick.
+	struct Member {
+		Body *body;
+		uint64_t stamps; // given before its own
+	};
+
+	FieldPose pose_field(const godot::Transform3D &p_field);
 	void line_up();
-	void fetch_ahead(size_t p_index, const std::vector<ColliderShape> &p_colliders) const;
-	bool keep_at_rest(Body &r_body, const FieldPose &p_field);
-	void follow(Body &r_body, const godot::Transform3D &p_world, const FieldPose &p_field, const MotionTick &p_tick, bool p_is_due,
-			std::vector<ColliderShape> &r_colliders);
-	bool find_state(Body &r_body);
+	void meet(Body &r_body, const TileManager &p_tiles, const Following &p_following);
+	void read(Body &r_body, const Following &p_following);
+	static bool keep_at_rest(Body &r_body, const FieldPose &p_field);
+	void follow(Body &r_body, const godot::Transform3D &p_world, bool p_is_due, const Following &p_following);
+	static bool find_state(Body &r_body, BodyReads &r_reads);
 	bool has_left(Body &r_body) const;
+	// body_crowd.cpp
+	static bool is_plain(const Body &p_body);
+	static bool is_plain_now(const Body &p_body);
+	void join_crowd(Body &r_body, const Following &p_following);
+	void follow_crowd(const Following &p_following, const ParallelFor &p_parallel_for);
+	void follow_member(Body &r_body, const Following &p_following);
+	void fetch_head(size_t p_index) const;
+	void fetch_ahead(size_t p_index, size_t p_end, const std::vector<ColliderShape> &p_colliders) const;
+	void drop_lost(std::vector<ColliderShape> &r_colliders);
 	// body_look.cpp
 	static int look_every(size_t p_bodies);
 	bool look(Body &r_body);
@@ -121,18 +148,19 @@ private:
 	void read_traits(Body &r_body, int32_t p_count);
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
 	void watch_sleep(Body &r_body, bool p_watch);
-	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, std::vector<ColliderShape> &r_colliders);
+	void place(Body &r_body) const;
+	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
 	// body_motion.cpp
 	bool is_its_turn(const Body &p_body) const { return _tick == p_body.turn; }
 	static bool waits_for_slots(const Body &p_body, const TileManager &p_tiles);
-	void wait(Body &r_body, std::vector<ColliderShape> &r_colliders);
+	void wait(Body &r_body, const Following &p_following);
 	static void catch_up(Body &r_body, const Eigen::Affine3d &p_now);
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
-	Eigen::Vector3d server_velocity(const Body &p_body);
-	Eigen::Vector3d own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion);
-	void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const MotionTick &p_tick);
-	void judge_turn(Body &r_body, const Eigen::Affine3d &p_now, double p_delta);
+	static Eigen::Vector3d server_velocity(const Body &p_body, BodyReads &r_reads);
+	static Eigen::Vector3d own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion, BodyReads &r_reads);
+	static void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
+	static void judge_turn(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
 
 	godot::RID _area, _box;
 	godot::Callable _woke;
@@ -145,13 +173,15 @@ private:
 	int _ticks_since_jump = 1 << 30;
 	bool _has_warned_of_height_map = false, _has_warned_of_mesh = false;
 	int64_t _mesh_pieces = 0; // in this tick
-	size_t _written = 0; // colliders in this tick
+	size_t _written = 0; // colliders in this tick that have their places
 	int _tick = 0; // calls of collect(), modulo WAITING_TICKS
 	uint64_t _stamps = 0; // of colliders, given so far
 	int _look_every = 0; // ticks from one look at a body to the next, in this tick
 	BodyReads _reads; // since it was made
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run
 	std::vector<Body *> _line; // the same in their order, since a walk through a map waits for each step; empty once some come or go
+	std::vector<Member> _crowd; // of this tick: the plain ones that are read, in the order of the line
+	bool _has_lost = false; // one of them, in this tick
 };
 
 } // namespace grass

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/field_bodies.h"
 
+#include "backend/parallel.h"
+
 using namespace godot;
 
 namespace grass {
@@ -13,7 +15,7 @@ void FieldBodies::collect(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
 	_tracker.set_box(p_transform, half, p_delta);
-	_tracker.collect(p_transform, tick, p_field.get_tiles(), _colliders);
+	_tracker.collect(p_transform, tick, p_field.get_tiles(), run_parallel, _colliders);
 	_registered.collect(p_transform, tick, _colliders);
 	_wheels.collect(p_transform, tick, _colliders);
 	_bones.collect(p_world, p_transform, tick, _colliders);
@@ -43,8 +45,7 @@ void FieldBodies::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.soft_bodies = _soft_bodies.get_count();
 	r_statistics.mesh_pieces = _tracker.get_mesh_pieces() + _registered.get_mesh_pieces();
 	r_statistics.reads = _tracker.get_reads();
-	r_statistics.reads.poses += _soft_bodies.get_reads().poses;
-	r_statistics.reads.engine_calls += _soft_bodies.get_reads().engine_calls;
+	r_statistics.reads.add(_soft_bodies.get_reads());
 }
 
 } // namespace grass

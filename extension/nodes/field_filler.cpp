@@ -33,12 +33,6 @@ FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
 	return rule;
 }
 
-void on_all_threads(int p_count, const std::function<void(int)> &p_body) {
-	Parallel *parallel = memnew(Parallel);
-	parallel->run(p_count, p_body);
-	memdelete(parallel);
-}
-
 } // namespace
 
 // The field's own changes to the map do not concern the rule.
@@ -53,7 +47,7 @@ template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map,
 void FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
 	watch_instead(_rule, p_rule, p_changed);
 	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
-		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, on_all_threads); });
+		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
 	}
 }
 
@@ -89,7 +83,7 @@ void FieldFiller::look(const Place &p_place) {
 void FieldFiller::start(const Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once) {
 	look(p_place);
 	if (p_at_once) {
-		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, -1, on_all_threads); });
+		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, -1, run_parallel); });
 	}
 	_has_finished = _state.get_waiting() == 0;
 	_replacements = p_map->get_replacements();
@@ -104,7 +98,7 @@ bool FieldFiller::update(const Ref<GrassMap> &p_map, const Place &p_place) {
 		look(p_place);
 	}
 	if (_state.get_waiting() > 0) {
-		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, CHUNKS_A_FRAME, on_all_threads); });
+		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, CHUNKS_A_FRAME, run_parallel); });
 		_has_finished = _state.get_waiting() == 0;
 	}
 	return std::exchange(_has_finished, false);
@@ -138,7 +132,7 @@ double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
 	sources.terrain = _terrain;
 	return change(p_map, [&](PaintMap &r_map) {
-		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, on_all_threads);
+		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel);
 	}).amount;
 }
 

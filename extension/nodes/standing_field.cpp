@@ -2,6 +2,7 @@
 #include "nodes/standing_field.h"
 
 #include "backend/cpu_backend.h"
+#include "backend/parallel.h"
 #include "draw/blade_mesh.h"
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
@@ -188,7 +189,7 @@ bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
 
 void StandingField::tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta) {
 	_field.set_params(_properties.field_params(_species));
-	if (_field.tick(*_backend, p_colliders, p_delta, p_forces)) {
+	if (_field.tick(*_backend, p_colliders, p_delta, p_forces, run_parallel)) {
 		request_draw();
 	}
 }

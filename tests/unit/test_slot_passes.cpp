@@ -42,7 +42,7 @@ TEST_CASE("slot passes: one sharp collider is enough for edges, none at all for 
 TEST_CASE("slot passes: a tile with more colliders than a workgroup shares has a pass of its own, sharp or not") {
 	const std::vector<GrassCollider> colliders(GRASS_SHARED_COLLIDERS + 2, GrassCollider{});
 	std::vector<uint8_t> sharp(colliders.size(), 0);
-	sharp.back() = 1;
+	sharp[GRASS_SHARED_COLLIDERS + 1] = 1;
 	std::vector<uint32_t> list(colliders.size());
 	std::iota(list.begin(), list.end(), 0);
 	StepInput input;

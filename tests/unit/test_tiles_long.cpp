@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // TileManager over long runs: neither memory nor order is lost.
+#include "on_threads.h"
 #include "tile_scene.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -15,6 +17,26 @@ namespace {
 
 template <class T> bool have_same_bytes(std::span<const T> p_a, std::span<const T> p_b) {
 	return p_a.size() == p_b.size() && (p_a.empty() || std::memcmp(p_a.data(), p_b.data(), p_a.size_bytes()) == 0);
+}
+
+bool have_same_records(const TileManager &p_a, const TileManager &p_b) {
+	return have_same_bytes(p_a.get_slots(), p_b.get_slots()) && have_same_bytes(p_a.get_colliders(), p_b.get_colliders()) &&
+			have_same_bytes(p_a.get_collider_list(), p_b.get_collider_list());
+}
+
+// A step of bodies that wander within p_reach metres; now and then one becomes another one elsewhere.
+void move_bodies(std::span<ColliderShape> r_bodies, std::mt19937 &r_random, double p_reach, bool p_is_first) {
+	std::uniform_real_distribution<double> place(-p_reach, p_reach), size(0.05, 1.5), move(-0.5, 0.5);
+	for (ColliderShape &body : r_bodies) {
+		const bool is_placed = p_is_first || r_random() % 50 == 0;
+		body.type = is_placed ? int(r_random() % 4) : body.type;
+		body.size = is_placed ? Eigen::Vector3d(size(r_random), size(r_random), size(r_random)) : body.size;
+		body.before = body.now;
+		body.now.position += Eigen::Vector3d(move(r_random), 0.0, move(r_random));
+		body.now.position = is_placed ? Eigen::Vector3d(place(r_random), 0.5, place(r_random)) : body.now.position;
+		body.before = is_placed ? body.now : body.before;
+		body.stamp = 0;
+	}
 }
 
 } // namespace
@@ -53,27 +75,16 @@ TEST_CASE("tiles: the same storm twice gives the same records, bit for bit, and 
 	params.settle_time = 0.1;
 	first.set_params(params);
 	second.set_params(params);
-	std::vector<ColliderShape> bodies(40);
 	std::mt19937 random(12);
-	std::uniform_real_distribution<double> place(-10.0, 10.0), size(0.05, 1.5), move(-0.5, 0.5);
+	std::vector<ColliderShape> bodies(40);
 	int differing = 0;
 	for (int i = 0; i < 600; i++) {
-		for (ColliderShape &body : bodies) {
-			const bool is_placed = i == 0 || random() % 50 == 0;
-			body.type = is_placed ? int(random() % 4) : body.type;
-			body.size = is_placed ? Eigen::Vector3d(size(random), size(random), size(random)) : body.size;
-			body.before = body.now;
-			body.now.position += Eigen::Vector3d(move(random), 0.0, move(random));
-			body.now.position = is_placed ? Eigen::Vector3d(place(random), 0.5, place(random)) : body.now.position;
-			body.before = is_placed ? body.now : body.before;
-		}
+		move_bodies(bodies, random, 10.0, i == 0);
 		const std::span<ColliderShape> present(bodies.data(), random() % 3 == 0 ? 0 : random() % bodies.size());
 		const double delta = random() % 2 == 0 ? 1.0 / 60.0 : 0.1;
 		first.update(delta, present);
 		second.update(delta, present);
-		differing += have_same_bytes(first.get_slots(), second.get_slots()) ? 0 : 1;
-		differing += have_same_bytes(first.get_colliders(), second.get_colliders()) ? 0 : 1;
-		differing += have_same_bytes(first.get_collider_list(), second.get_collider_list()) ? 0 : 1;
+		differing += have_same_records(first, second) ? 0 : 1;
 		std::vector<float> energies(200);
 		for (float &energy : energies) {
 			energy = float(random() % 20);
@@ -87,4 +98,46 @@ TEST_CASE("tiles: the same storm twice gives the same records, bit for bit, and 
 	CHECK(first.get_statistics().evicted > 0);
 	CHECK(first.get_statistics().slept > 0);
 	CHECK(first.get_statistics().refused > 0);
+}
+
+TEST_CASE("tiles: threads choose for a crowd what one does") {
+	int pool_size = 0;
+	SUBCASE("more than the pool holds") {
+		pool_size = 300;
+	}
+	SUBCASE("and with room for all") {
+		pool_size = 8000;
+	}
+	const TileGrid grid = TileGrid::make(60.0, 60.0, 256.0);
+	TileManager alone = make_manager(pool_size, grid), together = make_manager(pool_size, grid);
+	std::vector<ColliderShape> bodies(500);
+	std::mt19937 random(3);
+	int differing = 0;
+	for (int i = 0; i < 60; i++) {
+		const size_t moving = i == 0 ? bodies.size() : random() % bodies.size();
+		move_bodies(std::span(bodies).first(moving), random, 30.0, i == 0);
+		for (size_t k = moving; k < bodies.size(); k++) {
+			bodies[k].before = bodies[k].now;
+			bodies[k].stamp = bodies[k].stamp == 0 ? uint64_t(i) * bodies.size() + k + 1 : bodies[k].stamp;
+		}
+		ColliderShape &odd = bodies[random() % bodies.size()];
+		odd.size.x() = i % 7 == 0 ? std::nan("") : 0.4;
+		odd.stamp = 0;
+		const std::span<ColliderShape> present = std::span(bodies).first(i % 9 == 8 ? 200 : bodies.size());
+		std::vector<ColliderShape> copies(present.begin(), present.end());
+		alone.update(1.0 / 60.0, present);
+		together.update(1.0 / 60.0, copies, on_threads);
+		differing += have_same_records(alone, together) ? 0 : 1;
+		for (size_t k = 0; k < present.size(); k++) {
+			differing += alone.has_met_awake(k) != together.has_met_awake(k) || alone.has_met_grass(k) != together.has_met_grass(k);
+		}
+		check_consistent(together);
+	}
+	CHECK(differing == 0);
+	const TileStatistics &counts = alone.get_statistics(), &counts_together = together.get_statistics();
+	CHECK(counts.looked_at == counts_together.looked_at);
+	CHECK(counts.refused == counts_together.refused);
+	CHECK(counts.bad_colliders == counts_together.bad_colliders);
+	CHECK(counts.bad_colliders > 0);
+	CHECK((counts.refused > 0) == (pool_size == 300));
 }

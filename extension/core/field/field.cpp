@@ -141,11 +141,12 @@ bool Field::resume() {
 	return has_passed;
 }
 
-bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces) {
+bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces,
+		const ParallelFor &p_parallel_for) {
 	CpuClock clock;
 	_tiles.report_energy(r_simulator.read_energy());
 	_tiles.stir(r_simulator.is_complete() ? _regrown : all_tiles());
-	_tiles.update(p_delta, p_colliders);
+	_tiles.update(p_delta, p_colliders, p_parallel_for);
 	_tiles_ms = clock.lap();
 	if (!_can_simulate) {
 		_tiles.reset(); // which bodies meet grass is known; the blades stand

@@ -58,7 +58,8 @@ public:
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are among
 	// the colliders.
-	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces = {});
+	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces = {},
+			const ParallelFor &p_parallel_for = serial_for);
 
 	const FieldSetup &get_setup() const { return _setup; }
 	const TileGrid &get_grid() const { return _setup.grid; }

@@ -57,6 +57,13 @@ public:
 		_first = 0;
 	}
 
+	// Of a set of the same size.
+	void insert_all(const SlotSet &p_others) {
+		for (size_t i = 0; i < _words.size(); i++) {
+			_words[i] |= p_others._words[i];
+		}
+	}
+
 	bool is_empty() const {
 		return std::all_of(_words.begin(), _words.end(), [](uint64_t p_word) { return p_word == 0; });
 	}

@@ -2,6 +2,7 @@
 // Which tiles colliders meet: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
 #pragma once
 
+#include "core/base/parallel_for.h"
 #include "core/bodies/body_shape.h"
 #include "core/tiles/queued_squares.h"
 #include "core/tiles/slot_map.h"
@@ -38,8 +39,8 @@ public:
 	void reset();
 	// What is known of colliders that stand still holds no longer: the tiles' boxes or limits are other ones.
 	void forget() { _known.clear(); }
-	// Mends p_colliders, see ColliderShape::sanitise().
-	void find(const Tiles &p_tiles, std::span<ColliderShape> p_colliders);
+	// Mends p_colliders, see ColliderShape::sanitise(). However many threads there are, the result is the same, in the same order.
+	void find(const Tiles &p_tiles, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for);
 
 	std::vector<Meeting> &get() { return _meetings; } // rising by collider
 	// Tiles that are met and sleep, as many as can get a slot. The paper's ToActivateTileList without the tiles already active.
@@ -77,31 +78,50 @@ private:
 		bool is_complete = false; // all tiles that it meets have slots
 	};
 
+	// Colliders that follow each other, for one thread at a time. In a step all but known_slots_before is its own.
+	struct Block {
+		std::vector<Way> ways; // of the colliders, rising
+		std::vector<const SlotMap::Square *> squares; // of the ranges, one after the other, row by row
+		std::vector<Found> found; // of a range
+		std::vector<Meeting> meetings, meetings_asleep; // with tiles that have slots, and that have none
+		std::vector<int> known_slots, known_slots_before; // of the colliders with stamps, one after the other; in the last step
+		SlotSet met, stirred; // as in Tiles
+		uint64_t bad_colliders = 0, looked_at = 0, refused = 0; // as in TileStatistics
+
+		void begin(int p_pool_size);
+	};
+	// Fewer: more is spent on handing them out. More: threads end farther apart.
+	static constexpr size_t BLOCK = 128; // colliders
+
+	std::span<Block> get_blocks() { return std::span(_blocks).first(_block_count); }
 	void begin(size_t p_colliders);
-	void add_collider(ColliderShape &r_collider, uint32_t p_index);
+	void meet_awake_tiles(std::span<const ColliderShape> p_colliders, Block &r_block);
+	static void end_way(const Way &p_way, const Block &p_block, std::vector<Meeting> &r_meetings);
+	void find_squares(Way &r_way, Block &r_block);
+	void meet_again(const Way &p_way, Block &r_block);
+	void meet_awake(Way &r_way, bool p_moves, Block &r_block);
+	int keep_met(int p_count, const Bounds &p_swept, Block &r_block) const;
+	void note_met(uint32_t p_collider, Met p_met) { _met[p_collider] = std::max(_met[p_collider], p_met); }
+	void gather();
+	// tile_meetings_ways.cpp
+	void add_collider(ColliderShape &r_collider, uint32_t p_index, Block &r_block);
+	void add_ways(const ColliderShape &p_collider, uint32_t p_index, Block &r_block);
 	void limit_ranges(std::span<const ColliderShape> p_colliders);
 	TileRange find_range(const Bounds &p_swept) const;
-	void add_ways(const ColliderShape &p_collider, uint32_t p_index);
-	void note_met(uint32_t p_collider, Met p_met) { _met[p_collider] = std::max(_met[p_collider], p_met); }
-	void end_way(const Way &p_way, std::vector<Meeting> &r_meetings) const;
-	void find_squares(Way &r_way);
-	void meet_again(const Way &p_way);
-	void meet_awake(Way &r_way, bool p_moves);
-	int keep_met(int p_count, const Bounds &p_swept);
-	void meet_asleep_tiles();
-	int find_asleep(const Way &p_way, bool p_queued);
-	bool queue_tiles(const Way &p_way, size_t p_room);
-	bool meet_queued_tiles(const Way &p_way);
-	bool meets_asleep(const Way &p_way);
+	// tile_meetings_asleep.cpp
+	void meet_asleep_tiles(const ParallelFor &p_parallel_for);
+	void meet_asleep_tiles_of(Block &r_block, size_t p_room);
+	int find_asleep(const Way &p_way, bool p_queued, Block &r_block) const;
+	bool queue_tiles(const Way &p_way, size_t p_room, Block &r_block);
+	bool meet_queued_tiles(const Way &p_way, Block &r_block);
+	bool meets_asleep(const Way &p_way, Block &r_block) const;
 
 	const Tiles *_tiles = nullptr; // during find()
-	std::vector<Way> _ways; // of the colliders, rising
+	std::vector<Block> _blocks; // the first _block_count of them in this step
+	size_t _block_count = 0;
 	std::vector<Known> _known; // of the colliders
-	std::vector<int> _known_slots, _known_slots_before; // of the colliders with stamps, one after the other
 	std::vector<Met> _met; // of the colliders
-	std::vector<Found> _found; // of a range
-	std::vector<const SlotMap::Square *> _squares; // of the ranges, one after the other, row by row
-	std::vector<Meeting> _meetings, _meetings_awake, _meetings_asleep;
+	std::vector<Meeting> _meetings;
 	std::vector<int> _wanted;
 	TileMap _place_of_tile; // in _wanted
 	QueuedSquares _queued;

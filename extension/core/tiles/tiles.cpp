@@ -52,12 +52,12 @@ void TileManager::reset() {
 }
 
 // Algorithm 1. One line each of the paper's three loops is one function here.
-void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders) {
+void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for) {
 	const double delta = std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
 	_time += delta;
 	_step_number++;
 	begin_step();
-	_meetings.find({ _grid, _params, _bounds.get(), _slot_of_tile, _met, _stirred, _statistics }, p_colliders); // lines 1 to 9
+	_meetings.find({ _grid, _params, _bounds.get(), _slot_of_tile, _met, _stirred, _statistics }, p_colliders, p_parallel_for); // 1 to 9
 	activate_tiles(); // lines 11 to 16
 	sign_meetings(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25

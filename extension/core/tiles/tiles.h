@@ -45,8 +45,8 @@ public:
 	void pass_unseen(double p_delta);
 
 	// One step of p_delta seconds (not finite or negative: 0). Mends p_colliders, see ColliderShape::sanitise(). The
-	// same calls make the same records, bit for bit. What the getters below return holds until the next call.
-	void update(double p_delta, std::span<ColliderShape> p_colliders);
+	// same calls make the same records, bit for bit, however many threads help. What the getters below return holds until the next call.
+	void update(double p_delta, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for = serial_for);
 	// Of the last update, 0 before the first; never falls, not even by reset().
 	uint64_t get_step_number() const { return _step_number; }
 

@@ -230,3 +230,24 @@ func test_two_hundred_bodies_at_once() -> void:
 	await ticks(3)
 	assert_eq(field.get_body_count(), 1)
 	assert_eq(field.get_statistics().colliders, 0)
+
+
+func test_of_a_crowd_some_are_freed() -> void:
+	var field := add_field({size = Vector2(20, 20)})
+	var bodies: Array[PhysicsBody3D] = []
+	for i in 400:
+		var body := weightless()
+		body.linear_velocity = Vector3(0.3, 0, 0)
+		bodies.append(add_body(body, ball(0.1), Vector3(i % 20 - 9.8, 0.2, floorf(i / 20.0) - 9.8)))
+	await ticks(20)
+	assert_eq(field.get_statistics().colliders, 400)
+	for round_number in 3:
+		for i in range(bodies.size() - 1, -1, -3):
+			bodies[i].free()
+			bodies.remove_at(i)
+		await ticks(1)
+		assert_eq(field.get_statistics().colliders, bodies.size(), "each of the others, and no other")
+		assert_eq(field.get_body_count(), bodies.size())
+		await ticks(4)
+		for body in bodies:
+			assert_true(field.is_tile_awake(field.get_tile_at(body.global_position)), "where it is")
