@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How BodyTracker follows a crowd: plain bodies need nothing but their own memory and their pose, so that several threads read them at
-// once.
+// How BodyTracker follows a crowd: plain bodies need nothing but their own memory and their pose, so that several threads read them at once
+// (docs/decisions/0048-crowds-on-all-threads.md).
 #include "nodes/body_tracker.h"
 
 #include <algorithm>
