@@ -3,6 +3,8 @@
 // (docs/decisions/0048-crowds-on-all-threads.md).
 #include "nodes/body_tracker.h"
 
+#include <godot_cpp/classes/physics_server3d.hpp>
+
 #include <algorithm>
 #include <cstddef>
 
