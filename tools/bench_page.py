@@ -22,14 +22,14 @@ TABLES = {
 	"flops": "2026-11-23-h200/flops.csv",
 	"sleep": "2026-11-21-h100/sleep.csv",
 	"awake": "2026-11-24-h200/awake.csv",
-	"cpu": "2026-11-24-h200/cpu.csv",
+	"cpu": "2026-11-25-h100/cpu.csv",
 	"movers": "2026-11-23-xeon/movers.csv",
 	"change": "2026-11-21-epyc/change.csv",
-	"hitch": "2026-11-24-h200/hitch_warm.csv",
-	"hitch_cold": "2026-11-24-h200/hitch_cold.csv",
+	"hitch": "2026-11-25-h100/hitch_warm.csv",
+	"hitch_cold": "2026-11-25-h100/hitch_cold.csv",
 	"limits": "2026-11-23-h200/limits.csv",
 	"rest": "2026-11-24-h200/rest.csv",
-	"crowd": "2026-11-24-h200/crowd.csv",
+	"crowd": "2026-11-25-h100/crowd.csv",
 }
 FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
 LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
