@@ -34,10 +34,11 @@ void prefetch(const void *p_place, size_t p_bytes) {
 
 } // namespace
 
-// As the last look found it: it moves as its velocity says, and has no shape to be warned of.
+// As the last look found it: it moves as its velocity says, and has shapes, none of them one to be warned of.
 bool BodyTracker::is_plain(const Body &p_body) {
 	const auto is_odd = [](const TrackedShape &p_shape) { return p_shape.is_bound || p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP; };
-	return p_body.is_driven && p_body.has_before && p_body.is_written && std::ranges::none_of(p_body.shapes, is_odd);
+	return p_body.is_driven && p_body.has_before && p_body.is_written && !p_body.shapes.empty() &&
+			std::ranges::none_of(p_body.shapes, is_odd);
 }
 
 bool BodyTracker::is_plain_now(const Body &p_body) {
@@ -99,22 +100,26 @@ void BodyTracker::follow_member(Body &r_body, const Following &p_following) {
 
 // Closes the gaps of bodies that were freed.
 void BodyTracker::drop_lost(std::vector<ColliderShape> &r_colliders) {
-	size_t dropped = 0;
+	_written = 0;
+	_mesh_pieces = 0;
 	for (Body *body : _line) {
-		body->first_collider -= uint32_t(dropped);
 		if (body->is_lost) {
-			const auto first = r_colliders.begin() + body->first_collider;
-			r_colliders.erase(first, first + body->colliders);
-			dropped += body->colliders;
-			_mesh_pieces -= body->mesh_pieces;
+			watch_sleep(*body, false);
+			continue;
 		}
+		if (body->first_collider != _written) {
+			const auto first = r_colliders.begin() + body->first_collider;
+			std::move(first, first + body->colliders, r_colliders.begin() + ptrdiff_t(_written));
+			body->first_collider = uint32_t(_written);
+		}
+		_written += body->colliders;
+		_mesh_pieces += body->mesh_pieces;
 	}
-	_written -= dropped;
 }
 
-// What meeting body p_index of the line reads. The memory of a crowd is more than the caches hold.
+// What the walk over the line reads of body p_index. The memory of a crowd is more than the caches hold.
 void BodyTracker::fetch_head(size_t p_index) const {
-	if (const size_t far = p_index + FETCH_AHEAD; far < _line.size()) {
+	if (const size_t far = p_index + 4 * FETCH_AHEAD; far < _line.size()) {
 		prefetch(_line[far], offsetof(Body, world_before));
 	}
 }

@@ -132,8 +132,10 @@ bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles
 void BodyTracker::wait(Body &r_body, const Following &p_following) {
 	r_body.waited++;
 	r_body.next_look = std::max(r_body.next_look - 1, 0); // falls asleep as soon as others
-	r_body.was_put = false;
-	write_shapes(r_body, r_body.before, p_following);
+	if (!r_body.is_written_still) { // else they lie there, and no more of the body is read
+		r_body.was_put = false;
+		write_shapes(r_body, r_body.before, p_following);
+	}
 }
 
 // What it did while it waited bends nothing: its way in this tick begins where it was a tick ago if it went evenly.

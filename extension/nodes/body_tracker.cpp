@@ -199,7 +199,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	_crowd.clear();
 	for (size_t i = 0; i < _line.size(); i++) {
 		fetch_head(i);
-		meet(*_line[i], p_tiles, following);
+		visit(*_line[i], p_tiles, following);
 	}
 	follow_crowd(following, p_parallel_for);
 	r_colliders.resize(_written);
@@ -210,7 +210,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 }
 
 // Gives its colliders their places, and follows it, but for a plain one, which the crowd follows.
-void BodyTracker::meet(Body &r_body, const TileManager &p_tiles, const Following &p_following) {
+void BodyTracker::visit(Body &r_body, const TileManager &p_tiles, const Following &p_following) {
 	const FieldPose &field = p_following.field;
 	if (r_body.is_asleep && r_body.overlaps > 0 && !field.has_moved && r_body.next_read-- > 0) {
 		place(r_body);

@@ -45,7 +45,8 @@ public:
 	// Makes of r_colliders every shape that may touch grass in this tick, posed in the field's space. It must be what the last call
 	// left: of bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
 	// p_tick.watched itself. p_tiles: those of the field, as they took these colliders in the tick before. Crowds are read by
-	// p_parallel_for, with the same result.
+	// p_parallel_for, with the same result. Its threads
+	// call the physics server.
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, const ParallelFor &p_parallel_for,
 			std::vector<ColliderShape> &r_colliders);
 	// Time has passed without collect(): the way from where bodies were last is no motion.
@@ -108,7 +109,7 @@ private:
 		bool has_moved = false; // since the tick before
 	};
 
-	// What following a body reads beside it, and writes.
+	// What following a body reads besides it, and writes.
 	struct Following {
 		const FieldPose &field;
 		const MotionTick &tick;
@@ -124,8 +125,9 @@ private:
 
 	FieldPose pose_field(const godot::Transform3D &p_field);
 	void line_up();
-	void meet(Body &r_body, const TileManager &p_tiles, const Following &p_following);
+	void visit(Body &r_body, const TileManager &p_tiles, const Following &p_following);
 	void read(Body &r_body, const Following &p_following);
+	void place(Body &r_body) const;
 	static bool keep_at_rest(Body &r_body, const FieldPose &p_field);
 	void follow(Body &r_body, const godot::Transform3D &p_world, bool p_is_due, const Following &p_following);
 	static bool find_state(Body &r_body, BodyReads &r_reads);
@@ -148,7 +150,6 @@ private:
 	void read_traits(Body &r_body, int32_t p_count);
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
 	void watch_sleep(Body &r_body, bool p_watch);
-	void place(Body &r_body) const;
 	void write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
 	// body_motion.cpp
 	bool is_its_turn(const Body &p_body) const { return _tick == p_body.turn; }

@@ -3,9 +3,24 @@
 
 #include "backend/parallel.h"
 
+#include <godot_cpp/classes/project_settings.hpp>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+// One that a project brings along may expect the main thread.
+bool is_engines_own_server() {
+	static const bool is_own = [] {
+		const String engine = ProjectSettings::get_singleton()->get_setting("physics/3d/physics_engine", "DEFAULT");
+		return engine == String("DEFAULT") || engine == String("Jolt Physics") || engine == String("GodotPhysics3D");
+	}();
+	return is_own;
+}
+
+} // namespace
 
 void FieldBodies::collect(
 		const Field &p_field, const Ref<World3D> &p_world, const Transform3D &p_transform, double p_teleport_speed, double p_delta) {
@@ -15,7 +30,7 @@ void FieldBodies::collect(
 			real_t(0.5 * grid.get_size_x() + height), real_t(height + p_field.ground_relief()), real_t(0.5 * grid.get_size_z() + height));
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
 	_tracker.set_box(p_transform, half, p_delta);
-	_tracker.collect(p_transform, tick, p_field.get_tiles(), run_parallel, _colliders);
+	_tracker.collect(p_transform, tick, p_field.get_tiles(), is_engines_own_server() ? run_parallel : serial_for, _colliders);
 	_registered.collect(p_transform, tick, _colliders);
 	_wheels.collect(p_transform, tick, _colliders);
 	_bones.collect(p_world, p_transform, tick, _colliders);

@@ -123,6 +123,9 @@ TEST_CASE("tiles: threads choose for a crowd what one does") {
 		ColliderShape &odd = bodies[random() % bodies.size()];
 		odd.size.x() = i % 7 == 0 ? std::nan("") : 0.4;
 		odd.stamp = 0;
+		ColliderShape &far = bodies[random() % bodies.size()]; // aslant over the field in one step
+		far.before.position.x() -= i % 5 == 0 ? 50.0 : 0.0;
+		far.stamp = 0;
 		const std::span<ColliderShape> present = std::span(bodies).first(i % 9 == 8 ? 200 : bodies.size());
 		std::vector<ColliderShape> copies(present.begin(), present.end());
 		alone.update(1.0 / 60.0, present);
@@ -138,6 +141,8 @@ TEST_CASE("tiles: threads choose for a crowd what one does") {
 	CHECK(counts.looked_at == counts_together.looked_at);
 	CHECK(counts.refused == counts_together.refused);
 	CHECK(counts.bad_colliders == counts_together.bad_colliders);
+	CHECK(counts.capped == counts_together.capped);
+	CHECK((counts.capped > 0) == (pool_size == 300));
 	CHECK(counts.bad_colliders > 0);
 	CHECK((counts.refused > 0) == (pool_size == 300));
 }

@@ -23,7 +23,7 @@ size_t TileMeetings::get_memory_usage() const {
 	return blocks + bytes(_known) + bytes(_met) + bytes(_meetings) + bytes(_wanted) + _place_of_tile.get_memory_usage();
 }
 
-// A block has the same colliders in every step, as what is known of them.
+// A block covers the same numbers of colliders in every step, so that Known::first holds in its lists.
 void TileMeetings::begin(size_t p_colliders) {
 	for (const int tile : _wanted) {
 		_place_of_tile.erase(tile);

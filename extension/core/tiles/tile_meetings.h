@@ -78,7 +78,7 @@ private:
 		bool is_complete = false; // all tiles that it meets have slots
 	};
 
-	// Colliders that follow each other, for one thread at a time. In a step all but known_slots_before is its own.
+	// Colliders that follow each other, for one thread at a time. All but known_slots_before is of one step.
 	struct Block {
 		std::vector<Way> ways; // of the colliders, rising
 		std::vector<const SlotMap::Square *> squares; // of the ranges, one after the other, row by row
