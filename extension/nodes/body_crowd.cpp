@@ -16,6 +16,8 @@ namespace {
 
 // Bodies that a thread takes at a time. Fewer: more is spent on handing them out. More: threads end farther apart.
 constexpr size_t BLOCK = 128;
+// Bodies that move, from which on other threads help. Fewer: waking them takes longer than they save.
+constexpr size_t CROWD = 256;
 // Bodies from the one at hand to that whose memory is fetched next: as long as a fetch takes.
 constexpr size_t FETCH_AHEAD = 4;
 
@@ -53,13 +55,17 @@ void BodyTracker::join_crowd(Body &r_body, const Following &p_following) {
 	p_following.colliders.resize(std::max(p_following.colliders.size(), end));
 }
 
+bool BodyTracker::is_crowded() const {
+	return _crowd.size() >= CROWD;
+}
+
 void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &p_parallel_for) {
 	struct Block {
 		BodyReads reads;
 		bool has_lost = false;
 	};
 	std::vector<Block> blocks((_crowd.size() + BLOCK - 1) / BLOCK);
-	p_parallel_for(int(blocks.size()), [&](int p_block) {
+	const auto follow_block = [&](int p_block) {
 		const size_t begin = size_t(p_block) * BLOCK, end = std::min(begin + BLOCK, _crowd.size());
 		Block block;
 		for (size_t i = begin; i < end; i++) {
@@ -70,7 +76,8 @@ void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &
 			block.has_lost = block.has_lost || body.is_lost;
 		}
 		blocks[size_t(p_block)] = block;
-	});
+	};
+	(is_crowded() ? p_parallel_for : serial_for)(int(blocks.size()), follow_block);
 	bool has_lost = false;
 	for (const Block &block : blocks) {
 		_reads.add(block.reads);

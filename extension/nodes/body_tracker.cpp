@@ -157,10 +157,10 @@ void BodyTracker::line_up() {
 
 // The next places are its own. Colliders of it that lie elsewhere must be written again.
 void BodyTracker::place(Body &r_body) const {
-	const bool is_there = r_body.is_written && r_body.first_collider == _written;
-	r_body.is_written = is_there;
-	r_body.is_written_still = r_body.is_written_still && is_there;
-	r_body.first_collider = uint32_t(_written);
+	if (r_body.first_collider != _written) {
+		r_body.is_written = r_body.is_written_still = false;
+		r_body.first_collider = uint32_t(_written);
+	}
 }
 
 // A body that is where it was: whether all else is as it was, too. Its colliders then lie ready.
@@ -247,7 +247,9 @@ void BodyTracker::read(Body &r_body, const Following &p_following) {
 	if (is_due || world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {
 		follow(r_body, world, is_due, p_following);
 	}
-	r_body.is_plain = is_plain(r_body);
+	if (is_due || !r_body.is_plain) {
+		r_body.is_plain = is_plain(r_body);
+	}
 }
 
 void BodyTracker::follow(Body &r_body, const Transform3D &p_world, bool p_is_due, const Following &p_following) {

@@ -55,6 +55,8 @@ public:
 	// Instead of collect(), in ticks that are left out: drops bodies that left.
 	void forget_left();
 
+	// Whether so many bodies moved in this tick that threads pay.
+	bool is_crowded() const;
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
 	uint32_t get_mask() const { return _mask; }

@@ -37,6 +37,10 @@ void FieldBodies::collect(
 	_soft_bodies.collect({ p_world, p_transform, half, _tracker.get_mask() }, tick, _colliders);
 }
 
+ParallelFor FieldBodies::get_parallel_for() const {
+	return _tracker.is_crowded() ? run_parallel : serial_for;
+}
+
 void FieldBodies::add_forces(std::span<const Force> p_forces) {
 	for (size_t i = 0; i < p_forces.size(); i++) {
 		if (p_forces[i].reach() > 0.0) {

@@ -29,6 +29,8 @@ public:
 	// After that: what wakes tiles for the forces of the tick.
 	void add_forces(std::span<const Force> p_forces);
 	std::span<ColliderShape> get_colliders() { return _colliders; }
+	// What the rest of the tick runs on: many threads where a crowd moves.
+	ParallelFor get_parallel_for() const;
 	// Time has passed without collect(): the way from where bodies were last is no motion.
 	void forget_motion();
 

@@ -120,7 +120,7 @@ void GrassField::physics_tick(double p_delta) {
 	_bodies.collect(_standing.get_field(), get_world_3d(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
-	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta);
+	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for());
 	_work.wear_tracks(_bodies.get_wheels(), p_delta);
 	emit_visits();
 }

@@ -2,7 +2,6 @@
 #include "nodes/standing_field.h"
 
 #include "backend/cpu_backend.h"
-#include "backend/parallel.h"
 #include "draw/blade_mesh.h"
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
@@ -187,9 +186,10 @@ bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
 	return _field.begin_tick(*_backend, _properties.method, p_is_listened, p_delta);
 }
 
-void StandingField::tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta) {
+void StandingField::tick(
+		std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for) {
 	_field.set_params(_properties.field_params(_species));
-	if (_field.tick(*_backend, p_colliders, p_delta, p_forces, run_parallel)) {
+	if (_field.tick(*_backend, p_colliders, p_delta, p_forces, p_parallel_for)) {
 		request_draw();
 	}
 }

@@ -67,7 +67,7 @@ public:
 	// A tick: begins it, then takes what the bodies do. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _field.resume(); }
-	void tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta);
+	void tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
 	// A frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
 	// A frame, before drawing begins: the wind blows.
