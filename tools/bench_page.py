@@ -29,7 +29,7 @@ TABLES = {
 	"hitch_cold": "2026-11-25-h100/hitch_cold.csv",
 	"limits": "2026-11-23-h200/limits.csv",
 	"rest": "2026-11-24-h200/rest.csv",
-	"crowd": "2026-11-25-h100/crowd.csv",
+	"crowd": "2026-11-25-epyc/crowd.csv",
 }
 FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
 LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
