@@ -14,8 +14,6 @@ namespace grass {
 
 namespace {
 
-// Bodies that a thread takes at a time. Fewer: more is spent on handing them out. More: threads end farther apart.
-constexpr size_t BLOCK = 128;
 // Bodies that move, from which on other threads help. Fewer: waking them takes longer than they save.
 constexpr size_t CROWD = 256;
 // Bodies from the one at hand to that whose memory is fetched next: as long as a fetch takes.
@@ -64,9 +62,9 @@ void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &
 		BodyReads reads;
 		bool has_lost = false;
 	};
-	std::vector<Block> blocks((_crowd.size() + BLOCK - 1) / BLOCK);
+	std::vector<Block> blocks(count_blocks(_crowd.size()));
 	const auto follow_block = [&](int p_block) {
-		const size_t begin = size_t(p_block) * BLOCK, end = std::min(begin + BLOCK, _crowd.size());
+		const size_t begin = size_t(p_block) * PARALLEL_BLOCK, end = std::min(begin + PARALLEL_BLOCK, _crowd.size());
 		Block block;
 		for (size_t i = begin; i < end; i++) {
 			fetch_ahead(i, end, p_following.colliders);

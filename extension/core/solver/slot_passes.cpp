@@ -25,7 +25,7 @@ std::vector<uint8_t> find_fast(const StepInput &p_input) {
 	return fast;
 }
 
-// Up to so many tiles a card simulates at once, and their order is left alone: records that change are uploaded again.
+// Up to so many tiles a card simulates at once. They are not put in order by energy: records that move are uploaded again.
 constexpr size_t AT_ONCE = 128;
 // The order of a step's slots: ranks of equal work, within which slots keep their order.
 constexpr int RETIRED_RANK = 0, FAST_RANK = 1, LIVELIEST_RANK = 2;

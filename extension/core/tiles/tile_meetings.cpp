@@ -32,7 +32,7 @@ void TileMeetings::begin(size_t p_colliders) {
 	_meetings.clear();
 	_known.resize(p_colliders);
 	_met.assign(p_colliders, MET_NOTHING);
-	_block_count = (p_colliders + BLOCK - 1) / BLOCK;
+	_block_count = count_blocks(p_colliders);
 	_blocks.resize(std::max(_blocks.size(), _block_count));
 	for (Block &block : get_blocks()) {
 		block.begin(_tiles->params.pool_size);
@@ -55,7 +55,7 @@ void TileMeetings::find(const Tiles &p_tiles, std::span<ColliderShape> p_collide
 	_tiles = &p_tiles;
 	begin(p_colliders.size());
 	p_parallel_for(int(_block_count), [&](int p_block) {
-		const size_t first = size_t(p_block) * BLOCK, end = std::min(first + BLOCK, p_colliders.size());
+		const size_t first = size_t(p_block) * PARALLEL_BLOCK, end = std::min(first + PARALLEL_BLOCK, p_colliders.size());
 		for (size_t i = first; i < end; i++) {
 			add_collider(p_colliders[i], uint32_t(i), _blocks[size_t(p_block)]);
 		}

@@ -78,7 +78,7 @@ private:
 		bool is_complete = false; // all tiles that it meets have slots
 	};
 
-	// Colliders that follow each other, for one thread at a time. All but known_slots_before is of one step.
+	// PARALLEL_BLOCK colliders that follow each other, for one thread at a time. All but known_slots_before is of one step.
 	struct Block {
 		std::vector<Way> ways; // of the colliders, rising
 		std::vector<const SlotMap::Square *> squares; // of the ranges, one after the other, row by row
@@ -90,8 +90,6 @@ private:
 
 		void begin(int p_pool_size);
 	};
-	// Fewer: more is spent on handing them out. More: threads end farther apart.
-	static constexpr size_t BLOCK = 128; // colliders
 
 	std::span<Block> get_blocks() { return std::span(_blocks).first(_block_count); }
 	void begin(size_t p_colliders);
