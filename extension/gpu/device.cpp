@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/device.h"
 
+#include "core/base/hash.h"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -12,6 +14,10 @@
 using namespace godot;
 
 namespace grass {
+
+#define GRASS_FUNCTION inline
+#include "base/rows.inc"
+#undef GRASS_FUNCTION
 
 RenderingDevice *main_device() {
 	return RenderingServer::get_singleton()->get_rendering_device();
@@ -148,8 +154,7 @@ void GpuPass::dispatch(int64_t p_list, const PackedByteArray &p_constants, uint3
 	if (!p_constants.is_empty()) {
 		device->compute_list_set_push_constant(p_list, p_constants, uint32_t(p_constants.size()));
 	}
-	const uint32_t rows = (p_groups - 1) / MAX_ROW + 1;
-	device->compute_list_dispatch(p_list, (p_groups - 1) / rows + 1, rows, 1);
+	device->compute_list_dispatch(p_list, grass_row_width(p_groups), grass_rows(p_groups), 1);
 }
 
 void GpuPass::free() {

@@ -52,8 +52,6 @@ private:
 // A compute pass: one shader, its pipeline, and one uniform set that is made again when a resource in it changed.
 class GpuPass {
 public:
-	static constexpr uint32_t MAX_ROW = 65535; // workgroups along one dimension that every device allows
-
 	~GpuPass() { free(); }
 
 	enum class Compile { NOW, LATER };
@@ -68,8 +66,8 @@ public:
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);
 	void bind_sampled(int p_binding, const godot::RID &p_sampler, const godot::RID &p_texture);
-	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16. More than
-	// MAX_ROW workgroups are laid out in rows, with some too many in the last.
+	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16. More
+	// workgroups than a dimension holds are laid out in rows, see shaders/base/rows.inc.
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_created() const { return _source != nullptr; }

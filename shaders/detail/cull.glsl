@@ -11,6 +11,7 @@
 #include "base/constants.inc"
 #include "base/structs.inc"
 #include "base/hash.inc"
+#include "base/rows.inc"
 #include "detail/lod.inc"
 #include "detail/levels.inc"
 
@@ -97,7 +98,8 @@ struct Choice {
 Tile find_tile() {
 	Tile tile;
 	// Fields of millions of tiles take more workgroups than fit in one row.
-	tile.index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GRASS_CULL_GROUP);
+	uint groups = (phase.y - 1u) / uint(GRASS_CULL_GROUP) + 1u;
+	tile.index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * grass_row_width(groups) * uint(GRASS_CULL_GROUP);
 	tile.exists = tile.index < phase.y;
 	ivec2 tiles = ivec2(view.field.xy);
 	tile.at = ivec2(int(tile.index) % tiles.x, int(tile.index) / tiles.x);

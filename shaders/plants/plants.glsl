@@ -8,6 +8,7 @@
 #include "base/constants.inc"
 #include "base/structs.inc"
 #include "base/hash.inc"
+#include "base/rows.inc"
 #include "detail/levels.inc"
 #include "detail/lod.inc"
 #include "plants/constants.inc"
@@ -143,8 +144,8 @@ void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_
 }
 
 void choose() {
-	uint group = gl_WorkGroupID.x + gl_WorkGroupID.y * gl_NumWorkGroups.x;
 	uint side = uint(box.x), in_square = side * uint(box.y);
+	uint group = gl_WorkGroupID.x + gl_WorkGroupID.y * grass_row_width(in_square * view.counts.x);
 	uint camera = group / in_square;
 	if (camera >= view.counts.x) {
 		return; // the last row has more workgroups than there are tiles left

@@ -25,7 +25,8 @@
 #include "blades/force.inc"
 
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
-layout(constant_id = GRASS_CONSTANT_METHOD) const int METHOD = GRASS_METHOD_DIRECT;
+// Unsigned: Godot's translator for Direct3D 12 has no specialization constants of type int.
+layout(constant_id = GRASS_CONSTANT_METHOD) const uint METHOD = uint(GRASS_METHOD_DIRECT);
 // Whether a tile may have more colliders than GRASS_SHARED_COLLIDERS. What reads the others stands at so many places that it costs a tenth
 // of the time where there are none.
 layout(constant_id = GRASS_CONSTANT_CROWD) const bool CROWD = false;
