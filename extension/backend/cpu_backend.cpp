@@ -228,7 +228,7 @@ void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 			Ref<ArrayMesh> mesh;
 			mesh.instantiate();
 			add_lod_surface(mesh, level, _materials.level(level), _setup.card_size > 0.0f);
-			instance.create(mesh, FIRST_INSTANCES, false, field_bounds(_setup, _cover.get()),
+			instance.create(mesh, FIRST_INSTANCES, Written::BY_CPU, field_bounds(_setup, _cover.get()),
 					level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
 		}
 		instance.follow(p_node, p_transform);

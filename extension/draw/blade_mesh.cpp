@@ -9,6 +9,8 @@ using namespace godot;
 
 namespace grass {
 
+static_assert(GRASS_BLADES_PER_TILE * (2 * GRASS_SEGMENTS + 1 + GRASS_CARD_CORNERS) <= GRASS_LEVEL_VERTICES);
+
 int lod_blades(int p_level) {
 	return get_lod_level(p_level).blades;
 }
@@ -35,12 +37,12 @@ int64_t mesh_bytes(bool p_cards) {
 }
 
 void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Material> &p_material, bool p_cards) {
-	const int blades = lod_blades(p_level), segments = lod_segments(p_level);
+	const int blades = lod_blades(p_level), segments = lod_segments(p_level), begin = p_level * GRASS_LEVEL_VERTICES;
 	PackedInt32Array indices;
 	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level, p_cards) * 3);
 	int32_t *next = indices.ptrw();
 	for (int blade = 0; blade < blades; blade++) {
-		const int first = blade * (2 * segments + 1); // two vertices a row, one at the tip
+		const int first = begin + blade * (2 * segments + 1); // two vertices a row, one at the tip
 		for (int row = 0; row < segments; row++) {
 			const int left = first + 2 * row, right = left + 1;
 			*next++ = left;
@@ -54,7 +56,7 @@ void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Materi
 		}
 	}
 	for (int blade = 0; blade < blades && has_cards(p_level, p_cards); blade++) {
-		const int first = GRASS_BLADES_PER_TILE * (2 * segments + 1) + GRASS_CARD_CORNERS * blade;
+		const int first = begin + GRASS_BLADES_PER_TILE * (2 * segments + 1) + GRASS_CARD_CORNERS * blade;
 		for (const int corner : { 0, 2, 1, 1, 2, 3 }) {
 			*next++ = first + corner;
 		}

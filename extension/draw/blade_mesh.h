@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh of a tile at each level of detail: indices only. The shaders find blade, row and side in VERTEX_ID
+// The mesh of a tile at each level of detail: indices only. The shaders find level, blade, row and side in VERTEX_ID
 // (contract in shaders/draw/pose.gdshaderinc), so the mesh holds no vertex data.
 #pragma once
 

@@ -7,17 +7,17 @@ using namespace godot;
 
 namespace grass {
 
-void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const AABB &p_bounds, Role p_role) {
+void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, Written p_written, const AABB &p_bounds, Role p_role) {
 	free();
 	RenderingServer *server = RenderingServer::get_singleton();
 	_mesh = p_mesh;
-	_indirect = p_indirect;
+	_written = p_written;
 	_multimesh = server->multimesh_create();
 	// Data before mesh: the engine makes the command buffer in set_mesh, from the surfaces that it has then.
 	reserve(p_capacity);
 	server->multimesh_set_mesh(_multimesh, _mesh->get_rid());
 	server->multimesh_set_custom_aabb(_multimesh, p_bounds);
-	if (!p_indirect) {
+	if (p_written == Written::BY_CPU) {
 		server->multimesh_set_visible_instances(_multimesh, 0);
 	}
 	_instance = server->instance_create();
@@ -33,8 +33,10 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, bool p_
 
 void FieldInstance::reserve(int p_capacity) {
 	_capacity = p_capacity;
-	RenderingServer::get_singleton()->multimesh_allocate_data(
-			_multimesh, p_capacity, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, _indirect);
+	const bool is_listed = _written == Written::LISTED; // its transforms change nothing: in two rows they are smaller
+	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, p_capacity,
+			is_listed ? RenderingServer::MULTIMESH_TRANSFORM_2D : RenderingServer::MULTIMESH_TRANSFORM_3D, !is_listed, !is_listed,
+			_written != Written::BY_CPU);
 }
 
 void FieldInstance::follow(GeometryInstance3D *p_node, const Transform3D &p_transform, bool p_is_flipped) {

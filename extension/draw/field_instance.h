@@ -15,6 +15,10 @@ namespace grass {
 // What an instance is for: the picture shows all visible blades; shadows need far fewer. Plants with a mesh cast their own.
 enum class Role { PICTURE, SHADOWS, BOTH };
 
+// Who writes the instances: the CPU; a compute pass, into the MultiMesh's buffer and the commands of its surfaces; or one that lists them in
+// a texture of its own and writes the commands only (draw/drawn_tile.gdshaderinc).
+enum class Written { BY_CPU, BY_GPU, LISTED };
+
 class FieldInstance {
 public:
 	FieldInstance() = default;
@@ -22,8 +26,7 @@ public:
 	FieldInstance &operator=(const FieldInstance &) = delete;
 	~FieldInstance() { free(); }
 
-	// p_indirect: counts are written by a compute pass into the MultiMesh's command buffer.
-	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, bool p_indirect, const godot::AABB &p_bounds, Role p_role);
+	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, Written p_written, const godot::AABB &p_bounds, Role p_role);
 	// Makes room for more instances, where the CPU writes them. Their contents are lost.
 	void reserve(int p_capacity);
 	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
@@ -42,7 +45,7 @@ private:
 	godot::Ref<godot::ArrayMesh> _mesh;
 	godot::RID _multimesh, _instance;
 	int _capacity = 0;
-	bool _indirect = false;
+	Written _written = Written::BY_CPU;
 	Role _role = Role::PICTURE;
 	godot::GeometryInstance3D::ShadowCastingSetting _casting = godot::GeometryInstance3D::SHADOW_CASTING_SETTING_ON; // of Role::BOTH
 	NodeFollower _follower;

@@ -53,7 +53,7 @@ void Plants::set(
 		for (size_t s = 0; s < plant.materials.size(); s++) {
 			mesh->surface_set_material(int32_t(s), plant.materials[s]);
 		}
-		plant.instance.create(mesh, p_rooms[species], p_indirect, p_bounds, Role::BOTH);
+		plant.instance.create(mesh, p_rooms[species], p_indirect ? Written::BY_GPU : Written::BY_CPU, p_bounds, Role::BOTH);
 	}
 }
 

@@ -75,17 +75,21 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_field(std::make_shared<GpuField>(_report)) {
 	_pool_texture.instantiate();
 	_pool_before_texture.instantiate();
+	_drawn_texture.instantiate();
 	_bounds = field_bounds(_setup);
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("pool_knots", _pool_texture);
+	_materials.set("is_listed", true);
+	_materials.set("drawn_tiles", _drawn_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture] {
-		field->create(setup, patch->get_rid(), pool);
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture, drawn = _drawn_texture] {
+		field->create(setup, patch->get_rid(), pool, drawn);
 	});
 }
 
 GpuBackend::~GpuBackend() {
 	set_uniform("pool_knots_before", Variant());
+	_materials.set("drawn_tiles", Variant());
 	set_uniform("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
@@ -93,10 +97,10 @@ GpuBackend::~GpuBackend() {
 void GpuBackend::set_look(const Look &p_look) {
 	_materials.set_look(p_look);
 	if (!_picture.is_created()) { // an instance without shaders would be drawn with the engine's own
-		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), true, _bounds,
-				Role::PICTURE);
+		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), Written::LISTED,
+				_bounds, Role::PICTURE);
 		_shadows.create(
-				make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), true, _bounds, Role::SHADOWS);
+				make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), Written::LISTED, _bounds, Role::SHADOWS);
 		set_bounds(_bounds);
 	}
 }
@@ -325,7 +329,7 @@ int64_t GpuBackend::get_shared_memory() const {
 }
 
 int64_t GpuBackend::get_memory_usage() const {
-	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	const int64_t instances = int64_t(_picture.capacity() + _shadows.capacity()) * GRASS_LISTED_FLOATS * 4;
 	std::lock_guard lock(_report->mutex);
 	return get_shared_memory() + instances + _plants.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f) +
 			_report->statistics.buffer_bytes + int64_t(_energy.capacity() * 4 + _watch.get_memory_usage());

@@ -70,6 +70,7 @@ private:
 	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second one for motion vectors
+	godot::Ref<godot::Texture2DRD> _drawn_texture; // GRASS_CULL_DRAWN
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
 	Plants _plants;

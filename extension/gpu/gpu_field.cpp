@@ -43,16 +43,24 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method), p_tiles == TILES_WITH_CROWDS };
 }
 
-// RGBA16F, a row for each slot; without p_is_resting nobody knows what is in it, with it blades at rest.
-RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_usage, bool p_is_resting = false) {
+using Usage = BitField<RenderingDevice::TextureUsageBits>;
+
+// p_data: its texels; without any, its contents are undefined.
+RID make_texture(
+		RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, Usage p_usage, const TypedArray<PackedByteArray> &p_data = {}) {
 	Ref<RDTextureFormat> format;
 	format.instantiate();
-	format->set_format(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT);
-	format->set_width(POOL_TEXTURE_WIDTH);
-	format->set_height(uint32_t(std::max<int64_t>(p_slots, 1))); // no texture is empty
+	format->set_format(p_format);
+	format->set_width(uint32_t(p_width));
+	format->set_height(uint32_t(std::max<int64_t>(p_height, 1))); // no texture is empty
 	format->set_usage_bits(p_usage);
 	Ref<RDTextureView> view;
 	view.instantiate();
+	return main_device()->texture_create(format, view, p_data);
+}
+
+// RGBA16F, a row for each slot; without p_is_resting nobody knows what is in it, with it blades at rest.
+RID make_rows(int64_t p_slots, Usage p_usage, bool p_is_resting = false) {
 	TypedArray<PackedByteArray> data;
 	if (p_is_resting) {
 		PackedByteArray zeros;
@@ -60,7 +68,7 @@ RID make_texture(int64_t p_slots, BitField<RenderingDevice::TextureUsageBits> p_
 		zeros.fill(0);
 		data.push_back(zeros);
 	}
-	return main_device()->texture_create(format, view, data);
+	return make_texture(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT, POOL_TEXTURE_WIDTH, p_slots, p_usage, data);
 }
 
 void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
@@ -72,9 +80,11 @@ void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RI
 
 } // namespace
 
-void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool) {
+void GpuField::create(
+		const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool, const Ref<Texture2DRD> &p_drawn) {
 	_counts.allocate(COUNTS * 4);
 	_pool = p_pool;
+	_drawn = p_drawn;
 	Ref<RDSamplerState> state;
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
@@ -157,21 +167,33 @@ void GpuField::fit_tables() {
 
 void GpuField::make_pool_texture() {
 	const RID old = std::exchange(_pool_texture,
-			make_texture(_pool_size,
+			make_rows(_pool_size,
 					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
 							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT));
 	replace_texture(_pool, old, _pool_texture);
 	make_before_texture();
 }
 
+// Row 0 and a row for each GRASS_PLACES_PER_ROW.
+void GpuField::make_drawn_texture(int64_t p_places) {
+	const int rows = 1 + int((p_places + GRASS_PLACES_PER_ROW - 1) / GRASS_PLACES_PER_ROW);
+	if (rows != _drawn_rows) {
+		_drawn_rows = rows;
+		const Usage usage = RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT;
+		const RID made = make_texture(RenderingDevice::DATA_FORMAT_R32G32B32A32_SFLOAT, 2 * GRASS_PLACES_PER_ROW, rows, usage);
+		replace_texture(_drawn, std::exchange(_drawn_texture, made), made);
+		_table_changed = true;
+	}
+}
+
 void GpuField::make_before_texture() {
 	if (_before.is_valid()) {
 		const RID old = std::exchange(_before_texture,
-				make_texture(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
+				make_rows(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
 		replace_texture(_before, old, _before_texture);
 		_has_moved = true;
 		if (!_resting_rows.is_valid()) {
-			_resting_rows = make_texture(RESTING_ROWS, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
+			_resting_rows = make_rows(RESTING_ROWS, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
 		}
 	}
 }
@@ -246,19 +268,21 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
 	set_motion(Ref<Texture2DRD>());
-	if (_pool.is_valid()) { // the texture resource first: it holds a view of what is freed next
-		_pool->set_texture_rd_rid(RID());
-		_pool.unref();
+	for (Ref<Texture2DRD> *shown : { &_pool, &_drawn }) {
+		if (shown->is_valid()) { // the texture resource first: it holds a view of what is freed next
+			(*shown)->set_texture_rd_rid(RID());
+			shown->unref();
+		}
 	}
 	const auto commands_of = [server](const RID &p_multimesh) {
 		return p_multimesh.is_valid() ? server->multimesh_get_command_buffer_rd_rid(p_multimesh) : RID(); // never shown
 	};
-	for (const RID &rid : { _pool_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
+	for (const RID &rid : { _pool_texture, _drawn_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}
 	}
-	_pool_texture = _sampler = RID();
+	_pool_texture = _drawn_texture = _sampler = RID();
 	_plants.free();
 	for (GpuPass *pass : simulate_passes()) {
 		pass->free();
@@ -281,7 +305,7 @@ void GpuField::report_times() {
 // The report's mutex is held.
 void GpuField::report_memory() {
 	int64_t bytes = POOL_TEXTURE_WIDTH * 8 * (_pool_size + (_before.is_valid() ? _pool_size + int64_t(RESTING_ROWS) : 0)) +
-			_reader.get_memory_usage();
+			int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4)) + _reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}

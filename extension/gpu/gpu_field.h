@@ -79,8 +79,9 @@ class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
 
-	// p_patch: the patch texture of the renderer. p_pool: gets the pool texture made here.
-	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool);
+	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
+	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
+			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Lets worker threads make the passes of a first field, in the order in which it needs them.
 	static void begin_passes(const PassKind &p_kind);
 	// Updates in GpuReport whether the simulation pass is ready.
@@ -128,6 +129,8 @@ private:
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_plants(const ViewRecords &p_records);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
+	void dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimeshes);
+	void make_drawn_texture(int64_t p_places);
 	void report_counts(int64_t p_uploaded);
 	void report_times();
 	void report_memory();
@@ -157,6 +160,11 @@ private:
 	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
 	godot::RID _pool_texture, _sampler, _patch; // the patch texture is the renderer's
 	godot::Ref<godot::Texture2DRD> _pool;
+	// Written by cull, read by the blade shader, as long as the MultiMeshes: the list of drawn tiles (GRASS_PLACES_PER_ROW).
+	godot::RID _drawn_texture;
+	godot::Ref<godot::Texture2DRD> _drawn;
+	int _drawn_rows = 0;
+	std::array<godot::RID, 2> _instances, _begun; // the MultiMeshes' buffers; those that GRASS_CULL_BEGIN has written
 	// A copy of it, as long as motion vectors are read: written before the first step of a frame, read by the blade shader.
 	godot::RID _before_texture;
 	// As long as that: rows of blades at rest, to be copied into it.

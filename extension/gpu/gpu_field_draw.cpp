@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -22,11 +23,10 @@ uint32_t groups_of(int64_t p_threads, int64_t p_group) {
 
 bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	const RID instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.picture);
+	_instances = { server->multimesh_get_buffer_rd_rid(p_multimeshes.picture), server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows) };
 	const RID commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.picture);
-	const RID shadow_instances = server->multimesh_get_buffer_rd_rid(p_multimeshes.shadows);
 	const RID shadow_commands = server->multimesh_get_command_buffer_rd_rid(p_multimeshes.shadows);
-	if (!instances.is_valid() || !commands.is_valid() || !shadow_instances.is_valid() || !shadow_commands.is_valid()) {
+	if (!_instances[0].is_valid() || !commands.is_valid() || !_instances[1].is_valid() || !shadow_commands.is_valid()) {
 		return false;
 	}
 	_cull.bind_buffer(GRASS_CULL_VIEW, _view.rid());
@@ -34,10 +34,12 @@ bool GpuField::bind_cull(const FieldMultiMeshes &p_multimeshes) {
 	_cull.bind_buffer(GRASS_CULL_TABLE, _table.rid());
 	_cull.bind_buffer(GRASS_CULL_COVER, _cover.rid());
 	_cull.bind_buffer(GRASS_CULL_COUNTS, _counts.rid());
-	_cull.bind_buffer(GRASS_CULL_INSTANCES, instances);
+	_cull.bind_buffer(GRASS_CULL_INSTANCES, _instances[0]);
 	_cull.bind_buffer(GRASS_CULL_COMMANDS, commands);
-	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, shadow_instances);
+	_cull.bind_buffer(GRASS_CULL_SHADOW_INSTANCES, _instances[1]);
 	_cull.bind_buffer(GRASS_CULL_SHADOW_COMMANDS, shadow_commands);
+	make_drawn_texture(int64_t(p_multimeshes.picture_capacity) + int64_t(p_multimeshes.shadow_capacity));
+	_cull.bind_image(GRASS_CULL_DRAWN, _drawn_texture);
 	return true;
 }
 
@@ -81,24 +83,34 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 		if (has_plants) {
 			_plants.clear_counts();
 		}
-		const uint32_t groups = groups_of(_tiles, GRASS_CULL_GROUP);
-		const auto [picture, shadows, capacity, shadow_capacity] = p_multimeshes;
-		const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // all at once
 		const int64_t list = device->compute_list_begin();
-		for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
-			if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
-				continue;
-			}
-			const uvec4 constants{ phase, uint32_t(_tiles), capacity, shadow_capacity };
-			_cull.dispatch(list, to_bytes(std::span(&constants, 1)), phase == GRASS_CULL_FIT ? 1 : groups);
-			device->compute_list_add_barrier(list);
-		}
+		dispatch_cull(list, p_multimeshes);
 		if (has_plants) {
 			_plants.dispatch(list, int(p_records.cameras.size()), p_records.painted);
 		}
 		device->compute_list_end();
 	}
 	report_counts(uploaded);
+}
+
+void GpuField::dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimeshes) {
+	const uint32_t capacity = p_multimeshes.picture_capacity, shadow_capacity = p_multimeshes.shadow_capacity;
+	const auto dispatch = [&](uint32_t p_phase, uint32_t p_threads, uint32_t p_groups) {
+		const uvec4 constants{ p_phase, p_threads, capacity, shadow_capacity };
+		_cull.dispatch(p_list, to_bytes(std::span(&constants, 1)), p_groups);
+	};
+	if (std::exchange(_begun, _instances) != _instances) {
+		const uint32_t instances = std::max(capacity, shadow_capacity);
+		dispatch(GRASS_CULL_BEGIN, instances, groups_of(instances, GRASS_CULL_GROUP));
+	}
+	const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // all at once
+	for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
+		if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
+			continue;
+		}
+		dispatch(phase, uint32_t(_tiles), phase == GRASS_CULL_FIT ? 1 : groups_of(_tiles, GRASS_CULL_GROUP));
+		main_device()->compute_list_add_barrier(p_list);
+	}
 }
 
 void GpuField::report_counts(int64_t p_uploaded) {

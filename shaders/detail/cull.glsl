@@ -1,11 +1,12 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Chooses the tiles to draw and to cast shadows, and the detail of each: one thread a tile, in two dispatches of the same
-// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of a MultiMesh's
-// instance buffer, writes the instances there, and the indirect command of each surface. What one camera sees is drawn for
-// all of them, as finely as the nearest needs it.
+// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of the list of drawn
+// tiles, writes them there, and how many instances each surface has. What one camera sees is drawn for all of them, as finely
+// as the nearest needs it.
 // Fields of more tiles than a MultiMesh has room for take two more dispatches in between, which do nothing unless so many
 // are chosen: GRASS_CULL_TURNS counts the tiles of each turn; GRASS_CULL_FIT (one workgroup) decides which ranks have room.
+// GRASS_CULL_BEGIN puts all instances of new MultiMeshes at the field's place, where they stay.
 #extension GL_GOOGLE_include_directive : require
 
 #include "base/constants.inc"
@@ -18,7 +19,7 @@
 layout(local_size_x = GRASS_CULL_GROUP) in;
 
 layout(push_constant) uniform Phase {
-	uvec4 phase; // x: GRASS_CULL_*; y: tiles of the field; z, w: instances that the MultiMeshes of picture and shadows hold
+	uvec4 phase; // x: GRASS_CULL_*; y: threads, one a tile, or an instance; z, w: instances that the MultiMeshes of picture and shadows hold
 };
 
 layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {
@@ -41,6 +42,9 @@ layout(set = 0, binding = GRASS_CULL_COUNTS, std430) buffer CountBuffer {
 	uint ranks[2];
 	uint turns[GRASS_ALL_LEVELS * GRASS_TURNS];
 };
+// The list of drawn tiles, see GRASS_PLACES_PER_ROW: read by the blade shader as `drawn_tiles`. Every level draws its instances from 0 on,
+// since Direct3D 12 numbers them so whatever the indirect command says; the list's first row says where a level begins.
+layout(set = 0, binding = GRASS_CULL_DRAWN, rgba32f) writeonly uniform image2D drawn_tiles;
 // The MultiMeshes' own buffers: read by the renderer when it draws.
 layout(set = 0, binding = GRASS_CULL_INSTANCES, std430) writeonly buffer InstanceBuffer {
 	float instances[];
@@ -95,11 +99,15 @@ struct Choice {
 
 #include "detail/room.inc"
 
+// Fields of millions of tiles take more workgroups than fit in one row.
+uint find_thread() {
+	uint groups = (phase.y - 1u) / uint(GRASS_CULL_GROUP) + 1u;
+	return gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * grass_row_width(groups) * uint(GRASS_CULL_GROUP);
+}
+
 Tile find_tile() {
 	Tile tile;
-	// Fields of millions of tiles take more workgroups than fit in one row.
-	uint groups = (phase.y - 1u) / uint(GRASS_CULL_GROUP) + 1u;
-	tile.index = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * grass_row_width(groups) * uint(GRASS_CULL_GROUP);
+	tile.index = find_thread();
 	tile.exists = tile.index < phase.y;
 	ivec2 tiles = ivec2(view.field.xy);
 	tile.at = ivec2(int(tile.index) % tiles.x, int(tile.index) / tiles.x);
@@ -176,30 +184,17 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
-float[GRASS_INSTANCE_FLOATS] make_instance(Tile p_tile, Choice p_choice, int p_slot) {
-	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
-	int high = p_slot == GRASS_NO_SLOT ? 0 : p_slot / GRASS_SLOT_HALF;
-	uint start = grass_tile_start(uint(p_tile.at.x), uint(p_tile.at.y), view.counts.z);
-	return float[GRASS_INSTANCE_FLOATS](
-			1.0, 0.0, 0.0, p_tile.centre.x,
-			0.0, 1.0, 0.0, p_tile.centre.y,
-			0.0, 0.0, 1.0, p_tile.centre.z,
-			float(p_tile.at.x), float(p_tile.at.y), p_choice.blades, p_choice.morph,
-			float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash,
-			float(high) + GRASS_COVERING_SCALE / float(GRASS_BLADES_PER_TILE) * p_choice.covering);
-}
-
+// How many instances a level has, and where they begin. Its command's firstInstance stays 0.
 void write_command(int p_level) {
 	bool casts = p_level >= GRASS_LOD_LEVELS;
-	uint first = first_instance(p_level), count = counted[p_level];
+	uint count = counted[p_level];
 	uint command = uint(casts ? p_level - GRASS_LOD_LEVELS : p_level) * uint(GRASS_COMMAND_WORDS);
 	if (casts) {
 		shadow_commands[command + 1u] = count; // instanceCount
-		shadow_commands[command + 4u] = first; // firstInstance
 	} else {
 		commands[command + 1u] = count;
-		commands[command + 4u] = first;
 	}
+	imageStore(drawn_tiles, ivec2(p_level, 0), vec4(float(first_place(p_level)), 0.0, 0.0, 0.0));
 }
 
 // A workgroup's counts, before its tiles are added.
@@ -226,7 +221,7 @@ void take_stretches(int p_thread) {
 	}
 	if (p_thread < GRASS_ALL_LEVELS) {
 		if (group_tiles[p_thread] > 0u) {
-			group_first[p_thread] = first_instance(p_thread) + atomicAdd(written[p_thread], group_tiles[p_thread]);
+			group_first[p_thread] = first_place(p_thread) + atomicAdd(written[p_thread], group_tiles[p_thread]);
 		}
 		if (gl_WorkGroupID.x + gl_WorkGroupID.y == 0u) {
 			write_command(p_thread);
@@ -234,17 +229,31 @@ void take_stretches(int p_thread) {
 	}
 }
 
-// p_list: 0 of the picture, 1 of shadows.
-void write_instance(int p_list, Tile p_tile, Choice p_choice, int p_slot) {
-	if (p_choice.level >= 0 && group_first[p_choice.level] + p_choice.place < (p_list == 0 ? phase.z : phase.w)) {
-		float values[GRASS_INSTANCE_FLOATS] = make_instance(p_tile, p_choice, p_slot);
-		uint at = (group_first[p_choice.level] + p_choice.place) * uint(GRASS_INSTANCE_FLOATS);
-		for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
-			if (p_list == 0) {
-				instances[at + uint(i)] = values[i];
-			} else {
-				shadow_instances[at + uint(i)] = values[i];
-			}
+// p_end: of the places of its list.
+void write_tile(Tile p_tile, Choice p_choice, int p_slot, uint p_end) {
+	if (p_choice.level < 0 || group_first[p_choice.level] + p_choice.place >= p_end) {
+		return;
+	}
+	int place = int(group_first[p_choice.level] + p_choice.place);
+	int low = p_slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : p_slot % GRASS_SLOT_HALF;
+	int high = p_slot == GRASS_NO_SLOT ? 0 : p_slot / GRASS_SLOT_HALF;
+	uint start = grass_tile_start(uint(p_tile.at.x), uint(p_tile.at.y), view.counts.z);
+	float covering = GRASS_COVERING_SCALE / float(GRASS_BLADES_PER_TILE) * p_choice.covering;
+	ivec2 texel = ivec2(2 * (place % GRASS_PLACES_PER_ROW), 1 + place / GRASS_PLACES_PER_ROW);
+	imageStore(drawn_tiles, texel, vec4(vec2(p_tile.at), p_choice.blades, p_choice.morph));
+	imageStore(drawn_tiles, texel + ivec2(1, 0),
+			vec4(float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash, float(high) + covering));
+}
+
+// GRASS_CULL_BEGIN: a transform that changes nothing.
+void begin_instance(uint p_instance) {
+	for (uint i = 0u; i < uint(GRASS_LISTED_FLOATS); i++) {
+		float value = i == 0u || i == 5u ? 1.0 : 0.0;
+		if (p_instance < phase.z) {
+			instances[p_instance * uint(GRASS_LISTED_FLOATS) + i] = value;
+		}
+		if (p_instance < phase.w) {
+			shadow_instances[p_instance * uint(GRASS_LISTED_FLOATS) + i] = value;
 		}
 	}
 }
@@ -259,6 +268,10 @@ void main() {
 			fit(thread);
 			return;
 		}
+	}
+	if (phase.x == uint(GRASS_CULL_BEGIN)) {
+		begin_instance(find_thread());
+		return;
 	}
 	clear_group(thread);
 	barrier();
@@ -285,6 +298,6 @@ void main() {
 	take_stretches(thread);
 	barrier();
 	int slot = tile.exists ? table[tile.index] - 1 : GRASS_NO_SLOT;
-	write_instance(0, tile, drawn, slot);
-	write_instance(1, tile, casting, slot);
+	write_tile(tile, drawn, slot, phase.z);
+	write_tile(tile, casting, slot, phase.z + phase.w);
 }

@@ -84,14 +84,13 @@ void TileCull::add_tile(
 	const float covering = grass_lod_shown(p_need.covering, hash);
 	const int segments = std::min(grass_lod_segments(p_need.segments), get_lod_level(p_first).segments);
 	const int level = grass_lod_level(shown, segments, p_first, p_end);
-	const Eigen::Vector3f centre = p_field.grid.get_centre(p_x, p_z).cast<float>();
 	const int slot = p_slot_of(p_field.grid.get_index(p_x, p_z));
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
 	const auto start = grass_tile_start(x, z, p_field.seed) / GRASS_START_STRIDE; // no remainder
-	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
-		0.0f, 1.0f, 0.0f, centre.y(), //
-		0.0f, 0.0f, 1.0f, centre.z(), //
+	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, 0.0f, // the shader puts it at its tile's place
+		0.0f, 1.0f, 0.0f, 0.0f, //
+		0.0f, 0.0f, 1.0f, 0.0f, //
 		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //
 		float(start), float(low), hash, float(high) + float(GRASS_COVERING_SCALE / GRASS_BLADES_PER_TILE) * covering };
 	_instances[size_t(level)].insert(_instances[size_t(level)].end(), std::begin(values), std::end(values));

@@ -14,7 +14,7 @@
 
 namespace grass {
 
-// Places of an instance's numbers, besides its transform: see make_instance() in cull.glsl.
+// Places of an instance's numbers, behind its transform: DrawnTile in shaders/draw/drawn_tile.gdshaderinc.
 inline constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH = 15;
 
 // What culling reads of a field.
