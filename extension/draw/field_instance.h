@@ -15,8 +15,8 @@ namespace grass {
 // What an instance is for: the picture shows all visible blades; shadows need far fewer. Plants with a mesh cast their own.
 enum class Role { PICTURE, SHADOWS, BOTH };
 
-// Who writes the instances: the CPU; a compute pass, into the MultiMesh's buffer and the commands of its surfaces; or one that lists them in
-// a texture of its own and writes the commands only (draw/drawn_tile.gdshaderinc).
+// Who writes the instances: the CPU; a compute pass, into the MultiMesh's buffer and the commands of its surfaces; or one that lists them
+// in a texture of its own and writes the commands only (draw/drawn_tile.gdshaderinc).
 enum class Written { BY_CPU, BY_GPU, LISTED };
 
 class FieldInstance {

@@ -82,9 +82,8 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 	_materials.set("is_listed", true);
 	_materials.set("drawn_tiles", _drawn_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture, drawn = _drawn_texture] {
-		field->create(setup, patch->get_rid(), pool, drawn);
-	});
+	RenderQueue::get_singleton()->post([field = _field, setup = _setup, patch = _patch_texture, pool = _pool_texture,
+											   drawn = _drawn_texture] { field->create(setup, patch->get_rid(), pool, drawn); });
 }
 
 GpuBackend::~GpuBackend() {
@@ -99,8 +98,8 @@ void GpuBackend::set_look(const Look &p_look) {
 	if (!_picture.is_created()) { // an instance without shaders would be drawn with the engine's own
 		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), Written::LISTED,
 				_bounds, Role::PICTURE);
-		_shadows.create(
-				make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), Written::LISTED, _bounds, Role::SHADOWS);
+		_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), Written::LISTED,
+				_bounds, Role::SHADOWS);
 		set_bounds(_bounds);
 	}
 }

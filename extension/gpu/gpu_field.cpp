@@ -46,8 +46,8 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 using Usage = BitField<RenderingDevice::TextureUsageBits>;
 
 // p_data: its texels; without any, its contents are undefined.
-RID make_texture(
-		RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, Usage p_usage, const TypedArray<PackedByteArray> &p_data = {}) {
+RID make_texture(RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, Usage p_usage,
+		const TypedArray<PackedByteArray> &p_data = {}) {
 	Ref<RDTextureFormat> format;
 	format.instantiate();
 	format->set_format(p_format);
@@ -80,8 +80,7 @@ void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RI
 
 } // namespace
 
-void GpuField::create(
-		const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool, const Ref<Texture2DRD> &p_drawn) {
+void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool, const Ref<Texture2DRD> &p_drawn) {
 	_counts.allocate(COUNTS * 4);
 	_pool = p_pool;
 	_drawn = p_drawn;
@@ -277,7 +276,8 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	const auto commands_of = [server](const RID &p_multimesh) {
 		return p_multimesh.is_valid() ? server->multimesh_get_command_buffer_rd_rid(p_multimesh) : RID(); // never shown
 	};
-	for (const RID &rid : { _pool_texture, _drawn_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
+	for (const RID &rid :
+			{ _pool_texture, _drawn_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
 		if (rid.is_valid()) {
 			device->free_rid(rid);
 		}

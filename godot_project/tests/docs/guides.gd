@@ -236,3 +236,16 @@ func forces_forces_2() -> void:
 	await ticks(60)
 	assert_greater(stage.field.bend_at(Vector3(3, 0, 0)).x, 0.1, "out of the ring")
 	assert_less(stage.field.bend_at(Vector3(-3, 0, 0)).x, -0.1)
+
+
+func troubleshooting_troubleshooting() -> void:
+	var stage := await staged()
+	stage.call("report", stage.field, stage.player.global_position)  # a name that is missing is an error of the script
+	assert_true(stage.field.explain(stage.player.global_position).text.begins_with("Grass of"))
+
+
+func troubleshooting_grass_comes_late() -> void:
+	var stage := await staged()
+	await stage.call("wait_for_grass", stage.field)
+	assert_eq(stage.field.get_statistics().waiting, false)
+	assert_eq(stage.field.get_statistics().compiling, 0)
