@@ -187,7 +187,7 @@ void enlist(inout Choice r_choice, int p_list) {
 // How many instances a level has, and where they begin. Its command's firstInstance stays 0.
 void write_command(int p_level) {
 	bool casts = p_level >= GRASS_LOD_LEVELS;
-	uint count = counted[p_level];
+	uint count = group_counted[p_level];
 	uint command = uint(casts ? p_level - GRASS_LOD_LEVELS : p_level) * uint(GRASS_COMMAND_WORDS);
 	if (casts) {
 		shadow_commands[command + 1u] = count; // instanceCount
@@ -260,6 +260,13 @@ void begin_instance(uint p_instance) {
 
 void main() {
 	int thread = int(gl_LocalInvocationID.x);
+	if (phase.x == uint(GRASS_CULL_BEGIN)) {
+		begin_instance(find_thread());
+		return;
+	}
+	if (phase.x != uint(GRASS_CULL_COUNT)) {
+		read_counts(thread);
+	}
 	if (phase.x == uint(GRASS_CULL_TURNS) || phase.x == uint(GRASS_CULL_FIT)) {
 		if (!is_crowded()) {
 			return;
@@ -268,10 +275,6 @@ void main() {
 			fit(thread);
 			return;
 		}
-	}
-	if (phase.x == uint(GRASS_CULL_BEGIN)) {
-		begin_instance(find_thread());
-		return;
 	}
 	clear_group(thread);
 	barrier();
