@@ -96,9 +96,18 @@ func _plan(layer: String, only: String) -> Array:
 		var path := "res://tests/%s/%s" % [layer, file]
 		for function in _functions(path):
 			var test_name := "%s/%s.%s" % [layer, file.get_basename(), function]
+			if not _is_wanted(path, function):
+				continue
 			if not only or Array(only.split(",")).any(func(part: String) -> bool: return test_name.contains(part)):
 				plan.append({name = test_name, path = path, function = function})
 	return plan
+
+
+## With `--drawn=yes` those tests run that need a window, which their script lists as DRAWN; with `--drawn=no` all others.
+func _is_wanted(path: String, function: String) -> bool:
+	var script := load(path) as GDScript
+	var drawn: Array = script.get_script_constant_map().get("DRAWN", []) if script else []
+	return _argument("drawn", "") == "" or (_argument("drawn", "") == "yes") == drawn.has(function)
 
 
 func _functions(path: String) -> Array:

@@ -3,6 +3,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := ["test_grass_comes_and_goes_under_the_brush", "test_what_a_script_paints_is_drawn_in_an_idle_editor"]  # see runner.gd
 const OTHER := "res://tests/editor/other.tscn"
 
 

@@ -3,6 +3,12 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := [
+	"test_species_are_chosen_by_picture_and_name",
+	"test_presets_have_pictures",
+	"test_a_new_map_that_grows_nothing_is_said",
+	"test_an_export_without_its_library_is_an_error"
+]  # see runner.gd
 const EXTENSION := "res://addons/grass_field/grass_field.gdextension"
 const BARE := "`map` has nothing painted"
 

@@ -5,6 +5,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := ["test_toolbar_ring_and_strokes", "test_the_grass_before_the_stroke", "test_the_answer_beside_the_cursor"]  # see runner.gd
 const SIDE := 24  # metres
 
 

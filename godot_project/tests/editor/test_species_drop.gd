@@ -3,6 +3,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := ["test_a_preset_that_is_dropped_on_a_field_grows_there", "test_a_picture_that_is_dropped_on_a_tool_is_the_stamp"]  # see runner.gd
 const PRESETS := "res://addons/grass_field/presets/"
 
 

@@ -3,6 +3,8 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := ["test_heat_map_of_density", "test_handles_of_the_size", "test_grass_on_a_terrain", "test_a_path_that_a_rule_clears"]  # see runner.gd
+
 
 func before() -> void:
 	await super()

@@ -4,6 +4,7 @@
 @tool
 extends "res://tests/editor/editor_case.gd"
 
+const DRAWN := ["test_a_picture_of_a_stroke_across_plots"]  # see runner.gd
 const FOLDER := "user://test_editor_world"
 const WORLD := "res://tests/editor/world.tscn"
 const ACROSS: Array = [Vector3(-1.5, 0, 0.6), Vector3(-0.5, 0, 0.6), Vector3(0.5, 0, 0.6), Vector3(1.5, 0, 0.6)]
