@@ -17,6 +17,7 @@ from tools import (
 	quitting,
 	sanitize,
 	side_by_side,
+	starting,
 	testing_platforms,
 	testing_release,
 	tidy,
@@ -58,6 +59,7 @@ def gpu(only, hardware):
 		with engine.window(method, **where) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
 	tally.add(quitting.layer(only, where))
+	tally.add(starting.layer(only, where))
 	return tally
 
 

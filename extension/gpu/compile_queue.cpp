@@ -5,23 +5,17 @@
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>
-#include <godot_cpp/classes/rd_shader_spirv.hpp>
+#include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
 
 using namespace godot;
 
 namespace grass {
 
 namespace {
-
-RID compile_shader(const PassCode &p_code) {
-	Ref<RDShaderSPIRV> spirv;
-	spirv.instantiate();
-	spirv->set_stage_bytecode(RenderingDevice::SHADER_STAGE_COMPUTE, to_bytes(p_code.spirv));
-	return main_device()->shader_create_from_spirv(spirv, p_code.name);
-}
 
 TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p_code) {
 	TypedArray<Ref<RDPipelineSpecializationConstant>> constants;
@@ -39,6 +33,10 @@ TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p
 	return constants;
 }
 
+const char *text_of(PassShaders::From p_from) {
+	return p_from == PassShaders::From::FILE ? "read" : p_from == PassShaders::From::CODE ? "translated" : "known";
+}
+
 } // namespace
 
 CompileQueue &CompileQueue::get() {
@@ -46,16 +44,19 @@ CompileQueue &CompileQueue::get() {
 	return queue;
 }
 
-CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code) {
+CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) {
 	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.method, p_code.crowd }];
 	std::unique_lock lock(_mutex);
 	if (known.state != Pipeline::State::NEW) {
+		if (p_need == Need::WANTED) {
+			_waiting.want(&known);
+		}
 		return known;
 	}
 	known.code = p_code;
 	known.state = Pipeline::State::WAITING;
 	_compiling++;
-	_waiting.push_back(&known);
+	_waiting.add(&known, int(p_code.order), p_need);
 	if (!_is_working) {
 		_is_working = true;
 		lock.unlock();
@@ -75,23 +76,29 @@ void CompileQueue::start_worker() {
 void CompileQueue::compile_waiting(void *p_queue) {
 	CompileQueue &queue = *static_cast<CompileQueue *>(p_queue);
 	std::unique_lock lock(queue._mutex);
-	while (!queue._waiting.empty()) {
-		Pipeline &pipeline = *queue._waiting.front();
-		queue._waiting.pop_front();
+	while (!queue._waiting.is_empty()) {
+		Pipeline &pipeline = *queue._waiting.take();
 		pipeline.state = Pipeline::State::COMPILING;
 		lock.unlock();
-		queue.compile(pipeline);
+		queue.compile(pipeline, true);
 		lock.lock();
 	}
 	queue._is_working = false;
 }
 
 // The caller has set its state to COMPILING.
-void CompileQueue::compile(Pipeline &r_pipeline) {
-	r_pipeline.shader = compile_shader(r_pipeline.code);
-	if (r_pipeline.shader.is_valid()) {
-		r_pipeline.pipeline = main_device()->compute_pipeline_create(r_pipeline.shader, constants_of(r_pipeline.code));
+void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
+	UtilityFunctions::print_verbose(vformat("GrassField: compiling '%s'", r_pipeline.code.name));
+	const uint64_t begin = Time::get_singleton()->get_ticks_msec();
+	PassShaders::Made made = _shaders.make(r_pipeline.code, p_is_worker);
+	const uint64_t has_shader = Time::get_singleton()->get_ticks_msec();
+	r_pipeline.make(made.shader);
+	if (!r_pipeline.pipeline.is_valid() && made.from == PassShaders::From::FILE) { // of a driver that has changed since
+		made = _shaders.make_again(r_pipeline.code);
+		r_pipeline.make(made.shader);
 	}
+	UtilityFunctions::print_verbose(vformat("GrassField: compiled '%s', shader %s in %d ms, pipeline in %d ms", r_pipeline.code.name,
+			text_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
 	if (!r_pipeline.pipeline.is_valid()) {
 		ERR_PRINT(vformat(
 				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.code.name));
@@ -102,6 +109,11 @@ void CompileQueue::compile(Pipeline &r_pipeline) {
 	_has_compiled.notify_all();
 }
 
+void CompileQueue::Pipeline::make(const RID &p_shader) {
+	shader = p_shader;
+	pipeline = shader.is_valid() ? main_device()->compute_pipeline_create(shader, constants_of(code)) : RID();
+}
+
 bool CompileQueue::is_done(const Pipeline &p_pipeline) {
 	std::lock_guard lock(_mutex);
 	return p_pipeline.state == Pipeline::State::DONE;
@@ -110,10 +122,10 @@ bool CompileQueue::is_done(const Pipeline &p_pipeline) {
 void CompileQueue::finish(Pipeline &r_pipeline) {
 	std::unique_lock lock(_mutex);
 	if (r_pipeline.state == Pipeline::State::WAITING) {
-		std::erase(_waiting, &r_pipeline);
+		_waiting.remove(&r_pipeline);
 		r_pipeline.state = Pipeline::State::COMPILING;
 		lock.unlock();
-		compile(r_pipeline);
+		compile(r_pipeline, false);
 		return;
 	}
 	_has_compiled.wait(lock, [&] { return r_pipeline.state == Pipeline::State::DONE; });
@@ -129,11 +141,7 @@ void CompileQueue::free_pipelines() {
 		WorkerThreadPool::get_singleton()->wait_for_task_completion(_task);
 		_task = -1;
 	}
-	for (auto &[code, known] : _pipelines) {
-		if (known.shader.is_valid()) { // frees the pipeline, too
-			main_device()->free_rid(known.shader);
-		}
-	}
+	_shaders.free();
 	_pipelines.clear();
 }
 

@@ -2,12 +2,14 @@
 // Compiles compute passes beside the frames, since drivers take seconds for one, and keeps the pipelines.
 #pragma once
 
+#include "core/base/wait_list.h"
+#include "gpu/pass_shaders.h"
+
 #include <godot_cpp/variant/rid.hpp>
 
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <mutex>
 #include <span>
@@ -16,12 +18,16 @@
 
 namespace grass {
 
+// In which order a field needs its passes: what draws it, what bends it and what scripts ask of that, then what does so faster.
+enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, FREE, EDGES, CROWDS };
+
 // What a pipeline is made of.
 struct PassCode {
 	static constexpr int NO_METHOD = -1;
 
 	std::span<const uint32_t> spirv;
 	const char *name;
+	PassOrder order;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
 	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
 };
@@ -30,22 +36,24 @@ struct PassCode {
 class CompileQueue {
 public:
 	struct Pipeline {
-		PassCode code{ {}, nullptr };
+		PassCode code{ {}, nullptr, PassOrder::CULL };
 		godot::RID shader, pipeline; // from is_done() on; invalid if the driver has refused them
 
 	private:
 		friend CompileQueue;
+		void make(const godot::RID &p_shader);
 		enum class State { NEW, WAITING, COMPILING, DONE };
 		State state = State::NEW; // guarded by _mutex
 	};
 
 	static CompileQueue &get();
 
-	// The pipeline of p_code. The first call queues it for a worker thread, which compiles one after the other.
-	Pipeline &find(const PassCode &p_code);
+	// The pipeline of p_code. The first call queues it for a worker thread, which compiles one after the other, what fields wait for first.
+	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
 	// Whether the driver has compiled or refused it.
 	bool is_done(const Pipeline &p_pipeline);
-	// Returns when it is done: compiles it here, unless the worker thread has begun it.
+	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what takes milliseconds and cannot wait for the
+	// worker, which may be at a pass that takes seconds.
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call when the library is unloaded.
 	void free_pipelines();
@@ -54,17 +62,18 @@ public:
 
 private:
 	void start_worker();
-	void compile(Pipeline &r_pipeline);
+	void compile(Pipeline &r_pipeline, bool p_is_worker);
 	static void compile_waiting(void *p_queue);
 
 	std::map<std::tuple<const uint32_t *, int, bool>, Pipeline> _pipelines; // by code, method and crowd
+	PassShaders _shaders;
 	std::atomic<int> _compiling = 0;
 	// One task of the WorkerThreadPool compiles them in turn: several would hold up the engine's own tasks, and one that is
 	// still queued when the game ends never runs.
 	int64_t _task = -1; // -1: none
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;
-	std::deque<Pipeline *> _waiting; // guarded by _mutex
+	WaitList<Pipeline *> _waiting; // guarded by _mutex
 	bool _is_working = false; // the task; guarded by _mutex
 };
 

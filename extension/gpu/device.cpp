@@ -76,15 +76,15 @@ void GpuBuffer::free() {
 
 void GpuPass::create(const PassCode &p_code, Compile p_when) {
 	free();
-	_source = &CompileQueue::get().find(p_code);
+	_source = &CompileQueue::get().find(p_code, Need::WANTED);
 	if (p_when == Compile::NOW) {
 		CompileQueue::get().finish(*_source);
 	}
 }
 
-bool GpuPass::prepare(const PassCode &p_code) {
+bool GpuPass::prepare(const PassCode &p_code, Need p_need) {
 	CompileQueue &queue = CompileQueue::get();
-	return queue.is_done(queue.find(p_code));
+	return queue.is_done(queue.find(p_code, p_need));
 }
 
 bool GpuPass::is_ready() {

@@ -59,7 +59,7 @@ public:
 	// Uses the pipeline of p_code from the CompileQueue. LATER: the pass does nothing until is_ready().
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
 	// Queues p_code, once. Returns whether its pipeline is done.
-	static bool prepare(const PassCode &p_code);
+	static bool prepare(const PassCode &p_code, Need p_need = Need::PREPARED);
 	// Returns whether the driver refused the pipeline, which must be done.
 	static bool is_refused(const PassCode &p_code) { return !CompileQueue::get().find(p_code).pipeline.is_valid(); }
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().

@@ -108,9 +108,9 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh(), uint32_t(_picture.capacity()), uint32_t(_shadows.capacity()) };
 }
 
-void GpuBackend::begin_passes(bool p_species, Method p_method) {
+void GpuBackend::begin_passes(bool p_species, Method p_method, const FieldPlants &p_plants) {
 	if (main_device() != nullptr) {
-		RenderQueue::get_singleton()->post([kind = PassKind{ p_species, p_method }] { GpuField::begin_passes(kind); });
+		RenderQueue::get_singleton()->post([kind = PassKind{ p_species, p_method }, p_plants] { GpuField::begin_passes(kind, p_plants); });
 	}
 }
 

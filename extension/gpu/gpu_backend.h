@@ -28,7 +28,7 @@ public:
 	~GpuBackend() override;
 
 	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
-	static void begin_passes(bool p_species, Method p_method);
+	static void begin_passes(bool p_species, Method p_method, const FieldPlants &p_plants);
 
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull" };
+const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull", PassOrder::CULL };
 
 // What a tile meets, and so which of a field's passes simulates it.
 enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
@@ -32,15 +32,17 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	struct Variant {
 		std::span<const uint32_t> grass, species;
 		const char *name;
+		PassOrder order;
 	};
 	static const Variant variants[] = {
-		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate" },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges" },
-		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free" },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds" },
+		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate", PassOrder::SIMULATE },
+		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges", PassOrder::EDGES },
+		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free", PassOrder::FREE },
+		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds", PassOrder::CROWDS },
 	};
 	const Variant &variant = variants[p_tiles];
-	return { p_kind.species ? variant.species : variant.grass, variant.name, int(p_kind.method), p_tiles == TILES_WITH_CROWDS };
+	const bool crowd = p_tiles == TILES_WITH_CROWDS;
+	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd };
 }
 
 using Usage = BitField<RenderingDevice::TextureUsageBits>;
@@ -94,9 +96,12 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	set_field(p_setup, p_patch);
 }
 
-void GpuField::begin_passes(const PassKind &p_kind) {
-	GpuPass::prepare(CULL);
-	GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
+void GpuField::begin_passes(const PassKind &p_kind, const FieldPlants &p_plants) {
+	GpuPass::prepare(CULL, Need::WANTED);
+	if (p_plants.has_meshes) {
+		PlantPasses::prepare(p_plants.is_mapped, Need::WANTED);
+	}
+	GpuPass::prepare(simulate_code(p_kind, TILES_ALL), Need::WANTED);
 }
 
 void GpuField::look_for_passes() {

@@ -82,8 +82,8 @@ public:
 	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
-	// Lets worker threads make the passes of a first field, in the order in which it needs them.
-	static void begin_passes(const PassKind &p_kind);
+	// Lets worker threads make the first passes of a field that enters the tree.
+	static void begin_passes(const PassKind &p_kind, const FieldPlants &p_plants);
 	// Updates in GpuReport whether the simulation pass is ready.
 	void look_for_passes();
 	// Lets worker threads make the passes that such a field needs; GpuReport shows when they are ready.

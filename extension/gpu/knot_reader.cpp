@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-const PassCode GATHER = { shader::GATHER_SPIRV, "GrassField gather" };
+const PassCode GATHER = { shader::GATHER_SPIRV, "GrassField gather", PassOrder::GATHER };
 constexpr int64_t BLADE_BYTES = KNOT_NUMBERS * int64_t(sizeof(float));
 
 std::vector<float> to_floats(const PackedByteArray &p_data) {

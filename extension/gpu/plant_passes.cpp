@@ -14,7 +14,8 @@ namespace grass {
 
 namespace {
 
-const PassCode PLAIN = { shader::PLANTS_SPIRV, "GrassField plants" }, MAPPED = { shader::PLANTS_GRASS_MAP_SPIRV, "GrassField plants map" };
+const PassCode PLAIN = { shader::PLANTS_SPIRV, "GrassField plants", PassOrder::PLANTS },
+			   MAPPED = { shader::PLANTS_GRASS_MAP_SPIRV, "GrassField plants map", PassOrder::PLANTS };
 
 // The push constant.
 struct Constants {
@@ -29,8 +30,8 @@ int side_of(int p_tiles, double p_distance, double p_tile_size) {
 
 } // namespace
 
-bool PlantPasses::prepare(bool p_is_mapped) {
-	return GpuPass::prepare(p_is_mapped ? MAPPED : PLAIN);
+bool PlantPasses::prepare(bool p_is_mapped, Need p_need) {
+	return GpuPass::prepare(p_is_mapped ? MAPPED : PLAIN, p_need);
 }
 
 void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets) {

@@ -32,10 +32,15 @@ struct PlantTarget {
 	PlantKind kind;
 };
 
+// What of a field decides which pass it needs for plants.
+struct FieldPlants {
+	bool has_meshes = false, is_mapped = false;
+};
+
 class PlantPasses {
 public:
 	// Lets worker threads make the pass of such a field. Returns whether it is ready.
-	static bool prepare(bool p_is_mapped);
+	static bool prepare(bool p_is_mapped, Need p_need = Need::PREPARED);
 	// p_setup: of several species; where there are no targets nothing of it is read.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }

@@ -2,6 +2,7 @@
 #include "map_scene.h"
 #include "sampled.h"
 
+#include "core/base/bytes.h"
 #include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_changes.h"
 

@@ -2,6 +2,7 @@
 #include "map_scene.h"
 #include "sampled.h"
 
+#include "core/base/bytes.h"
 #include "core/base/lanes.h" // GRASS_IS_SANITIZED
 #include "core/map/map_file.h"
 
@@ -37,12 +38,6 @@ void check_refused(std::span<const uint8_t> p_bytes, const PaintMap &p_before) {
 }
 
 } // namespace
-
-TEST_CASE("map_file: the checksum is the common CRC-32") {
-	const char text[] = "123456789";
-	CHECK(checksum(std::span(reinterpret_cast<const uint8_t *>(text), 9)) == 0xcbf43926u);
-	CHECK(checksum({}) == 0u);
-}
 
 TEST_CASE("map_file: every code comes back, and the same map gives the same bytes") {
 	for (uint32_t seed = 1; seed < 6; seed++) {

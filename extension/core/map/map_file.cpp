@@ -122,25 +122,6 @@ bool are_codes(const MapTexels &p_texels, const MapChannelInfo &p_info) {
 	return true;
 }
 
-uint32_t checksum(std::span<const uint8_t> p_bytes) {
-	static const auto table = [] {
-		std::array<uint32_t, 256> made{};
-		for (uint32_t i = 0; i < 256; i++) {
-			uint32_t crc = i;
-			for (int bit = 0; bit < 8; bit++) {
-				crc = crc >> 1 ^ (crc & 1u ? 0xedb88320u : 0u);
-			}
-			made[i] = crc;
-		}
-		return made;
-	}();
-	uint32_t crc = 0xffffffffu;
-	for (const uint8_t byte : p_bytes) {
-		crc = crc >> 8 ^ table[(crc ^ byte) & 255u];
-	}
-	return ~crc;
-}
-
 MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec) {
 	PaintMap map = p_map;
 	map.compact();

@@ -39,7 +39,4 @@ MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
 // the end of a sentence that begins with the file's name.
 std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
 
-// CRC-32 (ISO 3309) of some bytes.
-uint32_t checksum(std::span<const uint8_t> p_bytes);
-
 } // namespace grass

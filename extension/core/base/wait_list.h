@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Things that wait to be done one after the other, and the order in which that is.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace grass {
+
+// Whether somebody waits for a thing now, or will perhaps need it later.
+enum class Need { WANTED, PREPARED };
+
+// Whatever is wanted comes before all that is only prepared. Among these a smaller order comes first, and then what came first.
+template <typename Item> class WaitList {
+public:
+	void add(Item p_item, int p_order, Need p_need) { _waiting.push_back({ p_item, p_order, p_need }); }
+	// From now on it is wanted. Nothing where it does not wait any more.
+	void want(const Item &p_item) {
+		const auto found = std::ranges::find(_waiting, p_item, &Waiting::item);
+		if (found != _waiting.end()) {
+			found->need = Need::WANTED;
+		}
+	}
+	// The next one, which leaves the list; it must not be empty.
+	Item take() {
+		const auto next = std::ranges::min_element(_waiting,
+				[](const Waiting &p_a, const Waiting &p_b) { return p_a.need != p_b.need ? p_a.need < p_b.need : p_a.order < p_b.order; });
+		const Item item = next->item;
+		_waiting.erase(next);
+		return item;
+	}
+	void remove(const Item &p_item) {
+		std::erase_if(_waiting, [&](const Waiting &p_waiting) { return p_waiting.item == p_item; });
+	}
+	void clear() { _waiting.clear(); }
+	bool is_empty() const { return _waiting.empty(); }
+	size_t size() const { return _waiting.size(); }
+
+private:
+	struct Waiting {
+		Item item;
+		int order;
+		Need need;
+	};
+	std::vector<Waiting> _waiting; // as they came
+};
+
+} // namespace grass
