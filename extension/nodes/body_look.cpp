@@ -165,14 +165,35 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		shape.enabled = is_enabled;
 		shape.friction = r_body.friction;
 		for (ShapePart &part : shape.parts) {
-			part.has_pose = false;
 			part.local = to_eigen(transform) * part.offset;
-			part.collider = part.shape;
-			scale_shape(part.collider, part.local.linear());
-			part.collider.friction = r_body.friction;
+			fit_part(r_body, part);
 		}
 	}
 	return has_changed;
+}
+
+// As large as the body and its shape's place in it make it, or mirrored.
+void BodyTracker::fit_part(const Body &p_body, ShapePart &r_part) {
+	r_part.has_pose = false;
+	r_part.collider = r_part.shape;
+	r_part.collider.scale(ColliderShape::scale_of(p_body.scale.asDiagonal() * r_part.local.linear()));
+	r_part.collider.friction = p_body.friction;
+}
+
+// The scale of the body itself, which its pose in every tick tells.
+void BodyTracker::fit_scale(Body &r_body, const Eigen::Affine3d &p_now) {
+	constexpr double SAME_SCALE = 1e-4;
+	const Eigen::Vector3d scale = ColliderShape::scale_of(p_now.linear());
+	if (r_body.scale.isApprox(scale, SAME_SCALE) || !scale.allFinite()) {
+		return;
+	}
+	r_body.scale = scale;
+	r_body.is_written = r_body.is_written_still = false;
+	for (TrackedShape &shape : r_body.shapes) {
+		for (ShapePart &part : shape.parts) {
+			fit_part(r_body, part);
+		}
+	}
 }
 
 // Once a field: the user may expect a body that moves to bend grass, and by its own form.

@@ -90,7 +90,8 @@ void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, const F
 		own = to_eigen(r_body.state->get_angular_velocity()).norm() * p_following.tick.delta;
 		p_following.reads.engine_calls++;
 	}
-	if (!r_body.motion.follow_turn(angle, own)) {
+	const bool is_mirrored = ColliderShape::mirrors(r_body.before.linear()) != ColliderShape::mirrors(p_now.linear());
+	if (!r_body.motion.follow_turn(angle, own) || is_mirrored) {
 		r_body.before.linear() = p_now.linear();
 		r_body.was_put = true;
 	}

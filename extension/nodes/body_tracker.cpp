@@ -262,6 +262,7 @@ void BodyTracker::follow(Body &r_body, const Transform3D &p_world, bool p_is_due
 		catch_up(r_body, now);
 		r_body.waited = 0;
 	}
+	fit_scale(r_body, now);
 	judge_motion(r_body, now, p_following);
 	r_body.was_put = r_body.was_put || has_waited;
 	if (ground && !r_body.shapes.empty()) {

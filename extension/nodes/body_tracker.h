@@ -90,6 +90,7 @@ private:
 		std::vector<TrackedShape> shapes; // as they were last looked at; none while it is ground
 		Motion motion; // in field space
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space, in the last tick
+		Eigen::Vector3d scale = Eigen::Vector3d::Ones(); // its own, that its shapes have; negative where it mirrors
 		bool has_before = false;
 		bool was_put = true; // since then: `before` is not where it was in the last tick
 		bool is_static = false; // ground, while it stands still
@@ -148,6 +149,8 @@ private:
 	bool look(Body &r_body);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
+	static void fit_part(const Body &p_body, ShapePart &r_part);
+	static void fit_scale(Body &r_body, const Eigen::Affine3d &p_now);
 	void warn_of(const Body &p_body, const TrackedShape &p_shape);
 	void read_traits(Body &r_body, int32_t p_count);
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);

@@ -68,7 +68,7 @@ void NodeColliders::write(
 	for (size_t i = 0; i < parts.size(); i++) {
 		const Eigen::Affine3d now = p_shape * parts[i].offset;
 		ColliderShape collider = parts[i].shape;
-		scale_shape(collider, now.linear());
+		collider.scale(ColliderShape::scale_of(now.linear()));
 		collider.friction = NodeMotion::FRICTION;
 		collider.owner = r_entry.owner;
 		r_entry.motions[i].pose(now, p_tick, collider);
@@ -93,7 +93,7 @@ bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, Coll
 	}
 	const Eigen::Affine3d pose = p_pose * tracked.parts[0].offset;
 	r_shape = tracked.parts[0].shape;
-	scale_shape(r_shape, pose.linear());
+	r_shape.scale(ColliderShape::scale_of(pose.linear()));
 	r_shape.set_poses(pose, pose);
 	return true;
 }

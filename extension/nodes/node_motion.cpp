@@ -11,7 +11,8 @@ void NodeMotion::pose(const Eigen::Affine3d &p_now, const MotionTick &p_tick, Co
 		_has_before = true;
 	} else {
 		const Eigen::Vector3d from = _motion.follow(before, now, nobody_knows, p_tick);
-		if (from == now && from != before) { // put there
+		const bool is_mirrored = ColliderShape::mirrors(_before.linear()) != ColliderShape::mirrors(p_now.linear());
+		if ((from == now && from != before) || is_mirrored) { // put there
 			_before.linear() = p_now.linear();
 		}
 		_before.translation() = from;

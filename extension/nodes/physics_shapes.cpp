@@ -159,20 +159,4 @@ String why_bound(const String &p_name) {
 			p_name, int64_t(MeshPieces::MAX_FACES));
 }
 
-void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis) {
-	const Eigen::Vector3d scale = p_basis.colwise().norm();
-	if (scale.isApproxToConstant(1.0, 1e-4) || !scale.allFinite()) {
-		return;
-	}
-	if (r_shape.type == GRASS_BOX || r_shape.type == GRASS_HULL) {
-		r_shape.size = r_shape.size.cwiseProduct(scale);
-	} else { // round about y: radius, half length along y
-		r_shape.size = { r_shape.size.x() * std::max(scale.x(), scale.z()), r_shape.size.y() * scale.y(), 0.0 };
-	}
-	for (Eigen::Vector4f &plane : r_shape.planes) {
-		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(scale.cast<float>());
-		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
-	}
-}
-
 } // namespace grass

@@ -54,7 +54,5 @@ bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_cal
 bool split_mesh(TrackedShape &r_shape);
 // Words of a warning where it could not be split. p_name: whose shape it is.
 godot::String why_bound(const godot::String &p_name);
-// Applies the scale of p_basis to the shape: poses hold rotation only.
-void scale_shape(ColliderShape &r_shape, const Eigen::Matrix3d &p_basis);
 
 } // namespace grass

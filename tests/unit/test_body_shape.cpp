@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/bodies/body_shape.h"
 
+#include "core/bodies/hull.h"
+
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -33,6 +36,15 @@ std::string refusal(ColliderShape p_shape) {
 Quaternion random_rotation(std::mt19937 &r_random) {
 	std::normal_distribution<double> normal;
 	return Quaternion(normal(r_random), normal(r_random), normal(r_random), normal(r_random)).normalized();
+}
+
+// How far a place is outside of a hull about its origin; below 0: inside. Metres.
+double outside_of(const std::vector<Eigen::Vector4f> &p_planes, const Eigen::Vector3d &p_place) {
+	double most = -INFINITE;
+	for (const Eigen::Vector4f &plane : p_planes) {
+		most = std::max(most, plane.head<3>().cast<double>().dot(p_place) - double(plane.w()));
+	}
+	return most;
 }
 
 } // namespace
@@ -110,6 +122,36 @@ TEST_CASE("body_shape: poses from transforms lose scale and keep the rotation") 
 	now.linear().setConstant(NAN_VALUE);
 	shape.set_poses(now, now);
 	CHECK(refusal(shape).find("rotation") != std::string::npos);
+}
+
+// A wedge, which no turn makes like its mirrored form.
+TEST_CASE("body_shape: a mirrored and scaled hull holds the places that its transform takes those of the hull to") {
+	const Eigen::Vector3d points[] = { { -0.5, -0.2, -0.3 }, { 0.6, -0.2, -0.3 }, { -0.5, -0.2, 0.35 }, { -0.5, 0.2, -0.3 } };
+	const Hull hull = Hull::make(points);
+	std::mt19937 random(9);
+	std::uniform_real_distribution<double> place(-0.7, 0.7), factor(0.3, 2.0);
+	int inside = 0, wrong = 0;
+	for (int n = 0; n < 64; n++) {
+		Eigen::Affine3d transform = Eigen::Translation3d(place(random), place(random), place(random)) * random_rotation(random);
+		const Eigen::Vector3d signs(n & 1 ? -1.0 : 1.0, n & 2 ? -1.0 : 1.0, n & 4 ? -1.0 : 1.0);
+		transform.scale(n < 8 ? signs : Eigen::Vector3d(signs * factor(random)).cwiseProduct(Eigen::Vector3d(1.0, factor(random), 1.0)));
+		ColliderShape shape = make(GRASS_HULL, hull.half_extents);
+		shape.planes = hull.planes;
+		shape.scale(ColliderShape::scale_of(transform.linear()));
+		shape.set_poses(transform, transform);
+		CHECK(refusal(shape) == "");
+		const Bounds bounds = shape.get_swept_bounds();
+		for (int i = 0; i < 200; i++) {
+			const Eigen::Vector3d at(place(random), place(random), place(random)), there = transform * at;
+			const double expected = outside_of(hull.planes, at);
+			const double found = outside_of(shape.planes, shape.now.rotation.conjugate() * (there - shape.now.position));
+			inside += expected < 0.0 ? 1 : 0;
+			wrong += std::abs(expected) > 1e-5 && (expected < 0.0) != (found < 0.0) ? 1 : 0;
+			wrong += expected < 0.0 && ((there - bounds.max).maxCoeff() > 1e-5 || (bounds.min - there).maxCoeff() > 1e-5) ? 1 : 0;
+		}
+	}
+	CHECK(inside > 150);
+	CHECK(wrong == 0);
 }
 
 TEST_CASE("body_shape: bounds of each shape at rest") {

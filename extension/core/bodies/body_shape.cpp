@@ -57,6 +57,10 @@ vec4 to_vec4(const Quaternion &p_rotation) {
 	return { float(p_rotation.x()), float(p_rotation.y()), float(p_rotation.z()), float(p_rotation.w()) };
 }
 
+double handedness(const Eigen::Matrix3d &p_basis) {
+	return ColliderShape::mirrors(p_basis) ? -1.0 : 1.0;
+}
+
 } // namespace
 
 Eigen::Vector3d ColliderShape::get_half_extents() const {
@@ -78,11 +82,32 @@ void ColliderShape::set_poses(const Eigen::Affine3d &p_before, const Eigen::Affi
 }
 
 ColliderPose ColliderShape::make_pose(const Eigen::Affine3d &p_transform) {
+	const Eigen::Matrix3d linear = p_transform.linear() * handedness(p_transform.linear());
 	Eigen::Matrix3d axes;
-	axes.col(0) = p_transform.linear().col(0).normalized();
-	axes.col(2) = axes.col(0).cross(p_transform.linear().col(1)).normalized();
+	axes.col(0) = linear.col(0).normalized();
+	axes.col(2) = axes.col(0).cross(linear.col(1)).normalized();
 	axes.col(1) = axes.col(2).cross(axes.col(0));
 	return { p_transform.translation(), Quaternion(axes) };
+}
+
+Eigen::Vector3d ColliderShape::scale_of(const Eigen::Matrix3d &p_basis) {
+	return p_basis.colwise().norm().transpose() * handedness(p_basis);
+}
+
+void ColliderShape::scale(const Eigen::Vector3d &p_scale) {
+	if (p_scale.isApproxToConstant(1.0, 1e-4) || !p_scale.allFinite()) {
+		return;
+	}
+	const Eigen::Vector3d factors = p_scale.cwiseAbs();
+	if (type == GRASS_BOX || type == GRASS_HULL) {
+		size = size.cwiseProduct(factors);
+	} else { // round about y: radius, half length along y
+		size = { size.x() * std::max(factors.x(), factors.z()), size.y() * factors.y(), 0.0 };
+	}
+	for (Eigen::Vector4f &plane : planes) { // all other shapes are like themselves inside out
+		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(p_scale.cast<float>());
+		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
+	}
 }
 
 bool ColliderShape::sanitise(const char *&r_reason) {

@@ -6,6 +6,7 @@
 #include "core/base/tile_grid.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <cstdint>
 #include <vector>
@@ -45,8 +46,14 @@ struct ColliderShape {
 	// Whoever gives it one promises: while it is the same, so is all of the collider. Spares TileManager to look again. 0: none.
 	uint64_t stamp = 0;
 
-	// From a transform into field space; scale and shear are left out.
+	// From a transform into field space; scale and shear are left out. Of one that mirrors it is the rotation that is left when all
+	// three axes point the other way: its scale_of() is negative, and turns the shape inside out through its origin.
 	static ColliderPose make_pose(const Eigen::Affine3d &p_transform);
+	static bool mirrors(const Eigen::Matrix3d &p_basis) { return p_basis.determinant() < 0.0; }
+	// Along each axis; all three are negative where the basis mirrors.
+	static Eigen::Vector3d scale_of(const Eigen::Matrix3d &p_basis);
+	// Poses hold rotation only: the shape itself takes the scale_of() its basis.
+	void scale(const Eigen::Vector3d &p_scale);
 	// Both poses.
 	void set_poses(const Eigen::Affine3d &p_before, const Eigen::Affine3d &p_now);
 
