@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The layer `binding`: our binding offers what godot-cpp offers and nothing else, and works in the engine. Each group of its surface
-counts one, and each test case that runs."""
+"""The layer `binding`: our binding offers what godot-cpp offers and nothing else, works in the engine, and finds in other versions of
+Godot what it calls. Each group of its surface counts one, each test case that runs, and each kind of what is looked up."""
 
 import os
 import re
@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-from tools import engine, locks, machine
+from tools import engine, godot_interfaces, locks, machine
 from tools.places import BUILD, ROOT
 from tools.say import Failure
 
@@ -19,12 +19,20 @@ RUN = BUILD / "binding_tests"  # the project of the tests that run, and their li
 RUN_LIMIT = 300  # seconds
 
 
+class Skip(str):
+	"""Why something was not checked, instead of why it failed."""
+
+
 def run(only):
-	"""(names of what passed, names and reasons of what failed)."""
-	results = {name: reason for name, reason in (*compiled(), *complete(), *working()) if only in name}
+	"""(names of what passed, names and reasons of what failed, the same of what was skipped)."""
+	parts = (*compiled(), *complete(), *working(), *elsewhere())
+	results = {name: reason for name, reason in parts if only in name}
 	for name, reason in results.items():
-		print(f"{'fail' if reason else 'pass':>6} {name}{': ' + reason if reason else ''}", flush=True)
-	return [name for name, reason in results.items() if not reason], [f"{name}: {reason}" for name, reason in results.items() if reason]
+		word = "skip" if isinstance(reason, Skip) else "fail" if reason else "pass"
+		print(f"{word:>6} {name}{': ' + reason if reason else ''}", flush=True)
+	skipped = [f"{name}: {reason}" for name, reason in results.items() if isinstance(reason, Skip)]
+	failed = [f"{name}: {reason}" for name, reason in results.items() if reason and not isinstance(reason, Skip)]
+	return [name for name, reason in results.items() if not reason], failed, skipped
 
 
 def compiled():
@@ -83,3 +91,27 @@ def working():
 	leaks = [line for line in said if re.search(r"leaked at exit|still in use at exit|were leaked", line)]
 	failed = any(f"TEST CASE:  {name}" in block for name in cases for block in blocks)
 	yield "binding/runtime ends cleanly", "; ".join(leaks) or ("" if code == (1 if failed else 0) else f"the engine ended with {code}")
+
+
+def elsewhere():
+	"""Whether each version of Godot, from the first of the one that the binding is made for to the newest that is published, has what the
+	binding looks up."""
+	ours = re.search(r'"version_major": (\d+),\s*"version_minor": (\d+)', (BUILD / "api/extension_api.json").read_text())
+	versions, description = godot_interfaces.published((int(ours[1]), int(ours[2])))
+	if not versions:
+		lacking = f"no interface from {ours[1]}.{ours[2]} on is published" if description else "there is no cargo to fetch their interfaces"
+		yield "binding/other versions of Godot", Skip(f"{lacking} (GODOT_API=extension_api.json names one)")
+	command = [
+		sys.executable,
+		str(HERE / "check_interface.py"),
+		str(ROOT),
+		str(BUILD / "api"),
+		str(description or "-"),
+		*map(str, versions),
+	]
+	result = subprocess.run(command, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True)
+	for version, kind, reason in re.findall(r"^(\S+): ([^:]+): (.*)$", result.stdout, re.M):
+		of = "finds a change in" if version == "test" else f"Godot {version} has our"
+		yield f"binding/{of} {kind}", reason
+	if result.returncode:
+		yield "binding/other versions of Godot", f"the check itself failed: {result.stderr[-1000:]}"

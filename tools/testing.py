@@ -42,8 +42,8 @@ def stress_in_full():
 
 
 def binding(only):
-	passed, failed = binding_tests.run(only)
-	return Tally(len(passed), failed)
+	passed, failed, skipped = binding_tests.run(only)
+	return Tally(len(passed), failed, skipped)
 
 
 def headless(only):
