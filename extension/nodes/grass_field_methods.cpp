@@ -20,8 +20,12 @@ namespace {
 PackedInt64Array to_array(const std::vector<BladeNumber> &p_blades) {
 	PackedInt64Array array;
 	array.resize(int64_t(p_blades.size()));
-	std::ranges::copy(p_blades, array.begin());
+	std::ranges::copy(p_blades, array.ptrw());
 	return array;
+}
+
+std::span<const BladeNumber> span_of(const PackedInt64Array &p_blades) {
+	return std::span(p_blades.ptr(), size_t(p_blades.size()));
 }
 
 } // namespace
@@ -126,14 +130,12 @@ PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
 
 PackedVector3Array GrassField::get_blade_knots(const PackedInt64Array &p_blades) const {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_blades_of(p_blades) ? places().find_knots({ p_blades.begin(), p_blades.end() }, FieldPlaces::Knots::KNOWN)
-								   : PackedVector3Array();
+	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
 }
 
 PackedVector3Array GrassField::wait_for_knots(const PackedInt64Array &p_blades) const {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_blades_of(p_blades) ? places().find_knots({ p_blades.begin(), p_blades.end() }, FieldPlaces::Knots::EXACT)
-								   : PackedVector3Array();
+	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::EXACT) : PackedVector3Array();
 }
 
 PackedInt64Array GrassField::get_tile_blades(const Vector2i &p_tile) const {

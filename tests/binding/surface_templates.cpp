@@ -56,6 +56,7 @@ using Numbers = List<int>;
 METHOD(Numbers, clear, void())
 METHOD(Numbers, size, int() const)
 METHOD(Numbers, is_empty, bool() const)
+EXPLICIT_CONSTRUCTOR(List<int>)
 USE(List, push_back, a<List<int>>().push_back(0)) // upstream returns the element
 CALL(List, begin, int &, *a<List<int>>().begin())
 CALL(List, begin, const int &, *a<const List<int>>().begin())

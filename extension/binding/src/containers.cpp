@@ -43,10 +43,10 @@ void Array::set_typed(uint32_t p_type, const StringName &p_class_name, const Var
 Variant *Array::elements() const {
 	return is_empty() ? nullptr : static_cast<Variant *>(engine::array_operator_index_const(_storage, 0));
 }
-Variant *Array::end() {
+internal::ElementIterator<Variant> Array::end() {
 	return elements() + size();
 }
-const Variant *Array::end() const {
+internal::ElementIterator<const Variant> Array::end() const {
 	return elements() + size();
 }
 

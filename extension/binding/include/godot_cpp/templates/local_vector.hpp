@@ -2,6 +2,8 @@
 // A growing array under the engine's name, with value semantics.
 #pragma once
 
+#include <godot_cpp/core/element_iterator.hpp>
+
 #include <cstdint>
 #include <initializer_list>
 #include <vector>
@@ -11,6 +13,10 @@ namespace godot {
 template <typename T> class LocalVector {
 public:
 	LocalVector() = default;
+	explicit LocalVector(const LocalVector &) = default; // a copy is to be seen
+	LocalVector(LocalVector &&) = default;
+	LocalVector &operator=(const LocalVector &) = default;
+	LocalVector &operator=(LocalVector &&) = default;
 	LocalVector(std::initializer_list<T> p_values) : _values(p_values) {}
 
 	void push_back(T p_value) { _values.push_back(std::move(p_value)); }
@@ -23,10 +29,10 @@ public:
 	const T *ptr() const { return _values.data(); }
 	T &operator[](uint32_t p_index) { return _values[p_index]; }
 	const T &operator[](uint32_t p_index) const { return _values[p_index]; }
-	auto begin() { return _values.begin(); }
-	auto end() { return _values.end(); }
-	auto begin() const { return _values.begin(); }
-	auto end() const { return _values.end(); }
+	internal::ElementIterator<T> begin() { return ptr(); }
+	internal::ElementIterator<T> end() { return ptr() + size(); }
+	internal::ElementIterator<const T> begin() const { return ptr(); }
+	internal::ElementIterator<const T> end() const { return ptr() + size(); }
 
 private:
 	std::vector<T> _values;

@@ -10,8 +10,8 @@ struct AABB {
 	Vector3 position;
 	Vector3 size;
 
-	constexpr AABB() = default;
-	constexpr AABB(const Vector3 &p_position, const Vector3 &p_size) : position(p_position), size(p_size) {}
+	AABB() = default;
+	AABB(const Vector3 &p_position, const Vector3 &p_size) : position(p_position), size(p_size) {}
 
 	Vector3 get_end() const { return position + size; }
 	bool is_finite() const { return position.is_finite() && size.is_finite(); }

@@ -2,6 +2,7 @@
 // A list of Variants, shared by reference.
 #pragma once
 
+#include <godot_cpp/core/element_iterator.hpp>
 #include <godot_cpp/variant/callable.hpp>
 
 #include <initializer_list>
@@ -12,6 +13,7 @@ class Array : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_ARRAY, 1> {
 public:
 	Array() = default;
 	Array(std::initializer_list<Variant> p_values);
+	Array(const Variant *) = delete; // private upstream
 	// A typed copy of another list.
 	Array(const Array &p_base, int64_t p_type, const StringName &p_class_name, const Variant &p_script);
 	Array(const PackedByteArray &p_from);
@@ -32,10 +34,10 @@ public:
 	void set_typed(uint32_t p_type, const StringName &p_class_name, const Variant &p_script);
 
 	// For ranges; the list must not change meanwhile.
-	Variant *begin() { return elements(); }
-	Variant *end();
-	const Variant *begin() const { return elements(); }
-	const Variant *end() const;
+	internal::ElementIterator<Variant> begin() { return elements(); }
+	internal::ElementIterator<Variant> end();
+	internal::ElementIterator<const Variant> begin() const { return elements(); }
+	internal::ElementIterator<const Variant> end() const;
 
 #include <godot_cpp/variant/gen/array.inc>
 

@@ -9,12 +9,16 @@ namespace godot {
 struct Basis {
 	Vector3 rows[3] = { Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1) };
 
-	constexpr Basis() = default;
-	constexpr Basis(real_t p_xx, real_t p_xy, real_t p_xz, real_t p_yx, real_t p_yy, real_t p_yz, real_t p_zx, real_t p_zy, real_t p_zz) :
+	Basis() = default;
+	Basis(real_t p_xx, real_t p_xy, real_t p_xz, real_t p_yx, real_t p_yy, real_t p_yz, real_t p_zx, real_t p_zy, real_t p_zz) :
 			rows{ Vector3(p_xx, p_xy, p_xz), Vector3(p_yx, p_yy, p_yz), Vector3(p_zx, p_zy, p_zz) } {}
 	// The columns.
-	constexpr Basis(const Vector3 &p_x, const Vector3 &p_y, const Vector3 &p_z) :
+	Basis(const Vector3 &p_x, const Vector3 &p_y, const Vector3 &p_z) :
 			rows{ Vector3(p_x.x, p_y.x, p_z.x), Vector3(p_x.y, p_y.y, p_z.y), Vector3(p_x.z, p_y.z, p_z.z) } {}
+
+	// Upstream's other constructors, which make a Variant ambiguous.
+	Basis(const Quaternion &) = delete;
+	Basis(const Vector3 &, real_t, const Vector3 &) = delete;
 
 	Vector3 &operator[](int p_row) { return rows[p_row]; }
 	const Vector3 &operator[](int p_row) const { return rows[p_row]; }
@@ -22,6 +26,7 @@ struct Basis {
 
 	Vector3 xform(const Vector3 &p_v) const { return Vector3(rows[0].dot(p_v), rows[1].dot(p_v), rows[2].dot(p_v)); }
 	Basis operator*(const Basis &p_b) const { return Basis(xform(p_b.get_column(0)), xform(p_b.get_column(1)), xform(p_b.get_column(2))); }
+	Basis operator*(real_t) const = delete; // upstream has it, so a Variant is ambiguous
 	bool operator==(const Basis &p_b) const { return rows[0] == p_b.rows[0] && rows[1] == p_b.rows[1] && rows[2] == p_b.rows[2]; }
 	bool operator!=(const Basis &p_b) const { return !(*this == p_b); }
 

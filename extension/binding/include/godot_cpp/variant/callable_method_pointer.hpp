@@ -53,12 +53,15 @@ private:
 	} _target;
 };
 
-template <typename T, typename F> Callable callable_of(T *p_object, F p_function) {
-	using Target = std::remove_const_t<T>;
-	return make_callable(memnew((CallableMethodOf<Target, F>)(const_cast<Target *>(p_object), p_function)));
+// The method must be of the object's very class, as upstream demands.
+template <typename T, typename R, typename... P> Callable callable_of(T *p_object, R (T::*p_method)(P...)) {
+	return make_callable(memnew((CallableMethodOf<T, R (T::*)(P...)>)(p_object, p_method)));
 }
-template <typename F> Callable callable_of_static(F p_function) {
-	return make_callable(memnew((CallableMethodOf<void, F>)(nullptr, p_function)));
+template <typename T, typename R, typename... P> Callable callable_of(const T *p_object, R (T::*p_method)(P...) const) {
+	return make_callable(memnew((CallableMethodOf<T, R (T::*)(P...) const>)(const_cast<T *>(p_object), p_method)));
+}
+template <typename R, typename... P> Callable callable_of_static(R (*p_function)(P...)) {
+	return make_callable(memnew((CallableMethodOf<void, R (*)(P...)>)(nullptr, p_function)));
 }
 
 } // namespace internal

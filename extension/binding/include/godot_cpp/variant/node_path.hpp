@@ -11,6 +11,7 @@ public:
 	NodePath() = default;
 	NodePath(const String &p_from) : Opaque(2, &p_from) {}
 	NodePath(const char *p_from) : NodePath(String(p_from)) {}
+	NodePath(const Variant *) = delete; // private upstream
 
 #include <godot_cpp/variant/gen/node_path.inc>
 };

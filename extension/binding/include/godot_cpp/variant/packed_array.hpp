@@ -3,6 +3,7 @@
 #pragma once
 
 #include <godot_cpp/core/builtin_call.hpp>
+#include <godot_cpp/core/element_iterator.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/array.hpp>
 
@@ -35,10 +36,10 @@ public:
 		CRASH_BAD_INDEX(p_index, count());
 		return ptrw()[p_index];
 	}
-	Element *begin() { return ptrw(); }
-	Element *end() { return ptrw() + count(); }
-	const Element *begin() const { return ptr(); }
-	const Element *end() const { return ptr() + count(); }
+	ElementIterator<Element> begin() { return ptrw(); }
+	ElementIterator<Element> end() { return ptrw() + count(); }
+	ElementIterator<const Element> begin() const { return ptr(); }
+	ElementIterator<const Element> end() const { return ptr() + count(); }
 
 protected:
 	explicit PackedArray(int p_constructor, const Array *p_from) : Opaque<TYPE, 2>(p_constructor, p_from) {}

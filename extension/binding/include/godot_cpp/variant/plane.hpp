@@ -10,8 +10,9 @@ struct Plane {
 	Vector3 normal;
 	real_t d = 0;
 
-	constexpr Plane() = default;
-	constexpr Plane(real_t p_a, real_t p_b, real_t p_c, real_t p_d) : normal(p_a, p_b, p_c), d(p_d) {}
+	Plane() = default;
+	Plane(real_t p_a, real_t p_b, real_t p_c, real_t p_d) : normal(p_a, p_b, p_c), d(p_d) {}
+	Plane(const Vector3 &) = delete; // upstream has it, so a Variant is ambiguous
 
 	bool operator==(const Plane &p_other) const { return normal == p_other.normal && d == p_other.d; }
 	bool operator!=(const Plane &p_other) const { return !(*this == p_other); }

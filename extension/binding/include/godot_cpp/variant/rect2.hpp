@@ -10,9 +10,9 @@ struct Rect2 {
 	Vector2 position;
 	Vector2 size;
 
-	constexpr Rect2() = default;
-	constexpr Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height) : position(p_x, p_y), size(p_width, p_height) {}
-	constexpr Rect2(const Vector2 &p_position, const Vector2 &p_size) : position(p_position), size(p_size) {}
+	Rect2() = default;
+	Rect2(real_t p_x, real_t p_y, real_t p_width, real_t p_height) : position(p_x, p_y), size(p_width, p_height) {}
+	Rect2(const Vector2 &p_position, const Vector2 &p_size) : position(p_position), size(p_size) {}
 
 	Vector2 get_end() const { return position + size; }
 	bool has_area() const { return size.x > 0 && size.y > 0; }

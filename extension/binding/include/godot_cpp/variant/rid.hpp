@@ -9,7 +9,12 @@ namespace godot {
 
 class RID {
 public:
-	constexpr RID() = default;
+	RID() = default;
+	RID(const RID &p_other) : _id(p_other._id) {} // as upstream's, not trivial
+	RID &operator=(const RID &p_other) {
+		_id = p_other._id;
+		return *this;
+	}
 
 	int64_t get_id() const { return static_cast<int64_t>(_id); }
 	bool is_valid() const { return _id != 0; }

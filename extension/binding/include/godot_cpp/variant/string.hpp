@@ -20,6 +20,8 @@ public:
 	String(const char16_t *p_text);
 	String(const char32_t *p_text);
 
+	String(const Variant *) = delete; // private upstream
+
 	static String utf8(const char *p_text, int64_t p_length = -1);
 	static String utf16(const char16_t *p_text, int64_t p_length = -1);
 	Error parse_utf8(const char *p_text, int64_t p_length = -1);
@@ -48,6 +50,22 @@ public:
 	// Fills %s, %d and so on from a value, or from the values of an Array.
 	String operator%(const Variant &p_values) const;
 
+	// Upstream's other overloads, which make calls ambiguous that would find one of the above.
+	template <typename T> String operator%(const T &) const = delete;
+	bool operator==(const Variant &) const = delete;
+	bool operator!=(const Variant &) const = delete;
+	bool operator==(const wchar_t *) const = delete;
+	bool operator!=(const wchar_t *) const = delete;
+	bool operator==(const char16_t *) const = delete;
+	bool operator!=(const char16_t *) const = delete;
+	bool operator==(const char32_t *) const = delete;
+	bool operator!=(const char32_t *) const = delete;
+	String operator+(const wchar_t *) = delete;
+	String operator+(const char16_t *) = delete;
+	String operator+(const char32_t *) = delete;
+	String &operator+=(const wchar_t *) = delete;
+	String &operator+=(const char32_t *) = delete;
+
 #include <godot_cpp/variant/gen/string.inc>
 };
 
@@ -57,6 +75,13 @@ inline String operator+(const char *p_a, const String &p_b) {
 inline bool operator==(const char *p_a, const String &p_b) {
 	return p_b == p_a;
 }
+
+bool operator==(const wchar_t *, const String &) = delete;
+bool operator==(const char16_t *, const String &) = delete;
+bool operator==(const char32_t *, const String &) = delete;
+String operator+(const wchar_t *, const String &) = delete;
+String operator+(const char16_t *, const String &) = delete;
+String operator+(const char32_t *, const String &) = delete;
 
 String itos(int64_t p_value);
 String uitos(uint64_t p_value);

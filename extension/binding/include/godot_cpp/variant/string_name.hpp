@@ -30,6 +30,14 @@ public:
 	bool operator!=(const String &p_other) const { return !(*this == p_other); }
 	String operator+(const String &p_other) const { return String(*this) + p_other; }
 
+	// Upstream's other overloads, which make calls ambiguous that would find one of the above.
+	StringName(const Variant *) = delete;
+	StringName(const wchar_t *) = delete;
+	StringName(const char16_t *) = delete;
+	bool operator==(const Variant &) const = delete;
+	bool operator!=(const Variant &) const = delete;
+	String operator+(const StringName &) const = delete;
+
 #include <godot_cpp/variant/gen/string_name.inc>
 
 private:

@@ -106,6 +106,8 @@ public:
 	Variant(double p_value);
 	Variant(float p_value) : Variant(double(p_value)) {}
 	Variant(const char *p_value) : Variant(String(p_value)) {}
+	Variant(const wchar_t *p_value) : Variant(String(p_value)) {}
+	Variant(const char16_t *p_value) : Variant(String(p_value)) {}
 	Variant(const char32_t *p_value) : Variant(String(p_value)) {}
 	Variant(const ObjectID &p_value) : Variant(int64_t(p_value)) {}
 	Variant(const Object *p_value);

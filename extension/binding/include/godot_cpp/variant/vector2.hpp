@@ -18,25 +18,27 @@ struct Vector2 {
 		real_t coord[2];
 	};
 
-	constexpr Vector2() : x(0), y(0) {}
-	constexpr Vector2(real_t p_x, real_t p_y) : x(p_x), y(p_y) {}
+	Vector2() : x(0), y(0) {}
+	Vector2(real_t p_x, real_t p_y) : x(p_x), y(p_y) {}
 
 	real_t &operator[](int p_axis) { return coord[p_axis]; }
 	const real_t &operator[](int p_axis) const { return coord[p_axis]; }
 
-	constexpr Vector2 operator+(const Vector2 &p_v) const { return Vector2(x + p_v.x, y + p_v.y); }
-	constexpr Vector2 operator-(const Vector2 &p_v) const { return Vector2(x - p_v.x, y - p_v.y); }
-	constexpr Vector2 operator*(const Vector2 &p_v) const { return Vector2(x * p_v.x, y * p_v.y); }
-	constexpr Vector2 operator/(const Vector2 &p_v) const { return Vector2(x / p_v.x, y / p_v.y); }
-	constexpr Vector2 operator*(real_t p_s) const { return Vector2(x * p_s, y * p_s); }
-	constexpr Vector2 operator/(real_t p_s) const { return Vector2(x / p_s, y / p_s); }
-	constexpr Vector2 operator-() const { return Vector2(-x, -y); }
+	Vector2 operator+(const Vector2 &p_v) const { return Vector2(x + p_v.x, y + p_v.y); }
+	Vector2 operator-(const Vector2 &p_v) const { return Vector2(x - p_v.x, y - p_v.y); }
+	Vector2 operator*(const Vector2 &p_v) const { return Vector2(x * p_v.x, y * p_v.y); }
+	Vector2 operator/(const Vector2 &p_v) const { return Vector2(x / p_v.x, y / p_v.y); }
+	Vector2 operator*(real_t p_s) const { return Vector2(x * p_s, y * p_s); }
+	Vector2 operator/(real_t p_s) const { return Vector2(x / p_s, y / p_s); }
+	Vector2 operator-() const { return Vector2(-x, -y); }
 	void operator+=(const Vector2 &p_v) { *this = *this + p_v; }
 	void operator-=(const Vector2 &p_v) { *this = *this - p_v; }
 	void operator*=(real_t p_s) { *this = *this * p_s; }
 	void operator/=(real_t p_s) { *this = *this / p_s; }
-	constexpr bool operator==(const Vector2 &p_v) const { return x == p_v.x && y == p_v.y; }
-	constexpr bool operator!=(const Vector2 &p_v) const { return !(*this == p_v); }
+	void operator*=(const Vector2 &) = delete; // upstream has these, so a Variant is ambiguous
+	void operator/=(const Vector2 &) = delete;
+	bool operator==(const Vector2 &p_v) const { return x == p_v.x && y == p_v.y; }
+	bool operator!=(const Vector2 &p_v) const { return !(*this == p_v); }
 
 	real_t length() const { return std::sqrt(x * x + y * y); }
 	Vector2 abs() const { return Vector2(Math::abs(x), Math::abs(y)); }
@@ -50,10 +52,10 @@ struct Vector2 {
 	operator String() const;
 };
 
-constexpr Vector2 operator*(float p_s, const Vector2 &p_v) {
+inline Vector2 operator*(float p_s, const Vector2 &p_v) {
 	return p_v * p_s;
 }
-constexpr Vector2 operator*(double p_s, const Vector2 &p_v) {
+inline Vector2 operator*(double p_s, const Vector2 &p_v) {
 	return p_v * real_t(p_s);
 }
 

@@ -21,25 +21,27 @@ struct Vector3 {
 		real_t coord[3];
 	};
 
-	constexpr Vector3() : x(0), y(0), z(0) {}
-	constexpr Vector3(real_t p_x, real_t p_y, real_t p_z) : x(p_x), y(p_y), z(p_z) {}
+	Vector3() : x(0), y(0), z(0) {}
+	Vector3(real_t p_x, real_t p_y, real_t p_z) : x(p_x), y(p_y), z(p_z) {}
 
 	real_t &operator[](int p_axis) { return coord[p_axis]; }
 	const real_t &operator[](int p_axis) const { return coord[p_axis]; }
 
-	constexpr Vector3 operator+(const Vector3 &p_v) const { return Vector3(x + p_v.x, y + p_v.y, z + p_v.z); }
-	constexpr Vector3 operator-(const Vector3 &p_v) const { return Vector3(x - p_v.x, y - p_v.y, z - p_v.z); }
-	constexpr Vector3 operator*(const Vector3 &p_v) const { return Vector3(x * p_v.x, y * p_v.y, z * p_v.z); }
-	constexpr Vector3 operator/(const Vector3 &p_v) const { return Vector3(x / p_v.x, y / p_v.y, z / p_v.z); }
-	constexpr Vector3 operator*(real_t p_s) const { return Vector3(x * p_s, y * p_s, z * p_s); }
-	constexpr Vector3 operator/(real_t p_s) const { return Vector3(x / p_s, y / p_s, z / p_s); }
-	constexpr Vector3 operator-() const { return Vector3(-x, -y, -z); }
+	Vector3 operator+(const Vector3 &p_v) const { return Vector3(x + p_v.x, y + p_v.y, z + p_v.z); }
+	Vector3 operator-(const Vector3 &p_v) const { return Vector3(x - p_v.x, y - p_v.y, z - p_v.z); }
+	Vector3 operator*(const Vector3 &p_v) const { return Vector3(x * p_v.x, y * p_v.y, z * p_v.z); }
+	Vector3 operator/(const Vector3 &p_v) const { return Vector3(x / p_v.x, y / p_v.y, z / p_v.z); }
+	Vector3 operator*(real_t p_s) const { return Vector3(x * p_s, y * p_s, z * p_s); }
+	Vector3 operator/(real_t p_s) const { return Vector3(x / p_s, y / p_s, z / p_s); }
+	Vector3 operator-() const { return Vector3(-x, -y, -z); }
 	Vector3 &operator+=(const Vector3 &p_v) { return *this = *this + p_v; }
 	Vector3 &operator-=(const Vector3 &p_v) { return *this = *this - p_v; }
 	Vector3 &operator*=(real_t p_s) { return *this = *this * p_s; }
 	Vector3 &operator/=(real_t p_s) { return *this = *this / p_s; }
-	constexpr bool operator==(const Vector3 &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z; }
-	constexpr bool operator!=(const Vector3 &p_v) const { return !(*this == p_v); }
+	Vector3 &operator*=(const Vector3 &) = delete; // upstream has these, so a Variant is ambiguous
+	Vector3 &operator/=(const Vector3 &) = delete;
+	bool operator==(const Vector3 &p_v) const { return x == p_v.x && y == p_v.y && z == p_v.z; }
+	bool operator!=(const Vector3 &p_v) const { return !(*this == p_v); }
 
 	real_t length_squared() const { return dot(*this); }
 	real_t length() const { return std::sqrt(length_squared()); }
@@ -54,10 +56,10 @@ struct Vector3 {
 	operator String() const;
 };
 
-constexpr Vector3 operator*(float p_s, const Vector3 &p_v) {
+inline Vector3 operator*(float p_s, const Vector3 &p_v) {
 	return p_v * p_s;
 }
-constexpr Vector3 operator*(double p_s, const Vector3 &p_v) {
+inline Vector3 operator*(double p_s, const Vector3 &p_v) {
 	return p_v * real_t(p_s);
 }
 
