@@ -11,6 +11,7 @@ from tools import (
 	binding_tests,
 	build,
 	docs_tests,
+	drivers,
 	engine,
 	formatting,
 	machine,
@@ -60,6 +61,8 @@ def gpu(only, hardware):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
 	tally.add(quitting.layer(only, where))
 	tally.add(starting.layer(only, where))
+	if not hardware:
+		tally.add(drivers.layer(only))
 	return tally
 
 

@@ -7,9 +7,11 @@
 #include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>
 #include <godot_cpp/classes/time.hpp>
 #include <godot_cpp/classes/worker_thread_pool.hpp>
-#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
+
+#include <algorithm>
+#include <cstddef>
 
 using namespace godot;
 
@@ -99,11 +101,11 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	}
 	UtilityFunctions::print_verbose(vformat("GrassField: compiled '%s', shader %s in %d ms, pipeline in %d ms", r_pipeline.code.name,
 			text_of(made.from), int64_t(has_shader - begin), int64_t(Time::get_singleton()->get_ticks_msec() - has_shader)));
-	if (!r_pipeline.pipeline.is_valid()) {
-		ERR_PRINT(vformat(
-				"GrassField: the graphics driver refused the compute pass '%s'. Set the node's `backend` to CPU.", r_pipeline.code.name));
-	}
 	std::lock_guard lock(_mutex);
+	if (!r_pipeline.pipeline.is_valid()) {
+		_refused.push_back(r_pipeline.code);
+		_refused_count++;
+	}
 	r_pipeline.state = Pipeline::State::DONE;
 	_compiling--;
 	_has_compiled.notify_all();
@@ -131,9 +133,24 @@ void CompileQueue::finish(Pipeline &r_pipeline) {
 	_has_compiled.wait(lock, [&] { return r_pipeline.state == Pipeline::State::DONE; });
 }
 
+bool CompileQueue::is_refused(const PassCode &p_code) {
+	std::lock_guard lock(_mutex);
+	return std::ranges::any_of(_refused, [&](const PassCode &p_refused) {
+		return p_refused.spirv.data() == p_code.spirv.data() && p_refused.method == p_code.method && p_refused.crowd == p_code.crowd;
+	});
+}
+
+std::vector<PassCode> CompileQueue::take_refused() {
+	std::lock_guard lock(_mutex);
+	const auto first = _refused.begin() + std::ptrdiff_t(std::exchange(_refused_taken, _refused.size()));
+	return { first, _refused.end() };
+}
+
 void CompileQueue::free_pipelines() {
 	{
 		std::lock_guard lock(_mutex);
+		_refused.clear();
+		_refused_count = _refused_taken = 0;
 		_compiling -= int(_waiting.size());
 		_waiting.clear();
 	}

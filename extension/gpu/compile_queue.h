@@ -15,6 +15,7 @@
 #include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace grass {
 
@@ -30,6 +31,7 @@ struct PassCode {
 	PassOrder order;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
 	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
+	bool has_stand_in = false; // another pass does its work where it is refused
 };
 
 // A singleton, get(). Its functions run on the render thread unless they name another.
@@ -59,6 +61,11 @@ public:
 	void free_pipelines();
 	// Pipelines that are not done yet. From any thread.
 	int count_compiling() const { return _compiling; }
+	// Whether the driver has refused the pipeline; any at all. From any thread.
+	bool is_refused(const PassCode &p_code);
+	bool has_refused() const { return _refused_count > 0; }
+	// Those refused since the last call. From any thread.
+	std::vector<PassCode> take_refused();
 
 private:
 	void start_worker();
@@ -74,6 +81,9 @@ private:
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;
 	WaitList<Pipeline *> _waiting; // guarded by _mutex
+	std::vector<PassCode> _refused; // guarded by _mutex
+	std::atomic<size_t> _refused_count = 0;
+	size_t _refused_taken = 0; // guarded by _mutex
 	bool _is_working = false; // the task; guarded by _mutex
 };
 

@@ -60,8 +60,8 @@ public:
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
 	// Queues p_code, once. Returns whether its pipeline is done.
 	static bool prepare(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Returns whether the driver refused the pipeline, which must be done.
-	static bool is_refused(const PassCode &p_code) { return !CompileQueue::get().find(p_code).pipeline.is_valid(); }
+	// The name of p_code where the driver has refused it, else null. From any thread.
+	static const char *find_refused(const PassCode &p_code) { return CompileQueue::get().is_refused(p_code) ? p_code.name : nullptr; }
 	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);

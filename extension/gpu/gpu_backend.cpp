@@ -141,7 +141,7 @@ bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
 
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_room = p_setup.instance_capacity() <= _picture.capacity() && p_setup.shadow_capacity() <= _shadows.capacity();
-	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room)) {
+	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room) || needs_refused_pass(p_setup, _method)) {
 		return false;
 	}
 	const bool has_other_blades = p_setup.patch != _setup.patch,

@@ -8,6 +8,7 @@
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/plants.h"
+#include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
@@ -32,6 +33,7 @@ public:
 
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
+	bool is_refused(Method p_method) const override { return needs_refused_pass(_setup, p_method); }
 	bool can_simulate() override;
 	Method choose_method(Method p_wanted) override;
 	bool is_complete() const override;

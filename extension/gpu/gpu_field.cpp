@@ -12,7 +12,6 @@
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 using namespace godot;
@@ -42,7 +41,7 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	};
 	const Variant &variant = variants[p_tiles];
 	const bool crowd = p_tiles == TILES_WITH_CROWDS;
-	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd };
+	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd, p_tiles != TILES_ALL };
 }
 
 using Usage = BitField<RenderingDevice::TextureUsageBits>;
@@ -104,6 +103,15 @@ void GpuField::begin_passes(const PassKind &p_kind, const FieldPlants &p_plants)
 	GpuPass::prepare(simulate_code(p_kind, TILES_ALL), Need::WANTED);
 }
 
+const char *GpuField::find_refused(const PassKind &p_kind) {
+	for (const char *pass : { GpuPass::find_refused(CULL), GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)), KnotReader::find_refused() }) {
+		if (pass != nullptr) {
+			return pass;
+		}
+	}
+	return nullptr;
+}
+
 void GpuField::look_for_passes() {
 	const bool is_ready = _simulate.is_ready();
 	std::lock_guard lock(_report->mutex);
@@ -114,7 +122,7 @@ void GpuField::prepare(const PassKind &p_kind) {
 	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind, TILES_ALL)),
 			   has_free = GpuPass::prepare(simulate_code(p_kind, TILES_FREE)),
 			   has_edges = GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
-	const bool is_complete = can_simulate && has_free && has_edges && !GpuPass::is_refused(simulate_code(p_kind, TILES_ALL));
+	const bool is_complete = can_simulate && has_free && has_edges && GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)) == nullptr;
 	std::lock_guard lock(_report->mutex);
 	_report->prepared[p_kind.index()] = { can_simulate, is_complete };
 }
@@ -130,7 +138,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	const int64_t size_before = std::exchange(_pool_size, p_setup.pool_size);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
-	_knots.resize(_pool_size * 2 * KNOT_FLOATS_PER_HALF * 4);
+	_knots.resize(_pool_size * SLOT_BYTES);
 	_halves.resize(_pool_size * 4);
 	_twists.resize(_pool_size * TWIST_FLOATS_PER_SLOT * 4);
 	_energy.resize(_pool_size * int64_t(sizeof(vec4)));
@@ -158,7 +166,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 // The buffers by tile, with room to spare, so that a field that grows mostly keeps them.
 void GpuField::fit_tables() {
 	_table_changed = true;
-	const int64_t room = int64_t(std::bit_ceil(uint64_t(_tiles))), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
+	const int64_t room = tile_room(_tiles), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
 	if (!_is_mapped || cover > _cover.size()) {
 		_cover.resize(cover);
 	}

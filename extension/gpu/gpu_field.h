@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/field/backend_statistics.h"
+#include "core/field/device_fit.h"
 #include "core/field/field_setup.h"
 #include "core/solver/slot_passes.h"
 #include "gpu/device.h"
@@ -84,6 +85,8 @@ public:
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Lets worker threads make the first passes of a field that enters the tree.
 	static void begin_passes(const PassKind &p_kind, const FieldPlants &p_plants);
+	// The name of a pass that such a field cannot do without and that the driver has refused; null: none so far. From any thread.
+	static const char *find_refused(const PassKind &p_kind);
 	// Updates in GpuReport whether the simulation pass is ready.
 	void look_for_passes();
 	// Lets worker threads make the passes that such a field needs; GpuReport shows when they are ready.
@@ -107,7 +110,6 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
-	static constexpr int64_t KNOT_FLOATS_PER_HALF = 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE;
 	static constexpr size_t RESTING_ROWS = 16;
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.

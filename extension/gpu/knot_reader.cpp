@@ -26,6 +26,10 @@ std::vector<float> to_floats(const PackedByteArray &p_data) {
 
 } // namespace
 
+const char *KnotReader::find_refused() {
+	return GpuPass::find_refused(GATHER);
+}
+
 void KnotReader::create() {
 	_pass.create(GATHER, GpuPass::Compile::LATER);
 }
@@ -81,6 +85,9 @@ std::vector<float> KnotReader::read_now(std::span<const WantedBlade> p_blades) {
 		return {};
 	}
 	_pass.finish();
+	if (!_pass.is_ready()) {
+		return {};
+	}
 	const uint32_t bytes = gather(p_blades);
 	std::vector<float> knots = to_floats(main_device()->buffer_get_data(_found.rid(), 0, bytes));
 	return knots.size() * sizeof(float) == bytes ? knots : std::vector<float>();

@@ -18,6 +18,7 @@ struct KnotReport {
 
 class KnotReader {
 public:
+	static const char *find_refused(); // the name of its pass where the driver has refused it, else null; from any thread
 	void create(); // the driver may still compile its pass when this returns
 	// The pool's buffers: places of all knots, and which half holds those of now.
 	void bind(const godot::RID &p_knots, const godot::RID &p_halves);

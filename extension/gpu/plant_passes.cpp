@@ -34,6 +34,10 @@ bool PlantPasses::prepare(bool p_is_mapped, Need p_need) {
 	return GpuPass::prepare(p_is_mapped ? MAPPED : PLAIN, p_need);
 }
 
+const char *PlantPasses::find_refused(bool p_is_mapped) {
+	return GpuPass::find_refused(p_is_mapped ? MAPPED : PLAIN);
+}
+
 void PlantPasses::set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets) {
 	free();
 	if (p_targets.empty()) {

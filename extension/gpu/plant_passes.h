@@ -41,6 +41,8 @@ class PlantPasses {
 public:
 	// Lets worker threads make the pass of such a field. Returns whether it is ready.
 	static bool prepare(bool p_is_mapped, Need p_need = Need::PREPARED);
+	// The name of that pass where the driver has refused it, else null. From any thread.
+	static const char *find_refused(bool p_is_mapped);
 	// p_setup: of several species; where there are no targets nothing of it is read.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }

@@ -4,6 +4,8 @@
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
+#include "gpu/device.h"
+#include "gpu/obstacles.h"
 
 #include <algorithm>
 #include <utility>
@@ -89,6 +91,11 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 													: std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed,
 															  Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
 	wanted.species = p_properties.species.find_grown();
+	if (!p_properties.is_on_cpu && main_device() != nullptr) {
+		const DeviceFit fit = fit_device(device_limits(), setup);
+		setup.pool_size = fit.pool_size;
+		setup.drawn_tiles_max = fit.drawn_tiles_max;
+	}
 	return wanted;
 }
 

@@ -216,6 +216,8 @@ private:
 
 	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
 	void request_rebuild();
+	void report_refusals();
+	void leave_refused_device();
 	void build() override;
 	void update_map();
 	void show_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture, const godot::Ref<godot::Texture2D> &p_colors);

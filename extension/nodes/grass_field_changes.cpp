@@ -4,6 +4,7 @@
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
+#include "gpu/obstacles.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/main_thread.h"
 #include "nodes/watch_resource.h"
@@ -11,9 +12,22 @@
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <set>
+#include <string>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+// Warnings of refused passes that some field has printed. No String: the engine's memory must not outlive the engine.
+std::set<std::string> &told_refusals() {
+	static std::set<std::string> told;
+	return told;
+}
+
+} // namespace
 
 void GrassField::request_rebuild() {
 	_maker.request();
@@ -21,7 +35,30 @@ void GrassField::request_rebuild() {
 	update_configuration_warnings();
 }
 
+// Once a pass, for all fields.
+void GrassField::report_refusals() {
+	if (!CompileQueue::get().has_refused()) {
+		return;
+	}
+	for (const Refusal &refusal : take_refusals()) {
+		if (refusal.has_stand_in) {
+			WARN_PRINT(refusal.text);
+		} else {
+			ERR_PRINT(refusal.text);
+		}
+	}
+}
+
+void GrassField::leave_refused_device() {
+	report_refusals();
+	if (is_inside_tree() && _standing.leave_refused_device()) {
+		show();
+		report_warnings();
+	}
+}
+
 void GrassField::build() {
+	leave_refused_device();
 	if (!_maker.is_waiting() || !is_inside_tree()) {
 		return;
 	}
@@ -45,8 +82,10 @@ void GrassField::report_warnings() {
 		return;
 	}
 	const PackedStringArray warnings = _get_configuration_warnings();
+	const String refusal = _standing.refusal_warning(); // of the first field only: a world has many
+	const bool is_told = !refusal.is_empty() && !told_refusals().insert(refusal.utf8().get_data()).second;
 	for (const String &warning : warnings) {
-		if (!_warned_of.has(warning)) {
+		if (!_warned_of.has(warning) && !(is_told && warning == refusal)) {
 			WARN_PRINT(vformat("%s: %s", label(), warning));
 		}
 	}
@@ -238,6 +277,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 		}
 	}
 	_properties.warn_of_tiles(warnings);
+	_standing.warn_of_device(warnings);
 	if (_standing.is_crowded()) {
 		warnings.push_back(_standing.crowded_warning());
 	}

@@ -83,8 +83,8 @@ void ShownMap::work() {
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 }
 
-void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set) {
-	if (_textures.are_new()) {
+void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set, bool p_all) {
+	if (p_all || _textures.are_new()) {
 		_textures.set_uniforms(_field.get_layers(), p_set);
 	}
 	p_set("map_base_density", _map->get_base_density());

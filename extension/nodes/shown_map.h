@@ -52,8 +52,8 @@ public:
 	const MapTextures &get_textures() const { return _textures; }
 	const godot::Ref<GrassMap> &get_map() const { return _map; }
 	int64_t get_memory_usage() const { return int64_t(_field.get_memory_usage()) + _textures.get_memory_usage(); } // bytes
-	// Sets the shaders' uniforms, where they changed.
-	void set_uniforms(const MapTextures::SetUniform &p_set);
+	// Sets the shaders' uniforms: where they changed, or all (p_all), for materials that are new.
+	void set_uniforms(const MapTextures::SetUniform &p_set, bool p_all);
 
 private:
 	ShownMap(const godot::Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun);

@@ -5,9 +5,9 @@
 #include "draw/blade_mesh.h"
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
+#include "gpu/device.h"
 #include "gpu/gpu_backend.h"
-
-#include <godot_cpp/classes/rendering_server.hpp>
+#include "gpu/obstacles.h"
 
 #include <algorithm>
 #include <utility>
@@ -68,14 +68,61 @@ void StandingField::make_backend() {
 	if (setup.patch->is_empty()) {
 		return;
 	}
-	const bool has_device = RenderingServer::get_singleton()->get_rendering_device() != nullptr;
-	if (has_device && !_properties.is_on_cpu) {
+	if (wants_device() && find_obstacle(setup, _properties.method).is_empty()) {
 		_backend = std::make_unique<GpuBackend>(setup);
 	} else {
 		_backend = std::make_unique<CpuBackend>(setup);
 	}
 	update_measuring();
 	_builds++;
+}
+
+bool StandingField::leave_refused_device() {
+	if (!_backend || !_backend->is_refused(_properties.method)) {
+		return false;
+	}
+	drop_backend();
+	_is_backend_waiting = true;
+	_is_shown = false;
+	_parts_shown = _rows_shown = 0;
+	return true;
+}
+
+bool StandingField::wants_device() const {
+	return !_properties.is_on_cpu && main_device() != nullptr;
+}
+
+String StandingField::refusal_warning() const {
+	const FieldSetup &setup = _field.get_setup();
+	const bool is_refused = wants_device() && needs_refused_pass(setup, _properties.method);
+	return is_refused ? obstacle_warning() : String();
+}
+
+String StandingField::obstacle_warning() const {
+	const String obstacle = find_obstacle(_field.get_setup(), _properties.method);
+	return obstacle.is_empty() ? obstacle : vformat("The CPU simulates and draws this field, which takes more time. %s", obstacle);
+}
+
+void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
+	const FieldSetup &setup = _field.get_setup();
+	if (!wants_device() || !setup.patch) {
+		return;
+	}
+	if (const String warning = obstacle_warning(); !warning.is_empty()) {
+		r_warnings.push_back(warning);
+		return;
+	}
+	const int64_t pool = _properties.pool_tiles, drawn = int64_t(_properties.param(PARAM_DRAWN_TILES_MAX));
+	if (pool > setup.pool_size) {
+		r_warnings.push_back(vformat("`pool_tiles` is %d, and the graphics device has room for %d: storage buffers of %d MiB, textures of %d "
+									 "rows. Lower it to %d.",
+				pool, setup.pool_size, device_limits().buffer_bytes >> 20, device_limits().texture_side, setup.pool_size));
+	}
+	if (drawn > setup.drawn_tiles_max) {
+		r_warnings.push_back(vformat("`drawn_tiles_max` is %d, and the graphics device has room for %d: storage buffers of %d MiB. Lower it "
+									 "to %d.",
+				drawn, setup.drawn_tiles_max, device_limits().buffer_bytes >> 20, setup.drawn_tiles_max));
+	}
 }
 
 void StandingField::drop_backend() {
@@ -164,7 +211,7 @@ bool StandingField::update_map() {
 		return true;
 	}
 	if (_is_shown) { // else show() does it, for all of the map
-		_map->set_uniforms(uniform_setter(true));
+		_map->set_uniforms(uniform_setter(true), false);
 		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
 	}
 	_field.regrow(changes.tiles);

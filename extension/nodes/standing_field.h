@@ -37,6 +37,12 @@ public:
 	void drop_backend();
 	// The same, and forgets its map.
 	void clear();
+	// Leaves a device whose driver has refused a pass of the field: show() makes the backend of the CPU. Returns whether it did.
+	bool leave_refused_device();
+	// That the driver has refused a pass, so that the CPU has the field; empty: it has not.
+	godot::String refusal_warning() const;
+	// What keeps the field from the graphics device, or makes it smaller there than the properties say.
+	void warn_of_device(godot::PackedStringArray &r_warnings) const;
 	bool stands() const { return _backend != nullptr; }
 	bool is_shown() const { return _is_shown; } // all of it: a streamed field comes in parts while it is hidden
 
@@ -95,6 +101,8 @@ public:
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
+	bool wants_device() const; // and there is one
+	godot::String obstacle_warning() const;
 	void make_backend();
 	Look find_look() const { return { shader_features(_field.get_setup()), _properties.hook.get_text() }; }
 	static constexpr int PARTS = 6; // of show_part(); the cover's rows follow

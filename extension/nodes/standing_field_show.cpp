@@ -91,7 +91,7 @@ void StandingField::show_part(const Look &p_look, int p_part) {
 			break;
 		case 5:
 			if (_map) {
-				_map->set_uniforms(uniform_setter(true));
+				_map->set_uniforms(uniform_setter(true), true); // a backend knows nothing of what another was told
 			} else {
 				MapTextures::clear_uniforms(uniform_setter(true));
 			}

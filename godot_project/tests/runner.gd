@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
-## (or gpu), optionally with `--only=PART[,PART...]` of tests' names. `./grass test` does that and adds up the layers. The layer
-## `editor` runs inside the editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene
+## (or gpu), optionally with `--only=PART[,PART...]` of tests' names. `./grass test` does that and adds up the layers. Those in
+## res://tests/drivers belong to the layer `gpu`, and run under a Vulkan layer (tools/drivers.py). The layer `editor` runs inside the editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene
 ## (`./grass export OUT --tests`) it wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
 ##
 ## Finds res://tests/LAYER/test_*.gd. For tools/testing.py, which also knows what had not run if the engine dies, it
@@ -60,7 +60,7 @@ func _ready() -> void:
 	for test: Dictionary in plan:
 		_report("plan", test.name)
 	await get_tree().process_frame
-	if RenderingServer.get_rendering_device() and not Engine.is_editor_hint():
+	if RenderingServer.get_rendering_device() and not Engine.is_editor_hint() and _argument("layer", "") != "drivers":
 		get_tree().set_meta("first_field", await FieldCase.warm_up(self))  # no static variable: it would keep scripts alive for ever
 	for test: Dictionary in plan:
 		await _run(test)

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What of a field fits on a graphics device, and what else keeps the field from it (docs/decisions/0050-a-refused-pass-means-the-cpu.md).
+#pragma once
+
+#include "core/field/field_setup.h"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace grass {
+
+// Of a device; by default the least that Vulkan promises.
+struct DeviceLimits {
+	int64_t buffer_bytes = 128 << 20; // of a storage buffer
+	int64_t texture_side = 4096; // texels
+	int64_t buffers = 16; // that a compute pass may read or write; Vulkan promises 4, and graphics cards have many
+	int64_t shared_bytes = 16384; // of a workgroup
+	int64_t constant_bytes = 128; // pushed to a pass
+};
+
+struct DeviceFit {
+	int pool_size = 0, drawn_tiles_max = 0; // of the setup, no larger than fits
+	std::string lack; // why the device cannot have the field at all, as a sentence; empty: it can
+};
+
+// Bytes of a tile's slot in the largest buffer of the pool: its knots, now and a step before.
+inline constexpr int64_t SLOT_BYTES = int64_t(2) * 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE * int64_t(sizeof(float));
+
+DeviceFit fit_device(const DeviceLimits &p_limits, const FieldSetup &p_setup);
+// The buffers of tiles have room for so many: a field that grows mostly keeps them.
+inline int64_t tile_room(int64_t p_tiles) {
+	return int64_t(std::bit_ceil(uint64_t(p_tiles)));
+}
+
+} // namespace grass

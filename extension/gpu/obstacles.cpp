@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/obstacles.h"
+
+#include "gpu/gpu_field.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr const char *ADVICE =
+		"Update the graphics driver. On Windows, `rendering/rendering_device/driver.windows` in the project settings chooses another one: "
+		"vulkan or d3d12.";
+
+// The engine exposes no limit of storage buffers. Vulkan's drivers for the cards of these makers have reported at least so much for
+// years; others, of phones and in software, the 128 MiB that Vulkan promises.
+struct Maker {
+	const char *name;
+	int64_t buffer_bytes;
+};
+constexpr Maker MAKERS[] = { { "NVIDIA", UINT32_MAX }, { "AMD", UINT32_MAX }, { "Intel", int64_t(1) << 30 } };
+
+DeviceLimits read_limits(RenderingDevice *p_device) {
+	DeviceLimits limits;
+	if (p_device == nullptr) {
+		return limits;
+	}
+	const auto read = [&](RenderingDevice::Limit p_limit, int64_t &r_value) {
+		const uint64_t value = p_device->limit_get(p_limit);
+		if (value > 0) { // else the driver does not say
+			r_value = int64_t(std::min<uint64_t>(value, INT64_MAX));
+		}
+	};
+	read(RenderingDevice::LIMIT_MAX_TEXTURE_SIZE_2D, limits.texture_side);
+	read(RenderingDevice::LIMIT_MAX_STORAGE_BUFFERS_PER_SHADER_STAGE, limits.buffers);
+	read(RenderingDevice::LIMIT_MAX_COMPUTE_SHARED_MEMORY_SIZE, limits.shared_bytes);
+	read(RenderingDevice::LIMIT_MAX_PUSH_CONSTANT_SIZE, limits.constant_bytes);
+	if (RenderingServer::get_singleton()->get_current_rendering_driver_name() == String("vulkan")) {
+		const String vendor = p_device->get_device_vendor_name();
+		for (const Maker &maker : MAKERS) {
+			limits.buffer_bytes = vendor == String(maker.name) ? maker.buffer_bytes : limits.buffer_bytes;
+		}
+	}
+	return limits;
+}
+
+String device_words() {
+	RenderingServer *server = RenderingServer::get_singleton();
+	return vformat("%s, %s %s", server->get_video_adapter_name(), server->get_current_rendering_driver_name(),
+			server->get_video_adapter_api_version());
+}
+
+const char *find_refused(const FieldSetup &p_setup, Method p_method) {
+	if (const char *pass = GpuField::find_refused({ p_setup.species != nullptr, p_method })) {
+		return pass;
+	}
+	return p_setup.has_plants ? PlantPasses::find_refused(p_setup.is_mapped) : nullptr;
+}
+
+} // namespace
+
+const DeviceLimits &device_limits() {
+	static const DeviceLimits limits = read_limits(main_device());
+	return limits;
+}
+
+bool needs_refused_pass(const FieldSetup &p_setup, Method p_method) {
+	return CompileQueue::get().has_refused() && find_refused(p_setup, p_method) != nullptr;
+}
+
+String find_obstacle(const FieldSetup &p_setup, Method p_method) {
+	if (const std::string lack = fit_device(device_limits(), p_setup).lack; !lack.empty()) {
+		return String::utf8(lack.c_str());
+	}
+	const char *pass = find_refused(p_setup, p_method);
+	return pass == nullptr ? String()
+						   : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
+}
+
+std::vector<Refusal> take_refusals() {
+	std::vector<Refusal> refusals;
+	for (const PassCode &code : CompileQueue::get().take_refused()) {
+		const char *instead = code.has_stand_in ? "The pass for all kinds of tiles does its work: slower, and blades meet sharp edges "
+												  "with their knots only."
+												: "Fields that need it are simulated and drawn by the CPU from now on, which takes more "
+												  "time.";
+		refusals.push_back({ vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(),
+									 instead, ADVICE),
+				code.has_stand_in });
+	}
+	return refusals;
+}
+
+} // namespace grass

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+## The driver refuses the pass that reads blades back, from the beginning: a game would be told that they stand where they do not.
+extends "res://tests/drivers/refused_case.gd"
+
+
+func test_questions_are_answered() -> void:
+	expect_refusal(["gather"])
+	var field := add_seen_field({ground = false})
+	await assert_lives(field, "CPU")  # asks for knots
+	assert_eq(said.warnings, 1)
+	assert_eq(said.count, 1)

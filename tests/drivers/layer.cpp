@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// A Vulkan layer that makes a device behave as drivers do on which the tests cannot run. tools/drivers.py builds it and starts the engine
+// under it. It reads the environment:
+//   GRASS_LAYER_COUNTING=zero     vertices and instances count from 0 in every draw call, as in Direct3D 12
+//   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
+//   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
+//                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_CROWD is true
+//   GRASS_LAYER_PASSES=FOLDER     of the passes' SPIR-V
+#include "base/constants.inc"
+#include "pass_names.h"
+#include "vertex_numbers.h"
+#include "vulkan_interface.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace {
+
+GetInstanceFunction next_of_instance;
+GetDeviceFunction next_of_device;
+void *last_instance;
+std::mutex mutex;
+std::map<uint64_t, std::string> passes; // of ours, by their modules; guarded by `mutex`
+
+std::string environment(const char *p_name) {
+	const char *value = std::getenv(p_name);
+	return value != nullptr ? value : "";
+}
+
+Counting wanted_counting() {
+	const std::string counting = environment("GRASS_LAYER_COUNTING");
+	return counting.empty() ? Counting::FROM_BASE : counting == "zero" ? Counting::FROM_ZERO : Counting::RESTORED;
+}
+
+// Handles of destroyed modules come again.
+void remember_pass(uint64_t p_module, std::span<const uint32_t> p_code) {
+	std::lock_guard lock(mutex);
+	passes.erase(p_module);
+	if (const char *pass = pass_of(std::getenv("GRASS_LAYER_PASSES"), p_code)) {
+		passes[p_module] = pass;
+	}
+}
+
+VkResult create_shader_module(void *p_device, const ShaderModuleCreateInfo *p_info, const void *p_allocator, uint64_t *r_module) {
+	const auto create = CreateShaderModule(next_of_device(p_device, "vkCreateShaderModule"));
+	const std::span<const uint32_t> code(p_info->code, p_info->bytes / sizeof(uint32_t));
+	const std::vector<uint32_t> counting = count_vertices(code, wanted_counting());
+	ShaderModuleCreateInfo info = *p_info;
+	if (!counting.empty()) {
+		info.code = counting.data();
+		info.bytes = counting.size() * sizeof(uint32_t);
+	}
+	const VkResult result = create(p_device, &info, p_allocator, r_module);
+	if (result == VK_SUCCESS) {
+		remember_pass(*r_module, code);
+	}
+	return result;
+}
+
+bool is_crowd(const Specialization *p_specialization) {
+	for (uint32_t i = 0; p_specialization != nullptr && i < p_specialization->count; i++) {
+		const SpecializationEntry &entry = p_specialization->entries[i];
+		if (entry.constant == GRASS_CONSTANT_CROWD) {
+			uint32_t value = 0;
+			std::memcpy(&value, static_cast<const char *>(p_specialization->data) + entry.offset, sizeof(value));
+			return value != 0;
+		}
+	}
+	return false;
+}
+
+bool is_refused(const PipelineStage &p_stage) {
+	std::lock_guard lock(mutex);
+	const auto pass = passes.find(p_stage.module);
+	if (pass == passes.end()) {
+		return false;
+	}
+	const std::string name = pass->second + (is_crowd(p_stage.specialization) ? "+crowd" : "");
+	return ("," + environment("GRASS_LAYER_REFUSED") + ",").find("," + name + ",") != std::string::npos;
+}
+
+VkResult create_compute_pipelines(void *p_device, uint64_t p_cache, uint32_t p_count, const ComputePipelineCreateInfo *p_infos,
+		const void *p_allocator, uint64_t *r_pipelines) {
+	for (uint32_t i = 0; i < p_count; i++) {
+		if (is_refused(p_infos[i].stage)) {
+			std::memset(r_pipelines, 0, p_count * sizeof(uint64_t));
+			return VK_ERROR_INITIALIZATION_FAILED;
+		}
+	}
+	const auto create = CreateComputePipelines(next_of_device(p_device, "vkCreateComputePipelines"));
+	return create(p_device, p_cache, p_count, p_infos, p_allocator, r_pipelines);
+}
+
+// The loader's link to the next layer. It goes on to the one behind that.
+const LayerLink *take_link(const Structure *p_chain, int32_t p_type) {
+	for (; p_chain != nullptr; p_chain = p_chain->next) {
+		auto *info = reinterpret_cast<LayerCreateInfo *>(const_cast<Structure *>(p_chain));
+		if (p_chain->type == p_type && info->function == 0) {
+			const LayerLink *link = info->link;
+			info->link = link->next;
+			return link;
+		}
+	}
+	return nullptr;
+}
+
+VkResult create_instance(const Structure *p_info, const void *p_allocator, void **r_instance) {
+	const LayerLink *link = take_link(p_info->next, STRUCTURE_LAYER_INSTANCE);
+	next_of_instance = link->get_instance_function;
+	const auto create = CreateInstance(next_of_instance(nullptr, "vkCreateInstance"));
+	const VkResult result = create(p_info, p_allocator, r_instance);
+	last_instance = result == VK_SUCCESS ? *r_instance : last_instance;
+	return result;
+}
+
+// Rewritten shaders read the bases of a draw call, which is a feature to be asked for. Returns whether the engine has a structure for it.
+bool ask_for_draw_parameters(const Structure *p_chain) {
+	bool has_any = false;
+	for (; p_chain != nullptr; p_chain = p_chain->next) {
+		Structure *at = const_cast<Structure *>(p_chain);
+		if (at->type == STRUCTURE_FEATURES_1_1) {
+			reinterpret_cast<Features11 *>(at)->has_draw_parameters = 1;
+		} else if (at->type == STRUCTURE_FEATURES_DRAW_PARAMETERS) {
+			reinterpret_cast<DrawParametersFeatures *>(at)->has_draw_parameters = 1;
+		} else {
+			continue;
+		}
+		has_any = true;
+	}
+	return has_any;
+}
+
+VkResult create_device(void *p_physical, const Structure *p_info, const void *p_allocator, void **r_device) {
+	const LayerLink *link = take_link(p_info->next, STRUCTURE_LAYER_DEVICE);
+	next_of_device = link->get_device_function;
+	const auto create = CreateDevice(link->get_instance_function(last_instance, "vkCreateDevice"));
+	DrawParametersFeatures features{ { STRUCTURE_FEATURES_DRAW_PARAMETERS, p_info->next }, 1 };
+	if (wanted_counting() != Counting::FROM_BASE && !ask_for_draw_parameters(p_info->next)) {
+		const_cast<Structure *>(p_info)->next = &features.head;
+	}
+	const VkResult result = create(p_physical, p_info, p_allocator, r_device);
+	const_cast<Structure *>(p_info)->next = p_info->next == &features.head ? features.head.next : p_info->next;
+	return result;
+}
+
+Function get_device_function(void *p_device, const char *p_name);
+Function get_instance_function(void *p_instance, const char *p_name);
+
+Function own_function(const std::string &p_name) {
+	static const std::map<std::string, Function> own{
+		{ "vkCreateInstance", Function(create_instance) },
+		{ "vkCreateDevice", Function(create_device) },
+		{ "vkCreateShaderModule", Function(create_shader_module) },
+		{ "vkCreateComputePipelines", Function(create_compute_pipelines) },
+		{ "vkGetInstanceProcAddr", Function(get_instance_function) },
+		{ "vkGetDeviceProcAddr", Function(get_device_function) },
+	};
+	const auto found = own.find(p_name);
+	return found != own.end() ? found->second : nullptr;
+}
+
+Function get_device_function(void *p_device, const char *p_name) {
+	const Function own = own_function(p_name);
+	return own != nullptr ? own : next_of_device(p_device, p_name);
+}
+
+Function get_instance_function(void *p_instance, const char *p_name) {
+	const Function own = own_function(p_name);
+	return own != nullptr ? own : next_of_instance(p_instance, p_name);
+}
+
+} // namespace
+
+// What the loader asks first.
+extern "C" __attribute__((visibility("default"))) VkResult vkNegotiateLoaderLayerInterfaceVersion(LayerNegotiation *r_layer) {
+	r_layer->get_instance_function = get_instance_function;
+	r_layer->get_device_function = get_device_function;
+	r_layer->get_physical_device_function = nullptr;
+	return VK_SUCCESS;
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// What the layer reads of Vulkan's interface, laid out as its specification says. The machine that runs the tests needs no headers of Vulkan.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+enum VkResult : int32_t { VK_SUCCESS = 0, VK_ERROR_INITIALIZATION_FAILED = -3 };
+
+// Of what `next` chains.
+enum : int32_t {
+	STRUCTURE_LAYER_INSTANCE = 47,
+	STRUCTURE_LAYER_DEVICE = 48,
+	STRUCTURE_FEATURES_1_1 = 49,
+	STRUCTURE_FEATURES_DRAW_PARAMETERS = 1000063000,
+};
+
+using Function = void (*)(void);
+using GetInstanceFunction = Function (*)(void *p_instance, const char *p_name);
+using GetDeviceFunction = Function (*)(void *p_device, const char *p_name);
+
+// How every structure begins.
+struct Structure {
+	int32_t type;
+	const Structure *next;
+};
+
+// The loader's: who is next in the chain of layers.
+struct LayerLink {
+	LayerLink *next;
+	GetInstanceFunction get_instance_function;
+	union {
+		GetInstanceFunction get_physical_device_function; // of instances
+		GetDeviceFunction get_device_function; // of devices
+	};
+};
+
+struct LayerCreateInfo {
+	Structure head;
+	int32_t function; // 0: `link` is meant
+	LayerLink *link;
+};
+
+struct LayerNegotiation {
+	int32_t type;
+	void *next;
+	uint32_t version;
+	GetInstanceFunction get_instance_function;
+	GetDeviceFunction get_device_function;
+	GetInstanceFunction get_physical_device_function;
+};
+
+struct Features11 {
+	Structure head;
+	uint32_t others[11];
+	uint32_t has_draw_parameters;
+};
+
+struct DrawParametersFeatures {
+	Structure head;
+	uint32_t has_draw_parameters;
+};
+
+struct ShaderModuleCreateInfo {
+	Structure head;
+	uint32_t flags;
+	size_t bytes;
+	const uint32_t *code;
+};
+
+struct SpecializationEntry {
+	uint32_t constant, offset;
+	size_t bytes;
+};
+
+struct Specialization {
+	uint32_t count;
+	const SpecializationEntry *entries;
+	size_t bytes;
+	const void *data;
+};
+
+struct PipelineStage {
+	Structure head;
+	uint32_t flags, stage;
+	uint64_t module;
+	const char *name;
+	const Specialization *specialization;
+};
+
+struct ComputePipelineCreateInfo {
+	Structure head;
+	uint32_t flags;
+	PipelineStage stage;
+	uint64_t layout, base;
+	int32_t base_index;
+};
+
+using CreateInstance = VkResult (*)(const Structure *p_info, const void *p_allocator, void **r_instance);
+using CreateDevice = VkResult (*)(void *p_physical, const Structure *p_info, const void *p_allocator, void **r_device);
+using CreateShaderModule = VkResult (*)(void *p_device, const ShaderModuleCreateInfo *p_info, const void *p_allocator, uint64_t *r_module);
+using CreateComputePipelines = VkResult (*)(void *p_device, uint64_t p_cache, uint32_t p_count, const ComputePipelineCreateInfo *p_infos,
+		const void *p_allocator, uint64_t *r_pipelines);
