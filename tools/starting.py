@@ -37,12 +37,12 @@ class Start:
 		self.shaders = {found[1]: found[2] for found in map(DONE.match, self.words) if found}
 
 	def check(self, expected):
-		"""AssertionError unless it went well and every pass got its shader in the way that `expected` says: a word, or one for each pass."""
+		"""AssertionError unless it went well and every pass got its shader in the way that `expected` says."""
 		assert self.code == 0, f"the engine ended with code {self.code}"
 		errors = [line for line in self.words if "ERROR" in line or "WARNING: GrassField" in line]
 		assert not errors, errors
 		assert "bent 0:" not in self.result and self.result, f"nothing was simulated: {self.result}"
-		shaders = {f"GrassField {name}": expected if isinstance(expected, str) else expected[name] for name in PASSES}
+		shaders = {f"GrassField {name}": expected for name in PASSES}
 		assert self.shaders == shaders, f"{self.shaders} instead of {shaders}"
 
 	def check_order(self):

@@ -90,7 +90,8 @@ TEST_CASE("shader_file: another driver, version or code is another key, with ano
 TEST_CASE("shader_file: of a damaged file nothing is read") {
 	std::mt19937 random(7);
 	for (int round = 0; round < ROUNDS; round++) {
-		const std::string key = shader_key({ "vulkan", std::to_string(round) }, std::vector<uint32_t>{ uint32_t(random()), uint32_t(random()) });
+		const std::string key =
+				shader_key({ "vulkan", std::to_string(round) }, std::vector<uint32_t>{ uint32_t(random()), uint32_t(random()) });
 		const Bytes shader = random_bytes(random, 1 + random() % 600), whole = write_shader_file(key, shader);
 		Bytes file = whole;
 		switch (round % 6) {
