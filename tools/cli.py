@@ -33,7 +33,8 @@ nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of
 
 DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "walk")
 BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
-	figure, and MultiMeshes beside them. pack: what another machine's GPU needs, to --out"""
+	figure, and MultiMeshes beside them. drivers: what Mesa's compilers make of the passes, for cards that are not here. pack: what
+	another machine's GPU needs, to --out"""
 
 
 def parser():
@@ -65,7 +66,7 @@ def parser():
 		"layers",
 		nargs="*",
 		metavar="LAYER",
-		help="which; docs/building.md lists them (default: all but windows, arm64, release and sanitize)",
+		help="which; docs/building.md lists them (default: all but windows, arm64, release, sanitize and drivers)",
 	)
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
@@ -82,7 +83,7 @@ def parser():
 	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "pack"), help=BENCHMARKS)
+	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "drivers", "pack"), help=BENCHMARKS)
 	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
 	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
@@ -90,7 +91,7 @@ def parser():
 		"--only",
 		metavar="PART",
 		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, cpu, questions, change, "
-		"hitch, species, kernel; of paper: a table",
+		"hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
 	)
 
 	commands.add_parser("docs", help="make the site, out/site")
@@ -132,6 +133,11 @@ def dispatch(options):
 			return 0
 		if options.what == "paper":
 			paper.run(options.out, options.quick, options.only, options.gpu_results)
+			return 0
+		if options.what == "drivers":
+			from tools import driver_figures
+
+			driver_figures.run(options.out, options.only)
 			return 0
 		if options.what == "pack":
 			export.benchmark(options.out or OUT / "bench_pack")

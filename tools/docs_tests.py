@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
+from tools import bench_page, drivers_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.test_runs import Tally, in_engine
 
@@ -139,7 +139,7 @@ def wrong_benchmarks():
 def run(only):
 	"""The whole layer."""
 	tally, in_godot = Tally(), []
-	for name, wrong in {"docs/decisions": wrong_decisions, "docs/benchmarks": wrong_benchmarks}.items():
+	for name, wrong in CHECKED_PAGES.items():
 		if only in name:
 			noted(tally, name, wrong())
 	for path in snippets.pages():
@@ -180,4 +180,5 @@ def run(only):
 	return tally
 
 
+CHECKED_PAGES = {"docs/decisions": wrong_decisions, "docs/benchmarks": wrong_benchmarks, "docs/drivers": drivers_page.wrong}
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -20,7 +20,7 @@ PACKAGES = TOOLS / "format"
 REQUIREMENTS = ROOT / "tools/format_requirements.txt"
 CLANG_FORMAT = "14"  # Debian 12's
 KINDS = {
-	"cpp": (".cpp", ".h", ".hpp"),
+	"cpp": (".c", ".cpp", ".h", ".hpp"),
 	"python": (".py",),
 	"gdscript": (".gd",),
 	"shaders": (".glsl", ".inc", ".gdshader", ".gdshaderinc"),

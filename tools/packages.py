@@ -31,6 +31,7 @@ class Root:
 	place: pathlib.Path
 	suite: str
 	architecture: str = ""  # by Debian's name; empty: this machine's
+	of_cards: bool = False  # GPUs' drivers, sources and what translates shaders; its programs run by settle.through_loader() only
 
 	@property
 	def apt(self):
@@ -55,12 +56,12 @@ GLIBC = {  # what a library for Linux is linked against: glibc 2.31
 	"x86_64": Root(TOOLS / "linux_x86_64", "bullseye", "amd64"),
 	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
 }
+DRIVERS = Root(places.DRIVERS, "trixie", of_cards=True)  # a stable release, so that figures of its compilers can be compared
 ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")
 MERGED = ("bin", "sbin", "lib", "lib64")  # links into usr, as on a machine; older packages still fill both
 STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in which apt reads it
 
-# Not unpacked: documentation, what the machine's own Python replaces, drivers of GPUs (cards use the system's), what compilers of
-# other languages bring.
+# Not unpacked: documentation, what the machine's own Python replaces, what compilers of other languages bring.
 LEFT_OUT = (
 	"./usr/share/doc/*",
 	"./usr/share/man/*",
@@ -71,16 +72,18 @@ LEFT_OUT = (
 	"./usr/share/perl5/*",
 	"./usr/bin/*python*",
 	"./usr/bin/py*3*",
-	"./usr/bin/spirv-*",
 	"./usr/lib/python3.*",
 	"./usr/lib/*/gconv/*",
-	"./usr/share/vulkan/icd.d/*",
 	"./usr/share/vulkan/implicit_layer.d/*",
 	"./usr/bin/*lto-dump*",
 	"./usr/bin/qemu-[!a]*",
 	"./usr/lib/gcc*/*lto1",
 	"./usr/lib/gcc*/adalib/*",
 	"./usr/lib/gcc*/libgfortran*",
+)
+OF_CARDS = (  # left out as well where nobody asks for them: cards use the system's drivers
+	"./usr/bin/spirv-*",
+	"./usr/share/vulkan/icd.d/*",
 	*(
 		f"./usr/lib/*/libvulkan_{name}.so"
 		for name in (
@@ -137,9 +140,9 @@ def run(*command, **options):
 	return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, pass_fds=_held, **options)
 
 
-def apt_get(root, *arguments):
+def apt_get(root, *arguments, cwd=None):
 	"""Runs apt-get on the private state of `root`; returns what it printed. Failure with its own words if it fails."""
-	result = run("apt-get", "-c", str(root.apt / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"})
+	result = run("apt-get", "-c", str(root.apt / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"}, cwd=cwd)
 	if result.returncode:
 		words = [line for line in (result.stdout + result.stderr).splitlines() if line[:2] in ("E:", "W:", "Er")]
 		raise Failure("Fetching packages failed. Is the network there? apt says:\n  " + "\n  ".join(words[-6:]) + f"\n{BY_HAND}")
@@ -165,7 +168,8 @@ def configure(root):
 	signed = f"[signed-by={keyring}] " if keyring.exists() else ""
 	for folder in (root.apt / "lists/partial", root.archives / "partial", root.apt / "none/partial"):
 		folder.mkdir(parents=True, exist_ok=True)
-	(root.apt / "sources.list").write_text(f"deb {signed}{mirror()} {root.suite} main\n")
+	kinds = ("deb", "deb-src") if root.of_cards else ("deb",)
+	(root.apt / "sources.list").write_text("".join(f"{kind} {signed}{mirror()} {root.suite} main\n" for kind in kinds))
 	status = root.place / STATUS
 	if not status.exists():
 		status = root.apt / "status"
@@ -196,11 +200,11 @@ def download(root, packages):
 	return [root.archives / name for name in wanted]
 
 
-def unpack_one(archive, place):
+def unpack_one(archive, root):
 	"""Unpacks one archive; returns its entry for the status file."""
 	reader = subprocess.Popen(["dpkg-deb", "--fsys-tarfile", str(archive)], stdout=subprocess.PIPE, pass_fds=_held)
-	left_out = [f"--exclude={pattern}" for pattern in LEFT_OUT]
-	command = ["tar", "-x", "-C", str(place), "--no-same-owner", "--keep-directory-symlink", "--wildcards", *left_out]
+	left_out = [f"--exclude={pattern}" for pattern in (*LEFT_OUT, *(() if root.of_cards else OF_CARDS))]
+	command = ["tar", "-x", "-C", str(root.partial), "--no-same-owner", "--keep-directory-symlink", "--wildcards", *left_out]
 	result = subprocess.run(command, stdin=reader.stdout, capture_output=True, text=True, pass_fds=_held)
 	reader.stdout.close()
 	if reader.wait() or result.returncode:
@@ -224,10 +228,10 @@ def unpack(root, archives):
 	pool = ThreadPoolExecutor(os.cpu_count())
 	try:
 		with progress("Unpacking", lambda: f"{len(entries)} of {len(archives)}"):
-			for entry in pool.map(unpack_one, archives, [root.partial] * len(archives)):
+			for entry in pool.map(unpack_one, archives, [root] * len(archives)):
 				entries.append(entry)
 			settle.keep_links_inside(root.partial)
-			if not root.architecture:
+			if not root.architecture and not root.of_cards:
 				settle.patch(root.partial, root.place)
 	finally:
 		pool.shutdown(cancel_futures=True)
@@ -246,6 +250,13 @@ def merge_status(status, entries):
 	status.parent.mkdir(parents=True, exist_ok=True)
 	status.unlink(missing_ok=True)
 	status.write_text("".join(by_name.values()))
+
+
+def version(package, root):
+	"""Of an unpacked package; "" if it is not there."""
+	text = (root.place / STATUS).read_text() if (root.place / STATUS).exists() else ""
+	entry = re.search(rf"^Package: {re.escape(package)}\n.*?^Version: (\S+)$", text, re.MULTILINE | re.DOTALL)
+	return entry[1] if entry else ""
 
 
 @contextlib.contextmanager
@@ -271,3 +282,22 @@ def fetch(packages, root=MAIN):
 			unpack(root, download(root, packages))
 	except OSError as error:
 		raise Failure(f"Fetching packages failed: {error}") from error
+
+
+def fetch_source(package, root, folder):
+	"""Unpacks the sources of `package`, as Debian has them from their authors, into `folder`."""
+	try:
+		with alone(), progress(f"Fetching the sources of {package}"):
+			configure(root)
+			apt_get(root, "update")
+			shutil.rmtree(folder, ignore_errors=True)
+			making = folder.with_name(folder.name + ".partial")
+			shutil.rmtree(making, ignore_errors=True)
+			making.mkdir(parents=True)
+			apt_get(root, "--download-only", "--only-source", "source", package, cwd=making)
+			archive = next(making.glob("*.orig.tar.*"))
+			run("tar", "-x", "-C", str(making), "--strip-components=1", "--no-same-owner", "-f", str(archive), check=True)
+			archive.unlink()
+			making.rename(folder)
+	except (OSError, StopIteration, subprocess.CalledProcessError) as error:
+		raise Failure(f"Fetching the sources of {package} failed: {error}") from error

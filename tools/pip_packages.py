@@ -34,3 +34,16 @@ def ensure(requirements, folder, purpose):
 	if result.returncode:
 		raise Failure(f"pip could not fetch {purpose}:\n{result.stderr[-2000:]}")
 	stamp.write_text(state)
+
+
+def source(requirement, folder, purpose):
+	"""Fetches the sources of one package, as an archive, into a new `folder`; returns the archive."""
+	machine.ensure((pip, ("python3-pip",)))
+	shutil.rmtree(folder, ignore_errors=True)
+	command, additions = pip()
+	command += ["download", "--quiet", "--disable-pip-version-check", "--no-deps", "--no-binary=:all:", "--dest", str(folder), requirement]
+	with progress(f"Fetching {purpose}"):
+		result = subprocess.run(command, env={**os.environ, **additions}, capture_output=True, text=True)
+	if result.returncode:
+		raise Failure(f"pip could not fetch {purpose}:\n{result.stderr[-2000:]}")
+	return next(folder.glob("*.tar.gz"))

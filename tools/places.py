@@ -12,3 +12,4 @@ ADDON_BIN = PROJECT / "addons/grass_field/bin"
 TOOLS = ROOT / ".tools"  # what was fetched because the machine lacks it
 UNPACKED = TOOLS / "root"  # the fetched packages, laid out as under /
 CROSS = TOOLS / "cross"  # compilers for other platforms, and what runs their programs
+DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and what reads shaders

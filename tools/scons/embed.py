@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Puts text and shaders into C++ headers, so that the extension is one binary.
 
-Compute passes become SPIR-V (a mistake in one fails the build), the blade shader becomes one text with its shared
-files inlined (the engine would follow includes only one level deep), class documentation becomes the texts that the
-editor's help loads, icons of the editor's tools become SVG texts, the file VERSION becomes a constant.
+Compute passes become SPIR-V (a mistake in one fails the build, and so does what a driver would refuse), the blade shader
+becomes one text with its shared files inlined (the engine would follow includes only one level deep), class documentation
+becomes the texts that the editor's help loads, icons of the editor's tools become SVG texts, the file VERSION becomes a constant.
 """
 
 import pathlib
 import re
 import struct
 import subprocess
+
+from tools.places import ROOT
+from tools.scons import spirv, spirv_rules
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"]+)"[ \t]*$', re.MULTILINE)
 VARIANT = re.compile(r"^#pragma variant (\w+)", re.MULTILINE)
@@ -46,40 +49,48 @@ def flatten(path, folders, seen=None):
 	return INCLUDE.sub(inline, path.read_text())
 
 
-def compile_shader(source, folders, command, spirv, *defines):
-	"""Compute pass -> list of SPIR-V words. Raises RuntimeError with the compiler's own words."""
+def compile_shader(source, folders, command, made, *defines, target="vulkan1.1"):
+	"""Compute pass -> list of SPIR-V words, also in the file `made`. Raises RuntimeError with the compiler's own words."""
 	arguments = [
 		"-V",
 		"--target-env",
-		"vulkan1.1",
+		target,
 		"-S",
 		"comp",
 		*(f"-I{folder}" for folder in folders),
 		*(f"-D{name}" for name in defines),
 	]
-	spirv.parent.mkdir(parents=True, exist_ok=True)
-	result = subprocess.run([command, *arguments, "-o", str(spirv), str(source)], capture_output=True, text=True)
+	made.parent.mkdir(parents=True, exist_ok=True)
+	result = subprocess.run([command, *arguments, "-o", str(made), str(source)], capture_output=True, text=True)
 	if result.returncode:
 		raise RuntimeError(result.stdout + result.stderr)
-	data = spirv.read_bytes()
+	data = made.read_bytes()
 	return struct.unpack(f"<{len(data) // 4}I", data)
 
 
-def compute_header(target, source, env):
-	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV`, arrays of uint32_t.
+def variants(source):
+	"""Yields (defines, suffix, name of the SPIR-V) of a pass, a path from the project's root, and of its variants.
 
-	A line `#pragma variant DEFINE` in a pass asks for it once more with DEFINE: `NAME_DEFINE_SPIRV`.
+	A line `#pragma variant DEFINE` in a pass asks for it once more with DEFINE.
 	"""
+	for defines in ([], *([name] for name in VARIANT.findall((ROOT / source).read_text()))):
+		suffix = "".join(f"_{name}" for name in defines)
+		yield defines, suffix, f"{source}{suffix}.spv".replace("/", "_")
+
+
+def compute_header(target, source, env):
+	"""SCons action: compute passes -> `grass::shader::NAME_SPIRV` and `NAME_DEFINE_SPIRV`, arrays of uint32_t."""
 	spirv_folder = pathlib.Path(str(target[0])).parent / "spirv"
 	lines = ["#include <cstdint>\n\nnamespace grass::shader {\n"]
 	for node in source:
-		for defines in [[], *([name] for name in VARIANT.findall(pathlib.Path(str(node)).read_text()))]:
-			suffix = "".join(f"_{name}" for name in defines)
+		for defines, suffix, name in variants(str(node)):
 			try:
-				file = spirv_folder / f"{node}{suffix}.spv".replace("/", "_")
-				words = compile_shader(node, env["SHADER_PATH"], env["GLSLANG"], file, *defines)
+				words = compile_shader(node, env["SHADER_PATH"], env["GLSLANG"], spirv_folder / name, *defines)
 			except RuntimeError as error:
 				print(f"{node}: the shader does not compile:\n{error}")
+				return 1
+			if refused := spirv_rules.broken(spirv.read(words)):
+				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/drivers.md):\n" + "\n".join(refused))
 				return 1
 			rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
 			lines.append(f"inline constexpr uint32_t {constant_name(node, suffix + '_SPIRV')}[] = {{\n" + ",\n".join(rows) + "\n};\n")
