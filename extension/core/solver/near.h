@@ -3,9 +3,18 @@
 // find_burial() and count_parts() in shaders/solver/near.inc.
 #pragma once
 
+#include "core/solver/edge.h"
 #include "core/solver/shape.h"
 
+#include <algorithm>
+
 namespace grass {
+
+#include "core/base/lane_words.h"
+
+#include "solver/beside.inc"
+
+#include "core/base/lane_words_end.h"
 
 template <class T> using MaskOf = decltype(T() < T());
 
@@ -29,14 +38,20 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 			continue;
 		}
 		near.is_reached = near.is_reached | is_reached;
+		const bool is_at_rest = stands_still(collider);
 		auto is_near = none;
 		Vec3<T> from = p_blade.rest[GRASS_CLAMPED_KNOTS - 1] + p_blade.root, to = from;
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		for (int k = GRASS_CLAMPED_KNOTS - 1; k < GRASS_KNOTS; k++) { // first the clamp alone
 			const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 			const T keep = minimum(T(1.0f), limit / maximum(length(moved), T(1e-12f))) * p_terms.step_ratio;
-			const Vec3<T> end_from = p_blade.knots[k] + p_blade.root, end_to = end_from + moved * keep + load;
-			const T margin = p_blade.lengths[k - 1] * T(NEAR_MARGIN);
-			is_near = is_near | !passes_by(collider, extent_of(from, end_from), extent_of(to, end_to), margin);
+			const Vec3<T> end_from = p_blade.knots[k] + p_blade.root;
+			const Vec3<T> end_to = k < GRASS_CLAMPED_KNOTS ? end_from : end_from + moved * keep + load;
+			const T segment = p_blade.lengths[std::max(k, GRASS_CLAMPED_KNOTS) - 1];
+			auto comes_near = !passes_by(collider, extent_of(from, end_from), extent_of(to, end_to), segment * T(NEAR_MARGIN));
+			if (is_at_rest && any(comes_near)) {
+				comes_near = comes_near & !stays_beside(collider, from, end_from, to, end_to, segment * T(NEAR_AT_REST));
+			}
+			is_near = is_near | comes_near;
 			from = end_from;
 			to = end_to;
 		}
@@ -49,6 +64,7 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 }
 
 // [Eq 46] Whether colliders stand on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
+// A blade lies whose tip is low, or, where the collider hardly moves, no higher than its top.
 template <class T> struct Burial {
 	MaskOf<T> is_buried;
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
@@ -56,16 +72,19 @@ template <class T> struct Burial {
 template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	MaskOf<T> is_buried = T(0.0f) > T(1.0f), is_fast = is_buried;
 	const T most = p_blade.blade_length * (p_terms.seconds * T(BURY_BELOW));
+	const T tip = p_blade.knots[GRASS_KNOTS - 1].y, low = p_blade.blade_length * T(LYING);
+	const T creep = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
-		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
+		const T moved = motion_of<T>(collider);
+		const T below = select(moved > creep, low, maximum(low, top_over(collider, p_blade.root)));
+		auto is_inside = (tip < below) & (dot(place, place) < T(collider.bound * collider.bound));
 		if (any(is_inside)) {
 			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
 			is_buried = is_buried | is_inside;
-			is_fast = is_fast | (is_inside & (motion_of<T>(collider) > most));
+			is_fast = is_fast | (is_inside & (moved > most));
 		}
 	}
-	is_buried = is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
 	return { is_buried, !is_fast };
 }
 
