@@ -7,6 +7,7 @@
 #include "draw/patch_texture.h"
 #include "draw/shared_shader.h"
 #include "editor/grass_editor_plugin.h"
+#include "editor/kept_plots_dialog.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
 #include "nodes/grass_bone_colliders_3d.h"
@@ -55,6 +56,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
 		GDREGISTER_INTERNAL_CLASS(grass::ViewDrop);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
+		GDREGISTER_INTERNAL_CLASS(grass::KeptPlotsDialog);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);
 		GDREGISTER_INTERNAL_CLASS(grass::SizeHandles);
 		GDREGISTER_INTERNAL_CLASS(grass::GrassEditorPlugin);

@@ -73,6 +73,8 @@ public:
 	virtual BackendStatistics get_statistics() = 0;
 	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
 	virtual int64_t get_shared_memory() const = 0; // what of that other fields of the same patch have as well
+	virtual int64_t get_pool_memory() const = 0; // what of that is the pool, now
+	virtual int64_t get_pool_tile_memory() const = 0; // bytes that each tile of the pool takes, used or not
 	virtual const char *get_name() const = 0;
 };
 

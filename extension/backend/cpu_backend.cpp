@@ -260,9 +260,12 @@ int64_t CpuBackend::get_shared_memory() const {
 	return int64_t(_setup.patch->texels.size()) * 4; // here and as a texture
 }
 
+int64_t CpuBackend::get_pool_memory() const {
+	return _pool.get_memory_usage() + int64_t(_pool_texels.capacity()) * 4; // likewise
+}
+
 int64_t CpuBackend::get_memory_usage() const {
-	int64_t bytes = get_shared_memory() + _pool.get_memory_usage() + mesh_bytes(_setup.card_size > 0.0f);
-	bytes += int64_t(_pool_texels.capacity()) * 4; // likewise
+	int64_t bytes = get_shared_memory() + get_pool_memory() + mesh_bytes(_setup.card_size > 0.0f);
 	for (const FieldInstance &level : _levels) {
 		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
 	}

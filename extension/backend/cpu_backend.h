@@ -43,6 +43,8 @@ public:
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
 	int64_t get_shared_memory() const override;
+	int64_t get_pool_memory() const override;
+	int64_t get_pool_tile_memory() const override { return 0; } // memory comes with the tiles that wake
 	const char *get_name() const override { return "CPU"; }
 
 private:

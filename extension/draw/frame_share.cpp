@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "draw/frame_share.h"
 
+#include "core/base/frame_turns.h"
+
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/time.hpp>
 
@@ -10,7 +12,7 @@ namespace grass {
 
 namespace {
 
-// No work begins later than this after a frame's first piece of work. More: frames stutter. Less: changes take longer to show.
+// No work begins once a frame's turns have taken so long. More: frames stutter. Less: changes take longer to show.
 constexpr uint64_t SHARE = 4000; // microseconds
 // The same while a world streams, in which there is work in most frames: with the last piece it is below a millisecond.
 constexpr uint64_t SHARE_OF_WORLDS = 500; // microseconds
@@ -19,31 +21,57 @@ constexpr int64_t PARTS = 4;
 
 int worlds = 0;
 
-// The frame of the process, when its first work began, and what was done in it.
+// The frame of the process, and what was done in it.
 struct {
 	uint64_t frame = UINT64_MAX;
-	uint64_t begin = 0; // microseconds
+	uint64_t taken = 0; // microseconds, of turns that have ended
 	FrameShare::Most done;
 } current;
 
+// Turns within turns take no time of their own.
+int open_turns = 0;
+uint64_t open_since = 0; // microseconds
+
+FrameTurns turns;
 FrameShare::Most most;
 
-void enter_frame(uint64_t p_now) {
+uint64_t now() {
+	return godot::Time::get_singleton()->get_ticks_usec();
+}
+
+void enter_frame() {
 	if (const uint64_t this_frame = godot::Engine::get_singleton()->get_process_frames(); current.frame != this_frame) {
-		current = { this_frame, p_now, {} };
+		current = { this_frame, 0, {} };
+		turns.enter_frame(this_frame);
 	}
+}
+
+bool is_time_left() {
+	return current.taken + (now() - open_since) < (worlds > 0 ? SHARE_OF_WORLDS : SHARE);
 }
 
 } // namespace
 
-bool FrameShare::has_time() {
-	const uint64_t now = godot::Time::get_singleton()->get_ticks_usec();
-	enter_frame(now);
-	return now - current.begin < (worlds > 0 ? SHARE_OF_WORLDS : SHARE);
+FrameShare::Turn::Turn(const void *p_user) : _user(p_user) {
+	enter_frame();
+	if (open_turns++ == 0) {
+		open_since = now();
+	}
 }
 
-bool FrameShare::has_part() {
-	if (!has_time() || current.done.parts >= PARTS) {
+FrameShare::Turn::~Turn() {
+	if (--open_turns == 0) {
+		current.taken += now() - open_since;
+	}
+}
+
+bool FrameShare::Turn::has_time() {
+	return turns.ask(_user, is_time_left());
+}
+
+bool FrameShare::Turn::has_part() {
+	const int64_t room = PARTS - (turns.is_owed(_user) ? 1 : 0);
+	if (!turns.ask(_user, current.done.parts < room && is_time_left())) {
 		return false;
 	}
 	current.done.parts++;
@@ -52,7 +80,7 @@ bool FrameShare::has_part() {
 }
 
 void FrameShare::count_bytes(int64_t p_bytes) {
-	enter_frame(godot::Time::get_singleton()->get_ticks_usec());
+	enter_frame();
 	current.done.bytes += p_bytes;
 	most.bytes = std::max(most.bytes, current.done.bytes);
 }

@@ -118,7 +118,8 @@ bool prepare_shader(const ShaderText &p_text) {
 		}
 		return is_done;
 	}
-	if (FrameShare::has_time()) {
+	static const char user = 0;
+	if (FrameShare::Turn turn(&user); turn.has_time()) {
 		shared_shader(p_text)->get_rid(); // this makes the engine compile it, where it did not yet
 	}
 	return false;

@@ -6,6 +6,9 @@
 #include <godot_cpp/classes/editor_export_platform.hpp>
 #include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/classes/gd_extension_manager.hpp>
+#include <godot_cpp/classes/packed_scene.hpp>
+#include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/classes/scene_state.hpp>
 
 #include <vector>
 
@@ -81,6 +84,24 @@ String find_library(
 	return found;
 }
 
+// The folders of the worlds in a scene that is packed.
+PackedStringArray find_folders(const String &p_scene) {
+	PackedStringArray folders;
+	if (p_scene.get_extension() == "tscn" && !FileAccess::get_file_as_string(p_scene).contains("GrassWorld")) {
+		return folders; // loading it would load all that it uses
+	}
+	const Ref<PackedScene> scene = ResourceLoader::get_singleton()->load(p_scene, "PackedScene");
+	const Ref<SceneState> state = scene.is_valid() ? scene->get_state() : Ref<SceneState>();
+	for (int32_t node = 0; state.is_valid() && node < state->get_node_count(); node++) {
+		for (int32_t i = 0; state->get_node_type(node) == StringName("GrassWorld") && i < state->get_node_property_count(node); i++) {
+			if (state->get_node_property_name(node, i) == StringName("folder")) {
+				folders.push_back(state->get_node_property_value(node, i));
+			}
+		}
+	}
+	return folders;
+}
+
 bool is_there(const String &p_library) {
 	return !p_library.is_empty() &&
 			(FileAccess::file_exists(p_library) || DirAccess::dir_exists_absolute(p_library)); // frameworks are folders
@@ -91,6 +112,9 @@ bool is_there(const String &p_library) {
 void ExportCheck::_export_begin(const PackedStringArray &p_features, bool p_is_debug, const String &p_path, uint32_t p_flags) {
 	(void)p_path; // wherever it goes
 	(void)p_flags;
+	_has_extension = false;
+	_scenes.clear();
+	_maps.clear();
 	const String path = find_extension();
 	Ref<ConfigFile> extension;
 	extension.instantiate();
@@ -113,6 +137,45 @@ void ExportCheck::_export_begin(const PackedStringArray &p_features, bool p_is_d
 				vformat("%s %s %s (%s): the exported game will have no grass. Build it (./grass build platform=%s%s target=%s), or take "
 						"it from the add-on's release zip.",
 						missing, system, architecture, target, system, wanted, target));
+	}
+}
+
+void ExportCheck::_export_file(const String &p_path, const String &p_type, const PackedStringArray &p_features) {
+	(void)p_features;
+	_has_extension = _has_extension || p_path.get_file() == EXTENSION;
+	if (p_type == "PackedScene") {
+		_scenes.push_back(p_path);
+	} else if (p_path.get_extension() == "grassmap") {
+		_maps.push_back(p_path);
+	}
+}
+
+// What an export of selected scenes leaves out, since no scene refers to it.
+void ExportCheck::_export_end() {
+	if (!_has_extension && !find_extension().is_empty()) {
+		get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_ERROR, "GrassField",
+				vformat("%s is not exported, so the game will have no grass. Add '*.gdextension' to the filters for files that are no "
+						"resources (Resources tab), or export all resources.",
+						EXTENSION));
+	}
+	check_plots();
+}
+
+void ExportCheck::check_plots() {
+	for (const String &scene : _scenes) {
+		for (const String &folder : find_folders(scene)) {
+			int64_t missing = 0;
+			for (const String &file : DirAccess::get_files_at(folder)) {
+				missing += file.get_extension() == "grassmap" && !_maps.has(folder.path_join(file)) ? 1 : 0;
+			}
+			if (missing > 0) {
+				get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_WARNING, "GrassField",
+						vformat("%d plots in '%s', the `folder` of a GrassWorld in %s, are not exported: there the game will have grass as "
+								"if nothing had been painted. Add '%s' to the filters for files that are no resources (Resources tab), or "
+								"export all resources.",
+								missing, folder, scene, folder.trim_prefix("res://").path_join("*.grassmap")));
+			}
+		}
 	}
 }
 

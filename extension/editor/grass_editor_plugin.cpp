@@ -3,6 +3,7 @@
 #include "editor/grass_editor_plugin.h"
 
 #include "editor/fill_action.h"
+#include "editor/kept_plots_dialog.h"
 #include "editor/map_step.h"
 #include "editor/save_worlds.h"
 #include "editor/species_drop.h"
@@ -43,12 +44,16 @@ void GrassEditorPlugin::_enter_tree() {
 	_size_handles->create_materials();
 	add_node_3d_gizmo_plugin(_size_handles);
 	GrassWorld::scene_saved = &save_world;
+	KeptPlotsDialog::create();
+	GrassWorld::places_changed = &KeptPlotsDialog::ask;
 	set_process(true);
 }
 
 void GrassEditorPlugin::_exit_tree() {
 	clear_editor_hooks();
 	GrassWorld::scene_saved = nullptr;
+	GrassWorld::places_changed = nullptr;
+	KeptPlotsDialog::free();
 	put_down();
 	_watch.forget();
 	_ring.free();

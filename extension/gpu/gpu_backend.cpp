@@ -132,7 +132,7 @@ bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
 	if (p_patch == _setup.patch || p_patch == _next_patch || p_patch->is_empty()) {
 		return true;
 	}
-	if (FrameShare::has_time()) {
+	if (FrameShare::Turn turn(&_next_patch); turn.has_time()) {
 		_next_patch_texture = patch_texture(p_patch);
 		_next_patch = p_patch;
 	}
@@ -325,6 +325,15 @@ BackendStatistics GpuBackend::get_statistics() {
 
 int64_t GpuBackend::get_shared_memory() const {
 	return int64_t(_setup.patch->texels.size()) * 2; // as a texture
+}
+
+int64_t GpuBackend::get_pool_memory() const {
+	std::lock_guard lock(_report->mutex);
+	return _report->statistics.pool_bytes;
+}
+
+int64_t GpuBackend::get_pool_tile_memory() const {
+	return GpuField::find_pool_tile_bytes();
 }
 
 int64_t GpuBackend::get_memory_usage() const {

@@ -54,6 +54,8 @@ public:
 	BackendStatistics get_statistics() override;
 	int64_t get_memory_usage() const override;
 	int64_t get_shared_memory() const override;
+	int64_t get_pool_memory() const override;
+	int64_t get_pool_tile_memory() const override;
 	const char *get_name() const override { return "GPU"; }
 
 private:

@@ -315,14 +315,24 @@ void GpuField::report_times() {
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }
 
+int64_t GpuField::find_pool_tile_bytes() {
+	return 2 * POOL_TEXTURE_WIDTH * 8 + (2 * KNOT_FLOATS_PER_HALF + TWIST_FLOATS_PER_SLOT + 1) * 4 +
+			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
+}
+
 // The report's mutex is held.
 void GpuField::report_memory() {
-	int64_t bytes = POOL_TEXTURE_WIDTH * 8 * (_pool_size + (_before.is_valid() ? _pool_size + int64_t(RESTING_ROWS) : 0)) +
-			int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4)) + _reader.get_memory_usage();
+	const int64_t textures = POOL_TEXTURE_WIDTH * 8 * (_pool_size + (_before.is_valid() ? _pool_size + int64_t(RESTING_ROWS) : 0)) +
+			int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4));
+	int64_t bytes = textures + _reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();
 	}
 	_report->statistics.buffer_bytes = bytes + _plants.get_memory_usage();
+	_report->statistics.pool_bytes = textures;
+	for (const GpuBuffer *buffer : { &_knots, &_halves, &_twists, &_energy, &_growth, &_blade_species }) {
+		_report->statistics.pool_bytes += buffer->size();
+	}
 }
 
 } // namespace grass

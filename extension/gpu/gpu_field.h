@@ -79,6 +79,8 @@ struct GpuReport {
 class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
+	// Bytes of each tile of the pool, used or not, with a map, several species and motion vectors.
+	static int64_t find_pool_tile_bytes();
 
 	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,

@@ -25,7 +25,8 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	if (in_parts && !p_properties.species.prepare_patches()) {
 		return false;
 	}
-	const auto has_time = [&] { return !in_parts || (p_properties.is_streamed ? FrameShare::has_part() : FrameShare::has_time()); };
+	FrameShare::Turn turn(this);
+	const auto has_time = [&] { return !in_parts || (p_properties.is_streamed ? turn.has_part() : turn.has_time()); };
 	if (!_wanted && has_time()) {
 		// A new backend of this field continues with the passes that are compiled.
 		_wanted = find_wanted(p_properties, p_backend != nullptr ? p_now.get_method() : p_properties.method);

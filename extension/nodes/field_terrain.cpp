@@ -256,7 +256,8 @@ void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, const
 	}
 	static uint64_t frame_of_rows = UINT64_MAX; // however many fields read: those rows are for one of them, the first
 	const int at_least = std::exchange(frame_of_rows, _frame) == _frame ? 0 : ROWS_AT_LEAST;
-	for (int rows = 0; _queries < _last_query && (rows < at_least || FrameShare::has_time()); rows++) {
+	FrameShare::Turn turn(this);
+	for (int rows = 0; _queries < _last_query && (rows < at_least || turn.has_time()); rows++) {
 		if (!_piece) {
 			if (eyes.empty()) {
 				eyes = find_eyes(&p_field, to_eigen(_field));

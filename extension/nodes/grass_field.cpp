@@ -179,7 +179,7 @@ void GrassField::_before_draw() {
 	if (_standing.draw(view, is_visible_in_tree())) {
 		update_configuration_warnings();
 		if (!Engine::get_singleton()->is_editor_hint()) { // there it stands beside the node
-			WARN_PRINT(vformat("%s: %s", label(), _standing.crowded_warning()));
+			warn(_standing.crowded_warning());
 		}
 	}
 	_frame_ms = clock.lap();

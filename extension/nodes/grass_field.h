@@ -91,6 +91,9 @@ public:
 	double get_build_ms() const { return _maker.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
 	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree
+	// Gets the warnings of this field, instead of the console.
+	using WarningTeller = std::function<void(const godot::String &p_warning)>;
+	void set_warning_teller(const WarningTeller &p_teller) { _warning_teller = p_teller; }
 	// For a world: where the centre lies in the noise, metres. A field of its own is at (0, 0).
 	void set_noise_origin(const godot::Vector2i &p_place);
 	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
@@ -162,7 +165,7 @@ public:
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
 	int64_t get_body_count() const { return _bodies.get_count(); }
 	int64_t get_memory_usage() const; // bytes
-	int64_t get_shared_memory() const; // what of that other fields have as well
+	FieldMemory find_memory() const;
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on
@@ -268,6 +271,8 @@ private:
 	FieldWork _work{ *this, _standing, _properties };
 
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
+	void warn(const godot::String &p_warning) const;
+	WarningTeller _warning_teller;
 	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as the editor last knew it

@@ -5,6 +5,7 @@
 #include "convert.h"
 #include "core/base/cpu_clock.h"
 #include "gpu/obstacles.h"
+#include "draw/frame_share.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/main_thread.h"
 #include "nodes/watch_resource.h"
@@ -63,6 +64,7 @@ void GrassField::build() {
 		return;
 	}
 	CpuClock clock;
+	FrameShare::Turn turn(this); // with what follows once all is prepared
 	if (!_standing.stands() && !_properties.is_streamed) { // the ground beside the cameras is there from the first frame on
 		update_terrain();
 	}
@@ -73,6 +75,14 @@ void GrassField::build() {
 		report_warnings();
 	}
 	_maker.add_time(clock.lap());
+}
+
+void GrassField::warn(const String &p_warning) const {
+	if (_warning_teller) {
+		_warning_teller(p_warning);
+	} else {
+		WARN_PRINT(vformat("%s: %s", label(), p_warning));
+	}
 }
 
 // Once each, in the console; in the editor beside the node.
@@ -86,7 +96,7 @@ void GrassField::report_warnings() {
 	const bool is_told = !refusal.is_empty() && !told_refusals().insert(refusal.utf8().get_data()).second;
 	for (const String &warning : warnings) {
 		if (!_warned_of.has(warning) && !(is_told && warning == refusal)) {
-			WARN_PRINT(vformat("%s: %s", label(), warning));
+			warn(warning);
 		}
 	}
 	_warned_of = warnings;

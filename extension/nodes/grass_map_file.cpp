@@ -10,6 +10,7 @@
 #include <godot_cpp/classes/resource_saver.hpp>
 
 #include <algorithm>
+#include <mutex>
 
 using namespace godot;
 
@@ -99,6 +100,8 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 }
 
 Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
+	static std::mutex mutex; // two threads may write the same file
+	std::lock_guard lock(mutex);
 	const String unfinished = p_path + String(".tmp");
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
 	if (file.is_null()) {

@@ -37,8 +37,11 @@ void GrassWorld::_notification(int p_what) {
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
 			if (is_main_thread()) {
-				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y));
+				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y), get_physics_process_delta_time());
 			}
+			break;
+		case NOTIFICATION_PREDELETE:
+			report_loss();
 			break;
 		case NOTIFICATION_EDITOR_POST_SAVE: // of its scene, shown or not
 			if (scene_saved != nullptr) {
@@ -68,9 +71,10 @@ void GrassWorld::restart() {
 	if (!is_inside_tree()) {
 		return;
 	}
-	_plots.start({ grid(), _scene, size_t(_budget * 1e6) }, find_folders());
+	_plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders());
 	_most_frame_ms = 0.0;
-	_warned_of.clear();
+	_shortage = {};
+	_has_reported = false;
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_eyes.start(get_world_3d()->get_space(), callable_mp(this, &GrassWorld::_body_changed),
 				_plots.get_fields().get_pattern().collision_mask);
@@ -78,12 +82,30 @@ void GrassWorld::restart() {
 	update_configuration_warnings();
 }
 
+// After a folder or the plots' size changed.
+void GrassWorld::ask_about_kept() {
+	if (places_changed != nullptr && Engine::get_singleton()->is_editor_hint() && count_kept_elsewhere() > 0) {
+		places_changed(*this);
+	}
+}
+
+// Before the node leaves the tree. In the editor the user was asked when the scene was closed.
+void GrassWorld::report_loss() {
+	_plots.stop();
+	const int64_t kept = Engine::get_singleton()->is_editor_hint() ? 0 : _plots.get_files().get_statistics().kept;
+	if (kept > 0) {
+		WARN_PRINT(vformat("%s: it is freed, and what was changed of %d plots is lost, since it was never written. Call save() before, with "
+						   "a `save_folder` that can be written to; or discard_unsaved(), if it is not wanted.",
+				label(), kept));
+	}
+}
+
 // The editor knows what a level holds, not what a game made of it, and writes nothing but with the scene. Without a folder there is
 // nowhere to write to.
 WorldFolders GrassWorld::find_folders() const {
 	const bool is_editor = Engine::get_singleton()->is_editor_hint();
 	const String to = _save_folder.is_empty() || is_editor ? _folder : _save_folder;
-	return { _folder, to, label(), to.is_empty() || is_editor };
+	return { { _folder, to, _plot_size }, label(), to.is_empty() || is_editor };
 }
 
 void GrassWorld::frame() {
@@ -92,32 +114,46 @@ void GrassWorld::frame() {
 	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this)) {
 		eyes.push_back({ camera, _radius });
 	}
-	std::vector<Eigen::Vector2d> movers = _eyes.find_bodies();
-	for (const Eigen::Vector2d &body : movers) {
-		eyes.push_back({ body, _body_radius });
+	std::vector<WorldMover> movers = _eyes.find_bodies();
+	for (const WorldMover &body : movers) {
+		eyes.push_back({ body.place, _body_radius });
 	}
 	for (const GrassForce3D *force : GrassForce3D::get_blowing()) {
-		movers.push_back(place_of(force->get_global_position()));
+		movers.push_back({ place_of(force->get_global_position()), {} });
 	}
-	_plots.update(eyes, movers);
-	if (_was_short != _plots.get_plan().is_short) {
-		_was_short = !_was_short;
-		update_configuration_warnings();
-	}
+	_plots.update(eyes, movers, get_process_delta_time());
 	report();
 	_frame_ms = clock.lap();
 	_most_frame_ms = std::max(_most_frame_ms, _frame_ms);
 }
 
-// Once each; in the editor they stand beside the node.
+bool GrassWorld::Shortage::is_worse_than(const Shortage &p_other) const {
+	return is_short && (!p_other.is_short || reach < 0.5 * p_other.reach || missing > 2 * p_other.missing);
+}
+
+// Once each, and again when the budget falls far shorter than it was said to; in the editor they stand beside the node.
 void GrassWorld::report() {
-	if (Engine::get_singleton()->is_editor_hint() || (!_warned_of.is_empty() && !_was_short)) {
+	const WorldPlan &plan = _plots.get_plan();
+	const Shortage now{ plan.is_short, plan.reach, plan.missing };
+	const bool is_worse = now.is_worse_than(_shortage);
+	if (Engine::get_singleton()->is_editor_hint()) {
+		if (is_worse || now.is_short != _shortage.is_short) {
+			_shortage = now;
+			update_configuration_warnings();
+		}
 		return;
 	}
-	const PackedStringArray warnings = _get_configuration_warnings();
-	if (warnings.size() > _warned_of.size()) {
-		for (int64_t i = _warned_of.size(); i < warnings.size(); i++) {
-			WARN_PRINT(vformat("%s: %s", label(), warnings[i]));
+	if (is_worse) {
+		_shortage = now;
+		WARN_PRINT(vformat("%s: %s", label(), find_shortage()));
+	}
+	if (!_has_reported) {
+		_has_reported = true;
+		const PackedStringArray warnings = find_warnings();
+		for (const String &warning : warnings) {
+			if (!_warned_of.has(warning)) {
+				WARN_PRINT(vformat("%s: %s", label(), warning));
+			}
 		}
 		_warned_of = warnings;
 	}
@@ -144,14 +180,23 @@ void GrassWorld::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	_eyes.body_changed(p_status, p_body, p_instance_id);
 }
 
+// Places are global, and outside of the tree nothing is.
+bool GrassWorld::is_here(const char *p_method) const {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, vformat("%s: %s() needs the world in the tree. Add it first.", label(), p_method));
+	return true;
+}
+
 Vector2i GrassWorld::get_plot_at(const Vector3 &p_global_position) const {
+	if (!is_here("get_plot_at")) {
+		return Vector2i();
+	}
 	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite(), Vector2i(), vformat("%s: get_plot_at() needs a finite position.", label()));
 	const PlotKey key = grid().at(place_of(p_global_position));
 	return Vector2i(key.x, key.z);
 }
 
 String GrassWorld::get_plot_path(const Vector2i &p_plot) const {
-	return WorldFiles::path_of(find_folders().to, { p_plot.x, p_plot.y });
+	return WorldFiles::path_of(find_folders().place.to, { p_plot.x, p_plot.y });
 }
 
 GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
@@ -159,7 +204,7 @@ GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
 }
 
 GrassField *GrassWorld::get_field_at(const Vector3 &p_global_position) const {
-	return p_global_position.is_finite() ? _plots.find(grid().at(place_of(p_global_position))) : nullptr;
+	return is_inside_tree() && p_global_position.is_finite() ? _plots.find(grid().at(place_of(p_global_position))) : nullptr;
 }
 
 TypedArray<GrassField> GrassWorld::get_fields() const {
@@ -171,14 +216,15 @@ TypedArray<GrassField> GrassWorld::get_fields() const {
 }
 
 Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
-	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
-	Dictionary sum;
+	Dictionary sum = to_dictionary(CutResult());
+	GRASS_MAIN_THREAD_ONLY_V(sum);
+	const Array names = sum.keys();
 	for (const PlotKey &key : _plots.get_standing()) {
-		const GrassField *field = _plots.find(key);
-		const Dictionary cut = field != nullptr ? const_cast<GrassField *>(field)->cut(p_shape, p_transform) : Dictionary();
-		const Array names = cut.keys();
+		GrassField *field = _plots.find(key);
+		const Dictionary cut = field != nullptr ? field->cut(p_shape, p_transform) : Dictionary();
 		for (int64_t i = 0; i < names.size(); i++) {
-			sum[names[i]] = double(sum.get(names[i], 0.0)) + double(cut[names[i]]);
+			const Variant before = sum[names[i]], more = cut.get(names[i], 0);
+			sum[names[i]] = before.get_type() == Variant::INT ? Variant(int64_t(before) + int64_t(more)) : Variant(double(before) + double(more));
 		}
 	}
 	return sum;
@@ -186,6 +232,9 @@ Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 
 double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
 	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	if (!is_here("paint")) {
+		return 0.0;
+	}
 	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
 	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite places.", label()));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
@@ -203,18 +252,48 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 void GrassWorld::shift_origin(const Vector3 &p_offset) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(!p_offset.is_finite(), vformat("%s: shift_origin() needs a finite offset.", label()));
-	set_global_position(get_global_position() + p_offset);
+	if (is_inside_tree()) {
+		set_global_position(get_global_position() + p_offset);
+	} else { // as it will be, below a node that is not turned
+		set_position(get_position() + p_offset);
+	}
 }
 
 int64_t GrassWorld::save() {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	ERR_FAIL_COND_V_MSG(find_folders().to.is_empty(), 0,
+	ERR_FAIL_COND_V_MSG(find_folders().place.to.is_empty(), 0,
 			vformat("%s: save() needs a folder. Set `%s`.", label(),
 					String(Engine::get_singleton()->is_editor_hint() ? "folder" : "save_folder")));
-	const int64_t count = _plots.save();
-	const int64_t kept = _plots.get_files().get_statistics().kept;
+	const int64_t kept = _plots.get_files().count_writable(), changed = _plots.save();
 	_plots.get_files().write_kept();
-	return count + kept;
+	return kept + changed;
+}
+
+int64_t GrassWorld::carry_unsaved() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	const bool is_running = _plots.is_running();
+	_plots.stop();
+	const int64_t count = _plots.get_files().carry_kept();
+	restart();
+	if (is_running && !find_folders().keeps) {
+		_plots.get_files().write_kept();
+	}
+	return count;
+}
+
+int64_t GrassWorld::discard_unsaved() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	_plots.get_files().wait(); // plots that left were changed, too
+	const int64_t changed = _plots.get_statistics().changed;
+	_plots.stop(true);
+	const int64_t count = changed + _plots.get_files().discard_kept();
+	restart();
+	return count;
+}
+
+void GrassWorld::discard_kept_elsewhere() {
+	_plots.get_files().discard_kept_elsewhere();
+	update_configuration_warnings();
 }
 
 bool GrassWorld::has_unsaved() const {
@@ -245,6 +324,7 @@ Dictionary GrassWorld::get_statistics() const {
 	result["spare"] = plots.spare;
 	result["memory"] = plots.memory;
 	result["reach"] = std::min(_plots.get_plan().reach, _radius);
+	result["distance_tests"] = plots.tests;
 	result["brought"] = plots.brought;
 	result["left"] = plots.left;
 	result["fields_made"] = plots.fields_made;
@@ -259,6 +339,7 @@ Dictionary GrassWorld::get_statistics() const {
 	result["files_written"] = files.written;
 	result["files_refused"] = files.refused;
 	result["files_kept"] = files.kept;
+	result["files_kept_elsewhere"] = files.kept_elsewhere;
 	result["bytes_read"] = files.bytes_read;
 	result["bytes_written"] = files.bytes_written;
 	result["frame_ms"] = _frame_ms;

@@ -41,6 +41,9 @@ public:
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
 	void shift_origin(const godot::Vector3 &p_offset);
 	int64_t save(); // how many plots changed; a thread writes them
+	// Changes that are not written: become those of the folders as they are now, or are forgotten. Both return how many plots.
+	int64_t carry_unsaved();
+	int64_t discard_unsaved();
 	void wait_for_files(); // until it has
 	// A step of an undo history: a plot becomes what p_snapshot says, wherever that differs from p_from.
 	void restore_plot(
@@ -49,8 +52,12 @@ public:
 
 	// For the editor.
 	static inline void (*scene_saved)(GrassWorld &r_world) = nullptr; // its scene was saved just now
+	static inline void (*places_changed)(GrassWorld &r_world) = nullptr; // `folder` or `plot_size` did, and plots are kept for the old one
 	godot::Transform3D world_transform() const; // global, without scale
 	bool has_unsaved() const;
+	int64_t count_kept_elsewhere() const { return _plots.get_files().get_statistics().kept_elsewhere; }
+	void discard_kept_elsewhere();
+	godot::String find_folder_problem() const { return _plots.get_files().find_problem(); }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
@@ -64,8 +71,14 @@ private:
 	void restart();
 	void frame();
 	void report();
+	void ask_about_kept();
+	void report_loss();
+	godot::PackedStringArray find_warnings() const; // all but the shortage
+	godot::String find_shortage() const; // "": the budget holds all
+	bool is_here(const char *p_method) const; // false, with a message, outside of the tree
 	WorldGrid grid() const { return { to_metres(_size), _plot_size }; }
 	static Eigen::Vector2d to_metres(const godot::Vector2 &p_size) { return { p_size.x, p_size.y }; }
+	static size_t to_bytes_of(double p_megabytes) { return size_t(p_megabytes * 1e6); }
 	WorldFolders find_folders() const;
 	Eigen::Vector2d place_of(const godot::Vector3 &p_global_position) const;
 	void tell(const char *p_signal, const PlotKey &p_key, GrassField *p_field);
@@ -81,7 +94,15 @@ private:
 	WorldPlots _plots{ *this, [this](const char *p_signal, const PlotKey &p_key, GrassField *p_field) { tell(p_signal, p_key, p_field); } };
 	godot::PackedStringArray _warned_of; // in the console
 	double _frame_ms = 0.0, _most_frame_ms = 0.0;
-	bool _was_short = false;
+	// Of the warning that the budget is too small: what it said last.
+	struct Shortage {
+		bool is_short = false;
+		double reach = 0.0; // metres
+		size_t missing = 0; // bytes
+		bool is_worse_than(const Shortage &p_other) const;
+	};
+	Shortage _shortage;
+	bool _has_reported = false; // all other warnings, since restart()
 };
 
 } // namespace grass

@@ -28,6 +28,7 @@ void GrassWorld::set_plot_size(double p_size) {
 		WARN_PRINT(vformat("%s: `plot_size` must be whole chunks of 64 m; using %d instead of %s.", label(), int64_t(_plot_size), size));
 	}
 	restart();
+	ask_about_kept();
 }
 
 void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
@@ -37,22 +38,26 @@ void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
 }
 
 void GrassWorld::set_radius(double p_radius) {
+	GRASS_MAIN_THREAD_ONLY();
 	_radius = checked(WORLD_RADIUS, p_radius, label());
 }
 
 void GrassWorld::set_body_radius(double p_radius) {
+	GRASS_MAIN_THREAD_ONLY();
 	_body_radius = checked(WORLD_BODY_RADIUS, p_radius, label());
 }
 
 void GrassWorld::set_budget(double p_megabytes) {
+	GRASS_MAIN_THREAD_ONLY();
 	_budget = checked(WORLD_BUDGET, p_megabytes, label());
-	_plots.set_budget(size_t(_budget * 1e6));
+	_plots.set_budget(to_bytes_of(_budget));
 }
 
 void GrassWorld::set_folder(const String &p_folder) {
 	GRASS_MAIN_THREAD_ONLY();
 	_folder = p_folder;
 	restart();
+	ask_about_kept();
 }
 
 void GrassWorld::set_save_folder(const String &p_folder) {
@@ -61,16 +66,16 @@ void GrassWorld::set_save_folder(const String &p_folder) {
 	restart();
 }
 
-PackedStringArray GrassWorld::_get_configuration_warnings() const {
+PackedStringArray GrassWorld::find_warnings() const {
 	PackedStringArray warnings;
 	if (_plots.get_fields().has_wrong_scene()) {
 		warnings.push_back("The root of `plot_scene` is no GrassField, so plots grow with the defaults. Choose a scene whose root is one.");
 	}
-	if (find_folders().to.is_empty() && Engine::get_singleton()->is_editor_hint()) {
+	if (find_folders().place.to.is_empty() && Engine::get_singleton()->is_editor_hint()) {
 		warnings.push_back(
 				"`folder` is empty, so plots that are painted here are not saved with the scene. Set it, to a folder in res:// for "
 				"instance.");
-	} else if (find_folders().to.is_empty()) {
+	} else if (find_folders().place.to.is_empty()) {
 		warnings.push_back(
 				"`folder` and `save_folder` are empty: what is cut, worn and painted is kept in memory and lost with the game. Set "
 				"`save_folder`, to a folder in user:// for instance.");
@@ -82,11 +87,36 @@ PackedStringArray GrassWorld::_get_configuration_warnings() const {
 								   "decimetres. Set `density` to %.2f.",
 				fitting));
 	}
-	if (_was_short) {
-		warnings.push_back(
-				vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
-						"`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
-						int64_t(_budget), int64_t(_plots.get_plan().reach), int64_t(_radius)));
+	if (const String problem = find_folder_problem(); !problem.is_empty()) {
+		warnings.push_back(problem);
+	}
+	if (const int64_t elsewhere = count_kept_elsewhere(); elsewhere > 0) {
+		warnings.push_back(vformat("What was changed of %d plots was never written, and belongs to other folders or to another `plot_size`. "
+								   "save() writes it to its own folder, where it has one; carry_unsaved() brings it here, discard_unsaved() "
+								   "forgets it.",
+				elsewhere));
+	}
+	return warnings;
+}
+
+String GrassWorld::find_shortage() const {
+	if (!_shortage.is_short) {
+		return String();
+	}
+	if (_shortage.missing > 0) {
+		return vformat("`budget` (%d MB) does not hold the plots that cameras and moving bodies are in: they take %d MB more, and there is no "
+					   "grass around them. Raise `budget`, or lower `pool_tiles` and `density` of `plot_scene`.",
+				int64_t(_budget), int64_t(_shortage.missing / 1000000) + 1);
+	}
+	return vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
+				   "`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
+			int64_t(_budget), int64_t(_shortage.reach), int64_t(_radius));
+}
+
+PackedStringArray GrassWorld::_get_configuration_warnings() const {
+	PackedStringArray warnings = find_warnings();
+	if (const String shortage = find_shortage(); !shortage.is_empty()) {
+		warnings.push_back(shortage);
 	}
 	return warnings;
 }
@@ -110,6 +140,8 @@ void GrassWorld::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassWorld::paint);
 	ClassDB::bind_method(D_METHOD("shift_origin", "offset"), &GrassWorld::shift_origin);
 	ClassDB::bind_method(D_METHOD("save"), &GrassWorld::save);
+	ClassDB::bind_method(D_METHOD("carry_unsaved"), &GrassWorld::carry_unsaved);
+	ClassDB::bind_method(D_METHOD("discard_unsaved"), &GrassWorld::discard_unsaved);
 	ClassDB::bind_method(D_METHOD("wait_for_files"), &GrassWorld::wait_for_files);
 	ClassDB::bind_method(D_METHOD("restore_plot", "plot", "snapshot", "from"), &GrassWorld::restore_plot);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassWorld::get_statistics);

@@ -10,6 +10,7 @@
 #include "gpu/obstacles.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 using namespace godot;
@@ -205,8 +206,12 @@ bool StandingField::update_map() {
 		return true;
 	}
 	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE, is_streamed = _properties.is_streamed;
-	const FieldMap::Changes changes =
-			_map->update([=] { return is_streamed ? FrameShare::has_part() : are_few || FrameShare::has_time(); });
+	std::optional<FrameShare::Turn> turn;
+	if (is_streamed || !are_few) { // else at once, and not from the share
+		turn.emplace(this);
+	}
+	const FieldMap::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
+	turn.reset();
 	if (changes.tiles.count() == 0) {
 		return true;
 	}

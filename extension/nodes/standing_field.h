@@ -19,6 +19,15 @@
 
 namespace grass {
 
+// Bytes that a field takes.
+struct FieldMemory {
+	int64_t all = 0; // with its map
+	int64_t shared = 0; // of those, what other fields of the same patch have as well
+	int64_t pool = 0; // and its pool
+	int64_t pool_tile = 0; // that each tile of a larger pool takes, used or not
+	const void *patch = nullptr; // only to be compared; null: no field stands
+};
+
 class StandingField {
 public:
 	// p_properties: the node's. What they say may differ from this field until it is made again.

@@ -21,7 +21,8 @@ constexpr int TILES_AT_ONCE = 16384;
 bool StandingField::show(GeometryInstance3D *p_node, const Transform3D &p_transform) {
 	const bool is_hidden = _properties.is_streamed && !p_node->is_visible();
 	if (_is_backend_waiting) {
-		if (is_hidden && !FrameShare::has_part()) {
+		FrameShare::Turn turn(this);
+		if (is_hidden && !turn.has_part()) {
 			return true;
 		}
 		make_backend();
@@ -53,7 +54,8 @@ bool StandingField::show_parts(const Look &p_look, bool p_is_hidden) {
 	if (_parts_shown > 0 && !(_look == p_look)) {
 		_parts_shown = _rows_shown = 0;
 	}
-	const auto may_go_on = [p_is_hidden] { return !p_is_hidden || FrameShare::has_part(); };
+	FrameShare::Turn turn(this);
+	const auto may_go_on = [&turn, p_is_hidden] { return !p_is_hidden || turn.has_part(); };
 	while (_parts_shown < PARTS && may_go_on()) {
 		show_part(p_look, _parts_shown++);
 	}

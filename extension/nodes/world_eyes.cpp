@@ -11,6 +11,7 @@
 #include <godot_cpp/core/object.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -60,8 +61,9 @@ void WorldEyes::body_changed(int64_t p_status, const RID &p_body, int64_t p_inst
 	}
 }
 
-void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents) {
+void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents, double p_delta) {
 	_ticks++;
+	_seconds += p_delta;
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	if (_area.is_valid() && _extents != p_half_extents) {
 		_extents = p_half_extents;
@@ -89,9 +91,12 @@ void WorldEyes::look(Body &r_body, const Transform3D &p_to_world_space) {
 		return;
 	}
 	const Vector3 place = p_to_world_space.xform(node->get_global_position());
-	if (r_body.has_place && (place - r_body.place).length() > MOTION) {
+	const Vector3 way = r_body.has_place ? place - r_body.place : Vector3();
+	if (way.length() > MOTION) {
 		r_body.awake_until = _ticks + STAYS_AWAKE;
 	}
+	const double seconds = _seconds - std::exchange(r_body.looked_at, _seconds);
+	r_body.velocity = seconds > 0.0 ? way / real_t(seconds) : Vector3();
 	r_body.place = place;
 	r_body.has_place = true;
 	const RigidBody3D *rigid = Object::cast_to<RigidBody3D>(node);
@@ -104,14 +109,14 @@ std::vector<Eigen::Vector2d> WorldEyes::find_cameras(const Node3D &p_world) cons
 	return find_eyes(&p_world, to_eigen(p_world.get_global_transform()));
 }
 
-std::vector<Eigen::Vector2d> WorldEyes::find_bodies() const {
-	std::vector<Eigen::Vector2d> places;
+std::vector<WorldMover> WorldEyes::find_bodies() const {
+	std::vector<WorldMover> bodies;
 	for (const auto &[key, body] : _bodies) {
 		if (body.is_awake && body.place.is_finite()) {
-			places.emplace_back(body.place.x, body.place.z);
+			bodies.push_back({ { body.place.x, body.place.z }, { body.velocity.x, body.velocity.z } });
 		}
 	}
-	return places;
+	return bodies;
 }
 
 } // namespace grass

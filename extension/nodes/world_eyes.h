@@ -3,6 +3,7 @@
 // world's space, so that a shift of the origin moves nothing.
 #pragma once
 
+#include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
 
 #include <godot_cpp/classes/node3d.hpp>
@@ -23,11 +24,11 @@ public:
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
 	void stop();
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// A tick: some of the bodies are looked at, in turn.
-	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents);
+	// A tick of p_delta seconds: some of the bodies are looked at, in turn.
+	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents, double p_delta);
 
 	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world) const;
-	std::vector<Eigen::Vector2d> find_bodies() const; // awake ones
+	std::vector<WorldMover> find_bodies() const; // awake ones
 	int64_t get_body_count() const { return int64_t(_bodies.size()); }
 
 private:
@@ -35,6 +36,8 @@ private:
 		uint64_t instance_id = 0;
 		int64_t overlaps = 0; // shapes of it that are in the world
 		godot::Vector3 place; // in the world's space, when it was last looked at
+		godot::Vector3 velocity; // metres a second, since it was looked at before
+		double looked_at = 0.0; // seconds
 		bool has_place = false;
 		bool is_awake = false;
 		int64_t awake_until = 0; // the tick; moved by hand
@@ -47,6 +50,7 @@ private:
 	std::map<uint64_t, Body> _bodies; // by the RID's id
 	uint64_t _next = 0; // to be looked at
 	int64_t _ticks = 0;
+	double _seconds = 0.0; // of the ticks
 };
 
 } // namespace grass

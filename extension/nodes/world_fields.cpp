@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/world_fields.h"
 
+#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/core/object.hpp>
 
@@ -32,12 +33,26 @@ GrassField *WorldFields::make() {
 	field->set_param(PARAM_BORDER_FADE, 0.0);
 	field->set_visible(false);
 	field->set_streamed();
+	field->set_warning_teller(make_teller());
 	return field;
 }
 
-void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side) {
+// What is wrong with one plot is mostly wrong with all of them: the world says it once.
+GrassField::WarningTeller WorldFields::make_teller() const {
+	return [warned_of = _warned_of, label = _label](const String &p_warning) {
+		if (warned_of->insert(p_warning.utf8().get_data()).second) {
+			WARN_PRINT(vformat("%s: `plot_scene`: %s", label, p_warning));
+		}
+	};
+}
+
+void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const String &p_label) {
+	if (_scene != p_scene) {
+		_warned_of = std::make_shared<std::set<std::string>>();
+	}
 	_scene = p_scene;
 	_side = p_side;
+	_label = p_label;
 	_made = 0;
 	forget_first();
 	_place.reset();

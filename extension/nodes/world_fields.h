@@ -8,7 +8,10 @@
 
 #include <godot_cpp/classes/packed_scene.hpp>
 
+#include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace grass {
@@ -32,8 +35,8 @@ public:
 	WorldFields &operator=(const WorldFields &) = delete;
 	~WorldFields() { forget_first(); }
 
-	// p_scene: its root is a GrassField; null: one with the defaults. p_side: of a plot, metres.
-	void start(const godot::Ref<godot::PackedScene> &p_scene, double p_side);
+	// p_scene: its root is a GrassField; null: one with the defaults. p_side: of a plot, metres. p_label: of the world, for messages.
+	void start(const godot::Ref<godot::PackedScene> &p_scene, double p_side, const godot::String &p_label);
 	// Those that wait leave the tree.
 	void stop();
 
@@ -52,11 +55,14 @@ public:
 
 private:
 	GrassField *make();
+	GrassField::WarningTeller make_teller() const;
 	void forget_first();
 
 	godot::Node3D &_world;
 	godot::Ref<godot::PackedScene> _scene;
 	double _side = 0.0;
+	godot::String _label;
+	std::shared_ptr<std::set<std::string>> _warned_of = std::make_shared<std::set<std::string>>(); // by any of the fields
 	Pattern _pattern;
 	GrassField *_first = nullptr; // outside of the tree, until the place is known
 	std::optional<ShownPlace> _place;

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/display_server.hpp>
 #include <godot_cpp/classes/file_access.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
@@ -23,6 +24,22 @@ std::string name_of(const String &p_path) {
 	return p_path.utf8().get_data();
 }
 
+// Those that run, to find two that write to one folder. Main thread only.
+std::map<const WorldFiles *, WorldFolders> running;
+
+String real_path(const String &p_folder) {
+	return ProjectSettings::get_singleton()->globalize_path(p_folder).simplify_path().rstrip("/");
+}
+
+// A name that no file has: what was put aside before stays.
+String unread_path(const String &p_path) {
+	String path = p_path + String(".unread");
+	for (int64_t n = 2; FileAccess::file_exists(path); n++) {
+		path = vformat("%s.unread%d", p_path, n);
+	}
+	return path;
+}
+
 } // namespace
 
 String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
@@ -32,6 +49,9 @@ String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
 void WorldFiles::start(const WorldFolders &p_folders) {
 	stop();
 	_folders = p_folders;
+	_sizes.look(_folders.place);
+	_folders.keeps = _folders.keeps || _sizes.has_wrong_to();
+	running[this] = _folders;
 	// Without a renderer the engine's list of textures is no other thread's (Godot 4.6: one leaked at exit in some runs).
 	_makes_textures = DisplayServer::get_singleton()->get_name() != "headless";
 	_is_ending = _has_ended = false;
@@ -39,6 +59,7 @@ void WorldFiles::start(const WorldFolders &p_folders) {
 }
 
 void WorldFiles::stop() {
+	running.erase(this);
 	if (_thread.joinable()) {
 		{
 			std::unique_lock lock(_mutex);
@@ -122,23 +143,75 @@ void WorldFiles::change(const PlotKey &p_key, const PaintMap &p_default, const s
 void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
 	const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
 	if (_folders.keeps) {
-		keep(p_key, data);
+		keep(_folders.place, p_key, data);
 	} else {
-		write_file(p_key, data);
+		write_file(_folders.place, p_key, data);
 	}
+}
+
+// Another place's maps would spoil those that this world has in the same folder.
+bool WorldFiles::may_write(const PlotsPlace &p_place) const {
+	return !p_place.to.is_empty() &&
+			(p_place == _folders.place ? !_sizes.has_wrong_to() : real_path(p_place.to) != real_path(_folders.place.to));
 }
 
 void WorldFiles::write_kept() {
 	add({ false, [this] {
-			 std::map<PlotKey, PackedByteArray> kept;
+			 std::map<PlotsPlace, KeptPlots::Maps> kept;
 			 {
 				 std::lock_guard lock(_mutex);
-				 kept.swap(_kept);
+				 kept = _kept.take();
 			 }
-			 for (const auto &[key, data] : kept) {
-				 write_file(key, data);
+			 for (const auto &[place, maps] : kept) {
+				 for (const auto &[key, data] : maps) {
+					 if (may_write(place)) {
+						 write_file(place, key, data);
+					 } else {
+						 keep(place, key, data);
+					 }
+				 }
 			 }
 		 } });
+}
+
+int64_t WorldFiles::carry_kept() {
+	std::lock_guard lock(_mutex);
+	return _kept.carry(_folders.place);
+}
+
+int64_t WorldFiles::discard_kept() {
+	std::lock_guard lock(_mutex);
+	const int64_t count = _kept.count();
+	_kept = {};
+	return count;
+}
+
+void WorldFiles::discard_kept_elsewhere() {
+	std::lock_guard lock(_mutex);
+	_kept.keep_only(_folders.place);
+}
+
+int64_t WorldFiles::count_writable() const {
+	std::lock_guard lock(_mutex);
+	int64_t count = 0;
+	for (const auto &[place, maps] : _kept.get()) {
+		count += may_write(place) ? int64_t(maps.size()) : 0;
+	}
+	return count;
+}
+
+String WorldFiles::find_problem() const {
+	if (const String problem = _sizes.find_problem(_folders.place); !problem.is_empty()) {
+		return problem;
+	}
+	for (const auto &[files, folders] : running) {
+		if (files != this && !_folders.place.to.is_empty() && real_path(folders.place.to) == real_path(_folders.place.to)) {
+			return vformat("%s writes its plots to '%s', too: each of the two replaces what the other one wrote. Give each world a "
+						   "`folder` and a `save_folder` of its own.",
+					folders.label, _folders.place.to);
+		}
+	}
+	return String();
 }
 
 std::vector<ReadPlot> WorldFiles::take_read() {
@@ -150,16 +223,15 @@ WorldFileStatistics WorldFiles::get_statistics() const {
 	std::lock_guard lock(_mutex);
 	WorldFileStatistics statistics = _statistics;
 	statistics.waiting = int64_t(_jobs.size());
-	statistics.kept = int64_t(_kept.size());
-	for (const auto &[key, data] : _kept) {
-		statistics.bytes_kept += data.size();
-	}
+	statistics.kept = _kept.count();
+	statistics.kept_elsewhere = _kept.count_elsewhere(_folders.place);
+	statistics.bytes_kept = _kept.count_bytes();
 	return statistics;
 }
 
-void WorldFiles::keep(const PlotKey &p_key, const PackedByteArray &p_data) {
+void WorldFiles::keep(const PlotsPlace &p_place, const PlotKey &p_key, const PackedByteArray &p_data) {
 	std::lock_guard lock(_mutex);
-	_kept[p_key] = p_data;
+	_kept.keep(p_place, p_key, p_data);
 }
 
 // What is kept is newer than any file.
@@ -167,16 +239,15 @@ PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	PackedByteArray kept;
 	{
 		std::lock_guard lock(_mutex);
-		if (const auto found = _kept.find(p_key); found != _kept.end()) {
-			kept = found->second;
-		}
+		kept = _kept.find(_folders.place, p_key);
 	}
+	const String from = _sizes.has_wrong_from() ? String() : _folders.place.from, to = _sizes.has_wrong_to() ? String() : _folders.place.to;
 	PaintMap map = p_default;
 	if (!kept.is_empty()) {
 		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), map);
-	} else if (_folders.to.is_empty() || !read_file(path_of(_folders.to, p_key), map)) {
-		if (!_folders.from.is_empty() && _folders.from != _folders.to) {
-			read_file(path_of(_folders.from, p_key), map);
+	} else if (to.is_empty() || !read_file(path_of(to, p_key), map)) {
+		if (!from.is_empty() && from != to) {
+			read_file(path_of(from, p_key), map);
 		}
 	}
 	return map;
@@ -206,24 +277,28 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 }
 
 // What cannot be written is kept.
-void WorldFiles::write_file(const PlotKey &p_key, const PackedByteArray &p_data) {
-	const String path = path_of(_folders.to, p_key);
+void WorldFiles::write_file(const PlotsPlace &p_place, const PlotKey &p_key, const PackedByteArray &p_data) {
+	const String path = path_of(p_place.to, p_key);
 	bool is_refused = false;
 	{
 		std::lock_guard lock(_mutex);
 		is_refused = _refused.erase(name_of(path)) > 0;
 	}
 	if (is_refused) {
-		DirAccess::rename_absolute(path, path + String(".unread"));
+		DirAccess::rename_absolute(path, unread_path(path));
 	}
-	if (_folders.to.is_empty() || DirAccess::make_dir_recursive_absolute(_folders.to) != OK || write_map_file(p_data, path) != OK) {
+	const bool has_folder = !p_place.to.is_empty() && DirAccess::make_dir_recursive_absolute(p_place.to) == OK;
+	if (has_folder) {
+		FoldersOfSize::mark(p_place.to, p_place.plot_size);
+	}
+	if (!has_folder || write_map_file(p_data, path) != OK) {
 		ERR_PRINT(vformat("%s: plot (%d, %d) cannot be written to `%s`. It stays in memory until save() can write it.", _folders.label,
-				p_key.x, p_key.z, _folders.to));
-		keep(p_key, p_data);
+				p_key.x, p_key.z, p_place.to));
+		keep(p_place, p_key, p_data);
 		return;
 	}
 	std::lock_guard lock(_mutex);
-	_kept.erase(p_key); // of a write that failed
+	_kept.forget(p_place, p_key); // of a write that failed
 	_statistics.written++;
 	_statistics.bytes_written += p_data.size();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/world/world_grid.h"
+#include "nodes/kept_plots.h"
 #include "nodes/shown_map.h"
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -12,7 +13,6 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -21,7 +21,7 @@
 namespace grass {
 
 struct WorldFolders {
-	godot::String from, to; // where maps lie; where changed ones are written, and looked for first
+	PlotsPlace place; // where maps lie, where changed ones are written, and for what plots
 	godot::String label; // of the world, for messages
 	bool keeps = false; // changed maps stay in memory until they are saved: in the editor, and where there is no folder
 };
@@ -39,6 +39,7 @@ struct WorldFileStatistics {
 	int64_t read = 0, written = 0, refused = 0; // files
 	int64_t bytes_read = 0, bytes_written = 0;
 	int64_t kept = 0, bytes_kept = 0; // maps that are not written yet
+	int64_t kept_elsewhere = 0; // of those, maps that belong to other folders, or to plots of another size
 };
 
 class WorldFiles {
@@ -53,12 +54,20 @@ public:
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Changes a plot that is not in memory, and writes it.
 	void change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change);
-	// Writes what is kept.
+	// Writes what is kept, each map where it belongs.
 	void write_kept();
+	// While no thread runs. What is kept for other folders is kept for these: how many plots.
+	int64_t carry_kept();
+	// Likewise. Forgets what is kept: how many plots.
+	int64_t discard_kept();
+	void discard_kept_elsewhere();
+	int64_t count_writable() const; // of what is kept: plots that write_kept() has a folder for
 	void wait(); // until nothing is waiting
 	std::vector<ReadPlot> take_read();
 	WorldFileStatistics get_statistics() const;
 	static godot::String path_of(const godot::String &p_folder, const PlotKey &p_key);
+	// What is wrong with the folders, for the user; "" if nothing is.
+	godot::String find_problem() const;
 
 private:
 	struct Job {
@@ -72,18 +81,20 @@ private:
 	PaintMap find(const PlotKey &p_key, const PaintMap &p_default);
 	bool read_file(const godot::String &p_path, PaintMap &r_map);
 	void put(const PlotKey &p_key, const PaintMap &p_map);
-	void write_file(const PlotKey &p_key, const godot::PackedByteArray &p_data);
-	void keep(const PlotKey &p_key, const godot::PackedByteArray &p_data);
+	bool may_write(const PlotsPlace &p_place) const;
+	void write_file(const PlotsPlace &p_place, const PlotKey &p_key, const godot::PackedByteArray &p_data);
+	void keep(const PlotsPlace &p_place, const PlotKey &p_key, const godot::PackedByteArray &p_data);
 
-	WorldFolders _folders; // changes only while no thread runs
-	bool _makes_textures = false; // likewise
+	WorldFolders _folders; // changes only while no thread runs, as the next two do
+	FoldersOfSize _sizes; // what the folders hold
+	bool _makes_textures = false;
 	std::thread _thread;
 	mutable std::mutex _mutex; // of all below
 	std::condition_variable _has_changed;
 	std::deque<Job> _jobs; // the first one is being done
 	bool _is_ending = false, _has_ended = true;
 	std::vector<ReadPlot> _read;
-	std::map<PlotKey, godot::PackedByteArray> _kept;
+	KeptPlots _kept;
 	std::set<std::string> _refused; // paths of files that could not be read
 	WorldFileStatistics _statistics;
 };

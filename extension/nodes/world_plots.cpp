@@ -17,11 +17,6 @@ namespace {
 
 // Plots that are read ahead of those that come.
 constexpr int MOST_READ = 2;
-// The pool of a plot where nothing moves: enough for a blast. More: memory in every plot.
-constexpr int64_t QUIET_POOL = 32;
-// Metres around a plot in which what moves has its pool made larger.
-constexpr double MOVES_NEAR = 16.0;
-
 } // namespace
 
 GrassField *WorldPlots::field_of(const Plot &p_plot) const {
@@ -37,17 +32,21 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	stop();
 	_settings = p_settings;
 	_statistics = {};
-	_planner.forget();
-	_fields.start(p_settings.scene, p_settings.grid.get_plot_size());
+	_planner = {};
+	_pool_tile.reset();
+	_pool_wanted = 0;
+	_fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label);
 	_files.start(p_folders);
 	_is_running = true;
 }
 
-void WorldPlots::stop() {
+void WorldPlots::stop(bool p_forgets) {
 	if (!_is_running) {
 		return;
 	}
-	save();
+	if (!p_forgets) {
+		save();
+	}
 	for (auto &[key, plot] : _plots) {
 		if (GrassField *field = field_of(plot)) {
 			field->queue_free();
@@ -59,19 +58,16 @@ void WorldPlots::stop() {
 	_is_running = false;
 }
 
-void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const Eigen::Vector2d> p_movers) {
+void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta) {
 	const int64_t moves = _statistics.brought + _statistics.left;
 	take_read();
 	show_coming();
-	measure_one();
-	const std::vector<PlotKey> loaded = get_keys();
-	// What a plot takes is held back, for the field that comes while another one leaves.
-	const size_t held_back = _shared + _planner.expected({ 1 << 30, 0 });
-	_plan = _planner.plan(_settings.grid, p_eyes, loaded, _settings.budget > held_back ? _settings.budget - held_back : 0);
+	measure();
+	make_plan(p_eyes, p_movers, p_delta);
+	fit_pools();
 	leave_one();
-	bring_one(p_movers);
+	bring_one();
 	ask();
-	fit_pool(p_movers);
 	_statistics.most_moves = std::max(_statistics.most_moves, _statistics.brought + _statistics.left - moves);
 }
 
@@ -102,14 +98,13 @@ void WorldPlots::show_coming() {
 		plot.state = State::STANDING;
 		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
 		field->set_visible(true);
-		_shared = size_t(field->get_shared_memory());
 		_tell("plot_loaded", key, field);
 		return; // a listener may have changed everything
 	}
 }
 
 // The nearest of those that are read.
-void WorldPlots::bring_one(std::span<const Eigen::Vector2d> p_movers) {
+void WorldPlots::bring_one() {
 	if (is_coming()) {
 		return;
 	}
@@ -117,22 +112,24 @@ void WorldPlots::bring_one(std::span<const Eigen::Vector2d> p_movers) {
 		const auto found = _plots.find(key);
 		if (found != _plots.end() && found->second.state == State::READ) {
 			_fields.forget_freed();
-			if (_fields.count_spare() > 0 || count_bytes() + _planner.expected(key) <= _settings.budget) {
-				bring(key, found->second, p_movers);
+			const PlotPools pools = find_pools();
+			const size_t bytes = count_bytes() + _planner.expected(key);
+			const auto fits = [&](int64_t p_pool) { return bytes + size_t(p_pool) * pools.tile_bytes <= _settings.budget; };
+			if (_fields.count_spare() > 0 || is_under_eyes(key) || fits(pools.quiet)) {
+				bring(key, found->second, fits(pool_for(key)) ? pool_for(key) : pools.quiet);
 			}
 			return;
 		}
 	}
 }
 
-void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, std::span<const Eigen::Vector2d> p_movers) {
+void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, int64_t p_pool) {
 	GrassField *field = _fields.take();
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
 	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots are made of whole chunks
-	const int64_t pool = pool_for(p_key, p_movers);
-	if (field->get_pool_tiles() != pool) {
-		field->set_pool_tiles(pool);
+	if (field->get_pool_tiles() != p_pool) {
+		field->set_pool_tiles(p_pool);
 	}
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
@@ -154,12 +151,12 @@ void WorldPlots::leave_one() {
 		if (plot.field == 0) {
 			_plots.erase(key);
 		} else if (plot.state == State::STANDING &&
-				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() > _settings.budget)) {
+				(_fields.count_spare() < WorldFields::MOST_SPARE || is_all_here || count_bytes() + _pool_wanted > _settings.budget)) {
 			leave(key, plot);
 			return;
 		}
 	}
-	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() > _settings.budget) {
+	if (_plan.leaving.empty() && _fields.count_spare() > 0 && count_bytes() + _pool_wanted > _settings.budget) {
 		_fields.free_spare();
 	}
 }
@@ -176,7 +173,8 @@ void WorldPlots::leave(const PlotKey &p_key, Plot &r_plot) {
 	}
 	_plots.erase(found);
 	_statistics.left++;
-	_fields.give_back(field, count_bytes() <= _settings.budget);
+	const bool has_room = count_bytes() + _pool_wanted <= _settings.budget;
+	_fields.give_back(field, has_room && field->get_pool_tiles() <= find_pools().quiet); // a large pool is needed elsewhere
 }
 
 bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const {
@@ -203,71 +201,6 @@ void WorldPlots::ask() {
 			return;
 		}
 	}
-}
-
-// One a frame, in turn.
-void WorldPlots::measure_one() {
-	auto next = _plots.upper_bound(_measured);
-	if (next == _plots.end()) {
-		next = _plots.begin();
-	}
-	if (next == _plots.end()) {
-		return;
-	}
-	for (auto &[key, plot] : _plots) {
-		const GrassField *field = field_of(plot);
-		if (field != nullptr && (plot.bytes == 0 || key == next->first) && plot.state == State::STANDING) {
-			const size_t map = field->get_map().is_valid() ? size_t(field->get_map()->get_memory_usage()) : 0;
-			plot.bytes = size_t(field->get_memory_usage()) - _shared + map;
-			_planner.learn(key, plot.bytes);
-		}
-	}
-	_measured = next->first;
-}
-
-int64_t WorldPlots::pool_for(const PlotKey &p_key, std::span<const Eigen::Vector2d> p_movers) const {
-	const int64_t pool = _fields.get_pattern().pool_tiles;
-	const bool moves = std::ranges::any_of(
-			p_movers, [&](const Eigen::Vector2d &p_place) { return _settings.grid.distance(p_key, p_place) <= MOVES_NEAR; });
-	return moves ? pool : std::min(pool, QUIET_POOL);
-}
-
-// A pool costs memory, and few plots have anything that moves. One field at a time, and only while nothing comes.
-void WorldPlots::fit_pool(std::span<const Eigen::Vector2d> p_movers) {
-	if (is_coming()) {
-		return;
-	}
-	for (auto &[key, plot] : _plots) {
-		GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
-		const int64_t pool = field != nullptr ? pool_for(key, p_movers) : 0;
-		if (field == nullptr || field->get_pool_tiles() == pool) {
-			continue;
-		}
-		if (!field->is_made()) {
-			return;
-		}
-		if (pool > field->get_pool_tiles() || field->get_awake_tile_count() == 0) {
-			field->set_pool_tiles(pool);
-			return;
-		}
-	}
-}
-
-size_t WorldPlots::count_bytes() const {
-	size_t bytes = _shared;
-	for (const auto &[key, plot] : _plots) {
-		bytes += plot.field != 0 ? (plot.bytes > 0 ? plot.bytes : _planner.expected(key))
-								 : (plot.prepared ? plot.prepared->laid.get_memory_usage() : 0);
-	}
-	return bytes + _fields.count_spare() * _planner.expected({ 1 << 30, 0 });
-}
-
-std::vector<PlotKey> WorldPlots::get_keys() const {
-	std::vector<PlotKey> keys;
-	for (const auto &[key, plot] : _plots) {
-		keys.push_back(key);
-	}
-	return keys;
 }
 
 std::vector<PlotKey> WorldPlots::get_standing() const {

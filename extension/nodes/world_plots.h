@@ -3,6 +3,7 @@
 // when they leave changed.
 #pragma once
 
+#include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
 #include "nodes/world_fields.h"
 #include "nodes/world_files.h"
@@ -26,6 +27,7 @@ struct WorldStatistics {
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
 	double most_build_ms = 0.0; // of one field in one frame
 	int64_t most_moves = 0; // plots that were brought or left in one frame, at most
+	int64_t tests = 0; // distances and ways that the last frame compared with plots
 };
 
 class WorldPlots {
@@ -36,12 +38,12 @@ public:
 
 	// In the tree.
 	void start(const WorldSettings &p_settings, const WorldFolders &p_folders);
-	// What changed is written; the fields go with the world's children.
-	void stop();
+	// What changed is written, unless it is to be forgotten; the fields go with the world's children.
+	void stop(bool p_forgets = false);
 	bool is_running() const { return _is_running; }
 	void set_budget(size_t p_bytes) { _settings.budget = p_bytes; }
-	// A frame. p_movers: places of bodies and forces, around which grass is simulated.
-	void update(std::span<const WorldEye> p_eyes, std::span<const Eigen::Vector2d> p_movers);
+	// A frame of p_delta seconds. p_movers: bodies and forces, around which grass is simulated.
+	void update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
 
 	GrassField *find(const PlotKey &p_key) const; // null: not in memory, or not made yet
 	std::vector<PlotKey> get_standing() const;
@@ -63,24 +65,28 @@ private:
 		uint64_t field = 0; // the instance's id: a script may free it
 		PaintMap known; // as it is in its file
 		std::unique_ptr<PreparedMap> prepared;
-		size_t bytes = 0;
+		FieldMemory memory; // when it was measured last
 	};
 
 	GrassField *field_of(const Plot &p_plot) const;
 	void take_read();
 	void show_coming();
-	void bring_one(std::span<const Eigen::Vector2d> p_movers);
-	void bring(const PlotKey &p_key, Plot &r_plot, std::span<const Eigen::Vector2d> p_movers);
+	void make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
+	void bring_one();
+	void bring(const PlotKey &p_key, Plot &r_plot, int64_t p_pool);
 	void leave_one();
 	void leave(const PlotKey &p_key, Plot &r_plot);
 	void ask();
-	void measure_one();
-	void fit_pool(std::span<const Eigen::Vector2d> p_movers);
-	int64_t pool_for(const PlotKey &p_key, std::span<const Eigen::Vector2d> p_movers) const;
+	void measure();
+	std::vector<LoadedPlot> find_loaded() const;
+	PlotPools find_pools() const;
+	void fit_pools();
+	int64_t pool_for(const PlotKey &p_key) const;
+	bool is_under_eyes(const PlotKey &p_key) const;
 	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
 	bool is_coming() const;
 	size_t count_bytes() const; // of fields and maps, also of those that wait
-	std::vector<PlotKey> get_keys() const;
+	size_t count_shared() const;
 
 	WorldFields _fields;
 	Tell _tell;
@@ -91,8 +97,10 @@ private:
 	std::map<PlotKey, Plot> _plots;
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
-	size_t _shared = 0; // bytes that all fields have in common
+	std::optional<int64_t> _pool_tile; // bytes that a tile of a pool takes; nothing until a field stands
+	size_t _pool_wanted = 0; // bytes that wait for other plots to leave
 	PlotKey _measured{ 1 << 30, 0 }; // last
+	double _frame_seconds = 0.0; // of a frame, lately
 	WorldStatistics _statistics;
 };
 

@@ -23,12 +23,13 @@ func after() -> void:
 	empty_folder()
 
 
-func empty_folder() -> void:
-	if not DirAccess.dir_exists_absolute(FOLDER):
+func empty_folder(folder := FOLDER) -> void:
+	if not DirAccess.dir_exists_absolute(folder):
 		return
-	for file in DirAccess.get_files_at(FOLDER):
-		DirAccess.remove_absolute(FOLDER.path_join(file))
-	DirAccess.remove_absolute(FOLDER)
+	for file in DirAccess.get_files_at(folder):
+		DirAccess.remove_absolute(folder.path_join(file))
+	DirAccess.remove_absolute(folder.path_join(".plot_size"))
+	DirAccess.remove_absolute(folder)
 
 
 ## A scene with a field of few blades, as a plot's pattern.

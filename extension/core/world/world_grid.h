@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <cstddef>
+#include <cstdint>
 
 namespace grass {
 
@@ -17,6 +19,12 @@ namespace grass {
 struct PlotKey {
 	int x = 0, z = 0;
 	auto operator<=>(const PlotKey &) const = default;
+};
+
+struct PlotHash {
+	size_t operator()(const PlotKey &p_key) const {
+		return size_t((uint64_t(uint32_t(p_key.x)) << 32 | uint32_t(p_key.z)) * 0x9e3779b97f4a7c15u >> 16);
+	}
 };
 
 class WorldGrid {

@@ -1,107 +1,270 @@
 // SPDX-License-Identifier: MIT
 #include "core/world/world_plan.h"
 
-#include <set>
+#include <algorithm>
+#include <unordered_set>
 
 namespace grass {
 
 namespace {
 
-// A plot that an eye wants, or that may linger.
+constexpr double FAR = std::numeric_limits<double>::infinity();
+
+// A plot, and metres to the nearest eye.
 struct Candidate {
-	double rank; // metres from the nearest eye; those that linger come after all that are wanted
+	double rank;
 	PlotKey key;
-	bool is_wanted;
 	auto operator<=>(const Candidate &) const = default;
 };
 
-// How far p_key is from the eye that wants it most. INF: nobody wants it, nor lets it linger.
-Candidate judge(const WorldGrid &p_grid, std::span<const WorldEye> p_eyes, const PlotKey &p_key) {
-	constexpr double FAR = std::numeric_limits<double>::infinity();
-	double wanted = FAR, lingering = FAR;
-	for (const WorldEye &eye : p_eyes) {
-		const double distance = p_grid.distance(p_key, eye.place);
-		if (distance <= eye.radius) {
-			wanted = std::min(wanted, distance);
-		} else if (distance <= eye.radius + WorldPlanner::LINGER) {
-			lingering = std::min(lingering, distance);
-		}
-	}
-	constexpr double AFTER = 1e9; // metres: behind whatever is wanted
-	return wanted < FAR ? Candidate{ wanted, p_key, true } : Candidate{ AFTER + lingering, p_key, false };
+size_t minus(size_t p_from, size_t p_amount) {
+	return p_from - std::min(p_from, p_amount);
 }
 
-std::set<PlotKey> keys_around(const WorldGrid &p_grid, std::span<const WorldEye> p_eyes) {
-	std::set<PlotKey> keys;
-	for (const WorldEye &eye : p_eyes) {
-		if (!eye.place.allFinite()) {
+// One plan in the making.
+class Draft {
+public:
+	Draft(const WorldPlanner &p_planner, const WorldGrid &p_grid, const WorldNeeds &p_needs) :
+			_planner(p_planner), _grid(p_grid), _needs(p_needs), _groups(group_eyes(p_grid, p_needs.eyes)) {
+		for (const LoadedPlot &plot : p_needs.loaded) {
+			_loaded[plot.key] = &plot;
+		}
+	}
+
+	WorldPlan make() {
+		hold_under_eyes();
+		hold_around();
+		const std::vector<Candidate> lingering = find_lingering();
+		for (const Candidate &candidate : lingering) {
+			if (!_is_full && !_held.contains(candidate.key) && fits(candidate.key)) {
+				hold(candidate.key);
+			}
+		}
+		find_leaving();
+		return std::move(_plan);
+	}
+
+private:
+	const LoadedPlot *loaded(const PlotKey &p_key) const {
+		const auto found = _loaded.find(p_key);
+		return found != _loaded.end() ? found->second : nullptr;
+	}
+	// Bytes, with the pool that it has or comes with.
+	size_t cost(const PlotKey &p_key) const {
+		const LoadedPlot *plot = loaded(p_key);
+		return _planner.expected(p_key) + (plot != nullptr ? plot->pool : size_t(_needs.pools.quiet) * _needs.pools.tile_bytes);
+	}
+	// Not for those under the eyes.
+	size_t left() const { return minus(_needs.budget, _bytes + _needs.held_back); }
+	bool fits(const PlotKey &p_key) const { return cost(p_key) <= left(); }
+	void hold(const PlotKey &p_key) {
+		_held.insert(p_key);
+		_bytes += cost(p_key);
+	}
+
+	void hold_under_eyes();
+	void hold_around();
+	void hold_near(std::vector<Candidate> &r_ring);
+	void give_pool(const PlotKey &p_key, size_t p_left);
+	void add_ring(const EyeGroup &p_group, int p_ring);
+	std::vector<Candidate> find_lingering();
+	void find_leaving();
+
+	const WorldPlanner &_planner;
+	const WorldGrid &_grid;
+	const WorldNeeds &_needs;
+	std::vector<EyeGroup> _groups;
+	std::unordered_map<PlotKey, const LoadedPlot *, PlotHash> _loaded;
+	std::unordered_map<PlotKey, double, PlotHash> _near; // metres from the nearest eye, of loaded plots that are wanted or may linger
+	std::unordered_map<PlotKey, double, PlotHash> _open; // the same of plots that are wanted, and not judged yet
+	std::unordered_set<PlotKey, PlotHash> _held, _judged;
+	size_t _bytes = 0; // of those that are held
+	bool _is_full = false; // nothing more comes
+	WorldPlan _plan;
+};
+
+// The budget does not matter: a world whose grass is gone where somebody stands is no world. Their pools are paid for before other plots.
+void Draft::hold_under_eyes() {
+	for (const EyeGroup &group : _groups) {
+		if (_grid.has(group.plot) && _judged.insert(group.plot).second) {
+			hold(group.plot);
+			_plan.wanted.push_back(group.plot);
+		}
+	}
+	_plan.under_eyes = _plan.wanted.size();
+	_plan.missing = minus(_bytes, _needs.budget);
+	_plan.is_short = _is_full = _plan.missing > 0;
+	_plan.reach = _plan.is_short ? 0.0 : _plan.reach;
+	for (const PlotKey &key : _plan.wanted) {
+		give_pool(key, minus(_needs.budget, _bytes));
+	}
+}
+
+// A plot that wants a pool gets at most half of what is left, so that the next one gets some, and never less than it has.
+void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
+	const PlotPools &pools = _needs.pools;
+	if (pools.busy <= pools.quiet || !std::ranges::binary_search(_needs.busy, p_key)) {
+		return;
+	}
+	const LoadedPlot *plot = loaded(p_key);
+	const int64_t has = std::max(plot != nullptr ? plot->pool_tiles : 0, pools.quiet);
+	const auto more = [&](int64_t p_tiles) { return size_t(std::max<int64_t>(p_tiles - has, 0)) * pools.tile_bytes; };
+	int64_t tiles = pools.busy;
+	while (tiles > has && more(tiles) > p_left / 2) {
+		tiles /= 2;
+	}
+	_plan.pools[p_key] = std::max(tiles, has);
+	_bytes += more(tiles);
+}
+
+// Plots are looked at in rings around the eyes' own, and only as many as the budget holds.
+void Draft::hold_around() {
+	int rings = 0;
+	for (const EyeGroup &group : _groups) {
+		rings = std::max(rings, int(group.radius / _grid.get_plot_size()) + 1);
+	}
+	std::vector<Candidate> ring;
+	for (int n = 0; n <= rings && !_is_full; n++) {
+		for (const EyeGroup &group : _groups) {
+			add_ring(group, n);
+		}
+		const double known = n < rings ? n * _grid.get_plot_size() : FAR; // a plot of the next ring is no nearer
+		ring.clear();
+		std::erase_if(_open, [&](const auto &p_entry) {
+			const bool is_near = p_entry.second < known;
+			if (is_near) {
+				ring.push_back({ p_entry.second, p_entry.first });
+			}
+			return is_near;
+		});
+		hold_near(ring);
+	}
+}
+
+void Draft::add_ring(const EyeGroup &p_group, int p_ring) {
+	const Eigen::Vector2d reach = Eigen::Vector2d::Constant(p_group.radius);
+	const PlotKey first = _grid.at(p_group.min - reach), last = _grid.at(p_group.max + reach);
+	const auto add = [&](int p_x, int p_z) {
+		const PlotKey key{ p_x, p_z };
+		if (!_grid.has(key) || _judged.contains(key)) {
+			return;
+		}
+		_plan.tests++;
+		if (const double distance = p_group.distance(_grid, key); distance <= p_group.radius) {
+			const auto [found, is_new] = _open.try_emplace(key, distance);
+			found->second = std::min(found->second, distance);
+		}
+	};
+	const int low_x = std::max(first.x, p_group.plot.x - p_ring), high_x = std::min(last.x, p_group.plot.x + p_ring),
+			  low_z = std::max(first.z, p_group.plot.z - p_ring), high_z = std::min(last.z, p_group.plot.z + p_ring);
+	for (int z = low_z; z <= high_z; z++) {
+		const bool is_whole = std::abs(z - p_group.plot.z) == p_ring; // else the ring has two plots in this row
+		for (int x = low_x; x <= high_x; x++) {
+			if (!is_whole && x > p_group.plot.x - p_ring && x < p_group.plot.x + p_ring) {
+				x = p_group.plot.x + p_ring - 1;
+				continue;
+			}
+			add(x, z);
+		}
+	}
+}
+
+// Behind one that does not fit nothing comes: else a small far plot would take the place of a large near one, by turns. One that is larger
+// than the whole budget keeps nobody away.
+void Draft::hold_near(std::vector<Candidate> &r_ring) {
+	std::ranges::sort(r_ring);
+	for (const Candidate &candidate : r_ring) {
+		_judged.insert(candidate.key);
+		if (!fits(candidate.key)) {
+			_plan.is_short = true;
+			_plan.reach = std::min(_plan.reach, candidate.rank);
+			_is_full = cost(candidate.key) <= _needs.budget;
+			if (_is_full) {
+				return;
+			}
 			continue;
 		}
-		const Eigen::Vector2d reach = Eigen::Vector2d::Constant(eye.radius);
-		const PlotKey from = p_grid.at(eye.place - reach), to = p_grid.at(eye.place + reach);
-		for (int z = from.z; z <= to.z; z++) {
-			for (int x = from.x; x <= to.x; x++) {
-				if (p_grid.has({ x, z }) && p_grid.distance({ x, z }, eye.place) <= eye.radius) {
-					keys.insert({ x, z });
+		hold(candidate.key);
+		_plan.wanted.push_back(candidate.key);
+		give_pool(candidate.key, left());
+	}
+}
+
+// Loaded plots within LINGER of what an eye wants, the nearest first; those that are wanted are among them.
+std::vector<Candidate> Draft::find_lingering() {
+	const auto look = [this](const EyeGroup &p_group, const PlotKey &p_key) {
+		_plan.tests++;
+		const double distance = p_group.distance(_grid, p_key);
+		if (distance <= p_group.radius + WorldPlanner::LINGER) {
+			const auto [found, is_new] = _near.try_emplace(p_key, distance);
+			found->second = std::min(found->second, distance);
+		}
+	};
+	for (const EyeGroup &group : _groups) {
+		const Eigen::Vector2d reach = Eigen::Vector2d::Constant(group.radius + WorldPlanner::LINGER);
+		const PlotKey first = _grid.at(group.min - reach), last = _grid.at(group.max + reach);
+		if ((int64_t(last.x) - first.x + 1) * (int64_t(last.z) - first.z + 1) > int64_t(_loaded.size())) {
+			for (const auto &[key, plot] : _loaded) {
+				look(group, key);
+			}
+			continue;
+		}
+		for (int z = first.z; z <= last.z; z++) {
+			for (int x = first.x; x <= last.x; x++) {
+				if (_loaded.contains({ x, z })) {
+					look(group, { x, z });
 				}
 			}
 		}
 	}
-	return keys;
+	std::vector<Candidate> near;
+	for (const auto &[key, distance] : _near) {
+		if (_grid.has(key)) {
+			near.push_back({ distance, key });
+		}
+	}
+	std::ranges::sort(near);
+	return near;
+}
+
+void Draft::find_leaving() {
+	std::vector<Candidate> leaving;
+	for (const LoadedPlot &plot : _needs.loaded) {
+		if (!_held.contains(plot.key)) {
+			const auto near = _near.find(plot.key);
+			leaving.push_back({ near != _near.end() ? near->second : FAR, plot.key });
+		}
+	}
+	std::ranges::sort(leaving);
+	for (auto candidate = leaving.rbegin(); candidate != leaving.rend(); ++candidate) {
+		_plan.leaving.push_back(candidate->key);
+	}
 }
 
 } // namespace
 
-void WorldPlanner::learn(const PlotKey &p_key, size_t p_bytes) {
-	_bytes[p_key] = p_bytes;
-	_most = std::max(_most, p_bytes);
+void WorldPlanner::learn(std::span<const LoadedPlot> p_loaded) {
+	std::vector<size_t> known;
+	for (const LoadedPlot &plot : p_loaded) {
+		if (plot.rest > 0) {
+			_rest[plot.key] = plot.rest;
+			known.push_back(plot.rest);
+		}
+	}
+	if (!known.empty()) {
+		const auto middle = known.begin() + std::ptrdiff_t(known.size() / 2);
+		std::ranges::nth_element(known, middle);
+		_typical = *middle;
+	}
 }
 
 size_t WorldPlanner::expected(const PlotKey &p_key) const {
-	const auto found = _bytes.find(p_key);
-	return found != _bytes.end() ? found->second : _most;
+	const auto found = _rest.find(p_key);
+	return found != _rest.end() ? found->second : _typical;
 }
 
-void WorldPlanner::forget() {
-	*this = WorldPlanner();
-}
-
-WorldPlan WorldPlanner::plan(
-		const WorldGrid &p_grid, std::span<const WorldEye> p_eyes, std::span<const PlotKey> p_loaded, size_t p_budget) const {
-	std::set<PlotKey> keys = keys_around(p_grid, p_eyes);
-	std::set<PlotKey> leaving;
-	for (const PlotKey &key : p_loaded) {
-		keys.insert(key);
-		leaving.insert(key);
-	}
-	std::set<Candidate> candidates;
-	for (const PlotKey &key : keys) {
-		candidates.insert(judge(p_grid, p_eyes, key));
-	}
-	WorldPlan plan;
-	size_t bytes = 0;
-	for (const Candidate &candidate : candidates) {
-		const size_t more = expected(candidate.key);
-		const bool fits = p_grid.has(candidate.key) && std::isfinite(candidate.rank) && bytes + more <= p_budget;
-		if (candidate.is_wanted && !fits) {
-			plan.is_short = true;
-			plan.reach = std::min(plan.reach, candidate.rank);
-		}
-		// Behind one that does not fit nothing comes: else a small far plot would stand in the place of a large near one, by turns.
-		if (fits && !plan.is_short) {
-			bytes += more;
-			leaving.erase(candidate.key);
-			if (candidate.is_wanted) {
-				plan.wanted.push_back(candidate.key);
-			}
-		}
-	}
-	for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
-		if (leaving.contains(candidate->key)) {
-			plan.leaving.push_back(candidate->key);
-		}
-	}
-	return plan;
+WorldPlan WorldPlanner::plan(const WorldGrid &p_grid, const WorldNeeds &p_needs) const {
+	return Draft(*this, p_grid, p_needs).make();
 }
 
 } // namespace grass

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which plots of a world are to be in memory: those near its cameras and its moving bodies, nearest first, as many as the budget holds.
+// Which plots of a world are to be in memory: those under its cameras and its moving bodies, their pools, and then the others around them,
+// nearest first, as many as the budget holds.
 #pragma once
 
-#include "core/world/world_grid.h"
+#include "core/world/eye_groups.h"
 
 #include <limits>
 #include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace grass {
@@ -17,18 +19,40 @@ inline constexpr Tunable WORLD_BODY_RADIUS{ "body_radius", "m", 0.0, 1024.0, 1.0
 // For all plots together, on the GPU and beside it.
 inline constexpr Tunable WORLD_BUDGET{ "budget", "MB", 1.0, 65536.0, 1.0, 256.0 };
 
-// Where somebody looks or moves: plots within `radius` metres of `place` are wanted.
-struct WorldEye {
-	Eigen::Vector2d place = Eigen::Vector2d::Zero();
-	double radius = 0.0;
+// A plot in memory, as it was measured last.
+struct LoadedPlot {
+	PlotKey key;
+	size_t rest = 0; // bytes, without its pool; 0: not known
+	size_t pool = 0; // bytes of its pool
+	int64_t pool_tiles = 0;
+};
+
+// The pools of plots, in tiles: where nothing moves, and where something does.
+struct PlotPools {
+	int64_t quiet = 0, busy = 0;
+	size_t tile_bytes = 0; // that a tile takes, used or not
+};
+
+// What a plan is made from.
+struct WorldNeeds {
+	std::span<const WorldEye> eyes; // those that matter most first
+	std::span<const PlotKey> busy; // plots that want a pool, in the order of keys
+	std::span<const LoadedPlot> loaded; // in no order
+	PlotPools pools;
+	size_t budget = 0; // bytes for all of them
+	size_t held_back = 0; // bytes of it that only the plots under the eyes may take
 };
 
 struct WorldPlan {
-	std::vector<PlotKey> wanted; // that the budget holds, nearest first
+	std::vector<PlotKey> wanted; // that the budget holds: those under the eyes, then the nearest first
+	size_t under_eyes = 0; // how many of them must be in memory, whatever the budget is
 	std::vector<PlotKey> leaving; // that are in memory and must go, the farthest first
+	std::unordered_map<PlotKey, int64_t, PlotHash> pools; // tiles; of wanted plots that want more than a quiet pool
 	// Metres around the eyes within which all plots are wanted and held: less than the radius where the budget is too small.
 	double reach = std::numeric_limits<double>::infinity();
 	bool is_short = false; // the budget does not hold all that is wanted
+	size_t missing = 0; // bytes: what the plots under the eyes take beyond the budget
+	int64_t tests = 0; // distances that were computed
 };
 
 class WorldPlanner {
@@ -37,18 +61,17 @@ public:
 	// a border reads nothing again.
 	static constexpr double LINGER = 64.0;
 
-	// Bytes that a plot took when it was last in memory.
-	void learn(const PlotKey &p_key, size_t p_bytes);
-	// What to expect of a plot that was never in memory: what the largest took.
+	// What plots take now. It is remembered of those that leave, so that a plan that is followed is the same plan again.
+	void learn(std::span<const LoadedPlot> p_loaded);
+	// Bytes to expect of a plot without its pool: what it took, or what the middle one of those in memory takes.
 	size_t expected(const PlotKey &p_key) const;
-	void forget();
+	size_t get_typical() const { return _typical; }
 
-	// p_loaded: the plots in memory, in no order; p_budget: bytes for all of them.
-	WorldPlan plan(const WorldGrid &p_grid, std::span<const WorldEye> p_eyes, std::span<const PlotKey> p_loaded, size_t p_budget) const;
+	WorldPlan plan(const WorldGrid &p_grid, const WorldNeeds &p_needs) const;
 
 private:
-	std::map<PlotKey, size_t> _bytes;
-	size_t _most = 0;
+	std::unordered_map<PlotKey, size_t, PlotHash> _rest;
+	size_t _typical = 0;
 };
 
 } // namespace grass

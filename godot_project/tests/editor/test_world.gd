@@ -6,6 +6,7 @@ extends "res://tests/editor/editor_case.gd"
 
 const DRAWN := ["test_a_picture_of_a_stroke_across_plots"]  # see runner.gd
 const FOLDER := "user://test_editor_world"
+const OTHER := "user://test_editor_world_other"
 const WORLD := "res://tests/editor/world.tscn"
 const ACROSS: Array = [Vector3(-1.5, 0, 0.6), Vector3(-0.5, 0, 0.6), Vector3(0.5, 0, 0.6), Vector3(1.5, 0, 0.6)]
 const LEFT := Vector3(-1.0, 0, 0.6)  # under the stroke, in plot (-1, 0)
@@ -68,12 +69,14 @@ func pattern(density_of_plots: float) -> PackedScene:
 
 
 func empty_folder() -> void:
-	for file in files():
-		DirAccess.remove_absolute(FOLDER.path_join(file))
+	for folder: String in [FOLDER, OTHER]:
+		for file in files(folder):
+			DirAccess.remove_absolute(folder.path_join(file))
+		DirAccess.remove_absolute(folder.path_join(".plot_size"))
 
 
-func files() -> PackedStringArray:
-	return DirAccess.get_files_at(FOLDER) if DirAccess.dir_exists_absolute(FOLDER) else PackedStringArray()
+func files(folder := FOLDER) -> PackedStringArray:
+	return DirAccess.get_files_at(folder) if DirAccess.dir_exists_absolute(folder) else PackedStringArray()
 
 
 func loaded() -> void:
@@ -272,9 +275,45 @@ func test_without_a_folder_the_user_is_told() -> void:
 	check(true, "still there")
 	world.folder = FOLDER
 	await loaded()
+	check(false, "it belongs to no folder")
+	await answer("Bring Over")
 	check(true, "also with a folder")
 	EditorInterface.save_scene()
 	assert_eq(files().size(), 2)
+
+
+## What the user answers to the question what becomes of plots that are not saved.
+func answer(words: String) -> void:
+	var dialog: ConfirmationDialog = get_tree().root.find_child("GrassKeptPlots", true, false)
+	await wait_until(func() -> bool: return dialog.visible, "the editor asks")
+	for pressed: Button in dialog.find_children("*", "Button", true, false):
+		if pressed.text == words:
+			pressed.pressed.emit()
+	await frames(2)
+	assert_false(dialog.visible, words)
+	await loaded()
+
+
+func test_edits_are_saved_to_the_folder_that_they_were_painted_for() -> void:
+	await erase_across()
+	world.folder = OTHER
+	await loaded()
+	await answer("Keep")
+	check(false, "another folder's")
+	EditorInterface.save_scene()
+	assert_eq(files().size(), 2, "where they belong")
+	assert_eq(files(OTHER).size(), 0)
+	world.folder = FOLDER
+	await loaded()
+	check(true, "there again")
+	await undo()
+	world.folder = OTHER
+	await loaded()
+	await answer("Discard")
+	assert_false(world.get_statistics().files_kept > 0)
+	world.folder = FOLDER
+	await loaded()
+	check(true, "as it was saved")
 
 
 func find_toast(text: String) -> bool:

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: MIT
+## What the budget of a GrassWorld holds: never nothing, and as much as before once what was dear is gone.
+extends "res://tests/world_case.gd"
+
+
+## Ticks until a plot with many bodies has come to rest again, and the world holds what it can.
+func settled(world: GrassWorld, plots: int) -> void:
+	await wait_until(func() -> bool: return world.get_statistics().plots >= plots and world.get_statistics().waiting == 0, "plots come back")
+
+
+func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
+	var scene := pattern({density = 256.0, pool_tiles = 4096})
+	expect_error("`budget` (")
+	var world := add_world({plot_scene = scene, radius = 60.0})
+	await go(world, Vector3(64, 0, 64))
+	var alone: Dictionary = world.get_statistics()
+	world.budget = ceilf(2.0 * alone.memory / 1e6)
+	await frames(10)
+	var bodies: Array[Node3D] = []
+	for i in 60:
+		bodies.append(add_held_body(ball(0.4), Vector3(10 + 11 * (i % 10), 0.3, 12 + 16 * (i / 10))))
+	var least := 100
+	var most := 0
+	for i in 150:
+		for body in bodies:
+			body.position.x += 0.07
+		await ticks(1)
+		var now := world.get_statistics()
+		least = mini(least, now.plots)
+		most = maxi(most, now.memory)
+	assert_greater(least, 0, "grass stands under the camera and the bodies")
+	assert_greater(most, 1e6 * world.budget, "the crowd was dearer than the budget")
+	assert_true(world.get_field(Vector2i(0, 0)) != null)
+	for body in bodies:
+		body.free()
+	await settled(world, alone.plots)
+	assert_eq(world.get_statistics().plots, alone.plots, "as before")
+	eye.position.x += 4000.0
+	await loaded(world)
+	assert_true(world.get_field_at(eye.position) != null, "and elsewhere")
+
+
+func test_other_species_in_one_plot() -> void:
+	var many: Array[GrassSpecies] = []
+	for i in 8:
+		many.append(GrassSpecies.new())
+		many[i].patch = GrassPatch.new()
+		many[i].patch.seed = i
+	var world := add_world({plot_scene = pattern({species = many}), radius = 100.0})
+	await go(world, Vector3(64, 0, 64))
+	var before: Dictionary = world.get_statistics()
+	world.get_field(Vector2i(0, 0)).species = [GrassSpecies.new()] as Array[GrassSpecies]
+	for i in 60:
+		await frames(1)
+		assert_eq(world.get_statistics().plots, before.plots, "frame %d" % i)
+		assert_less(world.get_statistics().memory, 2 * before.memory)
+	var field := world.get_field(Vector2i(-1, 0))
+	world.remove_child(field)
+	for i in 60:
+		await frames(1)
+		assert_greater(world.get_statistics().plots, before.plots - 2, "one at most is gone")
+		assert_less(world.get_statistics().memory, 2 * before.memory)
+	if is_instance_valid(field) and not field.is_inside_tree():
+		field.free()
+
+
+## The editor of the lawn's map, physics and other fields may take as long as they like: plots come.
+func test_plots_come_while_another_field_changes_in_each_frame() -> void:
+	var lawn := add_field({size = Vector2(400, 400), density = 4.0, position = Vector3(0, 0, 3000), map = full_map()})
+	var world := add_world()
+	await grown(lawn)
+	var disc := brush(GrassBrush.TOOL_HEIGHT, 60.0, {strength = 0.1})
+	eye.position = Vector3(64, 2, 64)
+	var count := 0
+	while world.get_statistics().plots < 9 and count < 1500:
+		disc.target = 0.2 + 0.5 * (count % 2)
+		for x: float in [-120.0, 0.0, 120.0]:
+			lawn.map.stroke(disc, Vector2(x, -120), Vector2(x, 120))
+		OS.delay_msec(2)  # the physics of others
+		await frames(1)
+		count += 1
+	assert_less(count, 1500, "plots come, if slowly")
+
+
+func test_the_world_counts_its_work() -> void:
+	var world := add_world({radius = 400.0})
+	await go(world, Vector3(64, 0, 64))
+	var quiet: int = world.get_statistics().distance_tests
+	assert_greater(quiet, 0)
+	for i in 200:
+		add_held_body(ball(0.2), Vector3(-120 + 1.2 * i, 0.3, 30 + (i % 7)))
+	for i in 30:
+		for child in get_children():
+			if child is AnimatableBody3D:
+				child.position.z += 0.05
+		await ticks(1)
+	await frames(2)
+	assert_greater(world.get_statistics().distance_tests, quiet, "they are counted")
+	assert_less(world.get_statistics().distance_tests, quiet + 4 * 200, "and cost what they are, not what there are plots")
+
+
+func test_what_cut_returns_is_always_the_same() -> void:
+	var world := add_world()
+	var deck := BoxShape3D.new()
+	var nothing := world.cut(deck, Transform3D())
+	await go(world, Vector3(64, 0, 64))
+	var something := world.cut(deck, Transform3D(Basis(), Vector3(64, 0.3, 64)))
+	var of_field := world.get_field(Vector2i(0, 0)).cut(deck, Transform3D(Basis(), Vector3(64, 0.3, 64)))
+	assert_greater(something.blades, 0)
+	for key: String in of_field:
+		assert_eq(typeof(nothing[key]), typeof(of_field[key]), key)
+		assert_eq(typeof(something[key]), typeof(of_field[key]), key)
+		assert_eq(nothing[key], 0, key)
+	assert_eq(nothing.size(), of_field.size())
+
+
+func test_a_world_outside_of_the_tree() -> void:
+	var world := GrassWorld.new()
+	world.name = "Away"
+	world.folder = FOLDER
+	expect_error("GrassWorld 'Away': get_plot_at() needs the world in the tree")
+	expect_error("GrassWorld 'Away': paint() needs the world in the tree")
+	assert_eq(world.get_plot_at(Vector3(500, 0, 500)), Vector2i())
+	assert_true(world.get_field_at(Vector3.ZERO) == null)
+	assert_eq(world.paint(brush(GrassBrush.TOOL_CUT, 1.0), Vector3.ZERO, Vector3.ONE), 0.0)
+	world.shift_origin(Vector3(100, 0, -50))
+	assert_eq(world.position, Vector3(100, 0, -50))
+	assert_eq(world.save(), 0)
+	assert_eq(world.discard_unsaved() + world.carry_unsaved(), 0)
+	assert_eq(world.get_fields().size(), 0)
+	world.free()
+
+
+func test_a_warning_of_all_plots_is_given_once() -> void:
+	var rule := GrassFillRule.new()
+	rule.slope_max = 20.0
+	var world := add_world({plot_scene = pattern({fill_rule = rule})})
+	expect_error("GrassWorld '%s': `plot_scene`: " % world.get_path())
+	await go(world, Vector3(64, 0, 64))
+	assert_greater(world.get_statistics().plots, 4)
+
+
+## One that is fast gets its pool while it is farther away than one that is slow.
+func test_pools_are_ready_before_a_fast_body() -> void:
+	for speed: float in [4.0, 60.0]:
+		var world := add_world({plot_size = 256.0, radius = 300.0})
+		eye.position = Vector3(250, 2, 128)
+		await loaded(world)
+		var body := add_held_body(ball(0.3), Vector3(60, 0.3, 128))
+		var at := 0.0
+		await wait_until(
+			func() -> bool:
+				body.position.x += speed / 60.0
+				at = body.position.x
+				var next := world.get_field(Vector2i(1, 0))
+				return body.position.x > 300.0 or next != null and next.pool_tiles == 128,
+			"the next plot has a pool",
+			true
+		)
+		if speed > 20.0:
+			assert_less(body.position.x, 230.0, "two seconds before")
+		else:
+			assert_greater(body.position.x, 200.0, "no earlier than it must")
+			assert_less(body.position.x, 256.0)
+		body.free()
+		world.free()
