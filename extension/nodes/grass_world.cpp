@@ -82,24 +82,6 @@ void GrassWorld::restart() {
 	update_configuration_warnings();
 }
 
-// After a folder or the plots' size changed.
-void GrassWorld::ask_about_kept() {
-	if (places_changed != nullptr && Engine::get_singleton()->is_editor_hint() && count_kept_elsewhere() > 0) {
-		places_changed(*this);
-	}
-}
-
-// Before the node leaves the tree. In the editor the user was asked when the scene was closed.
-void GrassWorld::report_loss() {
-	_plots.stop();
-	const int64_t kept = Engine::get_singleton()->is_editor_hint() ? 0 : _plots.get_files().get_statistics().kept;
-	if (kept > 0) {
-		WARN_PRINT(vformat("%s: it is freed, and what was changed of %d plots is lost, since it was never written. Call save() before, with "
-						   "a `save_folder` that can be written to; or discard_unsaved(), if it is not wanted.",
-				label(), kept));
-	}
-}
-
 // The editor knows what a level holds, not what a game made of it, and writes nothing but with the scene. Without a folder there is
 // nowhere to write to.
 WorldFolders GrassWorld::find_folders() const {
@@ -125,38 +107,6 @@ void GrassWorld::frame() {
 	report();
 	_frame_ms = clock.lap();
 	_most_frame_ms = std::max(_most_frame_ms, _frame_ms);
-}
-
-bool GrassWorld::Shortage::is_worse_than(const Shortage &p_other) const {
-	return is_short && (!p_other.is_short || reach < 0.5 * p_other.reach || missing > 2 * p_other.missing);
-}
-
-// Once each, and again when the budget falls far shorter than it was said to; in the editor they stand beside the node.
-void GrassWorld::report() {
-	const WorldPlan &plan = _plots.get_plan();
-	const Shortage now{ plan.is_short, plan.reach, plan.missing };
-	const bool is_worse = now.is_worse_than(_shortage);
-	if (Engine::get_singleton()->is_editor_hint()) {
-		if (is_worse || now.is_short != _shortage.is_short) {
-			_shortage = now;
-			update_configuration_warnings();
-		}
-		return;
-	}
-	if (is_worse) {
-		_shortage = now;
-		WARN_PRINT(vformat("%s: %s", label(), find_shortage()));
-	}
-	if (!_has_reported) {
-		_has_reported = true;
-		const PackedStringArray warnings = find_warnings();
-		for (const String &warning : warnings) {
-			if (!_warned_of.has(warning)) {
-				WARN_PRINT(vformat("%s: %s", label(), warning));
-			}
-		}
-		_warned_of = warnings;
-	}
 }
 
 Transform3D GrassWorld::world_transform() const {
@@ -224,7 +174,8 @@ Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 		const Dictionary cut = field != nullptr ? field->cut(p_shape, p_transform) : Dictionary();
 		for (int64_t i = 0; i < names.size(); i++) {
 			const Variant before = sum[names[i]], more = cut.get(names[i], 0);
-			sum[names[i]] = before.get_type() == Variant::INT ? Variant(int64_t(before) + int64_t(more)) : Variant(double(before) + double(more));
+			sum[names[i]] =
+					before.get_type() == Variant::INT ? Variant(int64_t(before) + int64_t(more)) : Variant(double(before) + double(more));
 		}
 	}
 	return sum;

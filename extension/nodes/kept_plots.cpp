@@ -109,8 +109,9 @@ String FoldersOfSize::find_problem(const PlotsPlace &p_place) const {
 		return String();
 	}
 	const bool is_folder = !_to || p_place.to == p_place.from;
-	return vformat("`%s` ('%s') holds plots of %d m, but `plot_size` is %d m, so its files are neither read nor written. Set `plot_size` to "
-				   "%d, or choose another folder.",
+	return vformat(
+			"`%s` ('%s') holds plots of %d m, but `plot_size` is %d m, so its files are neither read nor written. Set `plot_size` to "
+			"%d, or choose another folder.",
 			String(is_folder ? "folder" : "save_folder"), is_folder ? p_place.from : p_place.to, int64_t(_to ? *_to : *_from),
 			int64_t(p_place.plot_size), int64_t(_to ? *_to : *_from));
 }

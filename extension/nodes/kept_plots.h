@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps of plots that are not written yet, each with the place that it belongs to: a plot of one level, save game or size is none of another.
+// Maps of plots that are not written yet, each with the place that it belongs to: a plot of one level, save game or size is none of
+// another.
 #pragma once
 
 #include "core/world/world_grid.h"
@@ -44,8 +45,8 @@ private:
 	std::map<PlotsPlace, Maps> _maps;
 };
 
-// For what size of plots folders were written. A file of 128 m would lie elsewhere in a world of 256 m, and would be spoiled there, so such a
-// folder is neither read nor written.
+// For what size of plots folders were written. A file of 128 m would lie elsewhere in a world of 256 m, and would be spoiled there, so such
+// a folder is neither read nor written.
 class FoldersOfSize {
 public:
 	void look(const PlotsPlace &p_place);

@@ -73,8 +73,8 @@ void WorldPlots::make_plan(std::span<const WorldEye> p_eyes, std::span<const Wor
 	const size_t shared = count_shared();
 	// What a plot takes is held back, for the field that comes while another one leaves.
 	const size_t held_back = _planner.get_typical() + size_t(pools.quiet) * pools.tile_bytes;
-	_plan = _planner.plan(_settings.grid,
-			{ p_eyes, busy.plots, loaded, pools, _settings.budget - std::min(_settings.budget, shared), held_back });
+	_plan = _planner.plan(
+			_settings.grid, { p_eyes, busy.plots, loaded, pools, _settings.budget - std::min(_settings.budget, shared), held_back });
 	_statistics.tests = busy.tests + _plan.tests;
 }
 

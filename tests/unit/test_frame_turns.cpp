@@ -21,7 +21,7 @@ TEST_CASE("turns: whoever asks while there is room may work") {
 }
 
 TEST_CASE("turns: of those for whom there never is room each gets a piece in turn") {
-	for (const size_t count : { 1, 2, 5, 17 }) {
+	for (const uint64_t count : { 1u, 2u, 5u, 17u }) {
 		FrameTurns turns;
 		std::vector<int> users(count);
 		std::map<const int *, int> pieces;

@@ -5,7 +5,9 @@ extends "res://tests/world_case.gd"
 
 ## Ticks until a plot with many bodies has come to rest again, and the world holds what it can.
 func settled(world: GrassWorld, plots: int) -> void:
-	await wait_until(func() -> bool: return world.get_statistics().plots >= plots and world.get_statistics().waiting == 0, "plots come back")
+	await wait_until(
+		func() -> bool: return world.get_statistics().plots >= plots and world.get_statistics().waiting == 0, "plots come back"
+	)
 
 
 func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
@@ -17,13 +19,13 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 	world.budget = ceilf(2.0 * alone.memory / 1e6)
 	await frames(10)
 	var bodies: Array[Node3D] = []
-	for i in 60:
-		bodies.append(add_held_body(ball(0.4), Vector3(10 + 11 * (i % 10), 0.3, 12 + 16 * (i / 10))))
+	for i in 40:
+		bodies.append(add_held_body(ball(0.4), Vector3(10 + 11 * (i % 10), 0.3, 12 + 24 * (i / 10))))
 	var least := 100
 	var most := 0
-	for i in 150:
+	for i in 45:
 		for body in bodies:
-			body.position.x += 0.07
+			body.position.x += 0.2
 		await ticks(1)
 		var now := world.get_statistics()
 		least = mini(least, now.plots)
@@ -129,6 +131,22 @@ func test_a_world_outside_of_the_tree() -> void:
 	assert_eq(world.discard_unsaved() + world.carry_unsaved(), 0)
 	assert_eq(world.get_fields().size(), 0)
 	world.free()
+
+
+func test_properties_belong_to_the_main_thread() -> void:
+	var world := add_world()
+	var before: Array[float] = [world.radius, world.body_radius, world.budget]
+	for method: String in ["set_radius", "set_body_radius", "set_budget"]:
+		expect_error("%s() belongs to the main thread" % method)
+	var thread := Thread.new()
+	thread.start(
+		func() -> void:
+			world.radius = 3.0
+			world.body_radius = 3.0
+			world.budget = 3.0
+	)
+	thread.wait_to_finish()
+	assert_eq([world.radius, world.body_radius, world.budget] as Array[float], before)
 
 
 func test_a_warning_of_all_plots_is_given_once() -> void:

@@ -168,7 +168,7 @@ func test_each_broken_file_is_kept() -> void:
 
 func test_two_worlds_that_write_to_one_folder() -> void:
 	var first := add_world({name = "First"})
-	expect_error("GrassWorld '%s' writes its plots to '%s', too" % [first.get_path(), FOLDER])
+	expect_error("GrassWorld '%s' writes its plots to '%s/', too" % [first.get_path(), FOLDER])
 	var second := add_world({folder = FOLDER + "/"})
 	await go(second, PLACE)
 	await loaded(first)

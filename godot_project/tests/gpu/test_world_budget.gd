@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: MIT
+## A GrassWorld whose pools live on the GPU, where a pool of 4,096 tiles takes more than all the rest of a plot.
+extends "res://tests/view_case.gd"
+
+
+func test_a_body_that_walks_keeps_its_grass() -> void:
+	open_view(Vector2i(64, 36))
+	if RenderingServer.get_rendering_device() == null:
+		skip("no GPU")
+		return
+	expect_error("`budget` (200 MB) holds grass up to")
+	var field := GrassField.new()
+	field.wind_speed = 0.0
+	field.drawn_tiles_max = 4096
+	var scene := PackedScene.new()
+	scene.pack(field)
+	field.free()
+	var world := GrassWorld.new()
+	world.plot_size = 64.0
+	world.radius = 150.0
+	world.budget = 200.0
+	world.plot_scene = scene
+	viewport.add_child(world)
+	look(Vector3(20, 3, 20), Vector3(40, 0, 40))
+	await wait_until(func() -> bool: return world.get_statistics().plots > 4, "plots stand")
+	var body := AnimatableBody3D.new()
+	body.sync_to_physics = false
+	add_shape(body, ball(0.4))
+	body.position = Vector3(20, 0.4, 40)
+	viewport.add_child(body)
+	var least := 100
+	var most := 0
+	for i in 240:
+		body.position.x += 0.3  # across two borders
+		await ticks(1)
+		least = mini(least, world.get_statistics().plots)
+		most = maxi(most, world.get_statistics().memory)
+	assert_greater(least, 0, "grass stands all the time")
+	assert_less(most, 200e6)
+	var under := world.get_field_at(body.position)
+	assert_true(under != null, "under the body")
+	await wait_until(func() -> bool: return under.pool_tiles >= 512, "it has a pool")
+	body.free()
+	await wait_until(func() -> bool: return world.get_statistics().waiting == 0 and world.get_statistics().plots > 4, "and later")
