@@ -7,6 +7,7 @@
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
 #include <algorithm>
@@ -48,6 +49,7 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	free();
 	_grid = p_grid;
 	_low = _high = 0.0f;
+	_has_ledges = false;
 	_material.instantiate();
 	set_look(p_look);
 	_material->set_shader_parameter("size", Vector2(real_t(p_grid.get_size_x()), real_t(p_grid.get_size_z())));
@@ -59,25 +61,41 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
-Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, bool p_is_flat) {
-	const int columns = p_is_flat ? 1 : cells_along(p_x), rows = p_is_flat ? 1 : cells_along(p_z);
-	const double lift = p_is_flat ? LIFT : LIFT_OF_CELLS * std::max(p_x / columns, p_z / rows);
+Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
+	const bool is_flat = p_sheet == Sheet::FLAT, is_split = p_sheet == Sheet::LEDGES;
+	const int columns = is_flat ? 1 : cells_along(p_x), rows = is_flat ? 1 : cells_along(p_z);
+	const double lift = is_flat ? LIFT : LIFT_OF_CELLS * std::max(p_x / columns, p_z / rows);
+	const int64_t cells = int64_t(columns) * rows;
 	PackedVector3Array vertices, normals;
+	PackedVector2Array middles; // of the cells
 	PackedInt32Array indices;
-	vertices.resize(int64_t(columns + 1) * (rows + 1));
+	vertices.resize(is_split ? 4 * cells : int64_t(columns + 1) * (rows + 1));
 	normals.resize(vertices.size());
-	indices.resize(int64_t(columns) * rows * 6);
-	Vector3 *vertex = vertices.ptrw(), *normal = normals.ptrw();
-	for (int j = 0; j <= rows; j++) {
-		for (int i = 0; i <= columns; i++) {
-			*vertex++ = Vector3(real_t(p_x * i / columns - 0.5 * p_x), real_t(lift), real_t(p_z * j / rows - 0.5 * p_z));
-			*normal++ = Vector3(0, 1, 0);
+	normals.fill(Vector3(0, 1, 0));
+	indices.resize(6 * cells);
+	Vector3 *vertex = vertices.ptrw();
+	const auto place = [&](double p_i, double p_j) {
+		return Vector3(real_t(p_x * p_i / columns - 0.5 * p_x), real_t(lift), real_t(p_z * p_j / rows - 0.5 * p_z));
+	};
+	if (is_split) {
+		middles.resize(vertices.size());
+	}
+	Vector2 *middle = middles.ptrw();
+	for (int j = 0; j < rows + (is_split ? 0 : 1); j++) {
+		for (int i = 0; i < columns + (is_split ? 0 : 1); i++) {
+			for (int corner = 0; corner < (is_split ? 4 : 1); corner++) {
+				*vertex++ = place(i + (corner & 1), j + (corner >> 1));
+				if (is_split) {
+					const Vector3 centre = place(i + 0.5, j + 0.5);
+					*middle++ = Vector2(centre.x, centre.z);
+				}
+			}
 		}
 	}
 	int32_t *index = indices.ptrw();
 	for (int j = 0; j < rows; j++) {
 		for (int i = 0; i < columns; i++) {
-			const int32_t first = j * (columns + 1) + i, next = first + columns + 1;
+			const int32_t first = is_split ? 4 * (j * columns + i) : j * (columns + 1) + i, next = is_split ? first + 2 : first + columns + 1;
 			for (const int32_t corner : { first, first + 1, next + 1, first, next + 1, next }) {
 				*index++ = corner;
 			}
@@ -88,6 +106,9 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, bool p_is_flat) {
 	arrays[Mesh::ARRAY_VERTEX] = vertices;
 	arrays[Mesh::ARRAY_NORMAL] = normals;
 	arrays[Mesh::ARRAY_INDEX] = indices;
+	if (is_split) {
+		arrays[Mesh::ARRAY_TEX_UV] = middles;
+	}
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
 	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays);
@@ -96,29 +117,31 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, bool p_is_flat) {
 
 // A sheet on hills has a hundred thousand triangles, and the plots of a world are all of one size.
 void Ground::make_mesh() {
-	static std::map<std::tuple<double, double, bool>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
+	static std::map<std::tuple<double, double, Sheet>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
 	const double x = _grid.get_size_x(), z = _grid.get_size_z();
-	const bool is_flat = _low == 0.0f && _high == 0.0f;
+	const Sheet sheet = find_sheet();
 	std::erase_if(sheets, [](const auto &p_entry) { return p_entry.second.expired(); });
-	std::weak_ptr<Ref<ArrayMesh>> &known = sheets[{ x, z, is_flat }];
+	std::weak_ptr<Ref<ArrayMesh>> &known = sheets[{ x, z, sheet }];
 	std::shared_ptr<Ref<ArrayMesh>> mesh = known.lock();
 	if (!mesh) {
-		mesh = std::make_shared<Ref<ArrayMesh>>(make_sheet(x, z, is_flat));
+		mesh = std::make_shared<Ref<ArrayMesh>>(make_sheet(x, z, sheet));
 		known = mesh;
 	}
 	RenderingServer::get_singleton()->instance_set_base(_instance, (*mesh)->get_rid());
 	RenderingServer::get_singleton()->instance_geometry_set_material_override(_instance, _material->get_rid());
 	_mesh = mesh; // the last one may go now
+	_material->set_shader_parameter("is_split", sheet == Sheet::LEDGES);
 }
 
-void Ground::set_heights(float p_low, float p_high) {
-	if (!_instance.is_valid() || (p_low == _low && p_high == _high)) {
+void Ground::set_heights(float p_low, float p_high, bool p_has_ledges) {
+	if (!_instance.is_valid() || (p_low == _low && p_high == _high && p_has_ledges == _has_ledges)) {
 		return;
 	}
-	const bool was_flat = _low == 0.0f && _high == 0.0f;
+	const Sheet before = find_sheet();
 	_low = p_low;
 	_high = p_high;
-	if (was_flat != (_low == 0.0f && _high == 0.0f)) {
+	_has_ledges = p_has_ledges;
+	if (before != find_sheet()) {
 		make_mesh();
 	}
 	const real_t x = real_t(_grid.get_size_x()), z = real_t(_grid.get_size_z());

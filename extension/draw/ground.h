@@ -29,19 +29,26 @@ public:
 	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
 	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
-	// The map's ground lies between these heights, metres above the field. Another mesh where it got hills, or lost them.
-	void set_heights(float p_low, float p_high);
+	// The map's ground lies between these heights, metres above the field, and may have ledges. Another mesh where it got either, or lost it.
+	void set_heights(float p_low, float p_high, bool p_has_ledges);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void free();
 	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
 
 private:
-	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, bool p_is_flat); // metres
+	enum class Sheet {
+		FLAT, // two triangles
+		HILLS, // cells that share their corners
+		LEDGES, // cells that share none: each lies on its own side
+	};
+	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, Sheet p_sheet); // metres
+	Sheet find_sheet() const { return _has_ledges ? Sheet::LEDGES : (_low == 0.0f && _high == 0.0f ? Sheet::FLAT : Sheet::HILLS); }
 	void make_mesh();
 
 	TileGrid _grid;
 	float _low = 0.0f, _high = 0.0f;
+	bool _has_ledges = false;
 	std::shared_ptr<godot::Ref<godot::ArrayMesh>> _mesh; // grounds of one size and shape share it
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;

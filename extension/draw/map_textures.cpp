@@ -91,11 +91,50 @@ void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_ch
 			_uploaded += image->get_data_size();
 		}
 	}
-	if (_pages.is_null() || _uploaded_pages != p_layers.get_pages()) {
-		_uploaded_pages = p_layers.get_pages();
+	update_ledges(p_layers, p_changed);
+	update_pages(p_layers);
+}
+
+// Few chunks have ledges, and those that have take four times as much as all else.
+void MapTextures::update_ledges(const MapLayers &p_layers, const std::vector<int> &p_changed) {
+	const std::vector<int> &layers = p_layers.get_ledge_layers();
+	const auto image_of_ledges = [&](size_t p_page) {
+		const std::vector<uint8_t> &codes = p_layers.get_layer(layers[std::min(p_page, layers.size() - 1)]).ledge;
+		_uploaded += int64_t(codes.size());
+		return Image::create_from_data(
+				GRASS_LEDGE_TEXELS, GRASS_LEDGE_TEXELS, false, Image::FORMAT_R8, to_bytes(std::span<const uint8_t>(codes)));
+	};
+	if (int(layers.size()) > _ledge_room) {
+		_ledge_room = int(std::bit_ceil(layers.size()));
+		TypedArray<Ref<Image>> images;
+		for (size_t page = 0; page < size_t(_ledge_room); page++) {
+			images.push_back(image_of_ledges(page));
+		}
+		_ledges.instantiate();
+		_ledges->create_from_images(images);
+		_are_new = true;
+		return;
+	}
+	for (size_t page = 0; page < layers.size(); page++) {
+		if (std::find(p_changed.begin(), p_changed.end(), layers[page]) != p_changed.end()) {
+			_ledges->update_layer(image_of_ledges(page), int32_t(page));
+		}
+	}
+}
+
+void MapTextures::update_pages(const MapLayers &p_layers) {
+	const std::vector<int> &ledges = p_layers.get_ledge_layers();
+	std::vector<float> pages;
+	for (const float layer : p_layers.get_pages()) {
+		const auto found = std::find(ledges.begin(), ledges.end(), int(layer));
+		pages.push_back(layer);
+		pages.push_back(found == ledges.end() ? float(GRASS_NO_LAYER) : float(found - ledges.begin()));
+	}
+	if (_pages.is_null() || _uploaded_pages != pages) {
+		_uploaded_pages = std::move(pages);
 		const PackedByteArray bytes = to_bytes(std::span<const float>(_uploaded_pages));
 		_pages = ImageTexture::create_from_image(
-				Image::create_from_data(p_layers.get_width(), p_layers.get_depth(), false, Image::FORMAT_RF, bytes));
+				Image::create_from_data(p_layers.get_width(), p_layers.get_depth(), false, Image::FORMAT_RGF, bytes));
 		_uploaded += bytes.size();
 		_are_new = true;
 	}
@@ -106,6 +145,7 @@ void MapTextures::set_uniforms(const MapLayers &p_layers, const SetUniform &p_se
 		p_set(NAMES[kind], _arrays[size_t(kind)]);
 	}
 	p_set("map_pages", _pages);
+	p_set("map_ledges", _ledges);
 	p_set("map_origin", Vector2(p_layers.get_first().x, p_layers.get_first().z));
 	_are_new = false;
 }
@@ -115,12 +155,14 @@ void MapTextures::clear_uniforms(const SetUniform &p_set) {
 		p_set(name, Variant());
 	}
 	p_set("map_pages", Variant());
+	p_set("map_ledges", Variant());
 }
 
 int64_t MapTextures::get_memory_usage() const {
 	constexpr int64_t LAYER = 4 * (int64_t(MapLayer::FINE) * MapLayer::FINE + 3 * int64_t(MapLayer::COARSE) * MapLayer::COARSE);
 	constexpr int64_t SPECIES_LAYER = int64_t(MapLayer::COARSE) * MapLayer::COARSE;
-	return _room * (LAYER + (_kinds == KINDS ? SPECIES_LAYER : 0)) + int64_t(_uploaded_pages.size()) * 4;
+	return _room * (LAYER + (_kinds == KINDS ? SPECIES_LAYER : 0)) + int64_t(_uploaded_pages.size()) * 4 +
+			int64_t(_ledge_room) * GRASS_LEDGE_TEXELS * GRASS_LEDGE_TEXELS;
 }
 
 } // namespace grass

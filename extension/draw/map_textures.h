@@ -35,11 +35,16 @@ public:
 private:
 	enum Kind { GROWTH, FORM, GROUND, TINT, SPECIES, KINDS };
 
+	void update_ledges(const MapLayers &p_layers, const std::vector<int> &p_changed);
+	void update_pages(const MapLayers &p_layers);
+
 	godot::Ref<godot::Image> image_of(const MapLayer *p_layer, Kind p_kind) const;
 	void make_room(int p_layers);
 	void make(const MapLayers &p_layers, Kind p_kind);
 
 	std::array<godot::Ref<godot::Texture2DArray>, KINDS> _arrays;
+	godot::Ref<godot::Texture2DArray> _ledges; // null: the map has none
+	int _ledge_room = 0; // layers in it; grows by doubling
 	godot::Ref<godot::ImageTexture> _pages;
 	std::vector<float> _uploaded_pages;
 	int _kinds; // that there are: without SPECIES, one less

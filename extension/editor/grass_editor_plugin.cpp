@@ -300,7 +300,8 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 		const Ref<GrassMapSnapshot> after = r_map.take_snapshot();
 		for (const MapKey &key : after->map.get_keys()) {
 			for (int channel = 0; channel < MAP_CHANNELS; channel++) {
-				const bool is_ground = channel == MAP_GROUND || channel == MAP_NORMAL || channel == MAP_HOLE; // lies there, whoever paints
+				// Lies there, whoever paints.
+				const bool is_ground = channel == MAP_GROUND || channel == MAP_NORMAL || channel == MAP_HOLE || channel == MAP_LEDGE;
 				if (is_clear ? !is_ground : channel == MAP_DENSITY) {
 					after->map.set_texels(key, MapChannel(channel), nullptr);
 				}

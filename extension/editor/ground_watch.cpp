@@ -257,12 +257,14 @@ int64_t GroundWatch::bake(const Piece &p_piece) {
 		left.max().y() += TEXEL;
 	}
 	const LaidGround laid = map->change([&](PaintMap &r_map) {
-		return lay_ground(r_map, p_piece.region, [&](const Eigen::Vector2d &p_place) {
+		const auto height_at = [&](const Eigen::Vector2d &p_place) {
 			const double height = rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
-			const double before = r_map.sample(MAP_GROUND, 0, p_place);
-			const bool comes_down = std::isnan(height) && before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
+			const double before = std::isnan(height) ? r_map.sample(MAP_GROUND, 0, p_place) : 0.0;
+			const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
 			return comes_down ? 0.0 : height;
-		});
+		};
+		const LedgeSearch search{ height_at, field->get_param(PARAM_LEDGE_SLOPE) };
+		return lay_ground(r_map, p_piece.region, height_at, MissingGround::STAYS, nullptr, search);
 	});
 	_rays += laid.sampled;
 	if (!laid.changed.empty()) {

@@ -133,6 +133,10 @@ void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_fill
 			r_answer.reason = BareReason::HOLE;
 			why = "the terrain has a hole here";
 			break;
+		case BareKind::LEDGE:
+			r_answer.reason = BareReason::LEDGE;
+			why = "it is at the edge of a ledge, or on its face (`ledge_slope`)";
+			break;
 		default: {
 			const RuleWords words = words_of(cause.rule, rule->rule, r_filler);
 			r_answer.reason = words.reason;

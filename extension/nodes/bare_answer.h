@@ -33,6 +33,7 @@ enum class BareReason : int64_t {
 	CUT,
 	HOLE,
 	FILL_TEXTURE,
+	LEDGE,
 };
 
 struct BareAnswer {

@@ -132,7 +132,7 @@ double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
 	sources.terrain = _terrain;
 	return change(p_map, [&](PaintMap &r_map) {
-		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel);
+		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel, FillRim::FILLED);
 	}).amount;
 }
 

@@ -10,6 +10,7 @@
 #include "core/bodies/motion.h"
 #include "core/detail/lod.h"
 #include "core/map/growth.h"
+#include "core/paint/ledges.h"
 #include "core/solver/solver_params.h"
 #include "core/tiles/tiles.h"
 #include "core/wear/recovery.h"
@@ -41,6 +42,7 @@ enum class Effect {
 enum FieldParamId {
 	PARAM_DENSITY,
 	PARAM_FOLLOW_SLOPE,
+	PARAM_LEDGE_SLOPE,
 	PARAM_REGROWTH,
 	PARAM_WHEEL_WEAR,
 	PARAM_CLUMP_SIZE,
@@ -87,6 +89,7 @@ struct FieldParam {
 inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
 	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
+	FieldParam{ PARAM_LEDGE_SLOPE, LEDGE_SLOPE, Effect::STEP, "Map" }, // read when ground is
 	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_WHEEL_WEAR, WHEEL_WEAR, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },

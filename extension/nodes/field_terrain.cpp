@@ -227,20 +227,21 @@ void FieldTerrain::read_row() {
 	_piece->put_row(samples);
 }
 
-void FieldTerrain::lay(const Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched) {
+void FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
 	const TerrainPiece piece = std::move(*_piece);
 	_piece.reset(); // a listener of the map may change the terrain
 	const bool has_new_textures = _ids && piece.put_textures(*_ids);
 	if (_colors) {
 		piece.put_colors(*_colors);
 	}
-	p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map); });
+	p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map, p_ledge_slope); });
 	if (has_new_textures) {
 		p_touched(piece.get_region());
 	}
 }
 
-void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched) {
+void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, double p_ledge_slope,
+		const std::function<void(const MapRegion &)> &p_touched) {
 	take_changes();
 	if (!p_map->is_readable()) {
 		return;
@@ -275,7 +276,7 @@ void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, const
 			return;
 		}
 		if (_piece && _piece->is_complete()) {
-			lay(p_map, p_touched);
+			lay(p_map, p_ledge_slope, p_touched);
 		}
 	}
 }

@@ -28,7 +28,8 @@ public:
 	bool look(godot::Node3D &p_field, const godot::Transform3D &p_transform, const MapRegion &p_region,
 			const TerrainSource::Handlers &p_handlers);
 	// Then: reads a frame's share, and lays what is complete into the map. p_touched: called for every region whose textures are others.
-	void read(const godot::Node3D &p_field, const godot::Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched);
+	void read(const godot::Node3D &p_field, const godot::Ref<GrassMap> &p_map, double p_ledge_slope,
+			const std::function<void(const MapRegion &)> &p_touched);
 
 	// Something changed: everything (an empty area), or what lies in the area (global).
 	void area_changed(const godot::AABB &p_area);
@@ -57,7 +58,7 @@ private:
 	void take_changes();
 	void read_row();
 	void show_colors();
-	void lay(const godot::Ref<GrassMap> &p_map, const std::function<void(const MapRegion &)> &p_touched);
+	void lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
 	godot::NodePath _path;
 	std::unique_ptr<TerrainSource> _source; // null: not found

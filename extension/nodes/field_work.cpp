@@ -138,18 +138,20 @@ MapRegion FieldWork::bake_region(const Rect2 &p_region) const {
 	return { to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 }
 
-int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height) {
+int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between) {
 	GrassMap *map = _host.need_map("bake_ground");
 	if (map == nullptr) {
 		return 0;
 	}
 	int64_t found = 0;
 	map->change([&](PaintMap &r_map) {
-		return lay_ground(r_map, p_region, [&](const Eigen::Vector2d &p_place) {
+		const auto counted = [&](const Eigen::Vector2d &p_place) {
 			const double height = p_height(p_place);
 			found += std::isfinite(height) ? 1 : 0;
 			return height;
-		});
+		};
+		return lay_ground(
+				r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
 	});
 	return found;
 }
@@ -161,8 +163,10 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			_host.message("the physics space is locked now. Where physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));
-	return lay_ground_by(bake_region(p_region),
-			[&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT); });
+	const auto height = [&](const Eigen::Vector2d &p_place) {
+		return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
+	};
+	return lay_ground_by(bake_region(p_region), height, height);
 }
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -173,7 +177,9 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	const MapRegion region = bake_region(Rect2());
 	HeightSheet sheet(region);
 	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
-	return lay_ground_by(region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); });
+	return lay_ground_by(
+			region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); },
+			[&](const Eigen::Vector2d &p_place) { return sheet.between(p_place); });
 }
 
 Dictionary to_dictionary(const CutResult &p_cut) {

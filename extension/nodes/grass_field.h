@@ -75,6 +75,7 @@ public:
 		REASON_CUT = int64_t(BareReason::CUT),
 		REASON_HOLE = int64_t(BareReason::HOLE),
 		REASON_FILL_TEXTURE = int64_t(BareReason::FILL_TEXTURE),
+		REASON_LEDGE = int64_t(BareReason::LEDGE),
 	};
 
 	GrassField();

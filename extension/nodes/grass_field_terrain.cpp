@@ -28,7 +28,8 @@ void GrassField::update_terrain() {
 		if (_properties.map.is_null()) {
 			make_map();
 		}
-		_terrain.read(*this, _properties.map, [this](const MapRegion &p_region) { _filler.touch_textures(p_region); });
+		_terrain.read(*this, _properties.map, _properties.param(PARAM_LEDGE_SLOPE),
+				[this](const MapRegion &p_region) { _filler.touch_textures(p_region); });
 	}
 	if (const Ref<Texture2D> colors = _terrain.get_colors(); _properties.terrain_colors != colors) {
 		show_terrain_texture(_properties.terrain_texture, colors);

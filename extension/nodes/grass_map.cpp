@@ -125,7 +125,10 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 		return near_row * (1.0 - t.y()) + far_row * t.y();
 	};
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
-	const LaidGround laid = change([&](PaintMap &r_map) { return lay_ground(r_map, region, height); });
+	const bool is_finer = std::min(region.max.x() - region.min.x(), region.max.y() - region.min.y()) < GROUND_TEXEL * std::max(width, depth);
+	const LedgeSearch search{ is_finer ? HeightAt(height) : nullptr };
+	const LaidGround laid =
+			change([&](PaintMap &r_map) { return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search); });
 	return laid.sampled > laid.missing;
 }
 
@@ -252,6 +255,7 @@ void GrassMap::_bind_methods() {
 	BIND_ENUM_CONSTANT(CHANNEL_PAINT);
 	BIND_ENUM_CONSTANT(CHANNEL_WEAR_REST);
 	BIND_ENUM_CONSTANT(CHANNEL_HOLE);
+	BIND_ENUM_CONSTANT(CHANNEL_LEDGE);
 }
 
 } // namespace grass

@@ -43,6 +43,7 @@ public:
 		CHANNEL_PAINT = MAP_PAINT,
 		CHANNEL_WEAR_REST = MAP_WEAR_REST,
 		CHANNEL_HOLE = MAP_HOLE,
+		CHANNEL_LEDGE = MAP_LEDGE,
 	};
 
 	void set_base_density(double p_density);

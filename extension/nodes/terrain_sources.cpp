@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 using namespace godot;
@@ -147,7 +148,8 @@ private:
 class HTerrainSource : public TerrainSource {
 public:
 	static constexpr const char *TRANSFORM = "get_internal_transform", *HEIGHT = "get_interpolated_height_at";
-	static constexpr int64_t SPLAT = 2, COLOR = 3, ALBEDO = 5; // its numbers of maps; the last one is baked from the others
+	static constexpr int64_t SPLAT = 2, COLOR = 3, ALBEDO = 5, INDEX = 6, WEIGHT = 7; // its numbers of maps; ALBEDO is baked from the others
+	static constexpr const char *SHADER_TYPE = "get_shader_type";
 	static constexpr const char *CHANGED = "region_changed";
 	static constexpr float HOLE = 0.5f; // where the alpha is below this, it draws nothing
 
@@ -163,8 +165,11 @@ public:
 		const double last = to_number(ask(data, "get_resolution"), "get_resolution") - 1.0;
 		const Ref<Image> color = _has_images ? find_image(data, COLOR, 0) : Ref<Image>();
 		const Ref<Image> albedo = _has_images && _has_counts && count_maps(data, ALBEDO) > 0 ? find_image(data, ALBEDO, 0) : Ref<Image>();
+		const bool is_array = has_array(data);
+		const Ref<Image> indices = is_array ? find_image(data, INDEX, 0) : Ref<Image>();
+		const Ref<Image> weights = is_array ? find_image(data, WEIGHT, 0) : Ref<Image>();
 		std::vector<Ref<Image>> splats;
-		for (int64_t n = 0; _has_images && n < (_has_counts ? count_maps(data, SPLAT) : 1); n++) {
+		for (int64_t n = 0; _has_images && !is_array && n < (_has_counts ? count_maps(data, SPLAT) : 1); n++) {
 			splats.push_back(find_image(data, SPLAT, n));
 		}
 		for (size_t i = 0; i < p_places.size(); i++) {
@@ -175,7 +180,7 @@ public:
 			}
 			const double height = to_number(ask(data, _height, cell), HEIGHT);
 			r_samples[i].height = to_world.xform(Vector3(cell.x, real_t(height), cell.z)).y;
-			r_samples[i].texture = find_texture(splats, cell);
+			r_samples[i].texture = is_array ? find_array_texture(indices, weights, cell) : find_texture(splats, cell);
 			r_samples[i].color = find_color(color, albedo, cell, last);
 		}
 	}
@@ -197,6 +202,20 @@ private:
 	Ref<Image> find_image(Object *p_data, int64_t p_map, int64_t p_number) {
 		const Ref<Image> image = ask(p_data, "get_image", p_map, p_number);
 		return image.is_valid() && !image->is_empty() && !image->is_compressed() ? image : Ref<Image>();
+	}
+
+	// Its shader of a texture array keeps the numbers of three textures and two weights. Maps of another shader may be left beside those
+	// of the one in use.
+	bool has_array(Object *p_data) {
+		if (!_has_images || !_has_counts || count_maps(p_data, INDEX) == 0 || count_maps(p_data, WEIGHT) == 0) {
+			return false;
+		}
+		Node *node = get_node();
+		if (node == nullptr || !node->has_method(SHADER_TYPE)) {
+			return true;
+		}
+		const String type = ask(node, SHADER_TYPE);
+		return type == "Array" || (type == "Custom" && count_maps(p_data, SPLAT) == 0);
 	}
 
 	int64_t count_maps(Object *p_data, int64_t p_map) { return int64_t(ask(p_data, "get_map_count", p_map)); }
@@ -235,6 +254,25 @@ private:
 
 	static bool is_hole(const Ref<Image> &p_color, const Vector3 &p_cell) {
 		return p_color.is_valid() && pixel_of(p_color, p_cell).a < HOLE;
+	}
+
+	// The two that weigh most of three; the third one's weight is what the others leave.
+	static TerrainTexel find_array_texture(const Ref<Image> &p_indices, const Ref<Image> &p_weights, const Vector3 &p_cell) {
+		if (p_indices.is_null() || p_weights.is_null()) {
+			return TerrainTexel::of(0, 0, 0.0);
+		}
+		const Color numbers = pixel_of(p_indices, p_cell), weights = pixel_of(p_weights, p_cell);
+		const auto number = [](float p_component) { return int(std::lround(p_component * 255.0f)); };
+		std::array<std::pair<double, int>, 3> three = { { { double(weights.r), number(numbers.r) }, { double(weights.g), number(numbers.g) },
+				{ std::max(0.0, 1.0 - double(weights.r) - double(weights.g)), number(numbers.b) } } };
+		for (size_t n = 1; n < 3; n++) { // the same texture may be there twice
+			if (three[n].second == three[0].second) {
+				three[0].first += std::exchange(three[n].first, 0.0);
+			}
+		}
+		std::ranges::sort(three, std::greater());
+		const double sum = three[0].first + three[1].first;
+		return TerrainTexel::of(three[0].second, three[1].second, sum > 0.0 ? three[1].first / sum : 0.0);
 	}
 
 	// The two that weigh most.

@@ -139,3 +139,28 @@ TEST_CASE("live_fill: without its rule the map is what it was, but for paint") {
 	CHECK(density_at(scene.map, 60.0, 30.0) == 0.0);
 	CHECK(scene.live.remove(scene.map).changed.empty());
 }
+
+TEST_CASE("live_fill: a rule that forbids all leaves nothing along the border, wherever that lies") {
+	for (const double half : { 64.0, 16.0, 6.65, 32.2 }) {
+		CAPTURE(half);
+		PaintMap map;
+		map.set_base_density(1.0);
+		FillRule rule;
+		rule.params[FILL_DENSITY] = 0.0;
+		const MapRegion area{ { -half, -half }, { half, half } };
+		LiveFill live;
+		live.set(rule, {}, area);
+		const FillResult filled = live.work(map, -1);
+		for (double along = -half; along <= half; along += 0.37) {
+			for (const double side : { -half, half }) {
+				CHECK(density_at(map, along, side) == 0.0);
+				CHECK(density_at(map, side, along) == 0.0);
+			}
+		}
+		CHECK(density_at(map, half + 2.0, 0.0) == 1.0);
+		CHECK(double(filled.cells) * 0.25 == doctest::Approx(4.0 * half * half).epsilon(0.05)); // the rim is not counted
+		live.remove(map);
+		map.compact();
+		CHECK(map.is_empty());
+	}
+}

@@ -41,6 +41,9 @@ BareCause find_bare_cause(
 	if (p_map.get_code(MAP_HOLE, 0, hole_at(p_at.x()), hole_at(p_at.y())) != 0) {
 		return { BareKind::HOLE, 0.0, 0.0, {} };
 	}
+	if (p_map.sample(MAP_LEDGE, 0, p_at) == 0.0) {
+		return { BareKind::LEDGE, 0.0, 0.0, {} };
+	}
 	const auto weigh = [&least](const BareCause &p_cause) {
 		if (p_cause.share < least.share) {
 			least = p_cause;

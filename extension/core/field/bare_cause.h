@@ -17,6 +17,7 @@ enum class BareKind {
 	SHORT, // painted low
 	CUT,
 	HOLE, // of the terrain
+	LEDGE, // on no side of one
 };
 
 struct BareCause {

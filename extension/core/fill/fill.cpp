@@ -14,8 +14,15 @@ namespace {
 constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
 constexpr size_t BATCH = 128; // chunks that are worked out before they are written: 2 MiB
 
+// Of another chunk, which holds nothing of the area.
+struct RimTexel {
+	int i, j;
+	int32_t code;
+};
+
 struct FilledChunk {
 	std::shared_ptr<const MapTexels> texels; // null: none but the base density
+	std::vector<RimTexel> rim;
 	double amount = 0.0;
 	int64_t cells = 0;
 	bool has_changed = false;
@@ -24,10 +31,12 @@ struct FilledChunk {
 // Works out one chunk. Only reads the map.
 class ChunkFill {
 public:
-	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_area, const FillRule *p_rule, const FillSources &p_sources) :
+	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_area, FillRim p_rim, const FillRule *p_rule,
+			const FillSources &p_sources) :
 			_map(p_map),
 			_key(p_key),
 			_area(p_area),
+			_filled(p_rim == FillRim::FILLED ? p_area.grown(DENSITY.texel_size()) : p_area),
 			_rule(p_rule),
 			_sources(p_sources),
 			_ground(p_map, MAP_GROUND),
@@ -58,30 +67,57 @@ public:
 		for (int row = 0; row < DENSITY.side; row++) {
 			for (int column = 0; column < DENSITY.side; column++) {
 				const int i = _key.x * DENSITY.side + column, j = _key.z * DENSITY.side + row;
-				const Eigen::Vector2d centre = Eigen::Vector2d(i + 0.5, j + 0.5) * DENSITY.texel_size();
 				const size_t texel = size_t(row) * size_t(DENSITY.side) + size_t(column);
-				const int32_t before = _density.code(0, i, j);
-				int32_t after = before;
-				if (is_inside(centre)) {
-					filled.cells++;
-					const int32_t filling = _rule == nullptr ? base : DENSITY.code(std::max(ask(centre, texel), plant(centre)));
-					after = HandPaint{ _paint.code(0, i, j), _paint.code(1, i, j) }.over(filling);
-				}
+				const bool counts = is_in(_area, centre_of(i, j));
+				const int32_t before = _density.code(0, i, j), after = is_in(_filled, centre_of(i, j)) ? filled_code(i, j, texel) : before;
 				(*texels)[texel] = uint8_t(after);
-				filled.amount += double(after - before);
+				filled.cells += counts ? 1 : 0;
+				filled.amount += counts ? double(after - before) : 0.0;
 				filled.has_changed = filled.has_changed || after != before;
 				is_plain = is_plain && after == base;
 			}
 		}
+		fill_rim(filled);
 		filled.amount *= DENSITY.unit * DENSITY.texel_size() * DENSITY.texel_size();
 		filled.texels = is_plain ? nullptr : std::move(texels);
 		return filled;
 	}
 
 private:
+	static Eigen::Vector2d centre_of(int p_i, int p_j) { return Eigen::Vector2d(p_i + 0.5, p_j + 0.5) * DENSITY.texel_size(); }
 	// The far border belongs to the next area.
-	bool is_inside(const Eigen::Vector2d &p_at) const {
-		return (p_at.array() >= _area.min.array()).all() && (p_at.array() < _area.max.array()).all();
+	static bool is_in(const MapRegion &p_area, const Eigen::Vector2d &p_at) {
+		return (p_at.array() >= p_area.min.array()).all() && (p_at.array() < p_area.max.array()).all();
+	}
+
+	// p_texel: of the chunk, the one itself or the nearest.
+	int32_t filled_code(int p_i, int p_j, size_t p_texel) {
+		const Eigen::Vector2d centre = centre_of(p_i, p_j);
+		const int32_t filling =
+				_rule == nullptr ? _map.initial_code(MAP_DENSITY, 0) : DENSITY.code(std::max(ask(centre, p_texel), plant(centre)));
+		return HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) }.over(filling);
+	}
+
+	// Where the area ends at the chunk's border, the texels that blend into it lie in the next chunk, which is not filled for itself.
+	void fill_rim(FilledChunk &r_filled) {
+		for (int row = -1; row <= DENSITY.side; row++) {
+			for (int column = -1; column <= DENSITY.side; column++) {
+				const int inside_row = std::clamp(row, 0, DENSITY.side - 1), inside_column = std::clamp(column, 0, DENSITY.side - 1);
+				if (row == inside_row && column == inside_column) {
+					column = DENSITY.side - 1; // on to the other end of the row
+					continue;
+				}
+				const int i = _key.x * DENSITY.side + column, j = _key.z * DENSITY.side + row;
+				if (!is_in(_filled, centre_of(i, j)) || is_in(_area, centre_of(i, j))) {
+					continue;
+				}
+				const int32_t before = _density.code(0, i, j);
+				const int32_t after = filled_code(i, j, size_t(inside_row) * size_t(DENSITY.side) + size_t(inside_column));
+				if (after != before) {
+					r_filled.rim.push_back({ i, j, after });
+				}
+			}
+		}
 	}
 
 	// The density that the rule gives a place: cheap conditions first, and none after one that leaves nothing.
@@ -117,6 +153,7 @@ private:
 	const PaintMap &_map;
 	MapKey _key;
 	const MapRegion &_area;
+	MapRegion _filled; // _area, and its rim
 	const FillRule *_rule;
 	const FillSources &_sources;
 	MapReader _ground, _normal, _density, _paint;
@@ -144,16 +181,19 @@ std::vector<MapKey> chunks_in(const MapRegion &p_area) {
 }
 
 FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
-		const FillSources &p_sources, const ParallelFor &p_parallel_for) {
+		const FillSources &p_sources, const ParallelFor &p_parallel_for, FillRim p_rim) {
 	FillResult result;
 	for (size_t first = 0; first < p_keys.size(); first += BATCH) {
 		const std::span<const MapKey> keys = p_keys.subspan(first, std::min(BATCH, p_keys.size() - first));
 		std::vector<FilledChunk> filled(keys.size());
 		p_parallel_for(int(keys.size()),
-				[&](int p_index) { filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rule, p_sources).run(); });
+				[&](int p_index) { filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rim, p_rule, p_sources).run(); });
 		for (size_t n = 0; n < keys.size(); n++) { // a chunk's filling depends on no other's
 			result.cells += filled[n].cells;
-			if (!filled[n].has_changed) {
+			for (const RimTexel &texel : filled[n].rim) {
+				result.out_of_room = !r_map.set_code(MAP_DENSITY, 0, texel.i, texel.j, texel.code) || result.out_of_room;
+			}
+			if (!filled[n].has_changed && filled[n].rim.empty()) {
 				continue;
 			}
 			if (!r_map.set_texels(keys[n], MAP_DENSITY, std::move(filled[n].texels))) {

@@ -32,8 +32,12 @@ struct FillResult : BrushResult { // its amount: square metres of full grass tha
 // The chunks that hold an area, rising; none beyond the map's reach.
 std::vector<MapKey> chunks_in(const MapRegion &p_area);
 
+// What is done to the texels around the area that blend into it. They count for nothing in the result.
+enum class FillRim { STAYS, FILLED };
+
 // Fills the texels of some chunks (rising) whose centres lie in p_area. Without a p_rule they return to the map's base density.
 FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
-		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for);
+		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for,
+		FillRim p_rim = FillRim::STAYS);
 
 } // namespace grass

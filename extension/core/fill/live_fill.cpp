@@ -7,7 +7,7 @@ namespace grass {
 
 LiveFill::Ground LiveFill::ground_of(const PaintMap &p_map, const MapKey &p_key) {
 	const MapChunk *chunk = p_map.find(p_key);
-	return chunk == nullptr ? Ground() : Ground{ chunk->channels[MAP_GROUND], chunk->channels[MAP_NORMAL] };
+	return chunk == nullptr ? Ground() : Ground{ chunk->channels[MAP_GROUND], chunk->channels[MAP_NORMAL], chunk->channels[MAP_LEDGE] };
 }
 
 void LiveFill::wait(const MapRegion &p_area) {
@@ -70,13 +70,13 @@ FillResult LiveFill::work(PaintMap &r_map, int p_count, const ParallelFor &p_par
 		_waiting.erase(key);
 		_filled_on[key] = ground_of(r_map, key);
 	}
-	return fill(r_map, keys, _area, &_rule, _sources, p_parallel_for);
+	return fill(r_map, keys, _area, &_rule, _sources, p_parallel_for, FillRim::FILLED);
 }
 
 FillResult LiveFill::remove(PaintMap &r_map, const ParallelFor &p_parallel_for) {
 	FillResult result;
 	if (_is_set) {
-		result = fill(r_map, chunks_in(_area), _area, nullptr, {}, p_parallel_for);
+		result = fill(r_map, chunks_in(_area), _area, nullptr, {}, p_parallel_for, FillRim::FILLED);
 	}
 	*this = LiveFill();
 	return result;

@@ -28,7 +28,7 @@ public:
 	int64_t get_waiting() const { return int64_t(_waiting.size()); } // chunks
 
 private:
-	using Ground = std::array<std::shared_ptr<const MapTexels>, 2>; // height, normal
+	using Ground = std::array<std::shared_ptr<const MapTexels>, 3>; // height, normal, ledges
 
 	static Ground ground_of(const PaintMap &p_map, const MapKey &p_key);
 	bool asks_ground() const { return _rule.asks_slope() || _rule.asks_height() || !_sources.obstacles.empty(); }

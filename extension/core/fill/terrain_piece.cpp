@@ -44,10 +44,10 @@ const TerrainSample &TerrainPiece::at(const Eigen::Vector2d &p_place) const {
 	return _samples[size_t(texel.y()) * size_t(_size.x()) + size_t(texel.x())];
 }
 
-LaidGround TerrainPiece::lay(PaintMap &r_map) const {
+LaidGround TerrainPiece::lay(PaintMap &r_map, double p_ledge_slope) const {
 	return lay_ground(
 			r_map, _region, [this](const Eigen::Vector2d &p_place) { return at(p_place).height; }, MissingGround::HOLE,
-			[this](const Eigen::Vector2d &p_place) { return at(p_place).normal; });
+			[this](const Eigen::Vector2d &p_place) { return at(p_place).normal; }, { nullptr, p_ledge_slope });
 }
 
 bool TerrainPiece::put_textures(TerrainIds &r_ids) const {

@@ -30,7 +30,7 @@ public:
 	void put_row(std::span<const TerrainSample> p_samples); // as many as get_row() has
 
 	// Once it is complete.
-	LaidGround lay(PaintMap &r_map) const;
+	LaidGround lay(PaintMap &r_map, double p_ledge_slope = LEDGE_SLOPE.initial) const; // degrees
 	// True if any of them is another than before.
 	bool put_textures(TerrainIds &r_ids) const;
 	void put_colors(TerrainColors &r_colors) const;

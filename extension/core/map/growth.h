@@ -15,6 +15,7 @@ namespace glsl {
 using Growth = glsl::GrassGrowth;
 
 static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GRASS_UNCUT));
+static_assert(info_of(MAP_LEDGE).side == GRASS_LEDGE_TEXELS && info_of(MAP_LEDGE).initial[0] == GRASS_LEDGE_NONE);
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
 
 // How far blades follow the ground's slope. 0: they stand upright, like grass; 1: at a right angle to it, like hair.

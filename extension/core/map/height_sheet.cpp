@@ -23,6 +23,7 @@ HeightSheet::HeightSheet(const MapRegion &p_region) {
 		_width = int(high.x() - low.x()) + 1;
 		_depth = int(high.y() - low.y()) + 1;
 		_heights.assign(size_t(_width) * size_t(_depth), std::numeric_limits<double>::quiet_NaN());
+		_above.resize(_heights.size());
 	}
 }
 
@@ -30,26 +31,48 @@ Eigen::Array2d HeightSheet::texel_at(const Eigen::Vector2d &p_place) const {
 	return (p_place.array() - _first) / SHEET_TEXEL;
 }
 
+double HeightSheet::Triangle::at(const Eigen::Array2d &p_texel) const {
+	const auto turn = [](const Eigen::Array2d &p_from, const Eigen::Array2d &p_to, const Eigen::Array2d &p_at) {
+		return (p_to.x() - p_from.x()) * (p_at.y() - p_from.y()) - (p_to.y() - p_from.y()) * (p_at.x() - p_from.x());
+	};
+	const double area = turn(a, b, c);
+	const double share_a = turn(b, c, p_texel) / area, share_b = turn(c, a, p_texel) / area, share_c = 1.0 - share_a - share_b;
+	const bool is_inside = std::min({ share_a, share_b, share_c }) >= -EDGE;
+	return is_inside ? share_a * heights.x() + share_b * heights.y() + share_c * heights.z() : std::numeric_limits<double>::quiet_NaN();
+}
+
 void HeightSheet::add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c) {
 	const auto flat = [this](const Eigen::Vector3d &p_corner) { return texel_at({ p_corner.x(), p_corner.z() }); };
-	const Eigen::Array2d a = flat(p_a), b = flat(p_b), c = flat(p_c);
-	const auto turn = [](const Eigen::Array2d &p_from, const Eigen::Array2d &p_to, double p_x, double p_y) {
-		return (p_to.x() - p_from.x()) * (p_y - p_from.y()) - (p_to.y() - p_from.y()) * (p_x - p_from.x());
-	};
-	const double area = turn(a, b, c.x(), c.y());
-	const Eigen::Array2d low = a.min(b).min(c).ceil().max(0.0), high = a.max(b).max(c).floor().min(Eigen::Array2d(_width, _depth) - 1.0);
-	if (!(std::abs(area) > 1e-12) || !(low <= high).all() || !std::isfinite(p_a.y() + p_b.y() + p_c.y())) {
+	const Triangle triangle{ flat(p_a), flat(p_b), flat(p_c), { p_a.y(), p_b.y(), p_c.y() } };
+	const Eigen::Array2d to_b = triangle.b - triangle.a, to_c = triangle.c - triangle.a;
+	const double area = to_b.x() * to_c.y() - to_b.y() * to_c.x();
+	const Eigen::Array2d last = Eigen::Array2d(_width, _depth) - 1.0;
+	const Eigen::Array2d low = triangle.a.min(triangle.b).min(triangle.c), high = triangle.a.max(triangle.b).max(triangle.c);
+	const Eigen::Array2d first_square = low.round().max(0.0), last_square = high.round().min(last);
+	if (!(std::abs(area) > 1e-12) || !(first_square <= last_square).all() || !triangle.heights.allFinite()) {
 		return;
 	}
-	for (int j = int(low.y()); j <= int(high.y()); j++) {
-		for (int i = int(low.x()); i <= int(high.x()); i++) {
-			const double share_a = turn(b, c, i, j) / area, share_b = turn(c, a, i, j) / area, share_c = 1.0 - share_a - share_b;
-			if (std::min({ share_a, share_b, share_c }) >= -EDGE) {
-				double &height = _heights[size_t(j) * size_t(_width) + size_t(i)];
-				height = std::fmax(height, share_a * p_a.y() + share_b * p_b.y() + share_c * p_c.y());
-			}
+	const uint32_t number = uint32_t(_triangles.size());
+	_triangles.push_back(triangle);
+	for (int j = int(first_square.y()); j <= int(last_square.y()); j++) {
+		for (int i = int(first_square.x()); i <= int(last_square.x()); i++) {
+			const size_t texel = size_t(j) * size_t(_width) + size_t(i);
+			_above[texel].push_back(number);
+			_heights[texel] = std::fmax(_heights[texel], triangle.at({ i, j }));
 		}
 	}
+}
+
+double HeightSheet::between(const Eigen::Vector2d &p_place) const {
+	const Eigen::Array2d texel = texel_at(p_place), nearest = texel.round();
+	double height = std::numeric_limits<double>::quiet_NaN();
+	if (!(nearest >= 0.0).all() || !(nearest < Eigen::Array2d(_width, _depth)).all()) {
+		return height;
+	}
+	for (const uint32_t number : _above[size_t(nearest.y()) * size_t(_width) + size_t(nearest.x())]) {
+		height = std::fmax(height, _triangles[number].at(texel));
+	}
+	return height;
 }
 
 double HeightSheet::at(const Eigen::Vector2d &p_place) const {

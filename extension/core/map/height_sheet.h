@@ -18,14 +18,25 @@ public:
 	// nothing.
 	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
 
-	// Metres above the field; NaN where no triangle lies, and outside of the region.
+	// Metres above the field; NaN where no triangle lies, and outside of the region. At the centre of the texel that holds p_place.
 	double at(const Eigen::Vector2d &p_place) const;
+	// At p_place itself.
+	double between(const Eigen::Vector2d &p_place) const;
 
 private:
 	Eigen::Array2d texel_at(const Eigen::Vector2d &p_place) const; // from the first one; whole numbers are centres
 
 	Eigen::Array2d _first; // centre of the first texel, metres
+	struct Triangle {
+		Eigen::Array2d a, b, c; // corners as texel_at() has them
+		Eigen::Array3d heights;
+		// Its height at a place; NaN beside it.
+		double at(const Eigen::Array2d &p_texel) const;
+	};
+
 	int _width = 0, _depth = 0;
+	std::vector<Triangle> _triangles;
+	std::vector<std::vector<uint32_t>> _above; // by texel: the triangles that lie over the square around its centre
 	std::vector<double> _heights; // row by row along x
 };
 

@@ -23,6 +23,7 @@ enum MapChannel {
 	MAP_PAINT, // density painted by hand, and how much of what rules fill it covers, 0..1 each (core/paint/hand_paint.h)
 	MAP_WEAR_REST, // what a code of wear is too coarse for: 1/256 of a code (core/paint/fine_wear.h)
 	MAP_HOLE, // 1: a terrain has no ground here, so nothing grows, whatever is painted
+	MAP_LEDGE, // which of the four heights around count here, a bit each [Eq M7]; 0: none, so nothing grows (core/paint/lay_ledges.h)
 	MAP_CHANNELS,
 };
 
@@ -67,6 +68,7 @@ inline constexpr std::array<MapChannelInfo, MAP_CHANNELS> MAP_CHANNEL_INFO = { {
 		{ "paint", 128, 2, 1, 0, 255, 0, 1.0 / 255.0, { 0, 0 }, true },
 		{ "wear rest", 128, 1, 1, 0, 255, 0, 1.0 / (255.0 * 256.0), { 0 }, true },
 		{ "hole", 64, 1, 1, 0, 1, 0, 1.0, { 0 }, false },
+		{ "ledge", 512, 1, 1, 0, 15, 0, 1.0, { 15 }, false },
 } };
 
 inline constexpr double MAP_UNCUT = MAP_CHANNEL_INFO[MAP_CUT].value(MAP_UNCUT_CODE); // metres

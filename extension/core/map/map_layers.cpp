@@ -41,7 +41,11 @@ public:
 			_ground(p_map, MAP_GROUND),
 			_hole(p_map, MAP_HOLE),
 			_tint(p_map, MAP_TINT),
-			_species(p_map, MAP_SPECIES) {}
+			_species(p_map, MAP_SPECIES),
+			_ledge(p_map, MAP_LEDGE) {
+		const MapChunk *chunk = p_map.find(p_key);
+		_has_ledges = chunk != nullptr && chunk->channels[MAP_LEDGE];
+	}
 
 	bool compose(const MapRegion &p_region, MapLayer &r_layer) {
 		_changed = false;
@@ -57,6 +61,9 @@ public:
 				compose_coarse(i, j, size_t(j * MapLayer::COARSE + i), r_layer);
 			}
 		}
+		if (_has_ledges || !r_layer.ledge.empty()) {
+			compose_ledges(p_region, r_layer.ledge);
+		}
 		return _changed;
 	}
 
@@ -64,6 +71,17 @@ private:
 	template <typename T> void put(T &r_texel, T p_value) {
 		_changed = _changed || r_texel != p_value;
 		r_texel = p_value;
+	}
+
+	void compose_ledges(const MapRegion &p_region, std::vector<uint8_t> &r_ledge) {
+		constexpr int SIDE = GRASS_LEDGE_TEXELS;
+		r_ledge.resize(size_t(SIDE) * SIDE, uint8_t(GRASS_LEDGE_NONE));
+		const TexelRange range = texels_in(p_region, _key, SIDE); // with a border, which there is none of here
+		for (int j = std::max(range.j_begin - 1, 0); j < std::min(range.j_end - 1, SIDE); j++) {
+			for (int i = std::max(range.i_begin - 1, 0); i < std::min(range.i_end - 1, SIDE); i++) {
+				put(r_ledge[size_t(j) * SIDE + size_t(i)], uint8_t(_ledge.code(0, _key.x * SIDE + i, _key.z * SIDE + j)));
+			}
+		}
 	}
 
 	// [Eq M1]
@@ -100,8 +118,8 @@ private:
 
 	MapKey _key;
 	int32_t _uncut;
-	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _hole, _tint, _species;
-	bool _changed = false;
+	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _hole, _tint, _species, _ledge;
+	bool _has_ledges = false, _changed = false;
 };
 
 // The four texels around a point of a layer, and how much each counts.
@@ -125,6 +143,33 @@ struct Corners {
 		return sum;
 	}
 };
+
+// [Eq M7] p_share: of the way through the chunk. As grass_ledge_at() in shaders/map/map.inc.
+void look_beside_ledge(const MapLayer &p_layer, const Eigen::Array2f &p_share, Growth &r_growth, glsl::vec2 &r_normal) {
+	const Eigen::Array2i fine = (p_share * float(GRASS_LEDGE_TEXELS)).cast<int>().max(0).min(GRASS_LEDGE_TEXELS - 1);
+	const int code = p_layer.ledge[size_t(fine.y()) * GRASS_LEDGE_TEXELS + size_t(fine.x())];
+	r_growth.ledges = 1.0f;
+	r_growth.density = code == 0 ? 0.0f : r_growth.density;
+	if (code == GRASS_LEDGE_NONE) {
+		return;
+	}
+	const Eigen::Array2f between = p_share * float(GRASS_COARSE_TEXELS) + 0.5f;
+	const Eigen::Array2i first = between.floor().cast<int>().max(0).min(MapLayer::COARSE - 2);
+	const Eigen::Array2f t = between - between.floor();
+	const glsl::vec4 shares = glsl::grass_ledge_weights(code, glsl::vec2(t.x(), t.y()));
+	const float weights[] = { shares.x, shares.y, shares.z, shares.w };
+	r_growth.ground = 0.0f;
+	r_normal = glsl::vec2(0.0f);
+	for (int n = 0; n < 4; n++) {
+		const int i = n & 1, j = n >> 1;
+		const size_t texel = size_t((first.y() + j) * MapLayer::COARSE + first.x() + i);
+		const auto along = [&](size_t p_component) { return (float(p_layer.form[texel * 4 + p_component]) - 128.0f) / 127.0f; };
+		const glsl::vec2 normal(along(2), along(3)), from(t.x() - float(i), t.y() - float(j));
+		static_assert(info_of(MAP_GROUND).texel_size() == 1.0);
+		r_growth.ground += weights[n] * glsl::grass_ledge_plane(p_layer.ground[texel], normal, from);
+		r_normal = glsl::vec2(r_normal.x + weights[n] * normal.x, r_normal.y + weights[n] * normal.y);
+	}
+}
 
 } // namespace
 
@@ -161,6 +206,7 @@ void MapLayers::reset(const TileGrid &p_grid, double p_tallest) {
 	_depth = chunk(half_z) - _first.z + 1;
 	_pages.assign(size_t(_width) * size_t(_depth), float(GRASS_NO_LAYER));
 	_layers.clear();
+	_ledge_layers.clear();
 	_is_full = false;
 }
 
@@ -191,7 +237,7 @@ std::vector<MapKey> MapLayers::get_chunks(const MapRegion &p_region) const {
 int MapLayers::add_layer(const MapKey &p_key) {
 	constexpr size_t FINE = size_t(MapLayer::FINE) * MapLayer::FINE, COARSE = size_t(MapLayer::COARSE) * MapLayer::COARSE;
 	_layers.push_back({ std::vector<uint8_t>(FINE * 4), std::vector<uint8_t>(COARSE * 4), std::vector<float>(COARSE),
-			std::vector<uint8_t>(COARSE * 4), std::vector<uint8_t>(COARSE) });
+			std::vector<uint8_t>(COARSE * 4), std::vector<uint8_t>(COARSE), {} });
 	const int layer = int(_layers.size()) - 1;
 	_pages[index_of(p_key)] = float(layer);
 	return layer;
@@ -212,7 +258,12 @@ int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegio
 		layer = add_layer(p_key);
 	}
 	const MapRegion region = is_new ? MapRegion::of_chunk(p_key) : p_region;
-	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * CHANGE_MARGIN), _layers[size_t(layer)]);
+	MapLayer &texels = _layers[size_t(layer)];
+	const bool had_ledges = !texels.ledge.empty();
+	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * CHANGE_MARGIN), texels);
+	if (!had_ledges && !texels.ledge.empty()) {
+		_ledge_layers.push_back(layer);
+	}
 	return differs || is_new ? layer : GRASS_NO_LAYER;
 }
 
@@ -244,6 +295,7 @@ void MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapL
 	if (r_there._layers.empty()) {
 		r_there.add_layer(key);
 	}
+	r_there._layers[0].ledge.clear(); // perhaps of another chunk
 	r_there._pages[index_of(key)] = 0.0f;
 	Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(CHANGE_MARGIN), r_there._layers[0]);
 }
@@ -276,8 +328,12 @@ Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {
 	here.wear = fine.blend(texels.growth, 4, 3) / 255.0f;
 	const auto form = [&](size_t p_component) { return (coarse.blend(texels.form, 4, p_component) - 128.0f) / 127.0f; };
 	here.lean = { form(0), form(1) };
-	here.tilt = glsl::grass_ground_tilt(glsl::vec2(form(2), form(3)), p_follow);
+	glsl::vec2 normal(form(2), form(3));
 	here.ground = coarse.blend(texels.ground, 1, 0);
+	if (!texels.ledge.empty()) {
+		look_beside_ledge(texels, share, here, normal);
+	}
+	here.tilt = glsl::grass_ground_tilt(normal, p_follow);
 	return here;
 }
 

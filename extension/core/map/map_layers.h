@@ -33,6 +33,7 @@ struct MapLayer {
 	std::vector<float> ground; // COARSE^2, metres
 	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
 	std::vector<uint8_t> species; // COARSE^2: 0 as they are mixed, n: species n - 1 only
+	std::vector<uint8_t> ledge; // GRASS_LEDGE_TEXELS^2 codes of their channel, without a border; empty: no ledge is near
 };
 
 class MapLayers {
@@ -58,6 +59,8 @@ public:
 	int get_width() const { return _width; }
 	int get_depth() const { return _depth; }
 	const std::vector<float> &get_pages() const { return _pages; }
+	// The layers that have ledges, in the order in which they got them.
+	const std::vector<int> &get_ledge_layers() const { return _ledge_layers; }
 
 	bool has_chunk(const MapKey &p_key) const; // under the field
 	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
@@ -81,6 +84,7 @@ private:
 	float _base_density = 0.0f;
 	std::vector<float> _pages;
 	std::vector<MapLayer> _layers;
+	std::vector<int> _ledge_layers;
 };
 
 } // namespace grass

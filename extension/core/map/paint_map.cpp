@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/paint_map.h"
 
+#include "core/map/growth.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -216,6 +218,40 @@ void MapReader::seek(const MapKey &p_key) {
 	_key = p_key;
 }
 
+int MapReader::ledge_code(const Eigen::Vector2d &p_place) {
+	const MapKey key = key_at(p_place);
+	if (key != _ledge_key) {
+		const MapChunk *chunk = _map.find(key);
+		_ledge_key = key;
+		_ledges = chunk != nullptr && chunk->channels[MAP_LEDGE] ? chunk->channels[MAP_LEDGE]->data() : nullptr;
+	}
+	if (_ledges == nullptr) {
+		return GRASS_LEDGE_NONE;
+	}
+	constexpr const MapChannelInfo &LEDGE = info_of(MAP_LEDGE);
+	const Eigen::Array2i texel = (p_place.array() / LEDGE.texel_size()).floor().cast<int>();
+	return _ledges[size_t(texel.y() & (LEDGE.side - 1)) * size_t(LEDGE.side) + size_t(texel.x() & (LEDGE.side - 1))];
+}
+
+// [Eq M7] p_i, p_j: the first of the four texels around the place, p_t of the way towards the others.
+double MapReader::sample_beside(int p_component, int p_code, int p_i, int p_j, const Eigen::Array2d &p_t) {
+	const glsl::vec4 shares = glsl::grass_ledge_weights(p_code, glsl::vec2(float(p_t.x()), float(p_t.y())));
+	const double weights[] = { double(shares.x), double(shares.y), double(shares.z), double(shares.w) };
+	MapReader normals(_map, MAP_NORMAL);
+	double sum = 0.0;
+	for (int n = 0; n < 4; n++) {
+		const int di = n & 1, dj = n >> 1;
+		double here = value(p_component, p_i + di, p_j + dj);
+		if (_channel == MAP_GROUND) {
+			const glsl::vec2 normal(float(normals.value(0, p_i + di, p_j + dj)), float(normals.value(1, p_i + di, p_j + dj)));
+			const Eigen::Array2d from = (p_t - Eigen::Array2d(di, dj)) * _info.texel_size();
+			here = double(glsl::grass_ledge_plane(float(here), normal, glsl::vec2(float(from.x()), float(from.y()))));
+		}
+		sum += weights[n] * here;
+	}
+	return sum;
+}
+
 double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 	const MapKey key = key_at(p_place);
 	if (!is_in_reach(key)) {
@@ -228,6 +264,11 @@ double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 	const Eigen::Array2d between = p_place.array() / _info.texel_size() - 0.5; // texel centres are whole numbers
 	const Eigen::Array2d corner = between.floor(), t = between - corner;
 	const int i = int(corner.x()), j = int(corner.y());
+	if (_channel == MAP_GROUND || _channel == MAP_NORMAL) {
+		if (const int code = ledge_code(p_place); code != GRASS_LEDGE_NONE) {
+			return sample_beside(p_component, code, i, j, t);
+		}
+	}
 	const double near_row = value(p_component, i, j) * (1.0 - t.x()) + value(p_component, i + 1, j) * t.x();
 	const double far_row = value(p_component, i, j + 1) * (1.0 - t.x()) + value(p_component, i + 1, j + 1) * t.x();
 	return near_row * (1.0 - t.y()) + far_row * t.y();

@@ -55,7 +55,7 @@ public:
 	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
 
 	// The channel's value at a place (metres), blended between the centres of the four nearest texels where the channel
-	// blends. Places that are not finite or out of reach: the initial value.
+	// blends, and never across a ledge of the ground. Places that are not finite or out of reach: the initial value.
 	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
 
 	// Chunks in which the two differ.
@@ -106,6 +106,8 @@ public:
 
 private:
 	void seek(const MapKey &p_key);
+	int ledge_code(const Eigen::Vector2d &p_place);
+	double sample_beside(int p_component, int p_code, int p_i, int p_j, const Eigen::Array2d &p_t);
 
 	const PaintMap &_map;
 	const MapChannelInfo &_info;
@@ -114,6 +116,8 @@ private:
 	std::array<int32_t, 4> _initial;
 	MapKey _key{ PaintMap::REACH, PaintMap::REACH }; // of _texels; none yet
 	const uint8_t *_texels = nullptr;
+	MapKey _ledge_key{ PaintMap::REACH, PaintMap::REACH }; // of _ledges; none yet
+	const uint8_t *_ledges = nullptr; // what says on which side of a ledge a place is; null: there is none
 };
 
 // The chunk that holds texel p_i, p_j of a channel.

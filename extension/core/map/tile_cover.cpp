@@ -7,6 +7,17 @@
 
 namespace grass {
 
+namespace {
+
+// Beside a ledge the plane through a texel's ground counts as far as its neighbours: how much that rises or falls by then, metres. [Eq M7]
+float beyond_texel(const MapLayer &p_layer, size_t p_texel) {
+	const auto normal = [&](size_t p_component) { return (float(p_layer.form[p_texel * 4 + p_component]) - 128.0f) / 127.0f; };
+	const float x = normal(2), z = normal(3);
+	return (std::abs(x) + std::abs(z)) * float(info_of(MAP_GROUND).texel_size()) / std::sqrt(std::max(1.0f - x * x - z * z, 0.01f));
+}
+
+} // namespace
+
 void TileCover::reset(const TileGrid &p_grid) {
 	_grid = p_grid;
 	_tiles.assign(size_t(p_grid.get_tile_count()), {});
@@ -107,8 +118,9 @@ TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_colu
 			});
 			tile.cut = std::min(tile.cut, float(info_of(MAP_CUT).value(cut)));
 			each(p_column.coarse[c], p_row.coarse[r], MapLayer::COARSE, [&](size_t p_texel) {
-				tile.low = std::min(tile.low, layer.ground[p_texel]);
-				tile.high = std::max(tile.high, layer.ground[p_texel]);
+				const float beyond = layer.ledge.empty() ? 0.0f : beyond_texel(layer, p_texel);
+				tile.low = std::min(tile.low, layer.ground[p_texel] - beyond);
+				tile.high = std::max(tile.high, layer.ground[p_texel] + beyond);
 			});
 		}
 	}

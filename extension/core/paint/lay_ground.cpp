@@ -5,58 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 
 namespace grass {
 
 namespace {
 
-constexpr double GROUND_TEXEL = info_of(MAP_GROUND).texel_size();
 static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size() && GROUND_TEXEL == info_of(MAP_HOLE).texel_size());
-
-// Heights of a block of texels, a border of one texel around it included.
-class Heights {
-public:
-	Heights(const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, const HeightAt &p_height) :
-			_first(p_first - 1), _width(p_last.x() - p_first.x() + 3) {
-		for (int j = _first.y(); j <= p_last.y() + 1; j++) {
-			for (int i = _first.x(); i <= p_last.x() + 1; i++) {
-				_heights.push_back(p_height({ (i + 0.5) * GROUND_TEXEL, (j + 0.5) * GROUND_TEXEL }));
-			}
-		}
-	}
-	double at(int p_i, int p_j) const { return _heights[size_t(p_j - _first.y()) * size_t(_width) + size_t(p_i - _first.x())]; }
-	int64_t count() const { return int64_t(_heights.size()); }
-
-	// The mean of those beside a texel; not finite where there is none.
-	double beside(int p_i, int p_j) const {
-		double sum = 0.0;
-		int count = 0;
-		for (int j = p_j - 1; j <= p_j + 1; j++) {
-			for (int i = p_i - 1; i <= p_i + 1; i++) {
-				const double height = at(i, j);
-				sum += std::isfinite(height) ? height : 0.0;
-				count += std::isfinite(height) ? 1 : 0;
-			}
-		}
-		return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
-	}
-
-	Eigen::Vector3d normal(int p_i, int p_j) const {
-		const auto slope = [&](int p_di, int p_dj) {
-			const double ahead = at(p_i + p_di, p_j + p_dj), behind = at(p_i - p_di, p_j - p_dj), here = at(p_i, p_j);
-			const int sides = (std::isfinite(ahead) ? 1 : 0) + (std::isfinite(behind) ? 1 : 0);
-			return sides == 0 ? 0.0
-							  : ((std::isfinite(ahead) ? ahead : here) - (std::isfinite(behind) ? behind : here)) / (sides * GROUND_TEXEL);
-		};
-		return Eigen::Vector3d(-slope(1, 0), 1.0, -slope(0, 1)).normalized();
-	}
-
-private:
-	Eigen::Array2i _first;
-	int _width;
-	std::vector<double> _heights;
-};
 
 // Writes a texel's channels and remembers what changed.
 class GroundWriter {
@@ -75,6 +30,17 @@ public:
 		bool differs = std::isfinite(p_rim) && write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_rim));
 		differs = write(MAP_HOLE, 0, p_i, p_j, 1) || differs;
 		note(differs, p_i, p_j);
+	}
+	// p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: it has no ledge.
+	void lay_ledge(int p_i, int p_j, const uint8_t *p_codes) {
+		const Eigen::Array2i first = LedgeCell::first_spot(p_i, p_j);
+		bool differs = false;
+		for (int n = 0; n < LedgeCell::SPOTS * LedgeCell::SPOTS; n++) {
+			const int32_t code = p_codes != nullptr ? p_codes[n] : GRASS_LEDGE_NONE;
+			differs = write(MAP_LEDGE, 0, first.x() + n % LedgeCell::SPOTS, first.y() + n / LedgeCell::SPOTS, code) || differs;
+		}
+		note(differs, p_i, p_j);
+		note(differs, p_i + 1, p_j + 1);
 	}
 	void report() { _changed.report(_result); }
 
@@ -98,10 +64,118 @@ private:
 	ChangedTexels _changed;
 };
 
+// Lays the ground of a block of texels.
+class GroundLayer {
+public:
+	GroundLayer(PaintMap &r_map, const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, const HeightBlock &p_heights,
+			MissingGround p_missing, const NormalAt &p_normal, const LedgeSearch &p_search, LaidGround &r_result) :
+			_map(r_map),
+			_first(p_first),
+			_last(p_last),
+			_heights(p_heights),
+			_missing(p_missing),
+			_normal(p_normal),
+			_search(p_search),
+			_result(r_result),
+			_writer(r_map, r_result) {}
+
+	void run() {
+		const Ledges ledges = find_ledges(_heights, _search, _missing == MissingGround::HOLE);
+		_result.sampled += ledges.sampled;
+		for (const LedgeCell &cell : ledges.cells) {
+			_ledges.emplace(cell.i, cell.j);
+		}
+		for (int j = _first.y(); j <= _last.y(); j++) {
+			for (int i = _first.x(); i <= _last.x(); i++) {
+				lay_texel(i, j);
+			}
+		}
+		for (const auto &[i, j] : find_gone()) {
+			_writer.lay_ledge(i, j, nullptr);
+		}
+		for (const LedgeCell &cell : ledges.cells) {
+			lay_cell(cell);
+		}
+		_writer.report();
+	}
+
+private:
+	void lay_texel(int p_i, int p_j) {
+		const double height = _heights.at(p_i, p_j);
+		if (!std::isfinite(height)) {
+			_result.missing++;
+			if (_missing == MissingGround::HOLE) {
+				_writer.open(p_i, p_j, _heights.beside(p_i, p_j));
+			}
+			return;
+		}
+		const Eigen::Vector3d given = _normal ? _normal(HeightBlock::centre(p_i, p_j)).normalized() : Eigen::Vector3d::Zero();
+		const bool is_given = given.allFinite() && given.y() > 0.0;
+		_writer.lay(p_i, p_j, height, is_given ? given : normal(p_i, p_j));
+	}
+
+	Eigen::Vector3d normal(int p_i, int p_j) {
+		const bool is_beside =
+				has_ledge(p_i, p_j) || has_ledge(p_i - 1, p_j) || has_ledge(p_i, p_j - 1) || has_ledge(p_i - 1, p_j - 1);
+		if (!is_beside) {
+			return _heights.normal(p_i, p_j);
+		}
+		const Eigen::Vector2d slope = slope_beside_ledge(_heights, _search, p_i, p_j, _result.sampled);
+		return Eigen::Vector3d(-slope.x(), 1.0, -slope.y()).normalized();
+	}
+
+	bool has_ledge(int p_i, int p_j) const { return !_ledges.empty() && _ledges.contains({ p_i, p_j }); }
+
+	// The cells of the block that had a ledge in the map and have none now.
+	std::vector<std::pair<int, int>> find_gone() {
+		std::vector<std::pair<int, int>> gone;
+		MapReader codes(_map, MAP_LEDGE);
+		const auto is_marked = [&](int p_i, int p_j) {
+			for (int n = 0; n < LedgeCell::SPOTS * LedgeCell::SPOTS; n++) {
+				const Eigen::Array2i spot = LedgeCell::first_spot(p_i, p_j) + Eigen::Array2i(n % LedgeCell::SPOTS, n / LedgeCell::SPOTS);
+				if (codes.code(0, spot.x(), spot.y()) != GRASS_LEDGE_NONE) {
+					return true;
+				}
+			}
+			return false;
+		};
+		for (int j = _first.y() - 1; j <= _last.y() && _map.uses(MAP_LEDGE); j++) {
+			for (int i = _first.x() - 1; i <= _last.x(); i++) {
+				if (!has_ledge(i, j) && is_marked(i, j)) {
+					gone.emplace_back(i, j);
+				}
+			}
+		}
+		return gone;
+	}
+
+	void lay_cell(const LedgeCell &p_cell) {
+		std::array<LedgeCorner, 4> corners;
+		for (int n = 0; n < 4; n++) {
+			const int i = p_cell.i + (n & 1), j = p_cell.j + (n >> 1);
+			corners[size_t(n)] = { info_of(MAP_GROUND).value(_map.get_code(MAP_GROUND, 0, i, j)),
+				{ info_of(MAP_NORMAL).value(_map.get_code(MAP_NORMAL, 0, i, j)),
+						info_of(MAP_NORMAL).value(_map.get_code(MAP_NORMAL, 1, i, j)) },
+				!std::isfinite(_heights.at(i, j)) };
+		}
+		_writer.lay_ledge(p_cell.i, p_cell.j, ledge_codes(p_cell, corners, _search.slope).data());
+	}
+
+	PaintMap &_map;
+	Eigen::Array2i _first, _last;
+	const HeightBlock &_heights;
+	MissingGround _missing;
+	const NormalAt &_normal;
+	const LedgeSearch &_search;
+	LaidGround &_result;
+	GroundWriter _writer;
+	std::set<std::pair<int, int>> _ledges; // first texels of the cells that have one
+};
+
 } // namespace
 
-LaidGround lay_ground(
-		PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing, const NormalAt &p_normal) {
+LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing,
+		const NormalAt &p_normal, const LedgeSearch &p_search) {
 	LaidGround result;
 	const double reach = PaintMap::REACH * double(info_of(MAP_GROUND).side);
 	const Eigen::Array2d low = (p_region.min.array() / GROUND_TEXEL - 0.5).ceil(),
@@ -114,25 +188,9 @@ LaidGround lay_ground(
 	if ((first > last).any()) {
 		return result;
 	}
-	const Heights heights(first, last, p_height);
+	const HeightBlock heights(first, last, p_height);
 	result.sampled = heights.count();
-	GroundWriter writer(r_map, result);
-	for (int j = first.y(); j <= last.y(); j++) {
-		for (int i = first.x(); i <= last.x(); i++) {
-			if (!std::isfinite(heights.at(i, j))) {
-				result.missing++;
-				if (p_missing == MissingGround::HOLE) {
-					writer.open(i, j, heights.beside(i, j));
-				}
-				continue;
-			}
-			const Eigen::Vector3d given =
-					p_normal ? p_normal({ (i + 0.5) * GROUND_TEXEL, (j + 0.5) * GROUND_TEXEL }).normalized() : Eigen::Vector3d::Zero();
-			const bool is_given = given.allFinite() && given.y() > 0.0;
-			writer.lay(i, j, heights.at(i, j), is_given ? given : heights.normal(i, j));
-		}
-	}
-	writer.report();
+	GroundLayer(r_map, first, last, heights, p_missing, p_normal, p_search, result).run();
 	return result;
 }
 

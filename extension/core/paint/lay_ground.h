@@ -4,13 +4,11 @@
 
 #include "core/map/map_layers.h"
 #include "core/paint/brush.h"
+#include "core/paint/ledges.h"
 
 #include <functional>
 
 namespace grass {
-
-// Height of the ground at a place (x, z in metres), metres above the field; not finite where there is none.
-using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
 
 // Normal of the ground at a place, of any length; not finite or null where there is none.
 using NormalAt = std::function<Eigen::Vector3d(const Eigen::Vector2d &p_place)>;
@@ -24,8 +22,9 @@ struct LaidGround : BrushResult { // amount: 0
 };
 
 // Every texel whose centre lies in p_region and within the map's reach. p_height runs once a texel, and once for each
-// texel around the region. Normals follow from the heights where p_normal gives none. A height closes a hole.
+// texel around the region. Normals follow from the heights where p_normal gives none. A height closes a hole. Where the ground jumps,
+// by p_search, MAP_LEDGE says which heights count.
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing = MissingGround::STAYS,
-		const NormalAt &p_normal = nullptr);
+		const NormalAt &p_normal = nullptr, const LedgeSearch &p_search = {});
 
 } // namespace grass

@@ -10,7 +10,7 @@ namespace grass {
 inline PaintMap kept_of(PaintMap p_map, bool p_has_terrain) {
 	if (p_has_terrain) {
 		for (const MapKey &key : p_map.get_keys()) {
-			for (const MapChannel channel : { MAP_GROUND, MAP_NORMAL, MAP_HOLE }) {
+			for (const MapChannel channel : { MAP_GROUND, MAP_NORMAL, MAP_HOLE, MAP_LEDGE }) {
 				p_map.set_texels(key, channel, nullptr);
 			}
 		}

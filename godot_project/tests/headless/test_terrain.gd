@@ -116,6 +116,26 @@ func test_beyond_a_terrains_border_nothing_grows() -> void:
 	assert_near(ground, 3.0 + terrain.hills.height(108, 0), 0.05)
 
 
+func test_textures_of_h_terrains_array_shader() -> void:
+	var terrain := HTerrainLike.new()
+	var data := terrain.get_data()
+	data.indices = Image.create_empty(129, 129, false, Image.FORMAT_RGB8)
+	data.weights = Image.create_empty(129, 129, false, Image.FORMAT_RG8)
+	for y in 129:
+		for x in 129:
+			data.indices.set_pixel(x, y, Color8(2, 7, 9) if x < 64 else Color8(9, 2, 7))
+			data.weights.set_pixel(x, y, Color8(20, 215, 0) if x < 64 else Color8(10, 20, 0))
+	terrain.shader_type = "Array"
+	add_terrain(terrain)
+	var field := await field_on({fill_rule = _rule({texture_ids = PackedInt32Array([7])})})
+	for x: int in [-10, 10]:
+		assert_greater(_density(field, x, 0), 0.85, "it weighs most: as the second west of the middle, as the rest east of it")
+	remove([field])
+	terrain.shader_type = "Classic4"  # maps of another shader are left over
+	field = await field_on({fill_rule = _rule({texture_ids = PackedInt32Array([7])})})
+	assert_near(_density(field, -10, 0), 0.0, 0.01)
+
+
 func test_a_rule_grows_grass_on_its_textures() -> void:
 	for terrain in all_kinds():
 		var hills := hills_of(terrain)

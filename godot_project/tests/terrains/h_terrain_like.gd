@@ -13,11 +13,15 @@ class Data:
 	const CHANNEL_SPLAT := 2
 	const CHANNEL_COLOR := 3
 	const CHANNEL_GLOBAL_ALBEDO := 5
+	const CHANNEL_SPLAT_INDEX := 6
+	const CHANNEL_SPLAT_WEIGHT := 7
 
 	var heights := Image.create_empty(129, 129, false, Image.FORMAT_RF)
 	var splat := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
 	var color := Image.create_empty(129, 129, false, Image.FORMAT_RGBA8)
 	var albedo: Image  # baked, of any size
+	var indices: Image  # of the shader of a texture array: numbers of three textures, and the weights of two
+	var weights: Image
 
 	var by_rectangle: bool
 
@@ -47,10 +51,13 @@ class Data:
 		return lerpf(lerpf(_height(x, y), _height(x + 1, y), s), lerpf(_height(x, y + 1), _height(x + 1, y + 1), s), t)
 
 	func get_map_count(map_type: int) -> int:
+		if map_type in [CHANNEL_SPLAT_INDEX, CHANNEL_SPLAT_WEIGHT]:
+			return 1 if indices else 0
 		return 1 if map_type <= CHANNEL_COLOR or map_type == CHANNEL_GLOBAL_ALBEDO and albedo else 0
 
 	func get_image(map_type: int, _index := 0) -> Image:
-		return {CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color, CHANNEL_GLOBAL_ALBEDO: albedo}.get(map_type)
+		var of_array := {CHANNEL_SPLAT_INDEX: indices, CHANNEL_SPLAT_WEIGHT: weights}
+		return of_array.merged({CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color, CHANNEL_GLOBAL_ALBEDO: albedo}).get(map_type)
 
 	func _height(x: int, y: int) -> float:
 		var last := get_resolution() - 1
@@ -61,6 +68,7 @@ const Hills := preload("res://tests/terrains/hills.gd")
 
 var map_scale := Vector3(2, 4, 2)  # of cells, and of heights
 var hills := Hills.new()
+var shader_type := "Classic4"
 var _data: Data
 
 
@@ -71,6 +79,10 @@ func _init(by_rectangle := false) -> void:
 
 func get_data() -> Data:
 	return _data
+
+
+func get_shader_type() -> String:
+	return shader_type
 
 
 ## Centred on the node.

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Heights of the ground at the centres of a block of texels and of those around it: what a part of the map is laid from.
+#pragma once
+
+#include "core/map/map_channels.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace grass {
+
+// Height of the ground at a place (x, z in metres), metres above the field; not finite where there is none.
+using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
+
+inline constexpr double GROUND_TEXEL = info_of(MAP_GROUND).texel_size();
+
+class HeightBlock {
+public:
+	HeightBlock(const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, const HeightAt &p_height) :
+			_first(p_first - 1), _width(p_last.x() - p_first.x() + 3), _depth(p_last.y() - p_first.y() + 3) {
+		_heights.reserve(size_t(_width) * size_t(_depth));
+		for (int j = _first.y(); j < _first.y() + _depth; j++) {
+			for (int i = _first.x(); i < _first.x() + _width; i++) {
+				_heights.push_back(p_height(centre(i, j)));
+			}
+		}
+	}
+	static Eigen::Vector2d centre(int p_i, int p_j) { return { (p_i + 0.5) * GROUND_TEXEL, (p_j + 0.5) * GROUND_TEXEL }; }
+
+	double at(int p_i, int p_j) const { return _heights[size_t(p_j - _first.y()) * size_t(_width) + size_t(p_i - _first.x())]; }
+	int64_t count() const { return int64_t(_heights.size()); }
+	// The texels around the block are among these.
+	Eigen::Array2i get_first() const { return _first; }
+	Eigen::Array2i get_size() const { return { _width, _depth }; }
+
+	// The mean of those beside a texel; not finite where there is none.
+	double beside(int p_i, int p_j) const {
+		double sum = 0.0;
+		int count = 0;
+		for (int j = p_j - 1; j <= p_j + 1; j++) {
+			for (int i = p_i - 1; i <= p_i + 1; i++) {
+				const double height = at(i, j);
+				sum += std::isfinite(height) ? height : 0.0;
+				count += std::isfinite(height) ? 1 : 0;
+			}
+		}
+		return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+	}
+
+	Eigen::Vector3d normal(int p_i, int p_j) const {
+		const auto slope = [&](int p_di, int p_dj) {
+			const double ahead = at(p_i + p_di, p_j + p_dj), behind = at(p_i - p_di, p_j - p_dj), here = at(p_i, p_j);
+			const int sides = (std::isfinite(ahead) ? 1 : 0) + (std::isfinite(behind) ? 1 : 0);
+			return sides == 0 ? 0.0
+							  : ((std::isfinite(ahead) ? ahead : here) - (std::isfinite(behind) ? behind : here)) / (sides * GROUND_TEXEL);
+		};
+		return Eigen::Vector3d(-slope(1, 0), 1.0, -slope(0, 1)).normalized();
+	}
+
+private:
+	Eigen::Array2i _first;
+	int _width, _depth;
+	std::vector<double> _heights;
+};
+
+} // namespace grass

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Ledges: where the ground jumps, between heights that stand a texel apart. Finds the cells (squares between the centres of four texels of
+// the ground) that have one, and says of each spot in such a cell which of the four heights belong to its side. [Eq M7]
+#pragma once
+
+#include "core/base/tunable.h"
+#include "core/paint/height_block.h"
+
+#include <array>
+#include <cstdint>
+
+namespace grass {
+
+// Ground that is steeper is a ledge: nothing is blended across it, and nothing grows on its face.
+inline constexpr Tunable LEDGE_SLOPE{ "ledge_slope", "\u00b0", 30.0, 89.0, 0.5, 70.0 };
+
+struct LedgeSearch {
+	HeightAt between; // at any place; null: between the centres of texels the ground is one sheet
+	double slope = LEDGE_SLOPE.initial; // degrees
+};
+
+struct LedgeCell {
+	static constexpr int SPOTS = info_of(MAP_LEDGE).side / info_of(MAP_GROUND).side; // along a side
+	static constexpr int POINTS = SPOTS + 1;
+	int i = 0, j = 0; // its first texel
+	static Eigen::Array2i first_spot(int p_i, int p_j) { return Eigen::Array2i(p_i, p_j) * SPOTS + SPOTS / 2; } // texel of MAP_LEDGE
+	std::array<double, size_t(POINTS *POINTS)> heights{}; // at the corners of its spots, row by row along x
+
+	double &at(int p_column, int p_row) { return heights[size_t(p_row * POINTS + p_column)]; }
+	double at(int p_column, int p_row) const { return heights[size_t(p_row * POINTS + p_column)]; }
+};
+
+struct Ledges {
+	std::vector<LedgeCell> cells;
+	int64_t sampled = 0; // places at which `between` was asked
+};
+
+// p_skips_missing: cells at a place without a height have no ledge.
+Ledges find_ledges(const HeightBlock &p_heights, const LedgeSearch &p_search, bool p_skips_missing);
+
+// One of the texels at a cell's corners, as the map has it.
+struct LedgeCorner {
+	double height = 0.0; // metres
+	Eigen::Vector2d normal = Eigen::Vector2d::Zero(); // x, z
+	bool is_missing = false; // there is no ground below it
+};
+
+// The codes of a cell's spots, row by row along x. p_corners: (0, 0), (1, 0), (0, 1), (1, 1) along x, z.
+std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
+		const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, double p_slope);
+
+// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places asked.
+Eigen::Vector2d slope_beside_ledge(const HeightBlock &p_heights, const LedgeSearch &p_search, int p_i, int p_j, int64_t &r_sampled);
+
+} // namespace grass
