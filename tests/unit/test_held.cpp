@@ -213,7 +213,8 @@ struct Sunken {
 std::vector<Sunken> make_sunken() {
 	std::vector<Sunken> all;
 	for (const float aside : { 0.0f, 0.1f, 0.25f }) {
-		all.push_back({ "capsule that lies with its axis in the ground", GRASS_CAPSULE, { 0.4f, 0.5f, 0.0f }, { 0.05f, 0.0f, aside }, 1.5708f });
+		all.push_back(
+				{ "capsule that lies with its axis in the ground", GRASS_CAPSULE, { 0.4f, 0.5f, 0.0f }, { 0.05f, 0.0f, aside }, 1.5708f });
 	}
 	for (const float aside : { 0.0f, 0.15f, 0.18f, 0.22f }) {
 		all.push_back({ "boulder", GRASS_SPHERE, { 0.4f, 0.0f, 0.0f }, { aside, 0.1f, 0.013f }, 0.0f });
@@ -250,7 +251,8 @@ BladeScene make_about(const Sunken &p_body, float p_rate, bool p_comes, bool p_i
 
 } // namespace
 
-TEST_CASE("METHOD_DIRECT: a second after a sunken body came, or appeared, no blade that grows within it moves by 6e-3 L a step, and 96 of 100 "
+TEST_CASE("METHOD_DIRECT: a second after a sunken body came, or appeared, no blade that grows within it moves by 6e-3 L a step, and 96 of "
+		  "100 "
 		  "stand still") {
 	for (const float rate : { 30.0f, 60.0f, 144.0f }) {
 		CAPTURE(rate);

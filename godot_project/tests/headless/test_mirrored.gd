@@ -5,12 +5,24 @@ extends "res://tests/field_case.gd"
 const PLACE := Vector3(0.13, 0.32, -0.07)  # of the body
 const TURN := Vector3(0.15, 0.7, -0.1)
 const SHAPE_SCALES: Array[Vector3] = [
-	Vector3(-1, 1, 1), Vector3(1, -1, 1), Vector3(1, 1, -1), Vector3(-1, -1, -1), Vector3(-1.3, 0.8, 1.1), Vector3(-0.9, -1.2, -1.1),
-	Vector3(-1, 1, -1), Vector3(1.4, 0.8, 1.1)
+	Vector3(-1, 1, 1),
+	Vector3(1, -1, 1),
+	Vector3(1, 1, -1),
+	Vector3(-1, -1, -1),
+	Vector3(-1.3, 0.8, 1.1),
+	Vector3(-0.9, -1.2, -1.1),
+	Vector3(-1, 1, -1),
+	Vector3(1.4, 0.8, 1.1)
 ]
 const BODY_SCALES: Array[Vector3] = [
-	Vector3(-1, 1, 1), Vector3(1, -1, 1), Vector3(1, 1, -1), Vector3(-1, -1, -1), Vector3(-1.2, 1.2, 1.2), Vector3(-0.8, -0.8, -0.8),
-	Vector3(-1, 1, -1), Vector3(1.3, 1.3, 1.3)
+	Vector3(-1, 1, 1),
+	Vector3(1, -1, 1),
+	Vector3(1, 1, -1),
+	Vector3(-1, -1, -1),
+	Vector3(-1.2, 1.2, 1.2),
+	Vector3(-0.8, -0.8, -0.8),
+	Vector3(-1, 1, -1),
+	Vector3(1.3, 1.3, 1.3)
 ]
 const DEEP := 0.01  # metres within a body: the physics server rounds corners off
 const APART := 0.12  # metres: blades farther from the body stand as they grew
@@ -19,9 +31,15 @@ const APART := 0.12  # metres: blades farther from the body stand as they grew
 ## A wedge that is like no turned form of its mirrored one.
 func wedge() -> ConvexPolygonShape3D:
 	var shape := ConvexPolygonShape3D.new()
-	shape.points = PackedVector3Array([
-		Vector3(-0.5, -0.22, -0.3), Vector3(0.6, -0.22, -0.3), Vector3(-0.5, -0.22, 0.35), Vector3(-0.5, 0.2, -0.3), Vector3(-0.3, 0.2, -0.3)
-	])
+	shape.points = PackedVector3Array(
+		[
+			Vector3(-0.5, -0.22, -0.3),
+			Vector3(0.6, -0.22, -0.3),
+			Vector3(-0.5, -0.22, 0.35),
+			Vector3(-0.5, 0.2, -0.3),
+			Vector3(-0.3, 0.2, -0.3)
+		]
+	)
 	return shape
 
 
