@@ -104,7 +104,8 @@ void GpuField::begin_passes(const PassKind &p_kind, const FieldPlants &p_plants)
 }
 
 const char *GpuField::find_refused(const PassKind &p_kind) {
-	for (const char *pass : { GpuPass::find_refused(CULL), GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)), KnotReader::find_refused() }) {
+	for (const char *pass :
+			{ GpuPass::find_refused(CULL), GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)), KnotReader::find_refused() }) {
 		if (pass != nullptr) {
 			return pass;
 		}
@@ -316,7 +317,7 @@ void GpuField::report_times() {
 }
 
 int64_t GpuField::find_pool_tile_bytes() {
-	return 2 * POOL_TEXTURE_WIDTH * 8 + (2 * KNOT_FLOATS_PER_HALF + TWIST_FLOATS_PER_SLOT + 1) * 4 +
+	return 2 * POOL_TEXTURE_WIDTH * 8 + SLOT_BYTES + (TWIST_FLOATS_PER_SLOT + 1) * 4 +
 			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
 }
 

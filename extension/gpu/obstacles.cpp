@@ -79,8 +79,7 @@ String find_obstacle(const FieldSetup &p_setup, Method p_method) {
 		return String::utf8(lack.c_str());
 	}
 	const char *pass = find_refused(p_setup, p_method);
-	return pass == nullptr ? String()
-						   : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
+	return pass == nullptr ? String() : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
 }
 
 std::vector<Refusal> take_refusals() {

@@ -113,16 +113,21 @@ void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
 		r_warnings.push_back(warning);
 		return;
 	}
-	const int64_t pool = _properties.pool_tiles, drawn = int64_t(_properties.param(PARAM_DRAWN_TILES_MAX));
-	if (pool > setup.pool_size) {
-		r_warnings.push_back(vformat("`pool_tiles` is %d, and the graphics device has room for %d: storage buffers of %d MiB, textures of %d "
-									 "rows. Lower it to %d.",
-				pool, setup.pool_size, device_limits().buffer_bytes >> 20, device_limits().texture_side, setup.pool_size));
+	FieldSetup wanted = setup;
+	wanted.pool_size = int(_properties.pool_tiles);
+	wanted.drawn_tiles_max = int(_properties.param(PARAM_DRAWN_TILES_MAX));
+	const DeviceLimits &limits = device_limits();
+	const DeviceFit fit = fit_device(limits, wanted);
+	if (wanted.pool_size > fit.pool_size) {
+		r_warnings.push_back(
+				vformat("`pool_tiles` is %d, and the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
+						"Lower it to %d.",
+						wanted.pool_size, fit.pool_size, limits.buffer_bytes >> 20, limits.texture_side, fit.pool_size));
 	}
-	if (drawn > setup.drawn_tiles_max) {
-		r_warnings.push_back(vformat("`drawn_tiles_max` is %d, and the graphics device has room for %d: storage buffers of %d MiB. Lower it "
-									 "to %d.",
-				drawn, setup.drawn_tiles_max, device_limits().buffer_bytes >> 20, setup.drawn_tiles_max));
+	if (wanted.drawn_tiles_max > fit.drawn_tiles_max) {
+		r_warnings.push_back(
+				vformat("`drawn_tiles_max` is %d, and the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
+						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
 	}
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the layer reads of Vulkan's interface, laid out as its specification says. The machine that runs the tests needs no headers of Vulkan.
+// What the layer reads of Vulkan's interface, laid out as its specification says: the machine needs no headers of Vulkan.
 #pragma once
 
 #include <cstddef>

@@ -93,7 +93,8 @@ TEST_CASE("A device that lacks what a pass takes is told by name") {
 	CHECK(fit_device(limits, setup).lack == "The graphics device gives a compute pass 12 storage buffers, and grass needs 13.");
 	limits = {};
 	limits.shared_bytes = 16383;
-	CHECK(fit_device(limits, setup).lack == "The graphics device gives a compute pass 16383 bytes of shared memory, and grass needs 16384.");
+	CHECK(fit_device(limits, setup).lack ==
+			"The graphics device gives a compute pass 16383 bytes of shared memory, and grass needs 16384.");
 	limits = {};
 	limits.constant_bytes = 127;
 	CHECK(fit_device(limits, setup).lack == "The graphics device gives a compute pass 127 bytes of push constants, and grass needs 128.");

@@ -7,10 +7,10 @@ extends Node3D
 const SIZE := Vector2i(240, 136)
 const PATIENCE := 300.0  # seconds
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
-const HOOK := "void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission) {
+const HOOK := """void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission) {
 	albedo = mix(albedo, vec3(0.5, 0.1, 0.1), s.uv.x * s.height);
 }
-"
+"""
 ## The jitter of TAA depends on the frame's number; what it shows depends on all frames since it began.
 const JITTERS := 16
 const TAA_FRAMES := 5
@@ -138,18 +138,18 @@ func first_instance(first: int) -> int:
 	var texture := device.texture_create(format, RDTextureView.new())
 	var framebuffer := device.framebuffer_create([texture])
 	var source := RDShaderSource.new()
-	source.source_vertex = "#version 450
+	source.source_vertex = """#version 450
 layout(location = 0) flat out float number;
 void main() {
 	number = float(gl_InstanceIndex);
 	gl_Position = vec4(4.0 * float(gl_VertexIndex / 2) - 1.0, 4.0 * float(gl_VertexIndex % 2) - 1.0, 0.5, 1.0);
-}"
-	source.source_fragment = "#version 450
+}"""
+	source.source_fragment = """#version 450
 layout(location = 0) flat in float number;
 layout(location = 0) out float color;
 void main() {
 	color = number;
-}"
+}"""
 	var shader := device.shader_create_from_spirv(device.shader_compile_spirv_from_source(source))
 	var blend := RDPipelineColorBlendState.new()
 	blend.attachments = [RDPipelineColorBlendStateAttachment.new()]
