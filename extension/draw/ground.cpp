@@ -95,7 +95,8 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
 	int32_t *index = indices.ptrw();
 	for (int j = 0; j < rows; j++) {
 		for (int i = 0; i < columns; i++) {
-			const int32_t first = is_split ? 4 * (j * columns + i) : j * (columns + 1) + i, next = is_split ? first + 2 : first + columns + 1;
+			const int32_t first = is_split ? 4 * (j * columns + i) : j * (columns + 1) + i,
+						  next = is_split ? first + 2 : first + columns + 1;
 			for (const int32_t corner : { first, first + 1, next + 1, first, next + 1, next }) {
 				*index++ = corner;
 			}

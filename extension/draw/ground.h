@@ -29,7 +29,8 @@ public:
 	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
 	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
-	// The map's ground lies between these heights, metres above the field, and may have ledges. Another mesh where it got either, or lost it.
+	// The map's ground lies between these heights, metres above the field, and may have ledges. Another mesh where it got either, or lost
+	// it.
 	void set_heights(float p_low, float p_high, bool p_has_ledges);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);

@@ -107,8 +107,8 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };
 	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place, p_level - span, p_level + span); };
 	const LedgeSearch search{ height, field->get_param(PARAM_LEDGE_SLOPE) };
-	const LaidGround laid = _map->change(
-			[&](PaintMap &r_map) { return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search); });
+	const LaidGround laid =
+			_map->change([&](PaintMap &r_map) { return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search); });
 	r_costs.rays += laid.sampled;
 	_changed = _changed || !laid.changed.empty();
 }

@@ -240,8 +240,8 @@ void FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const s
 	}
 }
 
-void FieldTerrain::read(const Node3D &p_field, const Ref<GrassMap> &p_map, double p_ledge_slope,
-		const std::function<void(const MapRegion &)> &p_touched) {
+void FieldTerrain::read(
+		const Node3D &p_field, const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
 	take_changes();
 	if (!p_map->is_readable()) {
 		return;

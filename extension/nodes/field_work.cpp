@@ -150,8 +150,7 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 			found += std::isfinite(height) ? 1 : 0;
 			return height;
 		};
-		return lay_ground(
-				r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
+		return lay_ground(r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
 	});
 	return found;
 }

@@ -125,7 +125,8 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 		return near_row * (1.0 - t.y()) + far_row * t.y();
 	};
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
-	const bool is_finer = std::min(region.max.x() - region.min.x(), region.max.y() - region.min.y()) < GROUND_TEXEL * std::max(width, depth);
+	const bool is_finer =
+			std::min(region.max.x() - region.min.x(), region.max.y() - region.min.y()) < GROUND_TEXEL * std::max(width, depth);
 	const LedgeSearch search{ is_finer ? HeightAt(height) : nullptr };
 	const LaidGround laid =
 			change([&](PaintMap &r_map) { return lay_ground(r_map, region, height, MissingGround::STAYS, nullptr, search); });

@@ -148,7 +148,8 @@ private:
 class HTerrainSource : public TerrainSource {
 public:
 	static constexpr const char *TRANSFORM = "get_internal_transform", *HEIGHT = "get_interpolated_height_at";
-	static constexpr int64_t SPLAT = 2, COLOR = 3, ALBEDO = 5, INDEX = 6, WEIGHT = 7; // its numbers of maps; ALBEDO is baked from the others
+	static constexpr int64_t SPLAT = 2, COLOR = 3, ALBEDO = 5, INDEX = 6,
+							 WEIGHT = 7; // its numbers of maps; ALBEDO is baked from the others
 	static constexpr const char *SHADER_TYPE = "get_shader_type";
 	static constexpr const char *CHANGED = "region_changed";
 	static constexpr float HOLE = 0.5f; // where the alpha is below this, it draws nothing
@@ -263,7 +264,8 @@ private:
 		}
 		const Color numbers = pixel_of(p_indices, p_cell), weights = pixel_of(p_weights, p_cell);
 		const auto number = [](float p_component) { return int(std::lround(p_component * 255.0f)); };
-		std::array<std::pair<double, int>, 3> three = { { { double(weights.r), number(numbers.r) }, { double(weights.g), number(numbers.g) },
+		std::array<std::pair<double, int>, 3> three = { { { double(weights.r), number(numbers.r) },
+				{ double(weights.g), number(numbers.g) },
 				{ std::max(0.0, 1.0 - double(weights.r) - double(weights.g)), number(numbers.b) } } };
 		for (size_t n = 1; n < 3; n++) { // the same texture may be there twice
 			if (three[n].second == three[0].second) {

@@ -55,6 +55,8 @@ static func add_grid(parent: Node3D, place: Vector3) -> void:
 	grid.mesh_library = library
 	grid.cell_size = Vector3(1.2, 0.6, 1.2)
 	grid.position = place
-	for cell: Vector3i in [Vector3i(0, 0, 0), Vector3i(1, 0, 0), Vector3i(1, 1, 0), Vector3i(1, 0, 1), Vector3i(0, 0, 2), Vector3i(2, 2, 0)]:
+	for cell: Vector3i in [
+		Vector3i(0, 0, 0), Vector3i(1, 0, 0), Vector3i(1, 1, 0), Vector3i(1, 0, 1), Vector3i(0, 0, 2), Vector3i(2, 2, 0)
+	]:
 		grid.set_cell_item(cell, 0)
 	parent.add_child(grid)

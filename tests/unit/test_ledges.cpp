@@ -88,7 +88,6 @@ TEST_CASE("ledges: blocks, walls and kerbs, at any offset and turned anyhow: no 
 		const Count count = count_off(map, ground, 16.0);
 		CAPTURE(scene);
 		CAPTURE(count.bare);
-		MESSAGE("scene ", scene, ": off ", count.off, " bare ", count.bare, " of ", count.blades);
 		CHECK(count.off < count.blades / 1000);
 		CHECK(count.bare < count.blades / 16); // a strip along the edges
 	}
@@ -103,7 +102,8 @@ TEST_CASE("ledges: stairs, a sloping roof, a cliff in hills, a gap, and a floor 
 	for (double offset = 0.0; offset < 1.0; offset += 0.17) {
 		const Case cases[] = {
 			{ "stairs",
-					[offset](const Eigen::Vector2d &p_at) { return 0.2 * std::floor(std::clamp((p_at.x() + offset) / 0.3, -20.0, 20.0)); } },
+					[offset](
+							const Eigen::Vector2d &p_at) { return 0.2 * std::floor(std::clamp((p_at.x() + offset) / 0.3, -20.0, 20.0)); } },
 			{ "terraces", [offset](const Eigen::Vector2d &p_at) { return 0.4 * std::floor((p_at.x() + 0.3 * p_at.y() + offset) / 2.5); } },
 			{ "roof",
 					[offset](const Eigen::Vector2d &p_at) {
@@ -138,8 +138,7 @@ TEST_CASE("ledges: smooth and rough ground has none, and the heights are asked a
 		[](const Eigen::Vector2d &p_at) { return 0.1 * std::sin(5.0 * p_at.x()) * std::sin(6.0 * p_at.y()); } };
 	for (const HeightAt &ground : grounds) {
 		PaintMap map;
-		const LaidGround laid =
-				lay_ground(map, { { -16, -16 }, { 16, 16 } }, ground, MissingGround::STAYS, nullptr, { ground });
+		const LaidGround laid = lay_ground(map, { { -16, -16 }, { 16, 16 } }, ground, MissingGround::STAYS, nullptr, { ground });
 		CHECK_FALSE(map.uses(MAP_LEDGE));
 		CHECK(laid.sampled >= 34 * 34);
 	}

@@ -186,8 +186,9 @@ FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion
 	for (size_t first = 0; first < p_keys.size(); first += BATCH) {
 		const std::span<const MapKey> keys = p_keys.subspan(first, std::min(BATCH, p_keys.size() - first));
 		std::vector<FilledChunk> filled(keys.size());
-		p_parallel_for(int(keys.size()),
-				[&](int p_index) { filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rim, p_rule, p_sources).run(); });
+		p_parallel_for(int(keys.size()), [&](int p_index) {
+			filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rim, p_rule, p_sources).run();
+		});
 		for (size_t n = 0; n < keys.size(); n++) { // a chunk's filling depends on no other's
 			result.cells += filled[n].cells;
 			for (const RimTexel &texel : filled[n].rim) {

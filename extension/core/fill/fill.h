@@ -37,7 +37,6 @@ enum class FillRim { STAYS, FILLED };
 
 // Fills the texels of some chunks (rising) whose centres lie in p_area. Without a p_rule they return to the map's base density.
 FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion &p_area, const FillRule *p_rule,
-		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for,
-		FillRim p_rim = FillRim::STAYS);
+		const FillSources &p_sources, const ParallelFor &p_parallel_for = serial_for, FillRim p_rim = FillRim::STAYS);
 
 } // namespace grass

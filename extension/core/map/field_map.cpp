@@ -63,7 +63,8 @@ int FieldMap::count_painted(const PaintMap &p_map) const {
 size_t FieldMap::get_memory_usage() const {
 	constexpr size_t LAYER = size_t(MapLayer::FINE) * MapLayer::FINE * 4 + size_t(MapLayer::COARSE) * MapLayer::COARSE * 13;
 	constexpr size_t LEDGES = size_t(GRASS_LEDGE_TEXELS) * GRASS_LEDGE_TEXELS;
-	return size_t(_layers.get_count()) * LAYER + _layers.get_ledge_layers().size() * LEDGES + _cover->get_memory_usage() + _layers.get_pages().size() * sizeof(float);
+	return size_t(_layers.get_count()) * LAYER + _layers.get_ledge_layers().size() * LEDGES + _cover->get_memory_usage() +
+			_layers.get_pages().size() * sizeof(float);
 }
 
 } // namespace grass

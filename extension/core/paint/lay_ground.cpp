@@ -115,8 +115,7 @@ private:
 	}
 
 	Eigen::Vector3d normal(int p_i, int p_j) {
-		const bool is_beside =
-				has_ledge(p_i, p_j) || has_ledge(p_i - 1, p_j) || has_ledge(p_i, p_j - 1) || has_ledge(p_i - 1, p_j - 1);
+		const bool is_beside = has_ledge(p_i, p_j) || has_ledge(p_i - 1, p_j) || has_ledge(p_i, p_j - 1) || has_ledge(p_i - 1, p_j - 1);
 		if (!is_beside) {
 			return _heights.normal(p_i, p_j);
 		}

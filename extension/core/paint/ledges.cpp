@@ -81,7 +81,8 @@ private:
 		}
 		for (int n = 0; _search.between && n < PROBES * PROBES; n++) {
 			const uint32_t bits = grass_hash(uint32_t(p_i) * 73856093u ^ uint32_t(p_j) * 19349663u ^ uint32_t(n) * 83492791u);
-			const double x = (n % PROBES + double(bits & 0xffffu) / 65536.0) / PROBES, z = (n / PROBES + double(bits >> 16) / 65536.0) / PROBES;
+			const double x = (n % PROBES + double(bits & 0xffffu) / 65536.0) / PROBES,
+						 z = (n / PROBES + double(bits >> 16) / 65536.0) / PROBES;
 			if (!(std::abs(height(p_i, p_j, x, z) - blend(four, x, z)) <= SUSPECT)) {
 				return true;
 			}
@@ -188,8 +189,8 @@ std::array<double, 16> errors_at(const LedgeCell &p_cell, const std::array<Ledge
 	for (size_t n = 0; n < 4; n++) {
 		const LedgeCorner &corner = p_corners[n];
 		const glsl::vec2 from(float((x - double(n & 1)) * GROUND_TEXEL), float((z - double(n >> 1)) * GROUND_TEXEL));
-		planes[n] = double(glsl::grass_ledge_plane(
-				float(corner.height), glsl::vec2(float(corner.normal.x()), float(corner.normal.y())), from));
+		planes[n] =
+				double(glsl::grass_ledge_plane(float(corner.height), glsl::vec2(float(corner.normal.x()), float(corner.normal.y())), from));
 		missing |= corner.is_missing ? 1u << n : 0u;
 	}
 	std::array<double, 16> errors{};
@@ -231,11 +232,11 @@ std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 			}
 		}
 	}
-	std::array<std::array<double, 16>, size_t(POINTS *POINTS)> errors;
+	std::array<std::array<double, 16>, size_t(POINTS * POINTS)> errors;
 	for (int n = 0; n < POINTS * POINTS; n++) {
 		errors[size_t(n)] = errors_at(p_cell, p_corners, n % POINTS, n / POINTS);
 	}
-	std::array<uint8_t, size_t(SPOTS *SPOTS)> codes{};
+	std::array<uint8_t, size_t(SPOTS * SPOTS)> codes{};
 	for (int spot = 0; spot < SPOTS * SPOTS; spot++) {
 		const size_t first = size_t(spot / SPOTS * POINTS + spot % SPOTS);
 		double best = 0.0;

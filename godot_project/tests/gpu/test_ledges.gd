@@ -39,7 +39,7 @@ func test_no_curtain_hangs_before_a_wall() -> void:
 		await ticks(2)
 
 
-## A level as a designer makes it, for the eye: `./grass test gpu --only test_ledges` leaves the picture where the variable says.
+## A level as a designer makes it.
 func test_a_level_with_edges() -> void:
 	open_view(Vector2i(960, 540))
 	add_light()
@@ -55,6 +55,3 @@ func test_a_level_with_edges() -> void:
 	var image := await picture()
 	var green := share_of(image, func(color: Color) -> bool: return color.g > color.b + 0.05)
 	assert_greater(green, 0.2)
-	var path := OS.get_environment("GRASS_LEDGES_PICTURE")
-	if path:
-		image.save_png(path)

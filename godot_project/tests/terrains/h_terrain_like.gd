@@ -57,7 +57,9 @@ class Data:
 
 	func get_image(map_type: int, _index := 0) -> Image:
 		var of_array := {CHANNEL_SPLAT_INDEX: indices, CHANNEL_SPLAT_WEIGHT: weights}
-		return of_array.merged({CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color, CHANNEL_GLOBAL_ALBEDO: albedo}).get(map_type)
+		return of_array.merged({CHANNEL_HEIGHT: heights, CHANNEL_SPLAT: splat, CHANNEL_COLOR: color, CHANNEL_GLOBAL_ALBEDO: albedo}).get(
+			map_type
+		)
 
 	func _height(x: int, y: int) -> float:
 		var last := get_resolution() - 1
