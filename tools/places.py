@@ -11,5 +11,6 @@ ADDON_BIN = PROJECT / "addons/grass_field/bin"
 
 TOOLS = ROOT / ".tools"  # what was fetched because the machine lacks it
 UNPACKED = TOOLS / "root"  # the fetched packages, laid out as under /
+ZIG = TOOLS / "zig"  # the compiler for macOS, from PyPI, and the reader of what it makes
 CROSS = TOOLS / "cross"  # compilers for other platforms, and what runs their programs
 DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and what reads shaders

@@ -20,6 +20,7 @@ from tools import (
 	sanitize,
 	side_by_side,
 	starting,
+	testing_macos,
 	testing_platforms,
 	testing_release,
 	tidy,
@@ -127,6 +128,7 @@ LAYERS = {
 	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
 	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
+	"macos": Layer(lambda only, _: testing_macos.run_layer(only), None, in_all=False),
 	"release": Layer(lambda only, _: testing_release.run_layer("release", only), in_all=False),
 }
 ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)

@@ -75,7 +75,7 @@ def only_the_addon(sources):
 	check(not strangers, f"{strangers} are no part of the add-on")
 	for name in ("LICENSE", "README.md", "grass_field.gdextension", "grass_field.gdextension.uid"):
 		check(f"{PLACE}/{name}" in files, f"{name} is missing")
-	most = min(MOST_ALONE * len(sources), release.SIZE_MOST)
+	most = min(MOST_ALONE * sum(2 if target.arch == "universal" else 1 for target in sources), release.SIZE_MOST)
 	check(path.stat().st_size <= most, f"{path.stat().st_size} bytes with {len(sources)} libraries, at most {most}")
 
 
@@ -89,7 +89,8 @@ def extension_names_what_is_there(sources):
 	check(len(there) == len(sources), f"{there} for {len(sources)} libraries")
 	check(there <= named, f"{there - named} is named nowhere")
 	for target in sources:
-		kinds = re.findall(rf'^{target.system}\.(\w+)\.{target.arch} = "bin/{target.library}"', text, re.MULTILINE)
+		arch = "" if target.arch == "universal" else rf"\.{target.arch}"
+		kinds = re.findall(rf'^{target.system}\.(\w+){arch} = "bin/{target.library}"', text, re.MULTILINE)
 		check(kinds == (["debug", "release"] if target.kind == "release" else ["debug"]), f"{target.library} stands for {kinds}")
 	check(named <= set(files), f"{named - set(files)} is named, but not there")
 
@@ -107,9 +108,10 @@ def sums_are_right(_sources):
 
 def symbols_find_their_library(sources):
 	_, files = names_in("symbols-")
-	check(set(files) == {f"{target.library}.debug" for target in sources}, f"there are {sorted(files)}")
+	with_symbols = [target for target in sources if target.system != "macos"]
+	check(set(files) == {f"{target.library}.debug" for target in with_symbols}, f"there are {sorted(files)}")
 	_, libraries = names_in("")
-	for target in sources:
+	for target in with_symbols:
 		check(
 			f"{target.library}.debug".encode() in libraries[f"{PLACE}/bin/{target.library}"], f"{target.library} names no file of symbols"
 		)
@@ -239,7 +241,7 @@ def same_elsewhere(sources):
 
 PACKING = {
 	"packed twice, the same bytes": same_twice,
-	"the zip holds the add-on alone, in 8 MB": only_the_addon,
+	"the zip holds the add-on alone, in 13 MB": only_the_addon,
 	"the .gdextension names what is there and nothing else": extension_names_what_is_there,
 	"no path of this machine": no_paths_of_this_machine,
 	"SHA256SUMS are right": sums_are_right,

@@ -8,10 +8,12 @@ linked against glibc 2.31, so that it loads on systems of 2020 and later.
 import os
 import pathlib
 import platform
+import re
 import shutil
 
 from tools import machine
 from tools.packages import CROSS, GLIBC
+from tools.places import ZIG
 
 GLIBC_MOST = (2, 31)
 HERE = (
@@ -20,6 +22,10 @@ HERE = (
 )
 GNU = {"x86_64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu"}  # architectures, by the toolchains' names
 MINGW = "x86_64-w64-mingw32"
+MACOS = {"x86_64": "x86_64-macos.11.0", "arm64": "aarch64-macos.11.0"}  # the oldest that it loads on, by zig's names
+
+
+SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib"}  # of libraries
 
 
 def tool(*names):
@@ -36,10 +42,17 @@ def compiler(system, arch):
 		found = tool(f"{MINGW}-g++-posix")  # the variant that has std::thread
 	elif system == "linux" and arch in GNU:
 		found = tool(f"{GNU[arch]}-g++")
+	elif system == "macos" and arch in MACOS and not os.environ.get("CXX"):
+		return f"{ZIG}/ziglang/zig c++ -target {MACOS[arch]}" if (ZIG / "ziglang/zig").exists() else None
 	else:
 		return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
 	launcher = os.environ.get("GRASS_LAUNCHER")  # such as ccache
 	return f"{launcher} {found}" if found and launcher else found
+
+
+def is_clang(command):
+	"""Whether a compiler takes clang's flags."""
+	return bool(re.search(r"clang|/zig c\+\+", command or ""))
 
 
 def glibc(arch):
@@ -55,7 +68,7 @@ def can_link_old_glibc(system, arch):
 	if (system, arch) != HERE:
 		return True
 	library, version = platform.libc_ver()
-	is_gcc = "clang" not in (machine.compiler() or "")  # clang would look for GCC's own files beside that glibc
+	is_gcc = not is_clang(machine.compiler())  # clang would look for GCC's own files beside that glibc
 	return library == "glibc" and tuple(map(int, version.split(".")[:2])) <= (2, 36) and is_gcc
 
 

@@ -60,9 +60,10 @@ def prepare(env):
 		print(f"There is no C++ compiler for {system} {arch}: name one as cxx=COMMAND, or in the environment as CXX.")
 		return None
 	env.Replace(CXX=found, SHLIBPREFIX="", SHLIBSUFFIX=PLATFORMS[system].suffix, PROGSUFFIX=PLATFORMS[system].program)
+	is_zig = "/zig c++" in found
 	if arch == "x86_64":
-		env.Append(CCFLAGS=["-march=x86-64"])
-	if arch == "arm64" and "clang" not in found:  # GCC would tell of each vector that other compilers once passed otherwise
+		env.Append(CCFLAGS=["-march=x86_64" if is_zig else "-march=x86-64"])
+	if arch == "arm64" and not toolchains.is_clang(found):  # GCC would tell of each vector that other compilers once passed otherwise
 		env.Append(CCFLAGS=["-Wno-psabi"])
 	if system == "windows":
 		# GCC cannot align the stack to more than 16 bytes there (its bug 54412), so wide moves must not count on it. The runtime
@@ -72,6 +73,8 @@ def prepare(env):
 		env.Append(CCFLAGS=["-fPIC"])
 	if system in ("linux", "windows"):
 		env.Append(LINKFLAGS=["-Wl,--no-undefined"])
+	if is_zig:  # which traps on undefined behaviour unless told otherwise
+		env.Append(CCFLAGS=["-fno-sanitize=undefined"])
 	if system == "web":
 		env.Append(CCFLAGS=["-pthread"], LINKFLAGS=["-pthread"])
 	return PLATFORMS[system]
@@ -80,6 +83,8 @@ def prepare(env):
 def link_library(env):
 	"""Links what the library needs into it, so that it loads where nothing is installed. Returns sources to add."""
 	system, arch = env["platform"], env["arch"]
+	if system == "macos":  # it is found by its path in the project, not by one of the machine that built it
+		env.Append(LINKFLAGS=["-Wl,-install_name,@rpath/${TARGET.file}"])
 	if system == "web":
 		env.Append(CCFLAGS=["-sSIDE_MODULE=1"], LINKFLAGS=["-sSIDE_MODULE=1"])
 	if system != "linux":
@@ -94,7 +99,7 @@ def forget_folders(env):
 	names = ((ROOT, "."), (f"{ROOT}/", ""), (f"{TOOLS.resolve()}/", ".tools/"))  # the last that fits counts
 	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in names]
 	env.Append(CCFLAGS=[*maps, "-frandom-seed=$SOURCE"])
-	if "clang" not in env["CXX"]:  # GCC names a system's header by its real path, if that is shorter
+	if not toolchains.is_clang(env["CXX"]):  # GCC names a system's header by its real path, if that is shorter
 		env.Append(CCFLAGS=["-fno-canonical-system-headers"])
 	if env["platform"] == "linux":
 		env.Append(LINKFLAGS=["-Wl,--build-id=sha1"])
