@@ -73,7 +73,8 @@ def prepare(env):
 		env.Append(CCFLAGS=["-fPIC"])
 	if system in ("linux", "windows"):
 		env.Append(LINKFLAGS=["-Wl,--no-undefined"])
-	if is_zig:  # which traps on undefined behaviour unless told otherwise
+	if is_zig:  # which links only what is called .o, and traps on undefined behaviour unless told otherwise
+		env.Replace(SHOBJSUFFIX=".o")
 		env.Append(CCFLAGS=["-fno-sanitize=undefined"])
 	if system == "web":
 		env.Append(CCFLAGS=["-pthread"], LINKFLAGS=["-pthread"])
