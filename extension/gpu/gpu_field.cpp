@@ -41,7 +41,8 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	};
 	const Variant &variant = variants[p_tiles];
 	const bool crowd = p_tiles == TILES_WITH_CROWDS;
-	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd, p_tiles != TILES_ALL };
+	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd,
+		p_tiles != TILES_ALL };
 }
 
 using Usage = BitField<RenderingDevice::TextureUsageBits>;

@@ -4,8 +4,8 @@
 
 #include "convert.h"
 #include "core/base/cpu_clock.h"
-#include "gpu/obstacles.h"
 #include "draw/frame_share.h"
+#include "gpu/obstacles.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/main_thread.h"
 #include "nodes/watch_resource.h"

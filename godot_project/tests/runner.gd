@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 ## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
 ## (or gpu), optionally with `--only=PART[,PART...]` of tests' names. `./grass test` does that and adds up the layers. Those in
-## res://tests/drivers belong to the layer `gpu`, and run under a Vulkan layer (tools/drivers.py). The layer `editor` runs inside the editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene
-## (`./grass export OUT --tests`) it wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
+## res://tests/drivers belong to the layer `gpu`, and run under a Vulkan layer (tools/drivers.py). The layer `editor` runs inside the
+## editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene (`./grass export OUT --tests`) it
+## wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
 ##
 ## Finds res://tests/LAYER/test_*.gd. For tools/testing.py, which also knows what had not run if the engine dies, it
 ## prints a line `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
