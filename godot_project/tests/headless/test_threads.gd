@@ -204,7 +204,6 @@ func test_a_map_is_painted_by_threads() -> void:
 
 ## Every property of every class, read on a thread while the main thread sets it.
 func test_every_property_is_read_on_a_thread() -> void:
-	expect_error("belongs to the main thread")
 	var species := GrassSpecies.new()
 	species.patch = own_patch()
 	var field := add_field({map = full_map(), species = [species] as Array[GrassSpecies], fill_rule = GrassFillRule.new()})
