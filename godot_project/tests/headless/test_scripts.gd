@@ -117,6 +117,7 @@ class PlantMesh:
 
 
 var level: Level
+var placed: GrassField  # in it, at first
 var heard := 0  # how often the occasion came
 var deed := Callable()  # what to do, once
 
@@ -142,6 +143,7 @@ func add_level(properties := {}) -> GrassField:
 	remove_child(field)
 	level.add_child(field)
 	level.field = field
+	placed = field
 	return field
 
 
@@ -166,7 +168,31 @@ func deeds() -> Dictionary[String, Callable]:
 		"remove the field": func() -> void: level.remove_child(level.field),
 		"remove the level": func() -> void: remove_child(level),
 		"remove and add the field":
+		# SPDX-License-Identifier: MIT
+		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
+		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
+		## on every occasion, and tries a third of the other pairs.
+		## What deeds do away with: a field on a terrain of its own.
+		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+		## As Terrain3D and HTerrain: asks another object, which dies with it.
+		## Calls the script of the occasion that is tried.
+		## What a script may do, by name.
 		func() -> void:
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
 # SPDX-License-Identifier: MIT
 ## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
 ## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
@@ -188,7 +214,46 @@ func deeds() -> Dictionary[String, Callable]:
 		"no map": func() -> void: level.field.map = null,
 		"another map": func() -> void: level.field.map = full_map(),
 		"clear the map":
+		# SPDX-License-Identifier: MIT
+		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
+		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
+		## on every occasion, and tries a third of the other pairs.
+		## What deeds do away with: a field on a terrain of its own.
+		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+		## As Terrain3D and HTerrain: asks another object, which dies with it.
+		## Calls the script of the occasion that is tried.
+		## What a script may do, by name.
 		func() -> void:
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
 # SPDX-License-Identifier: MIT
 ## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
 ## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
@@ -214,7 +279,61 @@ func deeds() -> Dictionary[String, Callable]:
 		"another rule": func() -> void: level.field.fill_rule = GrassFillRule.new(),
 		"not simulated": func() -> void: level.field.simulated = false,
 		"ask and cut":
+		# SPDX-License-Identifier: MIT
+		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
+		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
+		## on every occasion, and tries a third of the other pairs.
+		## What deeds do away with: a field on a terrain of its own.
+		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+		## As Terrain3D and HTerrain: asks another object, which dies with it.
+		## Calls the script of the occasion that is tried.
+		## What a script may do, by name.
 		func() -> void:
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
 # SPDX-License-Identifier: MIT
 ## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
 ## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
@@ -263,9 +382,9 @@ func try_deeds(occasion: Callable, what: String, but: Array[String] = []) -> voi
 
 func clean_up() -> void:
 	deed = Callable()
+	if is_instance_valid(placed) and not placed.get_parent():
+		placed.free()
 	if is_instance_valid(level):
-		if is_instance_valid(level.field) and not level.field.get_parent():
-			level.field.free()
 		level.free()
 	for child in get_children():
 		if child is PhysicsBody3D:
@@ -526,7 +645,88 @@ func test_a_world_tells_of_plots() -> void:
 		"free the plot": func(_world: GrassWorld, field: GrassField) -> void: field.free(),
 		"remove the world": func(world: GrassWorld, _field: GrassField) -> void: level.remove_child(world),
 		"remove and add the world":
+		# SPDX-License-Identifier: MIT
+		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
+		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
+		## on every occasion, and tries a third of the other pairs.
+		## What deeds do away with: a field on a terrain of its own.
+		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+		## As Terrain3D and HTerrain: asks another object, which dies with it.
+		## Calls the script of the occasion that is tried.
+		## What a script may do, by name.
+		## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
+		## Frames until hear() was called, a hundred at most.
+		## In a frame of a field that stands, and where the field is made.
+		## Frames until grass stands where the camera is, if the world is still there.
 		func(world: GrassWorld, _field: GrassField) -> void:
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+# SPDX-License-Identifier: MIT
+## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
+## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
+## occasion, and tries a third of the other pairs.
+
+## What deeds do away with: a field on a terrain of its own.
+
+## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+
+## As Terrain3D and HTerrain: asks another object, which dies with it.
+
+## Calls the script of the occasion that is tried.
+
+## What a script may do, by name.
+
+## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
+
+## Frames until hear() was called, a hundred at most.
+
+## In a frame of a field that stands, and where the field is made.
+
+## Frames until grass stands where the camera is, if the world is still there.
+
 # SPDX-License-Identifier: MIT
 ## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
 ## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
