@@ -167,110 +167,11 @@ func deeds() -> Dictionary[String, Callable]:
 		"free the level later": func() -> void: level.queue_free(),
 		"remove the field": func() -> void: level.remove_child(level.field),
 		"remove the level": func() -> void: remove_child(level),
-		"remove and add the field":
-		# SPDX-License-Identifier: MIT
-		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
-		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
-		## on every occasion, and tries a third of the other pairs.
-		## What deeds do away with: a field on a terrain of its own.
-		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-		## As Terrain3D and HTerrain: asks another object, which dies with it.
-		## Calls the script of the occasion that is tried.
-		## What a script may do, by name.
-		func() -> void:
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-			level.remove_child(level.field)
-			level.add_child(level.field),
+		"remove and add the field": func() -> void: remove_and_add(level.field),
 		"move the field": func() -> void: level.field.position = Vector3(1e4, 0, 0),
 		"no map": func() -> void: level.field.map = null,
 		"another map": func() -> void: level.field.map = full_map(),
-		"clear the map":
-		# SPDX-License-Identifier: MIT
-		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
-		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
-		## on every occasion, and tries a third of the other pairs.
-		## What deeds do away with: a field on a terrain of its own.
-		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-		## As Terrain3D and HTerrain: asks another object, which dies with it.
-		## Calls the script of the occasion that is tried.
-		## What a script may do, by name.
-		func() -> void:
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-			if level.field.map:
-				level.field.map.clear(),
+		"clear the map": clear_map,
 		"no terrain": func() -> void: level.field.terrain = NodePath(),
 		"another terrain": func() -> void: level.field.terrain = NodePath("../Nobody"),
 		"another size": func() -> void: level.field.size = Vector2(3, 5),
@@ -278,82 +179,25 @@ func deeds() -> Dictionary[String, Callable]:
 		"no rule": func() -> void: level.field.fill_rule = null,
 		"another rule": func() -> void: level.field.fill_rule = GrassFillRule.new(),
 		"not simulated": func() -> void: level.field.simulated = false,
-		"ask and cut":
-		# SPDX-License-Identifier: MIT
-		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
-		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
-		## on every occasion, and tries a third of the other pairs.
-		## What deeds do away with: a field on a terrain of its own.
-		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-		## As Terrain3D and HTerrain: asks another object, which dies with it.
-		## Calls the script of the occasion that is tried.
-		## What a script may do, by name.
-		func() -> void:
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-			if level.stands():
-				level.field.density_at(Vector3.ZERO)
-				level.field.cut(ball(0.5), Transform3D())
-				level.field.trample(Vector3.ZERO, 0.5, 0.5),
+		"ask and cut": ask_and_cut,
 	}
+
+
+func remove_and_add(node: Node) -> void:
+	level.remove_child(node)
+	level.add_child(node)
+
+
+func clear_map() -> void:
+	if level.field.map:
+		level.field.map.clear()
+
+
+func ask_and_cut() -> void:
+	if level.stands():
+		level.field.density_at(Vector3.ZERO)
+		level.field.cut(ball(0.5), Transform3D())
+		level.field.trample(Vector3.ZERO, 0.5, 0.5)
 
 
 ## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
@@ -644,114 +488,7 @@ func test_a_world_tells_of_plots() -> void:
 		"free the world": func(world: GrassWorld, _field: GrassField) -> void: world.free(),
 		"free the plot": func(_world: GrassWorld, field: GrassField) -> void: field.free(),
 		"remove the world": func(world: GrassWorld, _field: GrassField) -> void: level.remove_child(world),
-		"remove and add the world":
-		# SPDX-License-Identifier: MIT
-		## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything
-		## that it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level
-		## on every occasion, and tries a third of the other pairs.
-		## What deeds do away with: a field on a terrain of its own.
-		## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-		## As Terrain3D and HTerrain: asks another object, which dies with it.
-		## Calls the script of the occasion that is tried.
-		## What a script may do, by name.
-		## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
-		## Frames until hear() was called, a hundred at most.
-		## In a frame of a field that stands, and where the field is made.
-		## Frames until grass stands where the camera is, if the world is still there.
-		func(world: GrassWorld, _field: GrassField) -> void:
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
-
-## Frames until hear() was called, a hundred at most.
-
-## In a frame of a field that stands, and where the field is made.
-
-## Frames until grass stands where the camera is, if the world is still there.
-
-# SPDX-License-Identifier: MIT
-## Whatever calls a script survives what the script does: every occasion on which a field or a world calls one, times everything that
-## it may do meanwhile. `./grass test sanitize` tries all pairs under the address sanitizer; the headless layer frees the level on every
-## occasion, and tries a third of the other pairs.
-
-## What deeds do away with: a field on a terrain of its own.
-
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
-
-## As Terrain3D and HTerrain: asks another object, which dies with it.
-
-## Calls the script of the occasion that is tried.
-
-## What a script may do, by name.
-
-## Runs `occasion`, which calls hear(), with each deed; `but`: deeds that the engine itself does not survive there.
-
-## Frames until hear() was called, a hundred at most.
-
-## In a frame of a field that stands, and where the field is made.
-
-## Frames until grass stands where the camera is, if the world is still there.
-
-			level.remove_child(world)
-			level.add_child(world),
+		"remove and add the world": func(world: GrassWorld, _field: GrassField) -> void: remove_and_add(world),
 		"another plot size": func(world: GrassWorld, _field: GrassField) -> void: world.plot_size = 192,
 		"another scene": func(world: GrassWorld, _field: GrassField) -> void: world.plot_scene = null,
 		"another folder": func(world: GrassWorld, _field: GrassField) -> void: world.folder = "",
