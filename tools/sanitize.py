@@ -23,7 +23,7 @@ STARTS = re.compile(r"^(?=.*(?:ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|: ru
 SAID_FIRST = 4  # places of a report that are named in the list of what failed
 OPTIONS = {"UBSAN_OPTIONS": "print_stacktrace=1"}
 # Of the headless layer: the files that try what a field may not expect. The others step thousands of tiles, which is too slow here.
-HEADLESS = ("fuzz", "threads", "enums", "properties", "movers", "growing", "game", "field", "map")
+HEADLESS = ("fuzz", "scripts", "threads", "enums", "properties", "movers", "growing", "game", "field", "map")
 # Of the engine: it frees some things only by ending, and catches signals to print a trace.
 IN_ENGINE = "detect_leaks=0:handle_segv=2:verify_asan_link_order=0"
 

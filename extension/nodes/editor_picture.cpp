@@ -9,12 +9,12 @@ using namespace godot;
 
 namespace grass {
 
-void EditorPicture::show(const Node3D &p_node, const Ref<ArrayMesh> &p_mesh, const Color &p_color) {
+void EditorPicture::show(const Node3D &p_node, const std::function<Ref<ArrayMesh>()> &p_make, const Color &p_color) {
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
-	_mesh = p_mesh;
+	_mesh = p_make();
 	if (!_instance.is_valid()) {
 		_material.instantiate();
 		_material->set_shading_mode(BaseMaterial3D::SHADING_MODE_UNSHADED);
@@ -24,7 +24,7 @@ void EditorPicture::show(const Node3D &p_node, const Ref<ArrayMesh> &p_mesh, con
 		server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
 		server->instance_geometry_set_material_override(_instance, _material->get_rid());
 	}
-	server->instance_set_base(_instance, _mesh->get_rid());
+	server->instance_set_base(_instance, _mesh.is_valid() ? _mesh->get_rid() : RID());
 	follow(p_node);
 }
 

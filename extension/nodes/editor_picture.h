@@ -8,14 +8,16 @@
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/rid.hpp>
 
+#include <functional>
+
 namespace grass {
 
 class EditorPicture {
 public:
 	~EditorPicture() { free(); }
 
-	// Shows p_mesh at p_node, which is in a world. Only in the editor.
-	void show(const godot::Node3D &p_node, const godot::Ref<godot::ArrayMesh> &p_mesh, const godot::Color &p_color);
+	// Shows what p_make returns at p_node, which is in a world; null: nothing. Only in the editor: in a game p_make does not run.
+	void show(const godot::Node3D &p_node, const std::function<godot::Ref<godot::ArrayMesh>()> &p_make, const godot::Color &p_color);
 	void follow(const godot::Node3D &p_node); // its place, and whether it is visible
 	void free();
 

@@ -5,6 +5,7 @@
 #include "nodes/editor_hooks.h"
 #include "nodes/grass_exclusion_3d.h"
 #include "nodes/grass_path_3d.h"
+#include "nodes/script_call.h"
 #include "nodes/watch_resource.h"
 
 #include <godot_cpp/core/memory.hpp>
@@ -36,19 +37,36 @@ FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
 } // namespace
 
 // The field's own changes to the map do not concern the rule.
-template <typename F> FillResult FieldFiller::change(const Ref<GrassMap> &p_map, F &&p_change) {
+template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change) {
 	_is_filling = true;
-	FillResult result = p_map.ptr()->change(p_change);
+	if (!outlives(_node, [&] { r_result = p_map.ptr()->change(p_change); })) {
+		return false;
+	}
 	_is_filling = false;
-	_cells += result.cells;
-	return result;
+	_cells += r_result.cells;
+	return true;
 }
 
-void FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
-	watch_instead(_rule, p_rule, p_changed);
-	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
-		change(p_map, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
+// p_chunks: at most; negative: all of them.
+bool FieldFiller::work(const Ref<GrassMap> &p_map, int p_chunks) {
+	FillResult result;
+	if (!change(p_map, result, [&](PaintMap &r_map) { return _state.work(r_map, p_chunks, run_parallel); })) {
+		return false;
 	}
+	_has_finished = _state.is_set() && _state.get_waiting() == 0;
+	return true;
+}
+
+bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
+	if (!watch_instead(_rule, p_rule, p_changed)) {
+		return true;
+	}
+	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
+		const Ref<GrassMap> map = p_map;
+		FillResult result;
+		return change(map, result, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
+	}
+	return true;
 }
 
 void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
@@ -80,28 +98,22 @@ void FieldFiller::look(const Place &p_place) {
 	_state.set(now->rule, now->sources, p_place.region);
 }
 
-void FieldFiller::start(const Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once) {
+bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_once) {
 	look(p_place);
-	if (p_at_once) {
-		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, -1, run_parallel); });
-	}
-	_has_finished = _state.get_waiting() == 0;
 	_replacements = p_map->get_replacements();
 	_base_density = p_map->get_base_density();
+	_has_finished = _state.get_waiting() == 0;
+	return !p_at_once || work(p_map, -1);
 }
 
-bool FieldFiller::update(const Ref<GrassMap> &p_map, const Place &p_place) {
-	if (_rule.is_null() || !_state.is_set() || !p_map->is_readable()) {
-		return false;
+bool FieldFiller::update(Ref<GrassMap> p_map, const Place &p_place) {
+	if (_rule.is_null() || !_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
+		return true;
 	}
 	if (_has_changed || _revision != scene_revision() || --_frames_to_look <= 0) {
 		look(p_place);
 	}
-	if (_state.get_waiting() > 0) {
-		change(p_map, [&](PaintMap &r_map) { return _state.work(r_map, CHUNKS_A_FRAME, run_parallel); });
-		_has_finished = _state.get_waiting() == 0;
-	}
-	return std::exchange(_has_finished, false);
+	return _state.get_waiting() == 0 || work(p_map, CHUNKS_A_FRAME);
 }
 
 void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &p_chunks) {
@@ -127,13 +139,15 @@ void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
 	_terrain = p_ids;
 }
 
-double FieldFiller::fill(const Ref<GrassMap> &p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
+double FieldFiller::fill(Ref<GrassMap> p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
 	const FillRule rule = rule_for(**p_rule, p_place);
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
 	sources.terrain = _terrain;
-	return change(p_map, [&](PaintMap &r_map) {
+	FillResult result;
+	(void)change(p_map, result, [&](PaintMap &r_map) { // the last thing done
 		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel, FillRim::FILLED);
-	}).amount;
+	});
+	return result.amount;
 }
 
 void FieldFiller::warn(const Ref<GrassMap> &p_map, bool p_has_terrain, PackedStringArray &r_warnings) const {

@@ -12,11 +12,16 @@
 #include <godot_cpp/variant/callable.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace grass {
 
+// Listeners of the map are scripts: see nodes/script_call.h. What says so returns false where one of them freed the field, and this with
+// it.
 class FieldFiller {
 public:
+	explicit FieldFiller(const godot::Node3D &p_field) : _node(p_field) {}
+
 	// What is filled: the field's node, its transform (global, without scale), its rectangle.
 	struct Place {
 		godot::Node3D *node;
@@ -26,7 +31,8 @@ public:
 	};
 
 	// p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
-	void set_rule(const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
+	[[nodiscard]] bool set_rule(
+			const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
 	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
 	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
 	bool is_live() const { return _is_live; }
@@ -37,16 +43,18 @@ public:
 	void forget_map() { _state = LiveFill(); }
 
 	// Looks at the rule; at once: fills all of the map by it.
-	void start(const godot::Ref<GrassMap> &p_map, const Place &p_place, bool p_at_once);
-	// Once a frame, after start(). True in the frame in which it has finished.
-	bool update(const godot::Ref<GrassMap> &p_map, const Place &p_place);
+	[[nodiscard]] bool start(godot::Ref<GrassMap> p_map, const Place &p_place, bool p_at_once);
+	// Once a frame, after start().
+	[[nodiscard]] bool update(godot::Ref<GrassMap> p_map, const Place &p_place);
+	// True once after it has finished.
+	bool take_finished() { return std::exchange(_has_finished, false); }
 	// Somebody changed chunks of the map.
 	void touch(const godot::Ref<GrassMap> &p_map, const godot::TypedArray<godot::Vector2i> &p_chunks);
 	// The terrain's textures; null: there are none. Then: they are others in a region.
 	void set_terrain(const std::shared_ptr<const TerrainIds> &p_ids);
 	void touch_textures(const MapRegion &p_region) { _state.touch_textures(p_region); }
 	// Fills by any rule, once. Returns square metres of full grass that came.
-	double fill(const godot::Ref<GrassMap> &p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
+	double fill(godot::Ref<GrassMap> p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
 	// What the rule asks now; nothing without one.
 	struct Gathered {
@@ -62,8 +70,10 @@ public:
 
 private:
 	void look(const Place &p_place);
-	template <typename F> FillResult change(const godot::Ref<GrassMap> &p_map, F &&p_change);
+	template <typename F> bool change(const godot::Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change);
+	bool work(const godot::Ref<GrassMap> &p_map, int p_chunks);
 
+	const godot::Node3D &_node; // the field
 	godot::Ref<GrassFillRule> _rule;
 	bool _is_live = true;
 	LiveFill _state; // not set: nothing filled yet
@@ -72,7 +82,7 @@ private:
 	bool _has_changed = false; // the rule, since it was looked at
 	bool _is_filling = false; // the map changes by the field's own doing
 	uint64_t _revision = 0; // of exclusions and paths, when looked at
-	bool _has_finished = false; // since the last update()
+	bool _has_finished = false; // since take_finished()
 	uint64_t _replacements = 0; // of the map's contents, as far as known
 	double _base_density = 0.0; // of the map, as far as known
 	int _frames_to_look = 0;

@@ -16,7 +16,7 @@ const char *const PREFIX = "hook/"; // of the uniforms' properties
 } // namespace
 
 void FieldHook::set_include(const Ref<ShaderInclude> &p_include, const Callable &p_changed) {
-	watch_instead(_include, p_include, p_changed);
+	(void)watch_instead(_include, p_include, p_changed); // the field compared them
 }
 
 bool FieldHook::compile() {
@@ -72,6 +72,10 @@ bool FieldHook::set_property(const StringName &p_property, const Variant &p_valu
 	}
 	set_value(name.trim_prefix(PREFIX), p_value);
 	return true;
+}
+
+bool FieldHook::is_property(const StringName &p_name) {
+	return String(p_name).begins_with(PREFIX);
 }
 
 bool FieldHook::get_property(const StringName &p_property, Variant &r_value) const {

@@ -34,7 +34,9 @@ public:
 	godot::Variant get_value(const godot::StringName &p_uniform) const;
 	void hand_on(const Set &p_set) const; // all values
 
-	// The uniforms as properties, hook/NAME. False for another property. A scene sets them before or after the include.
+	// The uniforms as properties, hook/NAME.
+	static bool is_property(const godot::StringName &p_name);
+	// False for another property. A scene sets them before or after the include.
 	bool set_property(const godot::StringName &p_property, const godot::Variant &p_value);
 	bool get_property(const godot::StringName &p_property, godot::Variant &r_value) const;
 	void list(godot::List<godot::PropertyInfo> *r_list) const;

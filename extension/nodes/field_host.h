@@ -16,10 +16,10 @@ public:
 
 	virtual const godot::Node3D &as_node() const = 0;
 	virtual godot::Transform3D field_transform() const = 0; // global, without scale
-	// Makes the field, if it waits to be made.
-	virtual void build() = 0;
+	// Makes the field, if it waits to be made. False: a script that ran meanwhile freed the field, so touch nothing of it.
+	[[nodiscard]] virtual bool build() = 0;
 	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that
-	// names p_method, outside of the tree.
+	// names p_method, outside of the tree; null, too, where a script that ran meanwhile freed the field.
 	virtual GrassMap *need_map(const char *p_method) = 0;
 	virtual godot::String label() const = 0; // of the node, for messages
 	// Returns p_text with the node's name before it, for an error; the first time also with what a bug report needs.

@@ -17,12 +17,21 @@ namespace grass {
 void FieldMaker::request() {
 	_is_waiting = true;
 	_most_ms = 0.0;
+	_is_stale = _wanted.has_value();
+}
+
+void FieldMaker::drop() {
 	_wanted.reset();
+	_is_stale = false;
 }
 
 bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend) {
 	const bool in_parts = p_backend != nullptr || p_properties.is_streamed;
-	if (in_parts && !p_properties.species.prepare_patches()) {
+	if (_is_stale && (p_backend == nullptr || p_properties.is_streamed)) { // nobody sees it
+		drop();
+	}
+	const bool has_patches = !in_parts || p_properties.species.prepare_patches();
+	if (!_wanted && !has_patches) {
 		return false;
 	}
 	FrameShare::Turn turn(this);
@@ -39,16 +48,16 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	}
 	const Look look{ shader_features(_wanted->setup), p_properties.hook.get_text() };
 	const bool has_shaders = !in_parts || ((p_backend == nullptr || p_backend->prepare(_wanted->setup)) & prepare_shaders(look));
-	return has_shaders && prepare_map(p_properties, has_time) && has_time();
+	return has_shaders && prepare_map(has_time) && has_time();
 }
 
-bool FieldMaker::prepare_map(const FieldProperties &p_properties, const std::function<bool()> &p_has_time) {
+bool FieldMaker::prepare_map(const std::function<bool()> &p_has_time) {
 	if (!_wanted->setup.is_mapped || _wanted->setup.patch->is_empty()) {
 		return true;
 	}
 	std::unique_ptr<ShownMap> &map = _wanted->map;
 	if (!map && p_has_time()) {
-		map = std::make_unique<ShownMap>(p_properties.map, _wanted->setup, std::move(_prepared));
+		map = std::make_unique<ShownMap>(_wanted->painted, _wanted->setup, _is_stale ? nullptr : std::move(_prepared));
 	}
 	while (map && map->has_work()) {
 		if (!p_has_time()) {
@@ -76,7 +85,8 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 	setup.method = p_method;
 	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(p_properties.seed);
-	setup.is_mapped = p_properties.map.is_valid();
+	wanted.painted = p_properties.map;
+	setup.is_mapped = wanted.painted.is_valid();
 	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
 	setup.has_terrain = p_properties.find_terrain_texture().is_valid();
 	setup.card_size = p_properties.species.find_card_size();
@@ -102,8 +112,8 @@ WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method 
 
 WantedField FieldMaker::take() {
 	WantedField wanted = std::move(*_wanted);
-	_wanted.reset();
-	_is_waiting = false;
+	_is_waiting = _is_stale;
+	drop();
 	_makings++;
 	return wanted;
 }

@@ -24,12 +24,14 @@ struct WantedField {
 	std::vector<GrownSpecies> species;
 	std::vector<DrawnPlant> plants; // of the species
 	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
+	godot::Ref<GrassMap> painted; // what `map` is to show; null: none
 	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
 };
 
 class FieldMaker {
 public:
-	// However many properties change, the field is made once, at the next tick or frame.
+	// However many properties change, the field is made once, at the next tick or frame. What is being made goes on and is shown, and is
+	// made anew then: properties that change in every frame still show.
 	void request();
 	// The map that the field is to show, prepared by another thread; null: none.
 	void offer(std::unique_ptr<PreparedMap> p_prepared) { _prepared = std::move(p_prepared); }
@@ -40,7 +42,7 @@ public:
 	static std::optional<ShownPlace> find_place(const FieldProperties &p_properties);
 	// The field that was prepared, to be made now.
 	WantedField take();
-	void forget() { _wanted.reset(); }
+	void forget() { drop(); }
 
 	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
 	// Milliseconds that the making took in one frame, at most, since request().
@@ -50,11 +52,13 @@ public:
 
 private:
 	static WantedField find_wanted(const FieldProperties &p_properties, Method p_method);
-	bool prepare_map(const FieldProperties &p_properties, const std::function<bool()> &p_has_time);
+	bool prepare_map(const std::function<bool()> &p_has_time);
+	void drop();
 
 	bool _is_waiting = false;
 	std::unique_ptr<PreparedMap> _prepared;
 	std::optional<WantedField> _wanted; // once it is known what the properties make
+	bool _is_stale = false; // they changed after that
 	double _most_ms = 0.0; // of add_time()
 	int64_t _makings = 0; // so far
 };

@@ -8,6 +8,7 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -93,6 +94,7 @@ void FieldMonitors::show() {
 		if (Performance::get_singleton()->has_custom_monitor(info.name)) {
 			continue; // a script's own
 		}
+		_is_shown[size_t(monitor)] = true;
 		Array arguments;
 		arguments.push_back(monitor);
 		Performance::get_singleton()->add_custom_monitor(info.name, callable_mp(this, &FieldMonitors::_read), arguments, info.type);
@@ -100,9 +102,10 @@ void FieldMonitors::show() {
 }
 
 void FieldMonitors::hide() {
-	for (const MonitorInfo &info : MONITORS) {
-		if (Performance::get_singleton()->has_custom_monitor(info.name)) {
-			Performance::get_singleton()->remove_custom_monitor(info.name);
+	for (size_t monitor = 0; monitor < MONITORS.size(); monitor++) {
+		const char *name = MONITORS[monitor].name;
+		if (std::exchange(_is_shown[monitor], false) && Performance::get_singleton()->has_custom_monitor(name)) {
+			Performance::get_singleton()->remove_custom_monitor(name);
 		}
 	}
 }

@@ -51,6 +51,7 @@ private:
 
 	static FieldMonitors *_singleton;
 	std::vector<GrassField *> _fields;
+	std::array<bool, MONITOR_COUNT> _is_shown{}; // by show(): others of these names are a script's own
 };
 
 } // namespace grass

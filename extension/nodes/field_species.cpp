@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/field_species.h"
 
+#include "nodes/property_value.h"
+#include "nodes/script_call.h"
+
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -52,19 +57,20 @@ void FieldSpecies::set(const TypedArray<GrassSpecies> &p_species, const Callable
 			species->disconnect("changed", p_changed);
 		}
 	}
-	_list.clear();
+	List list;
 	for (int64_t i = 0; i < p_species.size(); i++) {
 		const Ref<GrassSpecies> species = p_species[i];
 		if (species.is_valid() && !species->is_connected("changed", p_changed)) {
 			species->connect("changed", p_changed);
 		}
-		_list.push_back(species);
+		list.push_back(species);
 	}
+	(void)replace(_list, list);
 }
 
 TypedArray<GrassSpecies> FieldSpecies::get() const {
 	TypedArray<GrassSpecies> species;
-	for (const Ref<GrassSpecies> &one : _list) {
+	for (const Ref<GrassSpecies> &one : value_of(_list)) {
 		species.push_back(one);
 	}
 	return species;
@@ -91,6 +97,12 @@ bool FieldSpecies::prepare_patches() const {
 		are_made = (species.is_null() ? GrassPatch::is_default_made() : species->prepare_patch()) && are_made;
 	}
 	return are_made;
+}
+
+bool FieldSpecies::read_plants(const Object &p_field) const {
+	const List list = _list;
+	return std::ranges::all_of(list,
+			[&](const Ref<GrassSpecies> &p_species) { return p_species.is_null() || outlives(p_field, [&] { p_species->find_plant(); }); });
 }
 
 FieldSpecies::List FieldSpecies::find_used() const {
@@ -167,6 +179,11 @@ std::vector<int> FieldSpecies::find_stems() const {
 		stems.push_back(species->get_stems());
 	}
 	return stems;
+}
+
+bool FieldSpecies::has_plant_meshes() const {
+	return std::ranges::any_of(
+			_list, [](const Ref<GrassSpecies> &p_species) { return p_species.is_valid() && p_species->get_plant_mesh().is_valid(); });
 }
 
 std::vector<DrawnPlant> FieldSpecies::find_plants(double p_density) const {

@@ -42,6 +42,8 @@ public:
 
 	// Lets threads make the patches that are missing. True once none is.
 	bool prepare_patches() const;
+	// Reads the meshes that are not read yet. They may be scripts: false where one of them freed p_field, and this with it.
+	[[nodiscard]] bool read_plants(const godot::Object &p_field) const;
 	// Those that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
 	List find_used() const;
 	// The first of them, and in an empty list a new one.
@@ -53,6 +55,7 @@ public:
 	float find_leaf_area() const; // of the mean blade, m^2
 	// The meshes that species have, in the order of find_used(); null: none. p_density: blades a square metre.
 	std::vector<DrawnPlant> find_plants(double p_density) const;
+	bool has_plant_meshes() const; // whether they can be drawn or not, since reading them may run scripts
 	std::vector<int> find_stems() const; // that share a root
 	bool is_joined() const; // the patch of join() is of the species as they are
 	// All species' blades as one patch, the same one until they change.

@@ -5,6 +5,8 @@
 #include "core/fill/terrain_picture.h"
 #include "draw/frame_share.h"
 #include "nodes/field_view.h"
+#include "nodes/property_value.h"
+#include "nodes/script_call.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/image.hpp>
@@ -44,7 +46,7 @@ bool is_upright(const Transform3D &p_field) {
 } // namespace
 
 void FieldTerrain::set_path(const NodePath &p_path) {
-	_path = p_path;
+	(void)replace(_path, p_path);
 	forget();
 	_problem = String();
 	_frames_to_look = 0;
@@ -85,20 +87,36 @@ void FieldTerrain::listen(const TerrainSource::Handlers &p_handlers) {
 	}
 }
 
-void FieldTerrain::find(Node3D &p_field, const TerrainSource::Handlers &p_handlers) {
+// Runs p_ask, which calls methods of the terrain. Until it returns, the field asks nothing more of it.
+template <typename F> bool FieldTerrain::ask(F &&p_ask) {
+	_is_asking = true;
+	if (!outlives(_node, p_ask)) {
+		return false;
+	}
+	_is_asking = false;
+	return true;
+}
+
+bool FieldTerrain::find(const TerrainSource::Handlers &p_handlers) {
 	_problem = String();
-	Node *node = p_field.get_node_or_null(_path);
+	const NodePath path = _path;
+	Node *node = _node.get_node_or_null(path);
 	if (node == nullptr || !node->is_inside_tree()) {
-		_problem = vformat("`terrain` names no node of the scene: '%s'. Choose the terrain again, or empty it.", String(_path));
+		_problem = vformat("`terrain` names no node of the scene: '%s'. Choose the terrain again, or empty it.", String(path));
 		forget();
-		return;
+		return true;
 	}
-	std::unique_ptr<TerrainSource> found = TerrainSource::find(node, _problem);
-	if (found && _source && found->is_same(*_source)) {
-		return;
+	std::shared_ptr<TerrainSource> found;
+	String problem;
+	if (!ask([&] { found = TerrainSource::find(node, problem); })) {
+		return false;
 	}
+	if (path != _path || (found && _source && found->is_same(*_source))) {
+		return true;
+	}
+	_problem = problem;
 	forget();
-	_source = std::move(found);
+	_source = found && found->is_alive() ? found : nullptr;
 	if (_source) {
 		_ids = _source->has_textures() ? std::make_shared<TerrainIds>() : nullptr;
 		if (_source->has_colors()) {
@@ -108,11 +126,20 @@ void FieldTerrain::find(Node3D &p_field, const TerrainSource::Handlers &p_handle
 		listen(p_handlers);
 		_is_all_changed = true;
 	}
+	return true;
 }
 
 // A field or a terrain that moves is read again where it has come to rest. Both moved together (a shifted origin): nothing is.
-void FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &p_region) {
-	const Transform3D beside = _source->get_transform().affine_inverse() * p_transform;
+bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &p_region) {
+	const std::shared_ptr<TerrainSource> source = _source;
+	Transform3D terrain;
+	if (!ask([&] { terrain = source->get_transform(); })) {
+		return false;
+	}
+	if (source != _source) {
+		return true;
+	}
+	const Transform3D beside = terrain.affine_inverse() * p_transform;
 	const bool rests = _beside && is_same_place(*_beside, beside);
 	if (!_beside_when_read || (rests && !is_same_place(*_beside_when_read, beside))) {
 		_beside_when_read = beside;
@@ -130,6 +157,7 @@ void FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 			_has_old_colors = true;
 		}
 	}
+	return true;
 }
 
 void FieldTerrain::read_all(bool p_is_elsewhere) {
@@ -160,25 +188,25 @@ void FieldTerrain::show_colors() {
 	}
 }
 
-bool FieldTerrain::look(
-		Node3D &p_field, const Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers) {
-	if (_path.is_empty()) {
-		return false;
+bool FieldTerrain::look(const Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers) {
+	_can_read = false;
+	if (_path.is_empty() || _is_asking) {
+		return true;
 	}
 	_region = p_region;
 	if (--_frames_to_look <= 0 || (_source && !_source->is_alive())) {
 		_frames_to_look = FRAMES_BETWEEN_QUERIES;
-		find(p_field, p_handlers);
-		if (_source) {
-			watch_place(p_transform, p_region);
+		if (!find(p_handlers) || (_source && !watch_place(p_transform, p_region))) {
+			return false;
 		}
 	}
 	if (_source && !is_upright(p_transform)) {
 		_problem = "`terrain` tells vertical heights, but the field is tilted, so nothing of it is laid. Turn the field about its Y axis "
 				   "only.";
-		return false;
+		return true;
 	}
-	return _source != nullptr;
+	_can_read = true;
+	return true;
 }
 
 void FieldTerrain::area_changed(const AABB &p_area) {
@@ -189,10 +217,18 @@ void FieldTerrain::area_changed(const AABB &p_area) {
 	}
 }
 
-void FieldTerrain::cells_changed(const Vector2 &p_first, const Vector2 &p_count) {
-	if (_source && _source->is_alive()) {
-		_areas.push_back(_source->to_area(p_first, p_count));
+bool FieldTerrain::cells_changed(const Vector2 &p_first, const Vector2 &p_count) {
+	const std::shared_ptr<TerrainSource> source = _source;
+	if (source && source->is_alive()) {
+		AABB area;
+		if (!ask([&] { area = source->to_area(p_first, p_count); })) {
+			return false;
+		}
+		if (area.is_finite()) {
+			_areas.push_back(area);
+		}
 	}
+	return true;
 }
 
 // A terrain may say where, and in the same frame that something did: then the places count.
@@ -210,14 +246,21 @@ void FieldTerrain::take_changes() {
 	_is_all_changed = false;
 }
 
-void FieldTerrain::read_row() {
+// False, too, where the answers are of no use any more.
+bool FieldTerrain::read_row() {
+	const std::shared_ptr<TerrainSource> source = _source;
 	const std::vector<Eigen::Vector2d> row = _piece->get_row();
 	std::vector<Vector3> places;
 	for (const Eigen::Vector2d &place : row) {
 		places.push_back(_field.xform(Vector3(real_t(place.x()), 0, real_t(place.y()))));
 	}
 	std::vector<TerrainSample> samples(row.size());
-	_source->read(places, samples);
+	if (!ask([&] { source->read(places, samples); })) {
+		return false;
+	}
+	if (source != _source || !source->is_alive() || !_piece) { // a method of the terrain removed it, or changed the field
+		return true;
+	}
 	const Eigen::Matrix3d to_field = to_eigen(_field.basis).transpose();
 	for (TerrainSample &sample : samples) {
 		sample.height -= double(_field.origin.y);
@@ -225,30 +268,48 @@ void FieldTerrain::read_row() {
 	}
 	_queries += int64_t(row.size());
 	_piece->put_row(samples);
+	return true;
 }
 
-void FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
+bool FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
 	const TerrainPiece piece = std::move(*_piece);
 	_piece.reset(); // a listener of the map may change the terrain
 	const bool has_new_textures = _ids && piece.put_textures(*_ids);
 	if (_colors) {
 		piece.put_colors(*_colors);
 	}
-	p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map, p_ledge_slope); });
+	if (!outlives(_node, [&] { p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map, p_ledge_slope); }); })) {
+		return false;
+	}
 	if (has_new_textures) {
 		p_touched(piece.get_region());
 	}
+	return true;
 }
 
-void FieldTerrain::read(
-		const Node3D &p_field, const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
+// False where nothing waits to be read.
+bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
+	if (_piece) {
+		return true;
+	}
+	if (r_eyes.empty()) {
+		r_eyes = find_eyes(&_node, to_eigen(_field));
+	}
+	const std::optional<MapRegion> region = _queue.take(r_eyes);
+	if (region) {
+		_piece.emplace(*region);
+	}
+	return region.has_value();
+}
+
+bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
 	take_changes();
 	if (!p_map->is_readable()) {
-		return;
+		return true;
 	}
 	show_colors();
 	if (!_piece && _queue.get_waiting() == 0) {
-		return;
+		return true;
 	}
 	std::vector<Eigen::Vector2d> eyes;
 	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
@@ -259,26 +320,20 @@ void FieldTerrain::read(
 	const int at_least = std::exchange(frame_of_rows, _frame) == _frame ? 0 : ROWS_AT_LEAST;
 	FrameShare::Turn turn(this);
 	for (int rows = 0; _queries < _last_query && (rows < at_least || turn.has_time()); rows++) {
-		if (!_piece) {
-			if (eyes.empty()) {
-				eyes = find_eyes(&p_field, to_eigen(_field));
-			}
-			const std::optional<MapRegion> region = _queue.take(eyes);
-			if (!region) {
-				return;
-			}
-			_piece.emplace(*region);
+		if (!begin_piece(eyes)) {
+			return true;
 		}
-		if (!_piece->is_complete()) {
-			read_row();
+		if (!_piece->is_complete() && !read_row()) {
+			return false;
 		}
-		if (!_source || !_source->is_alive()) { // a method of the terrain removed it
-			return;
+		if (_piece && _piece->is_complete() && !lay(p_map, p_ledge_slope, p_touched)) {
+			return false;
 		}
-		if (_piece && _piece->is_complete()) {
-			lay(p_map, p_ledge_slope, p_touched);
+		if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed one of the two
+			return true;
 		}
 	}
+	return true;
 }
 
 void FieldTerrain::warn(PackedStringArray &r_warnings) const {

@@ -18,23 +18,28 @@
 
 namespace grass {
 
+// Methods of a terrain and listeners of the map are scripts: see nodes/script_call.h. What says so returns false where one of them freed
+// the field, and this with it.
 class FieldTerrain {
 public:
+	explicit FieldTerrain(godot::Node3D &p_field) : _node(p_field) {}
+
 	void set_path(const godot::NodePath &p_path);
+	void look_soon() { _frames_to_look = _source ? _frames_to_look : 0; } // for a terrain that was not found
 	const godot::NodePath &get_path() const { return _path; }
 
-	// Once a frame, first: finds the terrain, and what has changed of it. p_field: in the tree; p_transform: of it, global, without scale;
-	// p_region: what the field covers. True if there is a terrain to read.
-	bool look(godot::Node3D &p_field, const godot::Transform3D &p_transform, const MapRegion &p_region,
-			const TerrainSource::Handlers &p_handlers);
+	// Once a frame, first: finds the terrain, and what has changed of it. The field is in the tree; p_transform: of it, global, without
+	// scale; p_region: what it covers.
+	[[nodiscard]] bool look(const godot::Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers);
+	// Whether look() found a terrain that can be read now: not while it is being read.
+	bool can_read() const { return _can_read && _source != nullptr && !_is_asking; }
 	// Then: reads a frame's share, and lays what is complete into the map. p_touched: called for every region whose textures are others.
-	void read(const godot::Node3D &p_field, const godot::Ref<GrassMap> &p_map, double p_ledge_slope,
-			const std::function<void(const MapRegion &)> &p_touched);
+	[[nodiscard]] bool read(godot::Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
 	// Something changed: everything (an empty area), or what lies in the area (global).
 	void area_changed(const godot::AABB &p_area);
 	void anything_changed() { _is_all_changed = true; }
-	void cells_changed(const godot::Vector2 &p_first, const godot::Vector2 &p_count);
+	[[nodiscard]] bool cells_changed(const godot::Vector2 &p_first, const godot::Vector2 &p_count);
 	// Another map: all is laid again. p_is_elsewhere: and the field serves another place, so that no colours are known.
 	void read_all(bool p_is_elsewhere);
 	// The field leaves the tree.
@@ -51,17 +56,22 @@ public:
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	void find(godot::Node3D &p_field, const TerrainSource::Handlers &p_handlers);
+	template <typename F> bool ask(F &&p_ask);
+	bool find(const TerrainSource::Handlers &p_handlers);
 	void listen(const TerrainSource::Handlers &p_handlers);
 	void forget();
-	void watch_place(const godot::Transform3D &p_transform, const MapRegion &p_region);
+	bool watch_place(const godot::Transform3D &p_transform, const MapRegion &p_region);
 	void take_changes();
-	void read_row();
+	bool begin_piece(std::vector<Eigen::Vector2d> &r_eyes);
+	bool read_row();
 	void show_colors();
-	void lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
+	bool lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
+	godot::Node3D &_node; // the field
 	godot::NodePath _path;
-	std::unique_ptr<TerrainSource> _source; // null: not found
+	std::shared_ptr<TerrainSource> _source; // null: not found
+	bool _can_read = false; // see can_read()
+	bool _is_asking = false; // a method of the terrain runs, and may call the field
 	std::vector<TerrainSource::Notice> _notices; // connected
 	godot::String _problem, _warned; // with the terrain
 	godot::Transform3D _field; // global

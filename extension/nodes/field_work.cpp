@@ -6,6 +6,8 @@
 #include "nodes/ground_rays.h"
 #include "nodes/ground_sheet.h"
 #include "nodes/node_colliders.h"
+#include "nodes/params.h"
+#include "nodes/script_call.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,8 @@ namespace {
 
 // The map keeps wear every 0.5 m: a smaller disc can lie between all of them. Metres.
 constexpr double SMALLEST_TRAMPLE = 0.36;
+// A boot treads with 0.2 m, a giant's with some metres. Metres.
+constexpr Tunable TRAMPLE_RADIUS{ "radius", "m", 0.0, 64.0, 0.01, 0.2 };
 // Around a field that is baked as a whole: what its last blades blend with. Metres.
 constexpr double BORDER = info_of(MAP_GROUND).texel_size();
 
@@ -58,8 +62,8 @@ CutResult FieldWork::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_trans
 
 double FieldWork::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	std::optional<Footprint> footprint;
-	_host.build();
-	if (_properties.map.is_null() || !_standing.stands() || !find_region("get_mown_share", p_shape, p_transform, footprint)) {
+	if (!_host.build() || _properties.map.is_null() || !_standing.stands() ||
+			!find_region("get_mown_share", p_shape, p_transform, footprint)) {
 		return 0.0;
 	}
 	return mown_share(_properties.map->get_map(), mow_region(footprint), kind_of(_standing.get_field()));
@@ -69,8 +73,7 @@ void FieldWork::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_sha
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
 			_host.message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
 	std::optional<Footprint> footprint;
-	_host.build();
-	if (_properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
+	if (_host.build() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
 		_properties.map.ptr()->change([&](PaintMap &r_map) {
 			return regrow_grass(r_map, mow_region(footprint), kind_of(_standing.get_field()), p_height, p_wear);
 		});
@@ -84,7 +87,10 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 	}
 	const Transform3D to_field = _host.field_transform().affine_inverse();
 	const Vector3 from = to_field.xform(p_from), to = to_field.xform(p_to);
-	return map->stroke(p_brush, Vector2(from.x, from.z), Vector2(to.x, to.z));
+	const Vector2 start(from.x, from.z), end(to.x, to.z);
+	const String problem = GrassMap::problem_of_stroke(p_brush, start, end);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, _host.message("paint(): " + problem));
+	return map->stroke_within(p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
 }
 
 double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {
@@ -97,22 +103,29 @@ double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amo
 	}
 	const Eigen::Vector3d place = to_field() * to_eigen(p_global);
 	const Eigen::Vector2d centre(place.x(), place.z());
-	if (!field_region().grown(p_radius).contains(centre)) {
+	const double radius = checked(TRAMPLE_RADIUS, p_radius, _host.label());
+	Brush brush;
+	brush.area = ground().grown(info_of(MAP_WEAR).texel_size());
+	if (!brush.area.grown(radius).contains(centre)) {
 		return 0.0;
 	}
-	Brush brush;
 	brush.tool = MapTool::FLATTEN;
 	brush.strength = p_amount;
-	return map->apply(MapShape::stroke(centre, centre, std::max(p_radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
+	return map->apply(MapShape::stroke(centre, centre, std::max(radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
 }
 
-void FieldWork::wear_tracks(const VehicleWheels &p_wheels, double p_delta) {
+bool FieldWork::wear_tracks(const VehicleWheels &p_wheels, double p_delta) {
 	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
-	if (wear > 0.0) {
-		for (const VehicleWheels::Slip &slip : p_wheels.find_slips()) {
-			trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0));
+	const std::vector<VehicleWheels::Slip> slips = wear > 0.0 ? p_wheels.find_slips() : std::vector<VehicleWheels::Slip>();
+	for (const VehicleWheels::Slip &slip : slips) {
+		if (!outlives(_host.as_node(), [&] { trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0)); })) {
+			return false;
+		}
+		if (!_host.as_node().is_inside_tree()) {
+			break;
 		}
 	}
+	return true;
 }
 
 void FieldWork::recover(double p_delta) {
@@ -130,12 +143,22 @@ void FieldWork::recover(double p_delta) {
 	});
 }
 
-MapRegion FieldWork::bake_region(const Rect2 &p_region) const {
+// Of the field, made or not.
+MapRegion FieldWork::ground() const {
+	const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);
+	return { -half, half };
+}
+
+// What of p_region lies at the field; nothing, with an error, if none of it does.
+std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
+	const MapRegion whole = ground().grown(BORDER);
 	if (!p_region.has_area()) {
-		const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);
-		return MapRegion{ -half, half }.grown(BORDER);
+		return whole;
 	}
-	return { to_eigen(p_region.position), to_eigen(p_region.get_end()) };
+	const MapRegion shared = whole.shared({ to_eigen(p_region.position), to_eigen(p_region.get_end()) });
+	ERR_FAIL_COND_V_MSG((shared.min.array() >= shared.max.array()).any(), {},
+			_host.message("the region of bake_ground() lies beside the field. It counts from the field's centre, in metres."));
+	return shared;
 }
 
 int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between) {
@@ -162,10 +185,11 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			_host.message("the physics space is locked now. Where physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));
+	const std::optional<MapRegion> region = bake_region(p_region);
 	const auto height = [&](const Eigen::Vector2d &p_place) {
 		return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
 	};
-	return lay_ground_by(bake_region(p_region), height, height);
+	return region ? lay_ground_by(*region, height, height) : 0;
 }
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
@@ -173,7 +197,7 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a transform of finite numbers."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
-	const MapRegion region = bake_region(Rect2());
+	const MapRegion region = ground().grown(BORDER);
 	HeightSheet sheet(region);
 	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
 	return lay_ground_by(

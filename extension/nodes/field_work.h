@@ -29,8 +29,8 @@ public:
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double trample(const godot::Vector3 &p_global, double p_radius, double p_amount);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
-	// Wheels that slip for p_delta seconds leave tracks.
-	void wear_tracks(const VehicleWheels &p_wheels, double p_delta);
+	// Wheels that slip for p_delta seconds leave tracks. False: a listener of the map freed the field.
+	[[nodiscard]] bool wear_tracks(const VehicleWheels &p_wheels, double p_delta);
 	// Grass that was worn or cut recovers for p_delta seconds.
 	void recover(double p_delta);
 	// The field has another map.
@@ -45,9 +45,10 @@ private:
 	Eigen::Affine3d to_field() const; // from the world
 	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
 			std::optional<Footprint> &r_footprint) const;
+	MapRegion ground() const;
 	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }
 	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
-	MapRegion bake_region(const godot::Rect2 &p_region) const;
+	std::optional<MapRegion> bake_region(const godot::Rect2 &p_region) const;
 	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between);
 
 	FieldHost &_host;

@@ -63,21 +63,23 @@ std::vector<GrassBoneColliders3D::Bone> GrassBoneColliders3D::find_bones() const
 }
 
 void GrassBoneColliders3D::set_skeleton(const NodePath &p_skeleton) {
-	_skeleton = p_skeleton;
-	update_configuration_warnings();
+	if (replace(_skeleton, p_skeleton)) {
+		update_configuration_warnings();
+	}
 }
 
 void GrassBoneColliders3D::set_bones(const PackedStringArray &p_bones) {
-	_bones = p_bones;
-	update_configuration_warnings();
+	if (replace(_bones, p_bones)) {
+		update_configuration_warnings();
+	}
 }
 
 void GrassBoneColliders3D::set_thickness(double p_thickness) {
-	_thickness = checked(THICKNESS, p_thickness, "GrassBoneColliders3D");
+	_thickness = checked(THICKNESS, p_thickness, label());
 }
 
 void GrassBoneColliders3D::set_length_min(double p_length) {
-	_length_min = checked(LENGTH_MIN, p_length, "GrassBoneColliders3D");
+	_length_min = checked(LENGTH_MIN, p_length, label());
 }
 
 PackedStringArray GrassBoneColliders3D::_get_configuration_warnings() const {

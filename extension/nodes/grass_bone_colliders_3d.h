@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/base/tunable.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
@@ -30,9 +32,9 @@ public:
 	};
 
 	void set_skeleton(const godot::NodePath &p_skeleton);
-	godot::NodePath get_skeleton() const { return _skeleton; }
+	godot::NodePath get_skeleton() const { return value_of(_skeleton); }
 	void set_bones(const godot::PackedStringArray &p_bones); // names; none: all
-	godot::PackedStringArray get_bones() const { return _bones; }
+	godot::PackedStringArray get_bones() const { return value_of(_bones); }
 	void set_thickness(double p_thickness);
 	double get_thickness() const { return _thickness; }
 	void set_length_min(double p_length);
@@ -51,6 +53,7 @@ protected:
 	void _notification(int p_what);
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	const godot::Skeleton3D *find_skeleton() const;
 
 	godot::NodePath _skeleton;

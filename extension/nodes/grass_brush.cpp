@@ -24,20 +24,23 @@ GrassBrush::GrassBrush() {
 }
 
 void GrassBrush::set_tool(Tool p_tool) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), "GrassBrush: `tool` is one of the TOOL_* constants.");
-	_tool = p_tool;
-	emit_changed();
+	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), label() + String(": `tool` is one of the TOOL_* constants."));
+	if (replace(_tool, p_tool)) {
+		emit_changed();
+	}
 }
 
 void GrassBrush::set_falloff(FalloffCurve p_falloff) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, "GrassBrush: `falloff` is one of the FALLOFF_* constants.");
-	_falloff = p_falloff;
-	emit_changed();
+	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, label() + String(": `falloff` is one of the FALLOFF_* constants."));
+	if (replace(_falloff, p_falloff)) {
+		emit_changed();
+	}
 }
 
 void GrassBrush::set_stamp(const Ref<Texture2D> &p_stamp) {
-	watch_instead(_stamp, p_stamp, callable_mp(this, &GrassBrush::_stamp_changed));
-	_stamp_changed();
+	if (watch_instead(_stamp, p_stamp, callable_mp(this, &GrassBrush::_stamp_changed))) {
+		_stamp_changed();
+	}
 }
 
 void GrassBrush::_stamp_changed() {
@@ -68,27 +71,32 @@ void GrassBrush::_stamp_changed() {
 }
 
 void GrassBrush::set_color(const Color &p_color) {
-	_color = p_color;
-	emit_changed();
+	if (replace(_color, p_color)) {
+		emit_changed();
+	}
 }
 
 void GrassBrush::set_species(int64_t p_species) {
-	_species = checked_int("species", p_species, 0, info_of(MAP_SPECIES).highest, "GrassBrush");
-	emit_changed();
+	if (replace(_species, checked_int("species", p_species, 0, info_of(MAP_SPECIES).highest, label()))) {
+		emit_changed();
+	}
 }
 
 void GrassBrush::set_channel(int64_t p_channel) {
-	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), "GrassBrush: `channel` is one of GrassMap's CHANNEL_* constants.");
-	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, "GrassBrush: smooth the density: what hands painted follows.");
-	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends, "GrassBrush: species cannot be smoothed, they are numbers without a middle.");
-	_channel = p_channel;
-	emit_changed();
+	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), label() + String(": `channel` is one of GrassMap's CHANNEL_* constants."));
+	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, label() + String(": smooth the density: what hands painted follows."));
+	ERR_FAIL_COND_MSG(
+			!info_of(MapChannel(p_channel)).blends, label() + String(": species cannot be smoothed, they are numbers without a middle."));
+	if (replace(_channel, p_channel)) {
+		emit_changed();
+	}
 }
 
 void GrassBrush::set_param(int64_t p_param, double p_value) {
 	ERR_FAIL_INDEX(p_param, int(BRUSH_PARAM_COUNT));
-	_params[size_t(p_param)] = checked(BRUSH_PARAMS[size_t(p_param)], p_value, "GrassBrush");
-	emit_changed();
+	if (replace(_params[size_t(p_param)], checked(BRUSH_PARAMS[size_t(p_param)], p_value, label()))) {
+		emit_changed();
+	}
 }
 
 double GrassBrush::get_param(int64_t p_param) const {

@@ -4,6 +4,8 @@
 
 #include "core/paint/brush.h"
 #include "core/paint/brush_params.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -43,7 +45,7 @@ public:
 	void set_falloff(FalloffCurve p_falloff);
 	FalloffCurve get_falloff() const { return _falloff; }
 	void set_stamp(const godot::Ref<godot::Texture2D> &p_stamp);
-	godot::Ref<godot::Texture2D> get_stamp() const { return _stamp; }
+	godot::Ref<godot::Texture2D> get_stamp() const { return value_of(_stamp); }
 	void set_color(const godot::Color &p_color);
 	godot::Color get_color() const { return _color; }
 	void set_species(int64_t p_species);
@@ -70,6 +72,7 @@ protected:
 	static void _bind_methods();
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void _stamp_changed(); // its picture: one that the engine makes comes later
 	double param(BrushParamId p_param) const { return _params[size_t(p_param)]; }
 

@@ -24,6 +24,17 @@ std::set<GrassExclusion3D *> in_tree;
 uint64_t revision = 0;
 
 const Color COLOR(0.99f, 0.5f, 0.5f);
+// Metres from the shape's middle. The engine looks for the hull of farther points without an end.
+constexpr real_t FARTHEST_POINT = 1e5f;
+
+// Whether the engine can draw it: it takes any points, and hangs or ends with those that are no numbers.
+bool is_drawable(const Ref<Shape3D> &p_shape) {
+	const char *held = p_shape->is_class("ConvexPolygonShape3D") ? "points" : "data";
+	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
+	const PackedVector3Array points = is_polygon ? PackedVector3Array(p_shape->get(held)) : PackedVector3Array();
+	return std::all_of(points.ptr(), points.ptr() + points.size(),
+			[](const Vector3 &p_point) { return p_point.is_finite() && p_point.length() <= FARTHEST_POINT; });
+}
 
 } // namespace
 
@@ -44,26 +55,30 @@ void GrassExclusion3D::changed() {
 }
 
 void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {
-	watch_instead(_shape, p_shape, callable_mp(this, &GrassExclusion3D::changed));
-	changed();
+	if (watch_instead(_shape, p_shape, callable_mp(this, &GrassExclusion3D::changed))) {
+		changed();
+	}
 }
 
 void GrassExclusion3D::set_outline(const PackedVector2Array &p_outline) {
 	for (int64_t i = 0; i < p_outline.size(); i++) {
-		ERR_FAIL_COND_MSG(!p_outline[i].is_finite(), "GrassExclusion3D: `outline` must be of finite numbers.");
+		ERR_FAIL_COND_MSG(!p_outline[i].is_finite(), label() + String(": `outline` must be of finite numbers."));
 	}
-	_outline = p_outline;
-	changed();
+	if (replace(_outline, p_outline)) {
+		changed();
+	}
 }
 
 void GrassExclusion3D::set_fade(double p_fade) {
-	_fade = checked(FADE, p_fade, "GrassExclusion3D");
-	changed();
+	if (replace(_fade, checked(FADE, p_fade, label()))) {
+		changed();
+	}
 }
 
 void GrassExclusion3D::set_enabled(bool p_enabled) {
-	_enabled = p_enabled;
-	changed();
+	if (replace(_enabled, p_enabled)) {
+		changed();
+	}
 }
 
 PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
@@ -76,6 +91,11 @@ PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
 		if (type == PhysicsServer3D::SHAPE_HEIGHTMAP || type == PhysicsServer3D::SHAPE_WORLD_BOUNDARY ||
 				type == PhysicsServer3D::SHAPE_SEPARATION_RAY) {
 			warnings.push_back("`shape` is ground or a ray and excludes nothing. Use a box, sphere, capsule, cylinder or polygon.");
+		}
+		if (!is_drawable(_shape)) {
+			warnings.push_back(vformat("`shape` has points that are not finite, or farther than %d m away, so it is not drawn. Correct its "
+									   "points.",
+					int64_t(FARTHEST_POINT)));
 		}
 	}
 	return warnings;
@@ -106,7 +126,7 @@ void GrassExclusion3D::_notification(int p_what) {
 // The outline, closed; the shape's own lines.
 Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 	if (_shape.is_valid()) {
-		return _shape->get_debug_mesh();
+		return is_drawable(_shape) ? _shape->get_debug_mesh() : Ref<ArrayMesh>();
 	}
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
@@ -127,7 +147,8 @@ Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 
 void GrassExclusion3D::update_picture() {
 	if (in_tree.count(this) > 0) {
-		_picture.show(*this, make_picture(), COLOR);
+		_picture.show(
+				*this, [this] { return make_picture(); }, COLOR);
 	}
 }
 

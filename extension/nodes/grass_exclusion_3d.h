@@ -4,6 +4,8 @@
 
 #include "core/base/tunable.h"
 #include "nodes/editor_picture.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -22,9 +24,9 @@ public:
 	static constexpr Tunable FADE{ "fade", "m", 0.0, 100.0, 0.05, 0.25 };
 
 	void set_shape(const godot::Ref<godot::Shape3D> &p_shape);
-	godot::Ref<godot::Shape3D> get_shape() const { return _shape; }
+	godot::Ref<godot::Shape3D> get_shape() const { return value_of(_shape); }
 	void set_outline(const godot::PackedVector2Array &p_outline); // x, z in metres; counts where there is no shape
-	godot::PackedVector2Array get_outline() const { return _outline; }
+	godot::PackedVector2Array get_outline() const { return value_of(_outline); }
 	void set_fade(double p_fade);
 	double get_fade() const { return _fade; }
 	void set_enabled(bool p_enabled);
@@ -42,6 +44,7 @@ protected:
 	void _notification(int p_what);
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void changed();
 	void update_picture();
 	godot::Ref<godot::ArrayMesh> make_picture() const;

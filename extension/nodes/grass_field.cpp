@@ -9,6 +9,7 @@
 #include "nodes/field_view.h"
 #include "nodes/main_thread.h"
 #include "nodes/scene_watch.h"
+#include "nodes/script_call.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -37,12 +38,12 @@ void GrassField::_notification(int p_what) {
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			if (belongs_here()) {
-				frame(get_process_delta_time());
+				callable_mp(this, &GrassField::_frame).call_deferred(get_process_delta_time());
 			}
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
 			if (belongs_here()) {
-				physics_tick(get_physics_process_delta_time());
+				callable_mp(this, &GrassField::_physics_tick).call_deferred(get_physics_process_delta_time());
 			}
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
@@ -91,20 +92,20 @@ void GrassField::leave() {
 	_bodies.get_wheels().clear();
 	_forces.get_areas().clear();
 	_terrain.leave();
-	_standing.drop_backend();
-	emit_leaving();
 	_standing.clear();
 	_maker.forget();
+	emit_leaving();
 }
 
-void GrassField::physics_tick(double p_delta) {
-	build();
+void GrassField::_physics_tick(double p_delta) {
+	if (!is_inside_tree() || !build()) {
+		return;
+	}
 	_forces.pass(p_delta);
 	if (!_standing.stands() || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	_work.recover(p_delta);
-	if (!_standing.stands()) { // a listener of the map removed it
+	if (!outlives(*this, [&] { _work.recover(p_delta); }) || !_standing.stands()) { // a listener of the map removed it
 		return;
 	}
 	if (!_standing.begin_tick(is_listened_to(), p_delta)) {
@@ -121,37 +122,44 @@ void GrassField::physics_tick(double p_delta) {
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
 	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for());
-	_work.wear_tracks(_bodies.get_wheels(), p_delta);
-	emit_visits();
+	if (_work.wear_tracks(_bodies.get_wheels(), p_delta) && _standing.stands()) {
+		emit_visits();
+	}
 }
 
 // Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Emitted last in
 // a tick, since a listener may change the field.
 void GrassField::emit_visits() {
 	const Visitors::Change change = _bodies.update_visitors(_standing.get_field().get_tiles());
-	emit_for_each("body_exited_grass", change.exited);
-	emit_for_each("body_entered_grass", change.entered);
+	if (emit_for_each("body_exited_grass", change.exited) && is_inside_tree()) {
+		(void)emit_for_each("body_entered_grass", change.entered); // the last thing done
+	}
 }
 
 // When the field goes, every body in its grass has left it.
 void GrassField::emit_leaving() {
-	emit_for_each("body_exited_grass", _bodies.leave());
+	(void)emit_for_each("body_exited_grass", _bodies.leave()); // the last thing done
 }
 
-void GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies) {
+bool GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies) {
 	for (const uint64_t id : p_bodies) {
-		if (Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id))) {
-			emit_signal(p_signal, body);
+		Node3D *body = Object::cast_to<Node3D>(ObjectDB::get_instance(id));
+		if (body != nullptr && !outlives(*this, [&] { emit_signal(p_signal, body); })) {
+			return false;
 		}
 	}
+	return true;
 }
 
-void GrassField::frame(double p_delta) {
-	build();
+void GrassField::_frame(double p_delta) {
+	if (!is_inside_tree() || !build()) {
+		return;
+	}
 	show(); // also where nothing is drawn
-	update_terrain();
-	update_fill();
-	if (_standing.stands()) {
+	if (!update_terrain() || !update_fill()) {
+		return;
+	}
+	if (is_inside_tree() && _standing.stands()) {
 		_forces.gather(_properties.size);
 		_standing.blow(_forces.get(), p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
 	}
@@ -159,8 +167,7 @@ void GrassField::frame(double p_delta) {
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
-	build(); // also where the tree is paused from the first frame on
-	if (!_standing.stands()) {
+	if (!build() || !_standing.stands()) { // also where the tree is paused from the first frame on
 		return;
 	}
 	CpuClock clock;

@@ -16,6 +16,7 @@
 #include "nodes/field_work.h"
 #include "nodes/ground_rays.h"
 #include "nodes/other_light.h"
+#include "nodes/property_value.h"
 #include "nodes/standing_field.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -83,7 +84,7 @@ public:
 	void set_size(const godot::Vector2 &p_size); // metres along x and z
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
-	godot::Ref<GrassMap> get_map() const { return _properties.map; }
+	godot::Ref<GrassMap> get_map() const { return value_of(_properties.map); }
 	// Instead of set_map(), for a map that another thread prepared as find_shown_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
 	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
@@ -100,7 +101,7 @@ public:
 	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }
 	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
-	godot::Ref<GrassFillRule> get_fill_rule() const { return _filler.get_rule(); }
+	godot::Ref<GrassFillRule> get_fill_rule() const { return value_of(_filler.get_rule()); }
 	void set_fill_live(bool p_live);
 	bool is_fill_live() const { return _filler.is_live(); }
 	// For the editor: draws the grass as a brush would leave it, while the map stays as it is. Until the map changes or the next preview.
@@ -126,14 +127,14 @@ public:
 	int64_t get_collision_mask() const { return _properties.collision_mask; }
 	// grass_field_hook.cpp: the user's include that the shaders call.
 	void set_surface_hook(const godot::Ref<godot::ShaderInclude> &p_include);
-	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return _properties.hook.get_include(); }
+	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return value_of(_properties.hook.get_include()); }
 	void set_hook_parameter(const godot::StringName &p_name, const godot::Variant &p_value); // null: as the include has it
 	godot::Variant get_hook_parameter(const godot::StringName &p_name) const;
 	void set_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture); // null: none
-	godot::Ref<godot::Texture2D> get_terrain_texture() const { return _properties.terrain_texture; }
+	godot::Ref<godot::Texture2D> get_terrain_texture() const { return value_of(_properties.terrain_texture); }
 	// grass_field_terrain.cpp: a node that tells heights, by the names of its methods.
 	void set_terrain(const godot::NodePath &p_path); // empty: none
-	godot::NodePath get_terrain() const { return _terrain.get_path(); }
+	godot::NodePath get_terrain() const { return value_of(_terrain.get_path()); }
 	void terrain_changed(const godot::AABB &p_area); // global; empty: everywhere
 	void set_ground(bool p_ground) { _properties.has_ground = p_ground; }
 	bool has_ground() const { return _properties.has_ground; }
@@ -207,13 +208,14 @@ private:
 	void enter();
 	bool belongs_here() const;
 	void leave();
-	void physics_tick(double p_delta);
-	void frame(double p_delta);
+	// From the message queue, where the engine lets a node die: nodes/script_call.h. What returns a bool says whether it still lives.
+	void _physics_tick(double p_delta);
+	void _frame(double p_delta);
 	void _before_draw();
 	bool is_listened_to() const;
 	void emit_visits();
 	void emit_leaving();
-	void emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
+	bool emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
 	void _body_woke(int64_t p_body) { _bodies.get_tracker().body_woke(p_body); }
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
@@ -222,13 +224,14 @@ private:
 	void request_rebuild();
 	void report_refusals();
 	void leave_refused_device();
-	void build() override;
+	bool build() override;
+	bool prepare_ground();
 	void update_map();
 	void show_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture, const godot::Ref<godot::Texture2D> &p_colors);
 	bool is_map_bare() const;
 	void watch_bare_map();
-	void start_fill();
-	void update_fill();
+	bool start_fill();
+	bool update_fill();
 	FieldFiller::Place fill_place() const;
 	void report_warnings();
 	void _species_changed();
@@ -242,7 +245,7 @@ private:
 	void _hook_changed();
 
 	// grass_field_terrain.cpp
-	void update_terrain();
+	bool update_terrain();
 	void _terrain_edited(const godot::AABB &p_area);
 	void _terrain_replaced();
 	void _terrain_rectangle_changed(const godot::Rect2 &p_cells);
@@ -264,13 +267,14 @@ private:
 	FieldProperties _properties;
 	FieldMaker _maker;
 	StandingField _standing{ _properties };
-	FieldFiller _filler;
-	FieldTerrain _terrain;
+	FieldFiller _filler{ *this };
+	FieldTerrain _terrain{ *this };
 	OtherLight _other_light;
 	FieldBodies _bodies;
 	FieldForces _forces{ *this };
 	FieldWork _work{ *this, _standing, _properties };
 
+	bool _is_building = false; // see build()
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	void warn(const godot::String &p_warning) const;
 	WarningTeller _warning_teller;

@@ -8,6 +8,8 @@
 #include "gpu/obstacles.h"
 #include "nodes/editor_hooks.h"
 #include "nodes/main_thread.h"
+#include "nodes/property_value.h"
+#include "nodes/script_call.h"
 #include "nodes/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -58,23 +60,35 @@ void GrassField::leave_refused_device() {
 	}
 }
 
-void GrassField::build() {
+// A script that runs while the field is made may ask it, and finds it as it was.
+bool GrassField::build() {
+	if (_is_building) {
+		return true;
+	}
 	leave_refused_device();
 	if (!_maker.is_waiting() || !is_inside_tree()) {
-		return;
+		return true;
 	}
+	_is_building = true;
 	CpuClock clock;
 	FrameShare::Turn turn(this); // with what follows once all is prepared
-	if (!_standing.stands() && !_properties.is_streamed) { // the ground beside the cameras is there from the first frame on
-		update_terrain();
+	if (!prepare_ground() || !_properties.species.read_plants(*this)) {
+		return false;
 	}
-	start_fill();
-	if (_maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
+	_is_building = false;
+	if (_maker.is_waiting() && is_inside_tree() && _maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
 		_standing.make(_maker.take(), _properties.is_streamed && !is_visible());
 		show();
 		report_warnings();
 	}
 	_maker.add_time(clock.lap());
+	return true;
+}
+
+// The ground beside the cameras is there from the first frame on.
+bool GrassField::prepare_ground() {
+	const bool is_first = !_standing.stands() && !_properties.is_streamed;
+	return (!is_first || update_terrain()) && start_fill();
 }
 
 void GrassField::warn(const String &p_warning) const {
@@ -111,6 +125,9 @@ void GrassField::set_noise_origin(const Vector2i &p_place) {
 
 void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
 	GRASS_MAIN_THREAD_ONLY();
+	if (p_species == _properties.species.get()) {
+		return;
+	}
 	_properties.species.set(p_species, callable_mp(this, &GrassField::_species_changed));
 	_has_own_species = false;
 	request_rebuild();
@@ -122,6 +139,9 @@ void GrassField::_species_changed() {
 		callable_mp(this, &GrassField::_species_changed).call_deferred();
 		return;
 	}
+	if (!_properties.species.read_plants(*this)) {
+		return;
+	}
 	if (_maker.is_waiting() || !_standing.update_species()) {
 		request_rebuild();
 	}
@@ -129,7 +149,12 @@ void GrassField::_species_changed() {
 
 void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	GRASS_MAIN_THREAD_ONLY();
-	watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed");
+	if (!watch_instead(_properties.map, p_map, callable_mp(this, &GrassField::_map_changed), "chunks_changed")) {
+		return;
+	}
+	if (p_map.is_valid()) {
+		p_map->wait_for_threads();
+	}
 	_work.forget_map();
 	_filler.forget_map();
 	_terrain.read_all(_properties.is_streamed);
@@ -151,7 +176,7 @@ void GrassField::set_terrain_texture(const Ref<Texture2D> &p_texture) {
 // The user's stands before the terrain's own.
 void GrassField::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref<Texture2D> &p_colors) {
 	const Ref<Texture2D> before = _properties.find_terrain_texture();
-	_properties.terrain_texture = p_texture;
+	(void)replace(_properties.terrain_texture, p_texture);
 	_properties.terrain_colors = p_colors;
 	const Ref<Texture2D> now = _properties.find_terrain_texture();
 	if (before.is_valid() != now.is_valid()) {
@@ -216,13 +241,18 @@ void GrassField::update_map() {
 
 void GrassField::set_fill_rule(const Ref<GrassFillRule> &p_rule) {
 	GRASS_MAIN_THREAD_ONLY();
-	_filler.set_rule(p_rule, callable_mp(this, &GrassField::_fill_rule_changed), _properties.map);
+	if (_filler.get_rule() == p_rule || !_filler.set_rule(p_rule, callable_mp(this, &GrassField::_fill_rule_changed), _properties.map)) {
+		return;
+	}
 	_fill_rule_changed();
 	notify_property_list_changed();
 }
 
 void GrassField::set_fill_live(bool p_live) {
 	GRASS_MAIN_THREAD_ONLY();
+	if (_filler.is_live() == p_live) {
+		return;
+	}
 	_filler.set_live(p_live, _properties.map);
 	update_configuration_warnings();
 	notify_property_list_changed();
@@ -243,21 +273,21 @@ FieldFiller::Place GrassField::fill_place() const {
 }
 
 // A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
-void GrassField::start_fill() {
-	if (!_filler.is_active() || _filler.is_set()) {
-		return;
+bool GrassField::start_fill() {
+	if (!_filler.is_active() || _filler.is_set() || !is_inside_tree()) {
+		return true;
 	}
 	if (_properties.map.is_null()) {
 		make_map();
 	}
-	_filler.start(_properties.map, fill_place(), !_standing.stands() && !_properties.is_streamed);
+	return _filler.start(_properties.map, fill_place(), !_standing.stands() && !_properties.is_streamed);
 }
 
-void GrassField::update_fill() {
-	start_fill();
-	if (_filler.is_set() && _filler.update(_properties.map, fill_place())) {
-		emit_signal("fill_finished"); // last: a listener may change the field
+bool GrassField::update_fill() {
+	if (!start_fill() || (_filler.is_set() && is_inside_tree() && !_filler.update(_properties.map, fill_place()))) {
+		return false;
 	}
+	return !_filler.is_set() || !_filler.take_finished() || outlives(*this, [&] { emit_signal("fill_finished"); });
 }
 
 // The inspector's button.

@@ -58,6 +58,7 @@ void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_v
 }
 
 Variant GrassField::get_hook_parameter(const StringName &p_name) const {
+	GRASS_MAIN_THREAD_ONLY_V(Variant());
 	ERR_FAIL_COND_V_MSG(!_properties.hook.has(p_name), Variant(),
 			message(vformat("get_hook_parameter() knows no `%s`. The uniforms of `surface_hook` are: %s.", p_name,
 					String(", ").join(_properties.hook.get_uniforms()))));

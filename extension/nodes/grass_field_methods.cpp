@@ -212,8 +212,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 // Before a query: makes the field. False where none stands. What of its map waits to be shown can wait: see StandingField::layers_at().
 bool GrassField::prepare_places() {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
-	build();
-	return _standing.stands();
+	return build() && _standing.stands();
 }
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {
@@ -239,7 +238,9 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
-	build();
+	if (!build() || !is_inside_tree()) {
+		return Dictionary();
+	}
 	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
 	return to_dictionary(explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera));
 }
@@ -249,8 +250,7 @@ GrassMap *GrassField::need_map(const char *p_method) {
 	if (_properties.map.is_null()) {
 		make_map();
 	}
-	build();
-	return _properties.map.ptr();
+	return build() ? _properties.map.ptr() : nullptr;
 }
 
 void GrassField::make_map() {

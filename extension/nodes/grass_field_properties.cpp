@@ -6,6 +6,8 @@
 #include "nodes/inherited_properties.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/property_value.h"
+#include "nodes/script_call.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -20,22 +22,22 @@ namespace grass {
 
 void GrassField::set_size(const Vector2 &p_size) {
 	GRASS_MAIN_THREAD_ONLY();
-	_properties.size.x = real_t(checked(FIELD_SIZE, p_size.x, label()));
-	_properties.size.y = real_t(checked(FIELD_SIZE, p_size.y, label()));
-	request_rebuild();
-	update_gizmos();
+	const Vector2 size(real_t(checked(FIELD_SIZE, p_size.x, label())), real_t(checked(FIELD_SIZE, p_size.y, label())));
+	if (replace(_properties.size, size)) {
+		request_rebuild();
+	}
 }
 
 void GrassField::set_seed(int64_t p_seed) {
 	GRASS_MAIN_THREAD_ONLY();
-	_properties.seed = checked_int("seed", p_seed, 0, UINT32_MAX, label());
-	request_rebuild();
+	if (replace(_properties.seed, checked_int("seed", p_seed, 0, UINT32_MAX, label()))) {
+		request_rebuild();
+	}
 }
 
 void GrassField::set_simulated(bool p_simulated) {
 	GRASS_MAIN_THREAD_ONLY();
-	if (_properties.simulated != p_simulated) {
-		_properties.simulated = p_simulated;
+	if (replace(_properties.simulated, p_simulated)) {
 		request_rebuild(); // tiles that were awake go back to rest
 		emit_leaving();
 	}
@@ -54,26 +56,31 @@ void GrassField::set_backend(BackendMode p_mode) {
 void GrassField::set_method(SolverMethod p_method) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
-	_properties.method = Method(p_method);
-	_standing.update_method();
+	if (replace(_properties.method, Method(p_method))) {
+		_standing.update_method();
+	}
 }
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
-	_properties.sleep_mode = grass::SleepMode(p_mode);
-	_standing.update_params();
+	if (replace(_properties.sleep_mode, grass::SleepMode(p_mode))) {
+		_standing.update_params();
+	}
 }
 
 void GrassField::set_pool_tiles(int64_t p_tiles) {
 	GRASS_MAIN_THREAD_ONLY();
-	_properties.pool_tiles = checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label());
-	request_rebuild();
+	if (replace(_properties.pool_tiles, checked_int("pool_tiles", p_tiles, 0, TileParams::MAX_POOL_SIZE, label()))) {
+		request_rebuild();
+	}
 }
 
 void GrassField::set_collision_mask(int64_t p_mask) {
 	GRASS_MAIN_THREAD_ONLY();
-	_properties.collision_mask = int64_t(uint32_t(p_mask));
+	if (!replace(_properties.collision_mask, int64_t(uint32_t(p_mask)))) {
+		return;
+	}
 	_bodies.get_tracker().set_mask(uint32_t(_properties.collision_mask));
 	update_configuration_warnings();
 }
@@ -81,21 +88,25 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_COST + 1, message("`debug_view` is one of the constants DEBUG_VIEW_*."));
-	_properties.debug_view = p_view;
-	_standing.set_uniform("debug_view", int64_t(p_view));
+	if (replace(_properties.debug_view, p_view)) {
+		_standing.set_uniform("debug_view", int64_t(p_view));
+	}
 }
 
 void GrassField::set_measure_time(bool p_measure) {
 	GRASS_MAIN_THREAD_ONLY();
-	_properties.measure_time = p_measure;
-	_standing.update_measuring();
+	if (replace(_properties.measure_time, p_measure)) {
+		_standing.update_measuring();
+	}
 }
 
 void GrassField::set_param(int64_t p_param, double p_value) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_param, int(FIELD_PARAMS.size()));
 	const FieldParam &info = FIELD_PARAMS[size_t(p_param)];
-	_properties.params[size_t(p_param)] = checked(info.tunable, p_value, label());
+	if (!replace(_properties.params[size_t(p_param)], checked(info.tunable, p_value, label()))) {
+		return;
+	}
 	switch (info.effect) {
 		case Effect::REBUILD:
 			request_rebuild();
@@ -123,8 +134,9 @@ double GrassField::get_param(int64_t p_param) const {
 void GrassField::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
-	_properties.colors[size_t(p_index)] = p_color;
-	_standing.set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
+	if (replace(_properties.colors[size_t(p_index)], p_color)) {
+		_standing.set_uniform(FIELD_COLORS[size_t(p_index)].name, p_color);
+	}
 }
 
 Color GrassField::get_color(int64_t p_index) const {
@@ -158,19 +170,22 @@ bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
 	}
 	if (_has_own_species || _properties.species.get().is_empty()) {
 		_has_own_species = true;
-		_properties.species.make_first(callable_mp(this, &GrassField::_species_changed))->set(p_name, p_value);
-		_species_changed();
-		notify_property_list_changed();
+		const Ref<GrassSpecies> first = _properties.species.make_first(callable_mp(this, &GrassField::_species_changed));
+		if (outlives(*this, [&] { first.ptr()->set(p_name, p_value); }) && outlives(*this, [&] { _species_changed(); })) {
+			notify_property_list_changed();
+		}
 	}
 	return true;
 }
 
 bool GrassField::_get(const StringName &p_name, Variant &r_value) const {
-	if (_properties.hook.get_property(p_name, r_value)) {
-		return true;
-	}
-	if (!is_species_property(p_name)) {
+	const bool is_species = is_species_property(p_name);
+	if (!is_species && !FieldHook::is_property(p_name)) {
 		return false;
+	}
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	if (!is_species) {
+		return _properties.hook.get_property(p_name, r_value);
 	}
 	r_value = _properties.species.find_used().front()->get(p_name);
 	return true;

@@ -12,24 +12,32 @@ namespace grass {
 
 void GrassField::set_terrain(const NodePath &p_path) {
 	GRASS_MAIN_THREAD_ONLY();
+	if (_terrain.get_path() == p_path) {
+		_terrain.look_soon();
+		return;
+	}
 	_terrain.set_path(p_path);
 	_filler.set_terrain(nullptr);
 	update_configuration_warnings();
 }
 
-// After the field has its properties, and once a frame.
-void GrassField::update_terrain() {
+// After the field has its properties, and once a frame. False: a script freed the field.
+bool GrassField::update_terrain() {
 	const TerrainSource::Handlers handlers{ callable_mp(this, &GrassField::_terrain_edited),
 		callable_mp(this, &GrassField::_terrain_replaced), callable_mp(this, &GrassField::_terrain_cells_changed),
 		callable_mp(this, &GrassField::_terrain_rectangle_changed) };
-	const bool is_there = _terrain.look(*this, field_transform(), MapRegion::of_grid(_properties.grid()), handlers);
+	if (!_terrain.look(field_transform(), MapRegion::of_grid(_properties.grid()), handlers)) {
+		return false;
+	}
 	_filler.set_terrain(_terrain.get_ids());
-	if (is_there) {
+	if (is_inside_tree() && _terrain.can_read()) {
 		if (_properties.map.is_null()) {
 			make_map();
 		}
-		_terrain.read(*this, _properties.map, _properties.param(PARAM_LEDGE_SLOPE),
-				[this](const MapRegion &p_region) { _filler.touch_textures(p_region); });
+		const double ledge_slope = _properties.param(PARAM_LEDGE_SLOPE);
+		if (!_terrain.read(_properties.map, ledge_slope, [this](const MapRegion &p_region) { _filler.touch_textures(p_region); })) {
+			return false;
+		}
 	}
 	if (const Ref<Texture2D> colors = _terrain.get_colors(); _properties.terrain_colors != colors) {
 		show_terrain_texture(_properties.terrain_texture, colors);
@@ -37,6 +45,7 @@ void GrassField::update_terrain() {
 	if (_terrain.has_new_warning()) {
 		report_warnings();
 	}
+	return true;
 }
 
 void GrassField::terrain_changed(const AABB &p_area) {
@@ -73,7 +82,7 @@ void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, 
 		callable_mp(this, &GrassField::_terrain_cells_changed).call_deferred(p_x, p_y, p_width, p_height, p_channel);
 		return;
 	}
-	_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height)));
+	(void)_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height))); // the last thing done
 }
 
 } // namespace grass

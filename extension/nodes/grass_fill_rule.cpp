@@ -19,16 +19,18 @@ GrassFillRule::GrassFillRule() {
 }
 
 void GrassFillRule::set_seed(int64_t p_seed) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
-	_rule.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassFillRule"));
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_rule.seed, uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, label())))) {
+		emit_changed();
+	}
 }
 
 void GrassFillRule::set_param(int64_t p_param, double p_value) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
+	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
-	_rule.params[size_t(p_param)] = checked(FILL_PARAMS[size_t(p_param)], p_value, "GrassFillRule");
-	emit_changed();
+	if (replace(_rule.params[size_t(p_param)], checked(FILL_PARAMS[size_t(p_param)], p_value, label()))) {
+		emit_changed();
+	}
 }
 
 double GrassFillRule::get_param(int64_t p_param) const {
@@ -46,9 +48,10 @@ PackedStringArray GrassFillRule::find_warnings() const {
 }
 
 void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
-	watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed));
-	_mask_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed))) {
+		_mask_changed();
+	}
 }
 
 void GrassFillRule::_mask_changed() {
@@ -57,52 +60,57 @@ void GrassFillRule::_mask_changed() {
 }
 
 void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
-	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, "GrassFillRule: `mask_channel` is one of the MASK_* constants.");
-	_mask_channel = p_channel;
-	_mask_changed();
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, label() + String(": `mask_channel` is one of the MASK_* constants."));
+	if (replace(_mask_channel, p_channel)) {
+		_mask_changed();
+	}
 }
 
 void GrassFillRule::set_mask_invert(bool p_invert) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
-	_rule.inverts_mask = p_invert;
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_rule.inverts_mask, p_invert)) {
+		emit_changed();
+	}
 }
 
 void GrassFillRule::set_mask_region(const Rect2 &p_region) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
-	ERR_FAIL_COND_MSG(!p_region.is_finite(), "GrassFillRule: `mask_region` must be of finite numbers.");
-	_mask_region = p_region.abs();
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_COND_MSG(!p_region.is_finite(), label() + String(": `mask_region` must be of finite numbers."));
+	if (replace(_mask_region, p_region.abs())) {
+		emit_changed();
+	}
 }
 
 void GrassFillRule::set_group(int64_t p_group, const StringName &p_name) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
+	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
-	_groups[size_t(p_group)] = p_name;
-	emit_changed();
+	if (replace(_groups[size_t(p_group)], p_name)) {
+		emit_changed();
+	}
 }
 
 StringName GrassFillRule::get_group(int64_t p_group) const {
 	ERR_FAIL_INDEX_V(p_group, int(GROUP_COUNT), StringName());
-	return _groups[size_t(p_group)];
+	return grass::value_of(_groups[size_t(p_group)]);
 }
 
 void GrassFillRule::set_texture_ids(const PackedInt32Array &p_ids) {
-	GRASS_CHANGE_GUARD("GrassFillRule");
+	GRASS_CHANGE_GUARD(label());
 	std::vector<uint8_t> ids;
 	for (int64_t i = 0; i < p_ids.size(); i++) {
 		ERR_FAIL_COND_MSG(p_ids[i] < 0 || p_ids[i] > UINT8_MAX,
-				vformat("GrassFillRule: `texture_ids` are numbers of a terrain's textures, 0 to 255. %d is none.", int64_t(p_ids[i])));
+				vformat("%s: `texture_ids` are numbers of a terrain's textures, 0 to 255. %d is none.", label(), int64_t(p_ids[i])));
 		ids.push_back(uint8_t(p_ids[i]));
 	}
-	_rule.texture_ids = std::move(ids);
-	emit_changed();
+	if (replace(_rule.texture_ids, ids)) {
+		emit_changed();
+	}
 }
 
 PackedInt32Array GrassFillRule::get_texture_ids() const {
 	PackedInt32Array ids;
-	for (const uint8_t id : _rule.texture_ids) {
+	for (const uint8_t id : value_of(_rule.texture_ids)) {
 		ids.push_back(int32_t(id));
 	}
 	return ids;
@@ -115,7 +123,7 @@ std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
 		return nullptr;
 	}
 	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, nullptr,
-			vformat("GrassFillRule: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.",
+			vformat("%s: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.", label(),
 					_mask->get_path()));
 	image->convert(Image::FORMAT_RGBA8);
 	const PackedByteArray bytes = image->get_data();

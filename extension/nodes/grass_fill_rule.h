@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/fill/fill.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
@@ -27,7 +29,7 @@ public:
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
 	void set_mask(const godot::Ref<godot::Texture2D> &p_mask);
-	godot::Ref<godot::Texture2D> get_mask() const { return _mask; }
+	godot::Ref<godot::Texture2D> get_mask() const { return value_of(_mask); }
 	void set_mask_channel(MaskChannel p_channel);
 	MaskChannel get_mask_channel() const { return _mask_channel; }
 	void set_mask_invert(bool p_invert);
@@ -50,6 +52,7 @@ protected:
 	static void _bind_methods();
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void _mask_changed();
 	std::shared_ptr<const FillMask> read_mask() const;
 

@@ -5,6 +5,7 @@
 #include "nodes/bind_property.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/sphere_shape3d.hpp>
 
@@ -46,29 +47,32 @@ Force GrassForce3D::get_force() const {
 }
 
 void GrassForce3D::set_kind(Kind p_kind) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_kind), int64_t(KIND_WIND) + 1, "GrassForce3D: `kind` must be one of the constants KIND_*.");
-	_force.kind = ForceKind(p_kind);
+	ERR_FAIL_INDEX_MSG(int64_t(p_kind), int64_t(KIND_WIND) + 1, label() + String(": `kind` must be one of the constants KIND_*."));
+	if (!replace(_force.kind, ForceKind(p_kind))) {
+		return;
+	}
 	_force.age = 0.0;
 	_is_fired = false;
-	notify_property_list_changed();
 	update_configuration_warnings();
+	notify_property_list_changed(); // last: a listener may free the node
 }
 
 void GrassForce3D::set_speed(double p_speed) {
-	_force.speed = checked(FORCE_SPEED, p_speed, "GrassForce3D");
+	_force.speed = checked(FORCE_SPEED, p_speed, label());
 }
 
 void GrassForce3D::set_radius(double p_radius) {
-	_force.radius = checked(FORCE_RADIUS, p_radius, "GrassForce3D");
-	update_picture();
+	if (replace(_force.radius, checked(FORCE_RADIUS, p_radius, label()))) {
+		update_picture();
+	}
 }
 
 void GrassForce3D::set_duration(double p_duration) {
-	_duration = checked(FORCE_DURATION, p_duration, "GrassForce3D");
+	_duration = checked(FORCE_DURATION, p_duration, label());
 }
 
 void GrassForce3D::set_turbulence(double p_turbulence) {
-	_force.turbulence = checked(FORCE_TURBULENCE, p_turbulence, "GrassForce3D");
+	_force.turbulence = checked(FORCE_TURBULENCE, p_turbulence, label());
 }
 
 void GrassForce3D::set_enabled(bool p_enabled) {
@@ -79,8 +83,8 @@ void GrassForce3D::set_enabled(bool p_enabled) {
 
 void GrassForce3D::fire() {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_COND_MSG(!is_inside_tree(), "GrassForce3D: add the node to the scene tree before fire().");
-	ERR_FAIL_COND_MSG(_force.kind != ForceKind::BLAST, "GrassForce3D: fire() is for `kind` Blast. Other kinds blow while `enabled`.");
+	ERR_FAIL_COND_MSG(!is_inside_tree(), label() + String(": add the node to the scene tree before fire()."));
+	ERR_FAIL_COND_MSG(_force.kind != ForceKind::BLAST, label() + String(": fire() is for `kind` Blast. Other kinds blow while `enabled`."));
 	_force.age = 0.0;
 	_is_fired = _enabled;
 }
@@ -125,10 +129,15 @@ void GrassForce3D::_notification(int p_what) {
 
 void GrassForce3D::update_picture() {
 	if (forces_in_tree.count(this) > 0) {
-		Ref<SphereShape3D> sphere;
-		sphere.instantiate();
-		sphere->set_radius(real_t(_force.radius));
-		_picture.show(*this, sphere->get_debug_mesh(), FORCE_COLOR);
+		_picture.show(
+				*this,
+				[this] {
+					Ref<SphereShape3D> sphere;
+					sphere.instantiate();
+					sphere->set_radius(real_t(_force.radius));
+					return sphere->get_debug_mesh();
+				},
+				FORCE_COLOR);
 	}
 }
 

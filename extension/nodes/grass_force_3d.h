@@ -4,6 +4,7 @@
 
 #include "core/forces/force.h"
 #include "nodes/editor_picture.h"
+#include "nodes/label.h"
 
 #include <godot_cpp/classes/node3d.hpp>
 
@@ -52,7 +53,7 @@ protected:
 
 private:
 	void update_picture();
-	godot::String label() const { return "GrassForce3D"; }
+	godot::String label() const { return label_of(*this); } // for messages
 
 	Force _force; // its place and direction are the node's
 	double _duration = FORCE_DURATION.initial;

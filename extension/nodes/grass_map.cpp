@@ -4,8 +4,11 @@
 #include "convert.h"
 #include "core/map/map_changes.h"
 #include "nodes/grass_map_file.h"
+#include "nodes/label.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
 
@@ -26,15 +29,22 @@ TypedArray<Vector2i> to_chunks(const std::vector<MapKey> &p_keys) {
 } // namespace
 
 String GrassMap::label() const {
-	return get_path().is_empty() ? String("GrassMap") : vformat("GrassMap '%s'", get_path());
+	return label_of(*this);
 }
 
-bool GrassMap::is_usable() const {
-	ERR_FAIL_COND_V_MSG(!may_change(*this), false, thread_message(label(), "a change"));
-	ERR_FAIL_COND_V_MSG(!_unread.is_empty(), false,
-			vformat("%s: its data could not be read, so it cannot be changed; what is on disk stays as it is. Use clear() to begin anew.",
-					label()));
-	return true;
+String GrassMap::find_refusal() const {
+	if (!may_change(*this)) {
+		return thread_message(label(), "a change");
+	}
+	return _unread.is_empty() ? String()
+							  : vformat("%s: its data could not be read, so it cannot be changed; what is on disk stays as it is. Use "
+										"clear() to begin anew.",
+										label());
+}
+
+PaintMap GrassMap::copy() const {
+	std::lock_guard lock(_lock);
+	return _map;
 }
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed) {
@@ -72,34 +82,90 @@ void GrassMap::tell_everywhere(const std::vector<MapKey> &p_changed) {
 
 void GrassMap::set_base_density(double p_density) {
 	static constexpr Tunable BASE_DENSITY{ "base_density", "", 0.0, 1.0, 0.01, 0.0 };
-	if (is_usable()) {
-		_map.set_base_density(checked(BASE_DENSITY, p_density, label()));
-		tell_everywhere(_map.get_keys());
+	const double density = checked(BASE_DENSITY, p_density, label()), before = get_base_density();
+	if (write([&] { _map.set_base_density(density); }) && get_base_density() != before) {
+		tell_everywhere(copy().get_keys());
 	}
 }
 
 String GrassMap::read(const PackedByteArray &p_bytes) {
-	const PaintMap before = _map;
-	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), _map);
+	PaintMap now;
+	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), now);
 	if (!reason.empty()) {
 		return String(reason.c_str());
 	}
-	_unread.clear();
-	tell_of_replacing(before);
+	replace_by(std::move(now));
 	return String();
+}
+
+// What could not be read before is given up.
+void GrassMap::replace_by(PaintMap &&p_now) {
+	PaintMap before = std::move(p_now);
+	{
+		std::lock_guard lock(_lock);
+		std::swap(_map, before);
+		_unread.clear();
+	}
+	tell_of_replacing(before);
 }
 
 void GrassMap::set_data(const PackedByteArray &p_data) {
 	GRASS_CHANGE_GUARD(label());
 	const String reason = read(p_data);
-	if (!reason.is_empty()) {
-		_unread = p_data;
-		ERR_FAIL_MSG(vformat("%s: `data` %s.", label(), reason));
+	if (reason.is_empty()) {
+		return;
 	}
+	{
+		std::lock_guard lock(_lock);
+		_unread = p_data;
+	}
+	if (get_path().is_empty()) { // one that is being loaded gets it afterwards
+		callable_mp(this, &GrassMap::_report_unread).call_deferred(reason);
+	}
+	ERR_FAIL_MSG(vformat("%s: `data` %s.", label(), reason));
+}
+
+void GrassMap::_report_unread(const String &p_reason) {
+	ERR_FAIL_COND_MSG(!get_path().is_empty(),
+			vformat("%s: `data` %s. It counts as empty, and is saved as it is. Load a copy of the file, or use clear() to begin anew.",
+					label(), p_reason));
 }
 
 PackedByteArray GrassMap::get_data() const {
-	return _unread.is_empty() ? to_bytes(std::span<const uint8_t>(write_map(_map, engine_codec()))) : _unread;
+	PaintMap map;
+	{
+		std::lock_guard lock(_lock);
+		if (!_unread.is_empty()) {
+			return _unread;
+		}
+		map = _map;
+	}
+	return to_bytes(std::span<const uint8_t>(write_map(map, engine_codec())));
+}
+
+bool GrassMap::is_empty() const {
+	std::lock_guard lock(_lock);
+	return _map.is_empty();
+}
+
+int64_t GrassMap::get_memory_usage() const {
+	std::lock_guard lock(_lock);
+	return int64_t(_map.get_memory_usage());
+}
+
+// Whether p_region, for p_method, has a size, and lies where a map can hold it.
+bool GrassMap::is_region(const char *p_method, const Rect2 &p_region) const {
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), false,
+			vformat("%s: %s() needs a region with a width and a depth, in metres.", label(), p_method));
+	constexpr double REACH = PaintMap::REACH * MAP_CHUNK_SIZE, LARGEST = double(PaintMap::MAX_CHUNKS) * MAP_CHUNK_SIZE * MAP_CHUNK_SIZE;
+	const Vector2 end = p_region.get_end();
+	ERR_FAIL_COND_V_MSG(p_region.position.x < -REACH || p_region.position.y < -REACH || end.x > REACH || end.y > REACH ||
+					p_region.size.x * p_region.size.y > LARGEST,
+			false,
+			vformat("%s: the region of %s() must lie within 16,384 m to each side and have at most %d square kilometres, which is what a "
+					"map holds.",
+					label(), p_method, int64_t(LARGEST * 1e-6)));
+	return true;
 }
 
 BrushResult GrassMap::apply(const MapShape &p_shape, const Brush &p_brush) {
@@ -111,8 +177,9 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 			vformat("%s: set_ground() needs an image of heights in metres, in its red channel.", label()));
 	ERR_FAIL_COND_V_MSG(p_heights->is_compressed(), false,
 			vformat("%s: set_ground() cannot read a compressed image. Call decompress() on it, or use FORMAT_RF.", label()));
-	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), false,
-			vformat("%s: set_ground() needs a region with a width and a depth, in metres.", label()));
+	if (!is_region("set_ground", p_region)) {
+		return false;
+	}
 	const int32_t width = p_heights->get_width(), depth = p_heights->get_height();
 	const auto texel = [&](double p_i, double p_j) {
 		return double(p_heights->get_pixel(int32_t(std::clamp(p_i, 0.0, width - 1.0)), int32_t(std::clamp(p_j, 0.0, depth - 1.0))).r);
@@ -133,24 +200,46 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 	return laid.sampled > laid.missing;
 }
 
+String GrassMap::problem_of_stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {
+	if (p_brush.is_null()) {
+		return "a stroke needs a GrassBrush.";
+	}
+	if (!p_from.is_finite() || !p_to.is_finite()) {
+		return "the ends of a stroke must be finite numbers.";
+	}
+	const double length = (to_eigen(p_to) - to_eigen(p_from)).norm();
+	return length <= MapShape::MAX_EXTENT ? String()
+										  : vformat("the ends of a stroke are %d m apart; at most %d m can be painted at once. Paint it in "
+													"pieces.",
+													int64_t(std::min(length, 1e15)), int64_t(MapShape::MAX_EXTENT));
+}
+
 double GrassMap::stroke(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to) {
-	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: a stroke needs a GrassBrush.", label()));
-	ERR_FAIL_COND_V_MSG(
-			!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: the ends of a stroke must be finite numbers.", label()));
+	return stroke_within(p_brush, p_from, p_to, Brush().area);
+}
+
+double GrassMap::stroke_within(const Ref<GrassBrush> &p_brush, const Vector2 &p_from, const Vector2 &p_to, const MapRegion &p_area) {
+	const String problem = problem_of_stroke(p_brush, p_from, p_to);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, vformat("%s: %s", label(), problem));
 	const Eigen::Vector2d from = to_eigen(p_from), to = to_eigen(p_to);
-	return apply(p_brush->get_stroke(from, to), p_brush->get_brush(from, to)).amount;
+	Brush brush = p_brush->get_brush(from, to);
+	brush.area = p_area;
+	return apply(p_brush->get_stroke(from, to), brush).amount;
 }
 
 double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_component) const {
-	ERR_FAIL_INDEX_V_MSG(int64_t(p_channel), int(MAP_CHANNELS), 0.0, "GrassMap: no such channel. Use one of the CHANNEL_* constants.");
 	ERR_FAIL_INDEX_V_MSG(
-			p_component, int64_t(info_of(MapChannel(p_channel)).components), 0.0, "GrassMap: the channel has fewer components.");
+			int64_t(p_channel), int(MAP_CHANNELS), 0.0, label() + String(": no such channel. Use one of the CHANNEL_* constants."));
+	ERR_FAIL_INDEX_V_MSG(
+			p_component, int64_t(info_of(MapChannel(p_channel)).components), 0.0, label() + String(": the channel has fewer components."));
+	std::lock_guard lock(_lock);
 	return _map.sample(MapChannel(p_channel), int(p_component), to_eigen(p_place));
 }
 
 double GrassMap::fill(const Ref<GrassFillRule> &p_rule, const Rect2 &p_region) {
-	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), 0.0,
-			vformat("%s: fill() needs a region with a width and a depth, in metres.", label()));
+	if (!is_region("fill", p_region)) {
+		return 0.0;
+	}
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
 	const FillRule rule = p_rule.is_valid() ? p_rule->get_rule(region) : FillRule();
 	const FillRule *asked = p_rule.is_valid() ? &rule : nullptr;
@@ -160,15 +249,14 @@ double GrassMap::fill(const Ref<GrassFillRule> &p_rule, const Rect2 &p_region) {
 Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
-	snapshot->map = _map;
+	snapshot->map = copy();
 	return snapshot;
 }
 
 void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
-	if (is_usable()) {
-		const PaintMap before = _map;
-		_map = p_snapshot->map;
+	PaintMap before = p_snapshot->map;
+	if (write([&] { std::swap(_map, before); })) {
 		tell_of_replacing(before);
 	}
 }
@@ -176,17 +264,18 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 PackedByteArray GrassMap::get_changes_since(const Ref<GrassMapSnapshot> &p_snapshot) const {
 	ERR_FAIL_COND_V_MSG(
 			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs what take_snapshot() returned.", label()));
-	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, _map, engine_codec())));
+	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, copy(), engine_codec())));
 }
 
 bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 	if (p_changes.is_empty()) {
 		return true; // nothing changed
 	}
-	if (!is_usable()) {
+	AppliedChanges applied;
+	const std::span bytes(p_changes.ptr(), size_t(p_changes.size()));
+	if (!write([&] { applied = grass::apply_changes(bytes, engine_codec(), _map); })) {
 		return false;
 	}
-	const AppliedChanges applied = grass::apply_changes(std::span(p_changes.ptr(), size_t(p_changes.size())), engine_codec(), _map);
 	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), String(applied.reason.c_str())));
 	if (applied.has_base_changed) {
 		tell_everywhere(applied.changed);
@@ -198,6 +287,9 @@ bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 
 void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 	const std::vector<MapKey> changed = _map.compare(p_before);
+	if (changed.empty() && _map.get_base_density() == p_before.get_base_density()) {
+		return;
+	}
 	_replacements++;
 	if (_map.get_base_density() != p_before.get_base_density()) {
 		tell_everywhere(changed);
@@ -208,15 +300,18 @@ void GrassMap::tell_of_replacing(const PaintMap &p_before) {
 
 void GrassMap::clear() {
 	GRASS_CHANGE_GUARD(label());
-	const std::vector<MapKey> changed = _map.get_keys();
-	_unread.clear();
-	_map.clear();
+	const std::vector<MapKey> changed = copy().get_keys();
+	{
+		std::lock_guard lock(_lock);
+		_unread.clear();
+		_map.clear();
+	}
 	_replacements++;
 	tell(changed);
 }
 
 TypedArray<Vector2i> GrassMap::get_chunks() const {
-	return to_chunks(_map.get_keys());
+	return to_chunks(copy().get_keys());
 }
 
 void GrassMap::_bind_methods() {

@@ -3,6 +3,10 @@
 
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/property_value.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <mutex>
 
@@ -45,20 +49,23 @@ double &value_of(PatchParams &p_params, GrassPatch::Param p_param) {
 } // namespace
 
 void GrassPatch::set_seed(int64_t p_seed) {
-	GRASS_CHANGE_GUARD("GrassPatch");
-	_params.seed = uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, "GrassPatch"));
-	forget();
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_params.seed, uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, label())))) {
+		forget();
+	}
 }
 
 void GrassPatch::set_param(Param p_param, double p_value) {
-	GRASS_CHANGE_GUARD("GrassPatch");
-	ERR_FAIL_INDEX_MSG(int64_t(p_param), int64_t(PARAM_MAX), "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
-	value_of(_params, p_param) = checked(tunable_of(p_param), p_value, "GrassPatch");
-	forget();
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_INDEX_MSG(int64_t(p_param), int64_t(PARAM_MAX), label() + String(": no such parameter. Use one of the PARAM_* constants."));
+	if (replace(value_of(_params, p_param), checked(tunable_of(p_param), p_value, label()))) {
+		forget();
+	}
 }
 
 double GrassPatch::get_param(Param p_param) const {
-	ERR_FAIL_INDEX_V_MSG(int64_t(p_param), int64_t(PARAM_MAX), 0.0, "GrassPatch: no such parameter. Use one of the PARAM_* constants.");
+	ERR_FAIL_INDEX_V_MSG(
+			int64_t(p_param), int64_t(PARAM_MAX), 0.0, label() + String(": no such parameter. Use one of the PARAM_* constants."));
 	return value_of(const_cast<PatchParams &>(_params), p_param);
 }
 
@@ -71,8 +78,15 @@ PackedStringArray GrassPatch::find_warnings(const String &p_who) const {
 
 std::shared_ptr<const Patch> GrassPatch::get_patch() {
 	if (!_patch) {
+		if (_is_behind && !_maker.is_done()) { // whoever waits for it, wants the latest
+			_maker.stop();
+			_is_behind = false;
+		}
 		prepare();
 		_patch = _maker.take();
+		if (_is_behind) {
+			callable_mp(this, &GrassPatch::_catch_up).call_deferred();
+		}
 	}
 	return _patch;
 }
@@ -80,14 +94,25 @@ std::shared_ptr<const Patch> GrassPatch::get_patch() {
 bool GrassPatch::prepare() {
 	if (!_patch && !_maker.is_started()) {
 		_maker.start(_params);
+		_begun_in = Engine::get_singleton()->get_process_frames();
 	}
 	return _patch || _maker.is_done();
 }
 
+// What was begun in an earlier frame is finished first: a patch that changes in every frame would else never come.
 void GrassPatch::forget() {
+	if (_begun_in == Engine::get_singleton()->get_process_frames()) {
+		_maker.stop();
+	}
+	_is_behind = _maker.is_started();
 	_patch.reset();
-	_maker.stop();
 	emit_changed();
+}
+
+void GrassPatch::_catch_up() {
+	if (_is_behind && !_maker.is_started()) {
+		forget();
+	}
 }
 
 namespace {

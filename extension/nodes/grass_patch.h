@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/blades/patch_maker.h"
+#include "nodes/label.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
@@ -51,10 +52,14 @@ protected:
 	static void _bind_methods();
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void forget();
+	void _catch_up();
 
 	PatchParams _params;
+	bool _is_behind = false; // what is being made, or is made, is of older params
 	PatchMaker _maker;
+	uint64_t _begun_in = 0; // the process's frame in which it began
 	std::shared_ptr<const Patch> _patch;
 };
 

@@ -62,30 +62,35 @@ void GrassPath3D::_changed() {
 }
 
 void GrassPath3D::set_mode(Mode p_mode) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_mode), int64_t(MODE_PLANT) + 1, "GrassPath3D: `mode` is MODE_CLEAR or MODE_PLANT.");
-	_mode = p_mode;
-	_picture.free(); // its colour
-	_changed();
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), int64_t(MODE_PLANT) + 1, label() + String(": `mode` is MODE_CLEAR or MODE_PLANT."));
+	if (replace(_mode, p_mode)) {
+		_picture.free(); // its colour
+		_changed();
+	}
 }
 
 void GrassPath3D::set_width(double p_width) {
-	_width = checked(WIDTH, p_width, "GrassPath3D");
-	_changed();
+	if (replace(_width, checked(WIDTH, p_width, label()))) {
+		_changed();
+	}
 }
 
 void GrassPath3D::set_fade(double p_fade) {
-	_fade = checked(FADE, p_fade, "GrassPath3D");
-	_changed();
+	if (replace(_fade, checked(FADE, p_fade, label()))) {
+		_changed();
+	}
 }
 
 void GrassPath3D::set_field_group(const StringName &p_group) {
-	_field_group = p_group;
-	_changed();
+	if (replace(_field_group, p_group)) {
+		_changed();
+	}
 }
 
 void GrassPath3D::set_enabled(bool p_enabled) {
-	_enabled = p_enabled;
-	_changed();
+	if (replace(_enabled, p_enabled)) {
+		_changed();
+	}
 }
 
 PackedStringArray GrassPath3D::_get_configuration_warnings() const {
@@ -142,7 +147,8 @@ Ref<ArrayMesh> GrassPath3D::make_picture() const {
 
 void GrassPath3D::update_picture() {
 	if (paths_in_tree.count(this) > 0) {
-		_picture.show(*this, make_picture(), _mode == MODE_PLANT ? PLANT_COLOR : CLEAR_COLOR);
+		_picture.show(
+				*this, [this] { return make_picture(); }, _mode == MODE_PLANT ? PLANT_COLOR : CLEAR_COLOR);
 	}
 }
 

@@ -4,6 +4,8 @@
 
 #include "core/base/tunable.h"
 #include "nodes/editor_picture.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/curve3d.hpp>
@@ -34,7 +36,7 @@ public:
 	void set_fade(double p_fade);
 	double get_fade() const { return _fade; }
 	void set_field_group(const godot::StringName &p_group); // fields of this group only; empty: all
-	godot::StringName get_field_group() const { return _field_group; }
+	godot::StringName get_field_group() const { return value_of(_field_group); }
 	void set_enabled(bool p_enabled);
 	bool is_enabled() const { return _enabled; }
 
@@ -54,6 +56,7 @@ protected:
 	void _notification(int p_what);
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void _changed();
 	void update_picture();
 	godot::Ref<godot::ArrayMesh> make_picture() const;

@@ -25,36 +25,41 @@ GrassSpecies::GrassSpecies() {
 }
 
 void GrassSpecies::set_patch(const Ref<GrassPatch> &p_patch) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
-	watch_instead(_patch, p_patch, callable_mp(this, &GrassSpecies::_part_changed));
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_patch, p_patch, callable_mp(this, &GrassSpecies::_part_changed))) {
+		emit_changed();
+	}
 }
 
 void GrassSpecies::set_gradient(const Ref<Gradient> &p_gradient) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
-	watch_instead(_gradient, p_gradient, callable_mp(this, &GrassSpecies::_part_changed));
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_gradient, p_gradient, callable_mp(this, &GrassSpecies::_part_changed))) {
+		emit_changed();
+	}
 }
 
 void GrassSpecies::set_card(const Ref<Texture2D> &p_card) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
-	watch_instead(_card, p_card, callable_mp(this, &GrassSpecies::_part_changed));
-	_card_images.clear();
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_card, p_card, callable_mp(this, &GrassSpecies::_part_changed))) {
+		_card_images.clear();
+		emit_changed();
+	}
 }
 
 void GrassSpecies::set_leaf(const Ref<Texture2D> &p_leaf) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
-	watch_instead(_leaf, p_leaf, callable_mp(this, &GrassSpecies::_part_changed));
-	_leaf_image.unref();
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_leaf, p_leaf, callable_mp(this, &GrassSpecies::_part_changed))) {
+		_leaf_image.unref();
+		emit_changed();
+	}
 }
 
 void GrassSpecies::set_plant_mesh(const Ref<Mesh> &p_mesh) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
-	watch_instead(_plant_mesh, p_mesh, callable_mp(this, &GrassSpecies::_part_changed));
-	_plant.reset();
-	emit_changed();
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_plant_mesh, p_mesh, callable_mp(this, &GrassSpecies::_part_changed))) {
+		_plant.reset();
+		emit_changed();
+	}
 }
 
 int GrassSpecies::get_stems() const {
@@ -63,7 +68,11 @@ int GrassSpecies::get_stems() const {
 
 std::shared_ptr<const PlantModel> GrassSpecies::find_plant() const {
 	if (_plant_mesh.is_valid() && !_plant) {
-		_plant = read_plant(_plant_mesh);
+		const Ref<Mesh> mesh = _plant_mesh; // a script, maybe, that sets another one meanwhile
+		const PlantReading reading = read_plant(mesh);
+		if (_plant_mesh == mesh) {
+			_plant = reading;
+		}
 	}
 	return _plant ? _plant->model : nullptr;
 }
@@ -88,9 +97,11 @@ double GrassSpecies::get_leaf_area() {
 }
 
 void GrassSpecies::set_param(int64_t p_param, double p_value) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
+	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_param, int(SPECIES_PARAM_COUNT));
-	_params[size_t(p_param)] = checked(SPECIES_PARAMS[size_t(p_param)], p_value, "GrassSpecies");
+	if (!replace(_params[size_t(p_param)], checked(SPECIES_PARAMS[size_t(p_param)], p_value, label()))) {
+		return;
+	}
 	if (p_param == SPECIES_PARAM_CARD_PICTURES) {
 		_card_images.clear();
 	}
@@ -103,10 +114,11 @@ double GrassSpecies::get_param(int64_t p_param) const {
 }
 
 void GrassSpecies::set_color(int64_t p_index, const Color &p_color) {
-	GRASS_CHANGE_GUARD("GrassSpecies");
+	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
-	_colors[size_t(p_index)] = p_color;
-	emit_changed();
+	if (replace(_colors[size_t(p_index)], p_color)) {
+		emit_changed();
+	}
 }
 
 Color GrassSpecies::get_color(int64_t p_index) const {

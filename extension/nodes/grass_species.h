@@ -5,6 +5,8 @@
 #include "draw/plant_model.h"
 #include "draw/species_look.h"
 #include "nodes/grass_patch.h"
+#include "nodes/label.h"
+#include "nodes/property_value.h"
 #include "nodes/species_params.h"
 
 #include <godot_cpp/classes/gradient.hpp>
@@ -23,15 +25,15 @@ public:
 	GrassSpecies();
 
 	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
-	godot::Ref<GrassPatch> get_patch() const { return _patch; }
+	godot::Ref<GrassPatch> get_patch() const { return value_of(_patch); }
 	void set_gradient(const godot::Ref<godot::Gradient> &p_gradient); // null: from root_color to tip_color
-	godot::Ref<godot::Gradient> get_gradient() const { return _gradient; }
+	godot::Ref<godot::Gradient> get_gradient() const { return value_of(_gradient); }
 	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
-	godot::Ref<godot::Texture2D> get_card() const { return _card; }
+	godot::Ref<godot::Texture2D> get_card() const { return value_of(_card); }
 	void set_leaf(const godot::Ref<godot::Texture2D> &p_leaf); // null: blades end in a tip
-	godot::Ref<godot::Texture2D> get_leaf() const { return _leaf; }
+	godot::Ref<godot::Texture2D> get_leaf() const { return value_of(_leaf); }
 	void set_plant_mesh(const godot::Ref<godot::Mesh> &p_mesh); // null: blades
-	godot::Ref<godot::Mesh> get_plant_mesh() const { return _plant_mesh; }
+	godot::Ref<godot::Mesh> get_plant_mesh() const { return value_of(_plant_mesh); }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
@@ -62,6 +64,7 @@ protected:
 	static void _bind_methods();
 
 private:
+	godot::String label() const { return label_of(*this); } // for messages
 	void _part_changed();
 	void read_pictures();
 	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }

@@ -7,6 +7,7 @@
 #include "draw/frame_share.h"
 #include "nodes/grass_force_3d.h"
 #include "nodes/main_thread.h"
+#include "nodes/script_call.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -32,7 +33,7 @@ void GrassWorld::_notification(int p_what) {
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			if (is_main_thread()) {
-				frame();
+				callable_mp(this, &GrassWorld::_frame).call_deferred();
 			}
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
@@ -71,7 +72,10 @@ void GrassWorld::restart() {
 	if (!is_inside_tree()) {
 		return;
 	}
-	_plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders());
+	const bool lives = outlives(*this, [&] { _plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders()); });
+	if (!lives || !is_inside_tree()) { // scripts of `plot_scene` run
+		return;
+	}
 	_most_frame_ms = 0.0;
 	_shortage = {};
 	_has_reported = false;
@@ -90,7 +94,10 @@ WorldFolders GrassWorld::find_folders() const {
 	return { { _folder, to, _plot_size }, label(), to.is_empty() || is_editor };
 }
 
-void GrassWorld::frame() {
+void GrassWorld::_frame() {
+	if (!is_inside_tree()) {
+		return;
+	}
 	CpuClock clock;
 	std::vector<WorldEye> eyes;
 	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this)) {
@@ -103,7 +110,9 @@ void GrassWorld::frame() {
 	for (const GrassForce3D *force : GrassForce3D::get_blowing()) {
 		movers.push_back({ place_of(force->get_global_position()), {} });
 	}
-	_plots.update(eyes, movers, get_process_delta_time());
+	if (!outlives(*this, [&] { _plots.update(eyes, movers, get_process_delta_time()); }) || !is_inside_tree()) {
+		return;
+	}
 	report();
 	_frame_ms = clock.lap();
 	_most_frame_ms = std::max(_most_frame_ms, _frame_ms);
@@ -171,7 +180,10 @@ Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_tra
 	const Array names = sum.keys();
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);
-		const Dictionary cut = field != nullptr ? field->cut(p_shape, p_transform) : Dictionary();
+		Dictionary cut;
+		if (field != nullptr && !outlives(*this, [&] { cut = field->cut(p_shape, p_transform); })) {
+			return sum; // a listener of the map freed the world
+		}
 		for (int64_t i = 0; i < names.size(); i++) {
 			const Variant before = sum[names[i]], more = cut.get(names[i], 0);
 			sum[names[i]] =
@@ -194,7 +206,12 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 	for (const PlotKey &key : _plots.get_standing()) {
 		GrassField *field = _plots.find(key);
 		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
-			sum += field->paint(p_brush, p_from, p_to);
+			double changed = 0.0;
+			const bool lives = outlives(*this, [&] { changed = field->paint(p_brush, p_from, p_to); });
+			sum += changed;
+			if (!lives) { // a listener of the map freed the world
+				return sum;
+			}
 		}
 	}
 	return sum;
@@ -225,8 +242,7 @@ int64_t GrassWorld::carry_unsaved() {
 	const bool is_running = _plots.is_running();
 	_plots.stop();
 	const int64_t count = _plots.get_files().carry_kept();
-	restart();
-	if (is_running && !find_folders().keeps) {
+	if (outlives(*this, [&] { restart(); }) && is_running && !find_folders().keeps) {
 		_plots.get_files().write_kept();
 	}
 	return count;

@@ -2,6 +2,7 @@
 // GrassWorld: grass on more ground than memory holds. Keeps a GrassField for each plot near the cameras and the bodies that move.
 #pragma once
 
+#include "nodes/property_value.h"
 #include "nodes/world_eyes.h"
 #include "nodes/world_plots.h"
 
@@ -20,7 +21,7 @@ public:
 	void set_plot_size(double p_size);
 	double get_plot_size() const { return _plot_size; }
 	void set_plot_scene(const godot::Ref<godot::PackedScene> &p_scene); // its root is a GrassField
-	godot::Ref<godot::PackedScene> get_plot_scene() const { return _scene; }
+	godot::Ref<godot::PackedScene> get_plot_scene() const { return value_of(_scene); }
 	void set_radius(double p_radius);
 	double get_radius() const { return _radius; }
 	void set_body_radius(double p_radius);
@@ -28,9 +29,9 @@ public:
 	void set_budget(double p_megabytes);
 	double get_budget() const { return _budget; }
 	void set_folder(const godot::String &p_folder);
-	godot::String get_folder() const { return _folder; }
+	godot::String get_folder() const { return value_of(_folder); }
 	void set_save_folder(const godot::String &p_folder);
-	godot::String get_save_folder() const { return _save_folder; }
+	godot::String get_save_folder() const { return value_of(_save_folder); }
 
 	godot::Vector2i get_plot_at(const godot::Vector3 &p_global_position) const;
 	godot::String get_plot_path(const godot::Vector2i &p_plot) const; // where its map is written
@@ -69,7 +70,7 @@ private:
 	void enter();
 	void leave();
 	void restart();
-	void frame();
+	void _frame(); // from the message queue, where the engine lets a node die: nodes/script_call.h
 	void report();
 	void ask_about_kept();
 	void report_loss();

@@ -5,6 +5,8 @@
 #include "nodes/bind_property.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/property_value.h"
+#include "nodes/script_call.h"
 
 #include <cmath>
 
@@ -14,25 +16,29 @@ namespace grass {
 
 void GrassWorld::set_size(const Vector2 &p_size) {
 	GRASS_MAIN_THREAD_ONLY();
-	_size = Vector2(real_t(checked(WorldGrid::SIZE, p_size.x, label())), real_t(checked(WorldGrid::SIZE, p_size.y, label())));
-	restart();
+	const Vector2 size(real_t(checked(WorldGrid::SIZE, p_size.x, label())), real_t(checked(WorldGrid::SIZE, p_size.y, label())));
+	if (replace(_size, size)) {
+		restart();
+	}
 }
 
 void GrassWorld::set_plot_size(double p_size) {
 	GRASS_MAIN_THREAD_ONLY();
 	const double size = checked(WorldGrid::PLOT_SIZE, p_size, label());
-	_plot_size = std::round(size / MAP_CHUNK_SIZE) * MAP_CHUNK_SIZE;
-	if (_plot_size != size) {
-		WARN_PRINT(vformat("%s: `plot_size` must be whole chunks of 64 m; using %d instead of %s.", label(), int64_t(_plot_size), size));
+	const double whole = std::round(size / MAP_CHUNK_SIZE) * MAP_CHUNK_SIZE;
+	if (whole != size) {
+		WARN_PRINT(vformat("%s: `plot_size` must be whole chunks of 64 m; using %d instead of %s.", label(), int64_t(whole), size));
 	}
-	restart();
-	ask_about_kept();
+	if (replace(_plot_size, whole) && outlives(*this, [&] { restart(); })) {
+		ask_about_kept();
+	}
 }
 
 void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
 	GRASS_MAIN_THREAD_ONLY();
-	_scene = p_scene;
-	restart();
+	if (replace(_scene, p_scene)) {
+		restart();
+	}
 }
 
 void GrassWorld::set_radius(double p_radius) {
@@ -53,15 +59,16 @@ void GrassWorld::set_budget(double p_megabytes) {
 
 void GrassWorld::set_folder(const String &p_folder) {
 	GRASS_MAIN_THREAD_ONLY();
-	_folder = p_folder;
-	restart();
-	ask_about_kept();
+	if (replace(_folder, p_folder) && outlives(*this, [&] { restart(); })) {
+		ask_about_kept();
+	}
 }
 
 void GrassWorld::set_save_folder(const String &p_folder) {
 	GRASS_MAIN_THREAD_ONLY();
-	_save_folder = p_folder;
-	restart();
+	if (replace(_save_folder, p_folder)) {
+		restart();
+	}
 }
 
 void GrassWorld::_bind_methods() {

@@ -38,9 +38,8 @@ DrawnStatistics count_drawn(const BackendStatistics &p_backend, const FieldSetup
 
 void StandingField::begin_passes() const {
 	if (!_properties.is_on_cpu) {
-		const std::vector<DrawnPlant> plants = _properties.species.find_plants(_properties.param(PARAM_DENSITY));
-		const bool has_meshes = std::ranges::any_of(plants, [](const DrawnPlant &p_plant) { return p_plant.model != nullptr; });
-		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method, { has_meshes, _properties.map.is_valid() });
+		const FieldPlants plants{ _properties.species.has_plant_meshes(), _properties.map.is_valid() };
+		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method, plants);
 	}
 }
 

@@ -36,6 +36,16 @@ bool TerrainSource::is_alive() const {
 	return node != nullptr && node->is_inside_tree() && get_data() != nullptr;
 }
 
+namespace {
+
+// For a problem: its type, and of an array how many it holds.
+String describe(const Variant &p_value) {
+	const String type = Variant::get_type_name(p_value.get_type());
+	return p_value.get_type() >= Variant::ARRAY ? vformat("%s of %d", type, Array(p_value).size()) : type;
+}
+
+} // namespace
+
 Transform3D TerrainSource::get_transform() const {
 	return Transform3D();
 }
@@ -46,12 +56,32 @@ AABB TerrainSource::to_area(const Vector2 &p_first_cell, const Vector2 &p_cells)
 	return AABB();
 }
 
-void TerrainSource::complain(const Variant &p_value, const char *p_method, const char *p_wanted) {
-	if (_problem.is_empty()) {
-		const Node *node = get_node();
-		_problem = vformat("%s() of '%s' returned %s, not %s. See docs/terrain.md for what it must return.", p_method,
-				node == nullptr ? StringName() : node->get_name(), Variant::get_type_name(p_value.get_type()), p_wanted);
+Variant TerrainSource::ask_node(const StringName &p_method) {
+	Node *node = get_node();
+	if (node == nullptr) {
+		return Variant();
 	}
+	_calls++;
+	return node->call(p_method);
+}
+
+void TerrainSource::complain(const Variant &p_value, const char *p_method, const String &p_wanted) {
+	if (_problem.is_empty() && is_alive()) { // else it said nothing
+		_problem = vformat("%s() of '%s' returned %s, not %s. See docs/terrain.md for what it must return.", p_method,
+				get_node()->get_name(), describe(p_value), p_wanted);
+	}
+}
+
+PackedFloat32Array TerrainSource::to_numbers(const Variant &p_value, const char *p_method, int64_t p_count) {
+	if (p_value.get_type() == Variant::PACKED_FLOAT32_ARRAY || p_value.get_type() == Variant::PACKED_FLOAT64_ARRAY ||
+			p_value.get_type() == Variant::ARRAY) {
+		const PackedFloat32Array numbers = p_value;
+		if (numbers.size() == p_count) {
+			return numbers;
+		}
+	}
+	complain(p_value, p_method, vformat("a PackedFloat32Array of %d numbers, one a place", p_count));
+	return PackedFloat32Array();
 }
 
 double TerrainSource::to_number(const Variant &p_value, const char *p_method) {

@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/variant/aabb.hpp>
 #include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/vector3.hpp>
@@ -35,7 +36,8 @@ public:
 	bool is_same(const TerrainSource &p_other) const { return _node == p_other._node && _data == p_other._data; }
 	virtual bool has_textures() const = 0;
 	virtual bool has_colors() const = 0;
-	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive().
+	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive(). Methods of the
+	// terrain may remove it: then the samples mean nothing.
 	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
 	// Where the terrain stands: what is read holds as long as the field stays where it is beside this.
 	virtual godot::Transform3D get_transform() const;
@@ -64,13 +66,23 @@ protected:
 	godot::Node *get_node() const;
 	godot::Object *get_data() const; // the object that is asked: the node itself, or its data
 
+	// p_data: from get_data(); an earlier answer may have freed it, and then the answer is null.
 	template <typename... Arguments>
-	godot::Variant ask(godot::Object *p_object, const godot::StringName &p_method, const Arguments &...p_arguments) {
+	godot::Variant ask(const godot::Object *p_data, const godot::StringName &p_method, const Arguments &...p_arguments) {
+		godot::Object *data = get_data();
+		if (data == nullptr || data != p_data) {
+			return godot::Variant();
+		}
 		_calls++;
-		return p_object->call(p_method, p_arguments...);
+		const godot::Variant held(data); // the method may drop the last reference to its own object
+		return data->call(p_method, p_arguments...);
 	}
+	// The same of the node, where its data is another object.
+	godot::Variant ask_node(const godot::StringName &p_method);
 	// NaN, and a problem, if it is no number.
 	double to_number(const godot::Variant &p_value, const char *p_method);
+	// None, and a problem, if it is no array of that many.
+	godot::PackedFloat32Array to_numbers(const godot::Variant &p_value, const char *p_method, int64_t p_count);
 	// All zero, and a problem, if it is none.
 	godot::Vector3 to_vector(const godot::Variant &p_value, const char *p_method);
 	// A number, or a vector of base, overlay and blend.
@@ -79,7 +91,7 @@ protected:
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
 
 private:
-	void complain(const godot::Variant &p_value, const char *p_method, const char *p_wanted);
+	void complain(const godot::Variant &p_value, const char *p_method, const godot::String &p_wanted);
 
 	uint64_t _node, _data; // instance ids
 	int64_t _calls = 0;

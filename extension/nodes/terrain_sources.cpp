@@ -91,13 +91,8 @@ private:
 		for (const Vector3 &place : p_places) {
 			places.push_back(place);
 		}
-		const Variant answer = ask(p_node, _heights, places);
-		const PackedFloat32Array heights = answer;
-		if (heights.size() != places.size()) {
-			to_number(answer, HEIGHTS);
-			return;
-		}
-		for (size_t i = 0; i < p_places.size(); i++) {
+		const PackedFloat32Array heights = to_numbers(ask(p_node, _heights, places), HEIGHTS, places.size());
+		for (size_t i = 0; i < size_t(heights.size()); i++) {
 			r_samples[i].height = heights[int64_t(i)];
 		}
 	}
@@ -211,11 +206,11 @@ private:
 		if (!_has_images || !_has_counts || count_maps(p_data, INDEX) == 0 || count_maps(p_data, WEIGHT) == 0) {
 			return false;
 		}
-		Node *node = get_node();
+		const Node *node = get_node();
 		if (node == nullptr || !node->has_method(SHADER_TYPE)) {
 			return true;
 		}
-		const String type = ask(node, SHADER_TYPE);
+		const String type = ask_node(SHADER_TYPE);
 		return type == "Array" || (type == "Custom" && count_maps(p_data, SPLAT) == 0);
 	}
 
@@ -306,13 +301,20 @@ std::unique_ptr<TerrainSource> TerrainSource::find(Node *p_node, String &r_probl
 		return std::make_unique<PlainTerrain>(p_node);
 	}
 	const StringName name = p_node->get_name();
+	const String type = p_node->get_class();
 	if (!p_node->has_method("get_data")) {
 		r_problem = vformat("`terrain` is '%s' (%s), which has no method get_height(), nor the get_data() of Terrain3D and HTerrain. Name "
 							"another node, or give it the method (docs/terrain.md).",
-				name, p_node->get_class());
+				name, type);
 		return nullptr;
 	}
-	Object *data = p_node->call("get_data");
+	const uint64_t id = p_node->get_instance_id();
+	const Variant answer = p_node->call("get_data"); // holds what it returned
+	Object *data = answer;
+	if (ObjectDB::get_instance(id) == nullptr) {
+		r_problem = vformat("get_data() of `terrain`, '%s', freed the terrain.", name);
+		return nullptr;
+	}
 	if (data == nullptr) {
 		r_problem = vformat("get_data() of `terrain`, '%s', returned nothing: the terrain has no data yet.", name);
 		return nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "nodes/world_fields.h"
 
+#include "nodes/script_call.h"
+
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -20,7 +22,15 @@ GrassField *field_with(uint64_t p_id) {
 }
 
 GrassField *WorldFields::make() {
-	Node *made = _scene.is_valid() && _scene->can_instantiate() ? _scene->instantiate() : nullptr;
+	const Ref<PackedScene> scene = _scene;
+	Node *made = nullptr;
+	const bool lives = outlives(_world, [&] { made = scene.is_valid() && scene->can_instantiate() ? scene->instantiate() : nullptr; });
+	if (!lives) {
+		if (made != nullptr) {
+			memdelete(made);
+		}
+		return nullptr;
+	}
 	GrassField *field = Object::cast_to<GrassField>(made);
 	_has_wrong_scene = _scene.is_valid() && field == nullptr;
 	if (field == nullptr) {
@@ -56,7 +66,12 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 	_made = 0;
 	forget_first();
 	_place.reset();
-	GrassField *first = _first = make();
+	GrassField *first = make();
+	if (first == nullptr) {
+		return;
+	}
+	forget_first(); // a script of the scene may have begun anew
+	_first = first;
 	_pattern = {};
 	_pattern.has_terrain = !first->get_terrain().is_empty();
 	_pattern.pool_tiles = first->get_pool_tiles();
@@ -104,22 +119,29 @@ GrassField *WorldFields::take() {
 		return field;
 	}
 	GrassField *field = make();
+	if (field == nullptr) {
+		return nullptr;
+	}
 	for (int32_t i = _world.get_child_count(); i < _world.get_child_count(true); i++) { // behind the user's own
 		if (const GrassField *other = Object::cast_to<GrassField>(_world.get_child(i, true))) {
 			field->join(*other);
 			break;
 		}
 	}
-	_world.add_child(field, false, Node::INTERNAL_MODE_BACK);
+	const uint64_t id = field->get_instance_id();
+	if (!outlives(_world, [&] { _world.add_child(field, false, Node::INTERNAL_MODE_BACK); })) {
+		return nullptr;
+	}
 	_made++;
-	return field;
+	field = field_with(id);
+	return field != nullptr && field->is_inside_tree() ? field : nullptr;
 }
 
 void WorldFields::give_back(GrassField *p_field, bool p_keeps) {
 	if (p_keeps && _spare.size() < MOST_SPARE) {
-		p_field->set_visible(false);
-		p_field->set_position(Vector3(0, AWAY, 0));
 		_spare.push_back(p_field->get_instance_id());
+		p_field->set_position(Vector3(0, AWAY, 0));
+		p_field->set_visible(false); // last: a script may hear it
 	} else {
 		p_field->queue_free();
 	}

@@ -36,6 +36,7 @@ public:
 	~WorldFields() { forget_first(); }
 
 	// p_scene: its root is a GrassField; null: one with the defaults. p_side: of a plot, metres. p_label: of the world, for messages.
+	// Scripts of the scene run: afterwards this may be gone, with the world.
 	void start(const godot::Ref<godot::PackedScene> &p_scene, double p_side, const godot::String &p_label);
 	// Those that wait leave the tree.
 	void stop();
@@ -46,15 +47,17 @@ public:
 	bool has_wrong_scene() const { return _has_wrong_scene; }
 	size_t count_spare() const { return _spare.size(); }
 	void forget_freed(); // by a script
-	// One that waits, or a new one; a hidden child of the world.
+	// One that waits, or a new one; a hidden child of the world. Null where a script of the scene freed it or took it out of the tree;
+	// afterwards this may be gone, with the world.
 	GrassField *take();
+	const godot::Node3D &get_world() const { return _world; }
 	// Its plot has left. p_keeps: it may wait for the next one.
 	void give_back(GrassField *p_field, bool p_keeps);
 	void free_spare(); // one of them
 	int64_t get_made() const { return _made; } // since start()
 
 private:
-	GrassField *make();
+	GrassField *make(); // null: a script of the scene freed the world
 	GrassField::WarningTeller make_teller() const;
 	void forget_first();
 

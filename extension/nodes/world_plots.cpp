@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "core/world/plot_map.h"
+#include "nodes/script_call.h"
 
 #include <godot_cpp/core/memory.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -35,7 +36,10 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	_planner = {};
 	_pool_tile.reset();
 	_pool_wanted = 0;
-	_fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label);
+	const auto start_fields = [&] { _fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label); };
+	if (!outlives(_fields.get_world(), start_fields) || _is_running) { // a script of the scene began the world anew
+		return;
+	}
 	_files.start(p_folders);
 	_is_running = true;
 }
@@ -58,15 +62,24 @@ void WorldPlots::stop(bool p_forgets) {
 	_is_running = false;
 }
 
+// Runs a part of a frame in which scripts may run. False: that was all of the frame, since one of them ended the world, freed it, or took
+// it out of the tree.
+template <typename F> bool WorldPlots::run(F &&p_step) {
+	return outlives(_fields.get_world(), p_step) && _is_running;
+}
+
 void WorldPlots::update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta) {
 	const int64_t moves = _statistics.brought + _statistics.left;
 	take_read();
-	show_coming();
+	if (!run([&] { show_coming(); })) {
+		return;
+	}
 	measure();
 	make_plan(p_eyes, p_movers, p_delta);
 	fit_pools();
-	leave_one();
-	bring_one();
+	if (!run([&] { leave_one(); }) || !run([&] { bring_one(); })) {
+		return;
+	}
 	ask();
 	_statistics.most_moves = std::max(_statistics.most_moves, _statistics.brought + _statistics.left - moves);
 }
@@ -92,13 +105,16 @@ bool WorldPlots::is_coming() const {
 void WorldPlots::show_coming() {
 	for (auto &[key, plot] : _plots) {
 		GrassField *field = field_of(plot);
-		if (plot.state != State::COMING || !field->is_made()) {
+		if (plot.state != State::COMING || field == nullptr || !field->is_made()) {
 			continue;
 		}
+		const PlotKey shown = key;
+		const uint64_t id = plot.field;
 		plot.state = State::STANDING;
 		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
-		field->set_visible(true);
-		_tell("plot_loaded", key, field);
+		if (run([&] { field->set_visible(true); }) && field_with(id) != nullptr) { // a script may hear it
+			_tell("plot_loaded", shown, field);
+		}
 		return; // a listener may have changed everything
 	}
 }
@@ -116,15 +132,24 @@ void WorldPlots::bring_one() {
 			const size_t bytes = count_bytes() + _planner.expected(key);
 			const auto fits = [&](int64_t p_pool) { return bytes + size_t(p_pool) * pools.tile_bytes <= _settings.budget; };
 			if (_fields.count_spare() > 0 || is_under_eyes(key) || fits(pools.quiet)) {
-				bring(key, found->second, fits(pool_for(key)) ? pool_for(key) : pools.quiet);
+				bring(key, fits(pool_for(key)) ? pool_for(key) : pools.quiet);
 			}
 			return;
 		}
 	}
 }
 
-void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, int64_t p_pool) {
-	GrassField *field = _fields.take();
+void WorldPlots::bring(PlotKey p_key, int64_t p_pool) {
+	GrassField *field = nullptr;
+	if (!run([&] { field = _fields.take(); }) || field == nullptr) {
+		return;
+	}
+	const auto found = _plots.find(p_key);
+	if (found == _plots.end() || found->second.state != State::READ) { // a script of the field began the world anew
+		field->queue_free();
+		return;
+	}
+	Plot &plot = found->second;
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
 	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots are made of whole chunks
@@ -133,21 +158,22 @@ void WorldPlots::bring(const PlotKey &p_key, Plot &r_plot, int64_t p_pool) {
 	}
 	Ref<GrassMapSnapshot> snapshot;
 	snapshot.instantiate();
-	snapshot->map = r_plot.known;
+	snapshot->map = plot.known;
 	Ref<GrassMap> map;
 	map.instantiate();
 	map->restore_snapshot(snapshot);
-	field->show_map(map, std::move(r_plot.prepared));
-	r_plot.field = field->get_instance_id();
-	r_plot.state = State::COMING;
+	field->show_map(map, std::move(plot.prepared));
+	plot.field = field->get_instance_id();
+	plot.state = State::COMING;
 	_statistics.brought++;
 }
 
 // One that is read and nobody wants any more is only forgotten.
 void WorldPlots::leave_one() {
+	const std::vector<PlotKey> leaving = _plan.leaving; // listeners may begin the world anew
 	const bool is_all_here = std::ranges::all_of(_plan.wanted, [this](const PlotKey &p_key) { return find(p_key) != nullptr; });
-	for (const PlotKey &key : _plan.leaving) {
-		Plot &plot = _plots.at(key);
+	for (const PlotKey &key : leaving) {
+		const Plot &plot = _plots.at(key);
 		if (plot.field == 0) {
 			_plots.erase(key);
 		} else if (plot.state == State::STANDING &&
@@ -161,11 +187,13 @@ void WorldPlots::leave_one() {
 	}
 }
 
-void WorldPlots::leave(const PlotKey &p_key, Plot &r_plot) {
-	GrassField *field = field_of(r_plot);
-	_tell("plot_leaving", p_key, field);
+void WorldPlots::leave(PlotKey p_key, const Plot &p_plot) {
+	GrassField *field = field_of(p_plot);
+	if (!run([&] { _tell("plot_leaving", p_key, field); })) {
+		return;
+	}
 	const auto found = _plots.find(p_key);
-	if (found == _plots.end() || field_of(found->second) == nullptr) { // a listener freed it
+	if (found == _plots.end() || found->second.state != State::STANDING || field_of(found->second) != field) { // a listener freed it
 		return;
 	}
 	if (is_changed(found->second, *field)) {

@@ -36,7 +36,7 @@ public:
 
 	WorldPlots(godot::Node3D &p_world, Tell p_tell) : _fields(p_world), _tell(std::move(p_tell)) {}
 
-	// In the tree.
+	// In the tree. This and update() run scripts: afterwards this may be gone, with the world.
 	void start(const WorldSettings &p_settings, const WorldFolders &p_folders);
 	// What changed is written, unless it is to be forgotten; the fields go with the world's children.
 	void stop(bool p_forgets = false);
@@ -71,11 +71,12 @@ private:
 	GrassField *field_of(const Plot &p_plot) const;
 	void take_read();
 	void show_coming();
+	template <typename F> bool run(F &&p_step);
 	void make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
 	void bring_one();
-	void bring(const PlotKey &p_key, Plot &r_plot, int64_t p_pool);
+	void bring(PlotKey p_key, int64_t p_pool);
 	void leave_one();
-	void leave(const PlotKey &p_key, Plot &r_plot);
+	void leave(PlotKey p_key, const Plot &p_plot);
 	void ask();
 	void measure();
 	std::vector<LoadedPlot> find_loaded() const;

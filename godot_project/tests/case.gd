@@ -100,7 +100,7 @@ func expect_error(part: String) -> void:
 	_expected.append(part)
 
 
-## The engine may report errors whose text contains `part`, which say nothing about the test.
+## The engine may report errors whose text contains `part`, which say nothing about the test, for instance to what a script does.
 func allow_error(part: String) -> void:
 	_allowed.append(part)
 

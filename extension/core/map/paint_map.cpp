@@ -126,6 +126,20 @@ bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j,
 	return true;
 }
 
+namespace {
+
+// A count of 1 alone does not say that another thread, which held the texels until now, has read them: that its reading comes before our
+// writing, one asks by taking and giving back a share of them, as it did.
+bool is_sole_owner(const std::shared_ptr<const MapTexels> &p_texels) {
+	if (p_texels.use_count() > 1) {
+		return false;
+	}
+	std::shared_ptr<const MapTexels>(p_texels).reset();
+	return true;
+}
+
+} // namespace
+
 // The chunk's own texels: made if it has none, copied if a snapshot shares them. Null if the map is full.
 MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	if (_chunks.size() >= MAX_CHUNKS && find(p_key) == nullptr) {
@@ -134,7 +148,7 @@ MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	std::shared_ptr<const MapTexels> &texels = _chunks[p_key].channels[size_t(p_channel)];
 	if (!texels) {
 		texels = std::make_shared<const MapTexels>(initial_texels(p_channel));
-	} else if (texels.use_count() > 1) {
+	} else if (!is_sole_owner(texels)) {
 		texels = std::make_shared<MapTexels>(*texels);
 	}
 	return const_cast<MapTexels *>(texels.get()); // nobody else holds it

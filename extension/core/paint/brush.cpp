@@ -191,7 +191,9 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 	const MapChannelInfo &info = info_of(dab.channel());
 	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
 	// Texels that the shape may hold. All are read before any is written, so that their order does not matter.
-	const Eigen::Array2d low = (p_shape.get_min().array() / size).floor(), high = (p_shape.get_max().array() / size).ceil() - 1.0;
+	const Eigen::Array2d min = p_shape.get_min().array().max(p_brush.area.min.array()),
+						 max = p_shape.get_max().array().min(p_brush.area.max.array());
+	const Eigen::Array2d low = (min / size).floor(), high = (max / size).ceil() - 1.0;
 	result.out_of_room = (low < -reach).any() || (high >= reach).any();
 	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();
 	std::vector<Edit> edits;

@@ -2,6 +2,7 @@
 // What a brush does to the map. Each tool works on one channel; a game's mower and boots use the same tools.
 #pragma once
 
+#include "core/map/map_layers.h"
 #include "core/map/map_shape.h"
 #include "core/map/paint_map.h"
 
@@ -40,6 +41,7 @@ struct Brush {
 	Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // COMB: along x, z; its length does not count
 	MapChannel channel = MAP_DENSITY; // SMOOTH
 	MapLimits limits;
+	MapRegion area{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // nothing beyond is changed; everywhere
 };
 
 // What a tool did.

@@ -121,6 +121,17 @@ func test_monitors_come_and_go_with_the_fields() -> void:
 	assert_eq(has_monitors(), 0)
 
 
+func test_a_scripts_own_monitor_stays() -> void:
+	Performance.add_custom_monitor("grass_field/memory", func() -> float: return 42.0)
+	var field := add_field()
+	assert_eq(has_monitors(), MONITORS.size())
+	assert_eq(monitor("memory"), 42.0)
+	field.free()
+	assert_eq(has_monitors(), 1, "the script's own")
+	assert_eq(monitor("memory"), 42.0)
+	Performance.remove_custom_monitor("grass_field/memory")
+
+
 func test_monitors_add_up_the_fields() -> void:
 	var fields: Array[GrassField] = [add_field(), add_field({position = Vector3(100, 0, 0)})]
 	await ticks(2)
