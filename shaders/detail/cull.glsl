@@ -19,7 +19,7 @@
 layout(local_size_x = GRASS_CULL_GROUP) in;
 
 layout(push_constant) uniform Phase {
-	uvec4 phase; // x: GRASS_CULL_*; y: threads, one a tile, or an instance; z, w: instances that the MultiMeshes of picture and shadows hold
+	uvec4 phase; // x: GRASS_CULL_*; y: threads, one a tile or an instance; z, w: instances of the MultiMeshes of picture and shadows
 };
 
 layout(set = 0, binding = GRASS_CULL_VIEW, std430) readonly buffer ViewBuffer {

@@ -269,7 +269,7 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);
 		}
 	}
-	return any(stays) ? hold.is_held | (stays & all_stand_still(r_blade, p_terms)) : hold.is_held;
+	return hold.is_held;
 }
 
 } // namespace grass

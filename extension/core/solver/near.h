@@ -64,7 +64,6 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 }
 
 // [Eq 46] Whether colliders stand on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
-// A blade lies whose tip is low, or, where the collider hardly moves, no higher than its top.
 template <class T> struct Burial {
 	MaskOf<T> is_buried;
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
@@ -72,19 +71,16 @@ template <class T> struct Burial {
 template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	MaskOf<T> is_buried = T(0.0f) > T(1.0f), is_fast = is_buried;
 	const T most = p_blade.blade_length * (p_terms.seconds * T(BURY_BELOW));
-	const T tip = p_blade.knots[GRASS_KNOTS - 1].y, low = p_blade.blade_length * T(LYING);
-	const T creep = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
-		const T moved = motion_of<T>(collider);
-		const T below = select(moved > creep, low, maximum(low, top_over(collider, p_blade.root)));
-		auto is_inside = (tip < below) & (dot(place, place) < T(collider.bound * collider.bound));
+		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
 		if (any(is_inside)) {
 			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
 			is_buried = is_buried | is_inside;
-			is_fast = is_fast | (is_inside & (moved > most));
+			is_fast = is_fast | (is_inside & (motion_of<T>(collider) > most));
 		}
 	}
+	is_buried = is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
 	return { is_buried, !is_fast };
 }
 

@@ -292,7 +292,7 @@ func test_memory_of_a_crowd_comes_back() -> void:
 	assert_near(field.get_memory_usage(), crowded, 5e5, "bytes: who comes back soon finds it as it was")
 	await ticks(220)
 	assert_less(field.get_memory_usage() - alone, 0.2 * (crowded - alone), "bytes left")
-	assert_greater(field.bend_at(bodies[0].position).length(), 0.05, "at the last one grass is bent as before")
+	assert_greater(field.bend_at(bodies[0].position).length(), 0.1, "under the last one grass is bent as before")
 	var low := field.get_memory_usage()
 	await ticks(400)
 	assert_eq(field.get_memory_usage(), low, "no coming and going")
@@ -321,7 +321,7 @@ func test_bodies_that_stand_still_cost_no_simulation() -> void:
 		assert_eq(after[key], before[key], key)
 	assert_eq(after.still_tile_steps - before.still_tile_steps, 40 * before.awake_tiles)
 	assert_eq(after.awake_tiles, before.awake_tiles)
-	assert_greater(field.bend_at(bodies[0].position).length(), 0.01, "the grass around it stays down; within it blades stay as they were")
+	assert_greater(field.bend_at(bodies[0].position).length(), 0.05, "and the grass stays down")
 	bodies[0].position.x += 0.05
 	await ticks(2)
 	var moved := field.get_statistics()
