@@ -11,7 +11,8 @@ namespace grass {
 namespace {
 
 ShaderText plant_text(int p_features) {
-	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { p_features & (SHADER_MAP | SHADER_SPECIES), String() } };
+	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether there are any may change while plants stand
+	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges, String() } };
 }
 
 std::vector<Ref<ShaderMaterial>> make_materials(const PlantModel &p_model, int p_species, int p_features) {

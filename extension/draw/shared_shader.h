@@ -15,6 +15,7 @@ enum ShaderFeature {
 	SHADER_CARDS = 4, // GRASS_CARDS; with SHADER_SPECIES only
 	SHADER_PLANTS = 8, // GRASS_PLANTS; likewise
 	SHADER_TERRAIN = 16, // GRASS_TERRAIN
+	SHADER_LEDGES = 32, // GRASS_LEDGES; with SHADER_MAP only
 };
 
 // What the vertices of a mesh hold: nothing, for blades; place and normal; these, UV and three numbers.

@@ -46,7 +46,8 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	if (!_wanted || !_wanted->bounds) {
 		return false;
 	}
-	const Look look{ shader_features(_wanted->setup), p_properties.hook.get_text() };
+	const bool has_ledges = _wanted->painted.is_valid() && _wanted->painted->get_map().uses(MAP_LEDGE);
+	const Look look{ shader_features(_wanted->setup) | (has_ledges ? SHADER_LEDGES : 0), p_properties.hook.get_text() };
 	const bool has_shaders = !in_parts || ((p_backend == nullptr || p_backend->prepare(_wanted->setup)) & prepare_shaders(look));
 	return has_shaders && prepare_map(has_time) && has_time();
 }

@@ -267,7 +267,7 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	_backend->follow(p_node, p_transform);
 	const bool is_carried = _properties.has_ground;
 	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
-		_ground.set_heights(cover->get_low(), cover->get_high(), !_map->get_field().get_layers().get_ledge_layers().empty());
+		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());
 	}
 	_ground.follow(p_node, p_transform, is_carried);
 	if (_is_carried != is_carried) {

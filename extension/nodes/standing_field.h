@@ -113,7 +113,10 @@ private:
 	bool wants_device() const; // and there is one
 	godot::String obstacle_warning() const;
 	void make_backend();
-	Look find_look() const { return { shader_features(_field.get_setup()), _properties.hook.get_text() }; }
+	bool has_ledges() const { return _map != nullptr && !_map->get_field().get_layers().get_ledge_layers().empty(); }
+	Look find_look() const {
+		return { shader_features(_field.get_setup()) | (has_ledges() ? SHADER_LEDGES : 0), _properties.hook.get_text() };
+	}
 	static constexpr int PARTS = 6; // of show_part(); the cover's rows follow
 	bool show_parts(const Look &p_look, bool p_is_hidden);
 	void show_part(const Look &p_look, int p_part);

@@ -37,6 +37,8 @@ func _measure(p_view: String, p_side: float, p_shadows: bool, p_msaa: int, p_fra
 	_sun.shadow_enabled = p_shadows
 	get_viewport().msaa_3d = p_msaa as Viewport.MSAA
 	FrameTimer.look(_camera, p_view, p_side)
+	while _field.visible and _field.get_statistics().waiting:
+		await RenderingServer.frame_post_draw
 	var times: Array[float] = []
 	for frame in 2 * p_frames + 4:
 		_camera.position.y += 1e-4  # a still picture would not be culled again
