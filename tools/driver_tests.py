@@ -2,10 +2,10 @@
 """The layers `drivers` and `drivers-quick`: what graphics drivers that are not here make of the compute passes.
 
 Quick: the build's rules refuse what they should, each pass becomes Metal's language, figures for one card. In full: figures
-for all cards, and each pass becomes DXIL that Microsoft's validator takes.
+for all cards, each pass becomes DXIL that Microsoft's validator takes, and so do the shaders that draw grass, not validated.
 """
 
-from tools import driver_figures, driver_tools, machine
+from tools import driver_figures, driver_tools, drivers, machine
 from tools.docs_tests import noted
 from tools.places import ROOT
 from tools.say import Failure
@@ -66,6 +66,23 @@ def to_dxil(tally, only):
 		noted(tally, name, wrong[file])
 
 
+def drawing_to_dxil(tally, only):
+	"""The shaders that the renderers make for grass. The validator has no say in them: it wants the bindings and the joined signatures
+	that Godot's own driver gives them, and the translator alone does not."""
+	for method in drivers.METHODS:
+		if only not in (name := f"drivers/dxil drawing {method}"):
+			continue
+		wrong = []
+		shaders = drivers.drawing_shaders(method)
+		for file in shaders:
+			try:
+				driver_tools.to_dxil(file, file.suffixes[0].removeprefix("."))
+			except Failure as failure:
+				wrong.append(f"{file.name}: {failure}")
+		print(f"    {len(shaders)} vertex and fragment shaders")
+		noted(tally, name, "; ".join(wrong) if shaders else "the engine made no shader")
+
+
 def advice(notes, card, pipeline):
 	"""What to do about a figure that has grown."""
 	there = driver_figures.made_by(notes, card, pipeline.family()).split(";")[0] or "no compiler"
@@ -111,5 +128,6 @@ def run(only):
 	rules(tally, only)
 	to_msl(tally, only)
 	to_dxil(tally, only)
+	drawing_to_dxil(tally, only)
 	figures(tally, only, {card: driver_figures.of_card(card) for card in driver_figures.CARDS})
 	return tally

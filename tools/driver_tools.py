@@ -171,11 +171,11 @@ def to_msl(file):
 	return run_fetched(spirv_cross(), "--msl", "--msl-version", "20100", file)
 
 
-def to_dxil(file):
-	"""A pass as DXIL: the file. Failure if it cannot."""
+def to_dxil(file, stage="compute"):
+	"""A shader as DXIL: the file. Failure if it cannot."""
 	made = FOLDER / f"{file.stem}.dxil"
 	made.unlink(missing_ok=True)
-	run([MESA / "spirv2dxil", "-s", "compute", "-e", "main", "-m", "2", "-x", "7", "-o", made, file])
+	run([MESA / "spirv2dxil", "-s", stage, "-e", "main", "-m", "2", "-x", "7", "-o", made, file])
 	if not made.exists():
 		raise Failure("spirv2dxil wrote nothing.")
 	return made

@@ -8,6 +8,7 @@ counts instances from 0 in every draw call, as Direct3D 12 does, and refuses com
 import json
 import re
 import shlex
+import shutil
 import subprocess
 
 from tools import engine, machine
@@ -46,7 +47,7 @@ def build():
 	return {"VK_LAYER_PATH": str(FOLDER), "VK_INSTANCE_LAYERS": NAME, "GRASS_LAYER_PASSES": passes}
 
 
-def pictures(method, name, environment):
+def pictures(method, name, environment, more=()):
 	"""({picture: its bytes}, what a shader reads of the first instance of a draw call that begins at 5)."""
 	folder = FOLDER / f"{method}_{name}"
 	folder.mkdir(parents=True, exist_ok=True)
@@ -54,13 +55,22 @@ def pictures(method, name, environment):
 		old.unlink()
 	said = []
 	with engine.window(method, "64x36", software=True) as (command, driver), progress(f"Drawing {method}, {name}", every=10):
-		start = ["--path", str(PROJECT), "--fixed-fps", "60", SCENE, "--", f"--folder={folder}"]
+		start = ["--path", str(PROJECT), "--fixed-fps", "60", SCENE, "--", f"--folder={folder}", *more]
 		code = engine.run([*command, *start], {**driver, **environment}, said.append, LIMIT)
 	if code or "GRASS-DRIVERS done" not in said or any("ERROR" in line for line in said):
 		raise Failure(f"the scene ended with code {code}:\n" + "\n".join(said[-20:]))
 	told = [line for line in said if line.startswith("GRASS-DRIVERS ")]
 	print("\n".join(told[1:-1]))
 	return {file.name: file.read_bytes() for file in sorted(folder.glob("*.png"))}, int(told[0].rpartition(FIRST)[2])
+
+
+def drawing_shaders(method):
+	"""The SPIR-V of the vertex and fragment shaders that the renderer makes while the scene's fields come: files, NUMBER.STAGE.spv."""
+	folder = FOLDER / f"{method}_spirv"
+	shutil.rmtree(folder, ignore_errors=True)
+	folder.mkdir(parents=True)
+	pictures(method, "shaders", build(), (f"--shaders={folder}",))
+	return sorted(folder.glob("*.spv"))
 
 
 def compare(method, counting, layer):

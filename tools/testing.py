@@ -92,7 +92,7 @@ def editor(only):
 
 def on_screen(layers, hardware):
 	"""What layers that draw need."""
-	software = {"gpu", "validation", "editor", "release", "sanitize"} & set(layers) - ({"gpu"} if hardware else set())
+	software = {"gpu", "validation", "editor", "release", "sanitize", "drivers"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
 
@@ -120,7 +120,7 @@ LAYERS = {
 	"headless": Layer(lambda only, _: headless(only), minutes=2.1),
 	"docs": Layer(lambda only, _: docs_tests.run(only), minutes=0.2),
 	"drivers-quick": Layer(lambda only, _: driver_tests.run_quick(only), "shaders", minutes=0.3),
-	"drivers": Layer(lambda only, _: driver_tests.run(only), "shaders", in_all=False),
+	"drivers": Layer(lambda only, _: driver_tests.run(only), in_all=False),
 	"gpu": Layer(gpu, minutes=16.8),
 	"validation": Layer(lambda only, _: validation.layer(only, Tally()), minutes=1.4),
 	"editor": Layer(lambda only, _: editor(only), minutes=19),

@@ -6,6 +6,7 @@
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
 //                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_CROWD is true
 //   GRASS_LAYER_PASSES=FOLDER     of the passes' SPIR-V
+//   GRASS_LAYER_SHADERS=FOLDER    gets the vertex and fragment shaders that are made from now on: NUMBER.vertex.spv, NUMBER.fragment.spv
 #include "base/constants.inc"
 #include "pass_names.h"
 #include "vertex_numbers.h"
@@ -13,6 +14,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <string>
@@ -44,9 +46,34 @@ void remember_pass(uint64_t p_module, std::span<const uint32_t> p_code) {
 	}
 }
 
+// "vertex" or "fragment"; null: another stage.
+const char *drawing_stage(std::span<const uint32_t> p_code) {
+	constexpr size_t HEADER = 5;
+	for (size_t at = HEADER; at + 1 < p_code.size() && p_code[at] >> 16 != 0; at += p_code[at] >> 16) {
+		if ((p_code[at] & 0xffff) == 15) { // OpEntryPoint
+			return p_code[at + 1] == 0 ? "vertex" : p_code[at + 1] == 4 ? "fragment" : nullptr;
+		}
+	}
+	return nullptr;
+}
+
+void keep_drawing_shader(std::span<const uint32_t> p_code) {
+	const std::string folder = environment("GRASS_LAYER_SHADERS");
+	const char *stage = folder.empty() ? nullptr : drawing_stage(p_code);
+	if (stage != nullptr) {
+		uint32_t number = 2166136261u;
+		for (const uint32_t word : p_code) {
+			number = (number ^ word) * 16777619u;
+		}
+		std::ofstream file(folder + "/" + std::to_string(number) + "." + stage + ".spv", std::ios::binary);
+		file.write(reinterpret_cast<const char *>(p_code.data()), std::streamsize(p_code.size_bytes()));
+	}
+}
+
 VkResult create_shader_module(void *p_device, const ShaderModuleCreateInfo *p_info, const void *p_allocator, uint64_t *r_module) {
 	const auto create = CreateShaderModule(next_of_device(p_device, "vkCreateShaderModule"));
 	const std::span<const uint32_t> code(p_info->code, p_info->bytes / sizeof(uint32_t));
+	keep_drawing_shader(code);
 	const std::vector<uint32_t> counting = count_vertices(code, wanted_counting());
 	ShaderModuleCreateInfo info = *p_info;
 	if (!counting.empty()) {

@@ -22,6 +22,8 @@ func _ready() -> void:
 	for argument in OS.get_cmdline_user_args():
 		if argument.begins_with("--folder="):
 			_folder = argument.trim_prefix("--folder=")
+		elif argument.begins_with("--shaders="):
+			OS.set_environment("GRASS_LAYER_SHADERS", argument.trim_prefix("--shaders="))  # those of the fields, not the engine's first
 	print("GRASS-DRIVERS the instance of a draw call that begins at 5 is %d" % first_instance(5))
 	await _draw_plain()
 	await _draw_rich()
