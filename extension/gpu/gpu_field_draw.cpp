@@ -102,6 +102,7 @@ void GpuField::dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimesh
 	if (std::exchange(_begun, _instances) != _instances) {
 		const uint32_t instances = std::max(capacity, shadow_capacity);
 		dispatch(GRASS_CULL_BEGIN, instances, groups_of(instances, GRASS_CULL_GROUP));
+		main_device()->compute_list_add_barrier(p_list);
 	}
 	const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // all at once
 	for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
