@@ -62,7 +62,7 @@ bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_c
 		return true;
 	}
 	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
-		const Ref<GrassMap> map = p_map;
+		const Ref<GrassMap> map = p_map; // NOLINT(performance-unnecessary-copy-initialization): a script may drop the field's own
 		FillResult result;
 		return change(map, result, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
 	}
@@ -98,6 +98,7 @@ void FieldFiller::look(const Place &p_place) {
 	_state.set(now->rule, now->sources, p_place.region);
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_once) {
 	look(p_place);
 	_replacements = p_map->get_replacements();
@@ -106,6 +107,7 @@ bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_onc
 	return !p_at_once || work(p_map, -1);
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldFiller::update(Ref<GrassMap> p_map, const Place &p_place) {
 	if (_rule.is_null() || !_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
 		return true;
@@ -139,6 +141,7 @@ void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
 	_terrain = p_ids;
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 double FieldFiller::fill(Ref<GrassMap> p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
 	const FillRule rule = rule_for(**p_rule, p_place);
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);

@@ -302,6 +302,7 @@ bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 	return region.has_value();
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
 bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
 	take_changes();
 	if (!p_map->is_readable()) {

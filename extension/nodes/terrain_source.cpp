@@ -75,7 +75,7 @@ void TerrainSource::complain(const Variant &p_value, const char *p_method, const
 PackedFloat32Array TerrainSource::to_numbers(const Variant &p_value, const char *p_method, int64_t p_count) {
 	if (p_value.get_type() == Variant::PACKED_FLOAT32_ARRAY || p_value.get_type() == Variant::PACKED_FLOAT64_ARRAY ||
 			p_value.get_type() == Variant::ARRAY) {
-		const PackedFloat32Array numbers = p_value;
+		PackedFloat32Array numbers = p_value;
 		if (numbers.size() == p_count) {
 			return numbers;
 		}

@@ -201,7 +201,7 @@ int64_t WorldFiles::count_writable() const {
 }
 
 String WorldFiles::find_problem() const {
-	if (const String problem = _sizes.find_problem(_folders.place); !problem.is_empty()) {
+	if (String problem = _sizes.find_problem(_folders.place); !problem.is_empty()) {
 		return problem;
 	}
 	for (const auto &[files, folders] : running) {

@@ -81,8 +81,8 @@ private:
 		}
 		for (int n = 0; _search.between && n < PROBES * PROBES; n++) {
 			const uint32_t bits = grass_hash(uint32_t(p_i) * 73856093u ^ uint32_t(p_j) * 19349663u ^ uint32_t(n) * 83492791u);
-			const double x = (n % PROBES + double(bits & 0xffffu) / 65536.0) / PROBES,
-						 z = (n / PROBES + double(bits >> 16) / 65536.0) / PROBES;
+			const int column = n % PROBES, row = n / PROBES;
+			const double x = (column + double(bits & 0xffffu) / 65536.0) / PROBES, z = (row + double(bits >> 16) / 65536.0) / PROBES;
 			if (!(std::abs(height(p_i, p_j, x, z) - blend(four, x, z)) <= SUSPECT)) {
 				return true;
 			}

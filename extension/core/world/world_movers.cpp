@@ -57,8 +57,8 @@ BusyPlots find_busy(const WorldGrid &p_grid, std::span<const WorldMover> p_mover
 		}
 	}
 	std::ranges::sort(busy.plots);
-	const auto rest = std::ranges::unique(busy.plots);
-	busy.plots.erase(rest.begin(), rest.end());
+	const auto rest = std::unique(busy.plots.begin(), busy.plots.end());
+	busy.plots.erase(rest, busy.plots.end());
 	return busy;
 }
 

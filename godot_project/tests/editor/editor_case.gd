@@ -209,3 +209,12 @@ func _hold(event: InputEventWithModifiers, modifiers: int) -> void:
 	event.shift_pressed = modifiers & KEY_MASK_SHIFT
 	event.ctrl_pressed = modifiers & KEY_MASK_CTRL
 	event.alt_pressed = modifiers & KEY_MASK_ALT
+
+
+## Heights of the ground, a metre apart. Which spots beside a ledge are bare depends on the piece of ground that was read last.
+func heights() -> PackedFloat32Array:
+	var all := PackedFloat32Array()
+	for x in range(-12, 13):
+		for z in range(-12, 13):
+			all.append(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(x, z)))
+	return all

@@ -38,7 +38,7 @@ func test_painting_bakes_the_ground_under_the_brush() -> void:
 	assert_near(ground(place.x, place.z), 1.287, 0.08, "where the brush was")
 	assert_near(ground(-4, -7), 0.0, 0.0, "on the hill beside it")
 	var rays: int = plugin.get_statistics().rays
-	assert_true(rays > 0 and rays < 2000, "%d rays" % rays)
+	assert_true(rays > 0 and rays < 9000, "%d rays" % rays)
 	await undo()
 	await redo()
 	assert_near(ground(place.x, place.z), 1.287, 0.08)
@@ -67,9 +67,9 @@ func test_the_button_bakes_the_whole_field() -> void:
 	for child: String in ["Hill", "TiltedFloor", "Csg"]:
 		field.get_node("../" + child).free()
 	await frames(50)  # grass that stood on them comes down
-	var before := field.map.data
+	var before := heights()
 	await click(toolbar.get_node("Bake"))
-	assert_eq(field.map.data, before, "no ground: nothing changes")
+	assert_eq(heights(), before, "no ground: nothing changes")
 
 
 func test_a_stroke_that_only_bakes_is_a_step_of_the_history() -> void:
