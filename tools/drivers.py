@@ -90,7 +90,8 @@ def numbers(only, layer):
 	tests = [(method, "zero") for method in METHODS] + [(METHODS[0], RESTORED)]
 	for method, counting in tests:
 		name = f"gpu/numbers.instances_count_from_{counting}.{method}"
-		if not wanted(name, only) or (counting == RESTORED and not only):
+		# By name only: the control, and Mobile, which may hang as the scene begins where a machine has two threads (Godot's issue 123060).
+		if not wanted(name, only) or (not only and (counting == RESTORED or method != METHODS[0])):
 			continue
 		try:
 			compare(method, counting, layer)
