@@ -18,8 +18,8 @@ constexpr const char *ADVICE =
 		"Update the graphics driver. On Windows, `rendering/rendering_device/driver.windows` in the project settings chooses another one: "
 		"vulkan or d3d12.";
 
-// The engine exposes no limit of storage buffers. Vulkan's drivers for the cards of these makers have reported at least so much for
-// years; others, of phones and in software, the 128 MiB that Vulkan promises.
+// The engine exposes no limit of storage buffers. What Vulkan's drivers for the cards of these makers are taken to allow; nobody has read
+// it from them for this list. Of all others no more than the 128 MiB that Vulkan promises.
 struct Maker {
 	const char *name;
 	int64_t buffer_bytes;
