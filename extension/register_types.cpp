@@ -23,6 +23,7 @@
 #include "nodes/grass_species.h"
 #include "nodes/grass_world.h"
 #include "nodes/scene_watch.h"
+#include "nodes/size_limits.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/classes/editor_plugin_registration.hpp>
@@ -49,6 +50,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassBoneColliders3D);
 		GDREGISTER_CLASS(grass::GrassField);
 		GDREGISTER_CLASS(grass::GrassWorld);
+		grass::register_size_limits();
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {

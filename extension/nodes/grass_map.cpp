@@ -7,6 +7,7 @@
 #include "nodes/label.h"
 #include "nodes/main_thread.h"
 #include "nodes/params.h"
+#include "nodes/size_limits.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -90,7 +91,7 @@ void GrassMap::set_base_density(double p_density) {
 
 String GrassMap::read(const PackedByteArray &p_bytes) {
 	PaintMap now;
-	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), now);
+	const std::string reason = read_map(std::span(p_bytes.ptr(), size_t(p_bytes.size())), engine_codec(), now, get_read_limits());
 	if (!reason.empty()) {
 		return String(reason.c_str());
 	}
@@ -273,7 +274,11 @@ bool GrassMap::apply_changes(const PackedByteArray &p_changes) {
 	}
 	AppliedChanges applied;
 	const std::span bytes(p_changes.ptr(), size_t(p_changes.size()));
-	if (!write([&] { applied = grass::apply_changes(bytes, engine_codec(), _map); })) {
+	ReadLimits limits = get_read_limits();
+	for (const auto &[shown_by, region] : _shown) {
+		limits.regions.push_back(region);
+	}
+	if (!write([&] { applied = grass::apply_changes(bytes, engine_codec(), _map, limits); })) {
 		return false;
 	}
 	ERR_FAIL_COND_V_MSG(!applied.reason.empty(), false, vformat("%s: these changes %s.", label(), String(applied.reason.c_str())));

@@ -13,6 +13,7 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <map>
 #include <mutex>
 
 namespace grass {
@@ -81,6 +82,9 @@ public:
 	// A field uses it from now on, so that other threads are refused: waits for one that is changing it.
 	void wait_for_threads() const { std::lock_guard lock(_lock); }
 	bool is_readable() const { return _unread.is_empty(); } // else nothing can be changed
+	// A field shows so much of it: others' changes may add chunks only there. Main thread only.
+	void show(const void *p_by, const MapRegion &p_region) { _shown[p_by] = p_region; }
+	void hide(const void *p_by) { _shown.erase(p_by); }
 	// How often its contents were replaced: a snapshot, data, clear().
 	uint64_t get_replacements() const { return _replacements; }
 	// Replaces the map by what the bytes hold. Returns "", or why it could not and left the map as it was.
@@ -126,6 +130,7 @@ private:
 
 	mutable std::mutex _lock; // of _map and _unread
 	PaintMap _map;
+	std::map<const void *, MapRegion> _shown; // by what shows it
 	uint64_t _replacements = 0;
 	godot::PackedByteArray _unread; // data that could not be read: kept, so that saving does not destroy it
 };

@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_map.h"
+#include "nodes/size_limits.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>
@@ -96,6 +97,12 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 	(void)p_flags; // a map refers to no other resource
 	const GrassMap *map = Object::cast_to<GrassMap>(p_resource.ptr());
 	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
+	const ReadLimits limits = get_read_limits();
+	if (size_t(map->get_memory_usage()) > limits.map_bytes) {
+		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, and a map that is read may take %s. It is saved, and cannot be loaded "
+						   "before that is raised%s.",
+				p_path, megabytes(size_t(map->get_memory_usage())).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
+	}
 	return write_map_file(map->get_data(), p_path);
 }
 

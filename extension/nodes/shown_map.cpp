@@ -41,7 +41,9 @@ ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::u
 		ShownMap(p_map, begin(p_map->get_map(), shown_place_of(p_setup), std::move(p_prepared))) {}
 
 ShownMap::ShownMap(const Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun) :
-		_map(p_map), _field(std::move(p_begun.first)), _textures(std::move(p_begun.second)) {}
+		_map(p_map), _field(std::move(p_begun.first)), _textures(std::move(p_begun.second)) {
+	_map->show(this, _field.get_region().grown(MapLayers::CHANGE_MARGIN)); // what lies a little beyond blends into the border
+}
 
 void ShownMap::preview(const std::function<BrushResult(PaintMap &)> &p_change) {
 	end_preview();

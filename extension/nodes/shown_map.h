@@ -36,6 +36,10 @@ public:
 	// p_prepared: null, or for another field: it is laid out from the beginning.
 	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared = nullptr);
 
+	~ShownMap() { _map->hide(this); }
+	ShownMap(const ShownMap &) = delete;
+	ShownMap &operator=(const ShownMap &) = delete;
+
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
 	// Shows the map as p_change would make it, instead of as it is: on a copy. The next preview takes the place of this one.
 	void preview(const std::function<BrushResult(PaintMap &)> &p_change);

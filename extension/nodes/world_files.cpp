@@ -3,6 +3,7 @@
 
 #include "convert.h"
 #include "nodes/grass_map_file.h"
+#include "nodes/size_limits.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/display_server.hpp>
@@ -12,6 +13,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <chrono>
+#include <limits>
 #include <utility>
 
 using namespace godot;
@@ -234,6 +236,14 @@ void WorldFiles::keep(const PlotsPlace &p_place, const PlotKey &p_key, const Pac
 	_kept.keep(p_place, p_key, p_data);
 }
 
+// A plot's map covers the plot, and what blends into its border.
+ReadLimits WorldFiles::limits() const {
+	ReadLimits limits = get_read_limits();
+	const double half = 0.5 * _folders.place.plot_size;
+	limits.regions.push_back(MapRegion{ { -half, -half }, { half, half } }.grown(MAP_CHUNK_SIZE));
+	return limits;
+}
+
 // What is kept is newer than any file.
 PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	PackedByteArray kept;
@@ -244,7 +254,9 @@ PaintMap WorldFiles::find(const PlotKey &p_key, const PaintMap &p_default) {
 	const String from = _sizes.has_wrong_from() ? String() : _folders.place.from, to = _sizes.has_wrong_to() ? String() : _folders.place.to;
 	PaintMap map = p_default;
 	if (!kept.is_empty()) {
-		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), map);
+		ReadLimits own; // what this world painted
+		own.map_bytes = std::numeric_limits<size_t>::max();
+		read_map(std::span(kept.ptr(), size_t(kept.size())), engine_codec(), map, own);
 	} else if (to.is_empty() || !read_file(path_of(to, p_key), map)) {
 		if (!from.is_empty() && from != to) {
 			read_file(path_of(from, p_key), map);
@@ -259,7 +271,7 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 		return false;
 	}
 	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
-	const std::string reason = read_map(std::span(bytes.ptr(), size_t(bytes.size())), engine_codec(), r_map);
+	const std::string reason = read_map(std::span(bytes.ptr(), size_t(bytes.size())), engine_codec(), r_map, limits());
 	if (!reason.empty()) {
 		ERR_PRINT(vformat(
 				"%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot stands as if there were none; the file stays "

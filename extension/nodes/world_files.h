@@ -3,6 +3,7 @@
 // comes back at once is read as it was written.
 #pragma once
 
+#include "core/map/read_limits.h"
 #include "core/world/world_grid.h"
 #include "nodes/kept_plots.h"
 #include "nodes/shown_map.h"
@@ -79,6 +80,7 @@ private:
 	void wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done);
 	void work();
 	PaintMap find(const PlotKey &p_key, const PaintMap &p_default);
+	ReadLimits limits() const; // of a plot's file
 	bool read_file(const godot::String &p_path, PaintMap &r_map);
 	void put(const PlotKey &p_key, const PaintMap &p_map);
 	bool may_write(const PlotsPlace &p_place) const;

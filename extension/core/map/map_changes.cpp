@@ -18,6 +18,8 @@ struct Change {
 	MapChannel channel;
 	uint32_t before, after; // checksums
 	std::span<const uint8_t> packed;
+
+	std::pair<MapKey, int> place() const { return { key, int(channel) }; }
 };
 
 struct Changes {
@@ -84,6 +86,9 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 		}
 		changes.list.push_back({ { int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) }, MapChannel(channel),
 				get_u32(p_bytes, entry + 12), get_u32(p_bytes, entry + 16), p_bytes.subspan(at, size) });
+		if (n > 0 && changes.list[n].place() <= changes.list[n - 1].place()) { // each place once
+			return refuse("are damaged: change " + std::to_string(n + 1) + " of " + std::to_string(count) + " is out of order");
+		}
 		at += size;
 	}
 	return at == end ? changes : refuse("are damaged: they go on after their end");
@@ -92,6 +97,32 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 std::string name_of(const Change &p_change) {
 	return "the " + std::string(info_of(p_change.channel).name) + " of chunk (" + std::to_string(p_change.key.x) + ", " +
 			std::to_string(p_change.key.z) + ")";
+}
+
+// "", or why the changes are not taken: from their table alone, since each may unpack to a thousand times its bytes.
+std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, const ReadLimits &p_limits) {
+	size_t bytes = 0, map_bytes = p_map.get_memory_usage();
+	bool is_growing = false;
+	for (const Change &change : p_changes.list) {
+		if (!PaintMap::is_in_reach(change.key)) {
+			return "do not fit: " + name_of(change) + " is out of reach";
+		}
+		if (p_map.find(change.key) == nullptr && !p_limits.allow(change.key)) {
+			return "do not fit: " + name_of(change) + " lies beyond every field that shows this map";
+		}
+		const size_t size = info_of(change.channel).chunk_bytes();
+		const bool is_new = find_texels(p_map, change.key, size_t(change.channel)) == nullptr;
+		bytes += size;
+		map_bytes += is_new ? size : 0;
+		is_growing = is_growing || is_new;
+	}
+	if (bytes > p_limits.changes_bytes) {
+		return "would change " + megabytes(bytes) + " of the map, and one message may change " + megabytes(p_limits.changes_bytes) +
+				p_limits.changes_hint;
+	}
+	return !is_growing || map_bytes <= p_limits.map_bytes ? std::string()
+														  : "would let the map take " + megabytes(map_bytes) +
+					" of memory, and it may take " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
 }
 
 // r_map has its new base density by now.
@@ -116,7 +147,7 @@ std::string apply(const Change &p_change, const PaintMap &p_before, const MapCod
 	const bool is_initial = texels == r_map.initial_texels(p_change.channel);
 	const bool has_room =
 			r_map.set_texels(p_change.key, p_change.channel, is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(texels)));
-	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " is out of reach, or this map is full";
+	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " finds no room, this map is full";
 }
 
 } // namespace
@@ -159,10 +190,10 @@ MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const 
 	return bytes;
 }
 
-AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map) {
+AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits) {
 	AppliedChanges applied;
 	const Changes changes = read_table(p_bytes);
-	applied.reason = changes.reason;
+	applied.reason = changes.reason.empty() ? look_at_changes(changes, r_map, p_limits) : changes.reason;
 	const uint32_t base = uint32_t(r_map.initial_code(MAP_DENSITY, 0));
 	if (applied.reason.empty() && base != changes.base_before && base != changes.base_after) {
 		applied.reason = "begin with another base density. Take the whole `data` of the sender";

@@ -31,7 +31,7 @@ struct AppliedChanges {
 	bool has_base_changed = false;
 };
 
-// Changes r_map, or leaves it as it was.
-AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
+// Changes r_map, or leaves it as it was. A chunk that r_map has may change wherever it lies; new ones are within the limits.
+AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});
 
 } // namespace grass

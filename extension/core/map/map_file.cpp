@@ -21,31 +21,31 @@ constexpr uint32_t ALL_CHANNELS = (1u << MAP_CHANNELS) - 1;
 // Splits codes of 4 bytes, lowest bytes first, so that the high ones, which rarely change, lie together.
 template <typename Code> void filter(std::span<const uint8_t> p_from, std::span<uint8_t> r_to, const MapChannelInfo &p_info, bool p_back) {
 	const size_t side = size_t(p_info.side), components = size_t(p_info.components), plane = side * side;
-	std::vector<Code> texels(plane);
-	const auto predicted = [&](size_t p_i, size_t p_j) {
-		const Code left = p_i > 0 ? texels[p_j * side + p_i - 1] : Code(0), above = p_j > 0 ? texels[(p_j - 1) * side + p_i] : Code(0);
-		const Code corner = p_i > 0 && p_j > 0 ? texels[(p_j - 1) * side + p_i - 1] : Code(0);
-		return Code(p_j == 0 ? left : (p_i == 0 ? above : left + above - corner));
-	};
 	for (size_t c = 0; c < components; c++) {
+		std::vector<Code> above(side), row(side);
 		for (size_t j = 0; j < side; j++) {
+			Code left = 0, corner = 0; // of the first row and column the plane knows one neighbour only
 			for (size_t i = 0; i < side; i++) {
 				const size_t n = j * side + i, texel = (n * components + c) * sizeof(Code);
+				const Code predicted = i == 0 ? above[0] : Code(left + above[i] - corner);
+				Code change = 0;
 				if (p_back) {
-					Code change = 0;
 					for (size_t b = 0; b < sizeof(Code); b++) {
 						change = Code(change | Code(p_from[(c * sizeof(Code) + b) * plane + n]) << (8 * b));
 					}
-					texels[n] = Code(predicted(i, j) + change);
-					std::memcpy(&r_to[texel], &texels[n], sizeof(Code));
+					left = Code(predicted + change);
+					std::memcpy(&r_to[texel], &left, sizeof(Code));
 				} else {
-					std::memcpy(&texels[n], &p_from[texel], sizeof(Code));
-					const Code change = Code(texels[n] - predicted(i, j));
+					std::memcpy(&left, &p_from[texel], sizeof(Code));
+					change = Code(left - predicted);
 					for (size_t b = 0; b < sizeof(Code); b++) {
 						r_to[(c * sizeof(Code) + b) * plane + n] = uint8_t(change >> (8 * b));
 					}
 				}
+				row[i] = left;
+				corner = above[i];
 			}
+			std::swap(above, row);
 		}
 	}
 }
@@ -107,6 +107,82 @@ std::string of_bytes(size_t p_there, size_t p_wanted) {
 	return std::to_string(p_there) + " of " + std::to_string(p_wanted) + " bytes are there";
 }
 
+struct FileChunk {
+	MapKey key;
+	uint32_t channels, checksum;
+	std::span<const uint8_t> packed;
+};
+
+struct FileTable {
+	uint32_t base = 0;
+	std::vector<FileChunk> chunks;
+};
+
+// "" and the bytes' table, or what is wrong with it.
+std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table) {
+	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
+		return "is no grass map: it does not begin with \"GRASSMAP\"";
+	}
+	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
+	if (version > MAP_FILE_VERSION) {
+		return "was saved by a newer version of this addon (format " + std::to_string(version) + ", this one reads up to " +
+				std::to_string(MAP_FILE_VERSION) + "). Update the addon to open it";
+	}
+	if (p_bytes.size() < HEADER_BYTES) {
+		return "is cut off: " + of_bytes(p_bytes.size(), HEADER_BYTES) + " of its header";
+	}
+	r_table.base = get_u32(p_bytes, 12);
+	const size_t count = get_u32(p_bytes, 16), table_end = HEADER_BYTES + count * ENTRY_BYTES;
+	if (version == 0 || r_table.base > 255 || count > PaintMap::MAX_CHUNKS) {
+		return "is damaged: its header makes no sense";
+	}
+	if (p_bytes.size() < table_end + CHECKSUM_BYTES) {
+		return "is cut off: " + of_bytes(p_bytes.size(), table_end + CHECKSUM_BYTES) + " of its table of chunks";
+	}
+	if (get_u32(p_bytes, table_end) != checksum(p_bytes.first(table_end))) {
+		return "is damaged: the checksum of its table of chunks is wrong";
+	}
+	size_t at = table_end + CHECKSUM_BYTES;
+	for (size_t n = 0; n < count; n++) {
+		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES, size = get_u32(p_bytes, entry + 12);
+		const auto packed = at + size <= p_bytes.size() ? p_bytes.subspan(at, size) : std::span<const uint8_t>();
+		r_table.chunks.push_back({ { int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) }, get_u32(p_bytes, entry + 8),
+				get_u32(p_bytes, entry + 16), packed });
+		at += size;
+	}
+	if (p_bytes.size() < at) {
+		return "is cut off: " + of_bytes(p_bytes.size(), at);
+	}
+	if (p_bytes.size() > at) {
+		return "is damaged: it goes on for " + std::to_string(p_bytes.size() - at) + " bytes after its end";
+	}
+	return {};
+}
+
+// "", or why the chunks are not taken: from the table alone, since each may unpack to a thousand times its bytes.
+std::string look_at_chunks(const FileTable &p_table, const ReadLimits &p_limits) {
+	size_t bytes = 0;
+	for (size_t n = 0; n < p_table.chunks.size(); n++) {
+		const FileChunk &chunk = p_table.chunks[n];
+		if ((chunk.channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written on purpose
+			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
+				   "it";
+		}
+		const std::string place = "(" + std::to_string(chunk.key.x) + ", " + std::to_string(chunk.key.z) + ")";
+		if (chunk.channels == 0 || (n > 0 && chunk.key <= p_table.chunks[n - 1].key) || !PaintMap::is_in_reach(chunk.key)) {
+			return "is damaged: its chunk " + std::to_string(n + 1) + " of " + std::to_string(p_table.chunks.size()) + ", " + place +
+					", makes no sense";
+		}
+		if (!p_limits.allow(chunk.key)) {
+			return "holds chunk " + place + ", which lies beyond the ground that it is for";
+		}
+		bytes += chunk_size(chunk.channels);
+	}
+	return bytes <= p_limits.map_bytes
+			? std::string()
+			: "would take " + megabytes(bytes) + " of memory, and a map may take " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
+}
+
 } // namespace
 
 bool are_codes(const MapTexels &p_texels, const MapChannelInfo &p_info) {
@@ -141,55 +217,19 @@ MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec) {
 	return bytes;
 }
 
-std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map) {
-	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
-		return "is no grass map: it does not begin with \"GRASSMAP\"";
-	}
-	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
-	if (version > MAP_FILE_VERSION) {
-		return "was saved by a newer version of this addon (format " + std::to_string(version) + ", this one reads up to " +
-				std::to_string(MAP_FILE_VERSION) + "). Update the addon to open it";
-	}
-	if (p_bytes.size() < HEADER_BYTES) {
-		return "is cut off: " + of_bytes(p_bytes.size(), HEADER_BYTES) + " of its header";
-	}
-	const uint32_t base = get_u32(p_bytes, 12), count = get_u32(p_bytes, 16);
-	const size_t table_end = HEADER_BYTES + size_t(count) * ENTRY_BYTES;
-	if (version == 0 || base > 255 || count > PaintMap::MAX_CHUNKS) {
-		return "is damaged: its header makes no sense";
-	}
-	if (p_bytes.size() < table_end + CHECKSUM_BYTES) {
-		return "is cut off: " + of_bytes(p_bytes.size(), table_end + CHECKSUM_BYTES) + " of its table of chunks";
-	}
-	if (get_u32(p_bytes, table_end) != checksum(p_bytes.first(table_end))) {
-		return "is damaged: the checksum of its table of chunks is wrong";
-	}
-	size_t wanted = table_end + CHECKSUM_BYTES;
-	for (size_t n = 0; n < count; n++) {
-		wanted += get_u32(p_bytes, HEADER_BYTES + n * ENTRY_BYTES + 12);
-	}
-	if (p_bytes.size() < wanted) {
-		return "is cut off: " + of_bytes(p_bytes.size(), wanted);
-	}
-	if (p_bytes.size() > wanted) {
-		return "is damaged: it goes on for " + std::to_string(p_bytes.size() - wanted) + " bytes after its end";
+std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits) {
+	FileTable table;
+	std::string reason = read_file_table(p_bytes, table);
+	reason = reason.empty() ? look_at_chunks(table, p_limits) : reason;
+	if (!reason.empty()) {
+		return reason;
 	}
 	PaintMap map;
-	map.set_base_density(info_of(MAP_DENSITY).value(int32_t(base)));
-	size_t at = table_end + CHECKSUM_BYTES;
-	for (size_t n = 0; n < count; n++) {
-		const size_t entry = HEADER_BYTES + n * ENTRY_BYTES;
-		const MapKey key{ int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) };
-		const uint32_t channels = get_u32(p_bytes, entry + 8);
-		const auto packed = p_bytes.subspan(at, get_u32(p_bytes, entry + 12));
-		at += packed.size();
-		if ((channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written on purpose
-			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
-				   "it";
-		}
-		const bool is_sound = channels != 0 && map.find(key) == nullptr;
-		if (!is_sound || checksum(packed) != get_u32(p_bytes, entry + 16) || !unpack_chunk(packed, key, channels, p_codec, map)) {
-			return "is damaged: its chunk " + std::to_string(n + 1) + " of " + std::to_string(count) + " cannot be read";
+	map.set_base_density(info_of(MAP_DENSITY).value(int32_t(table.base)));
+	for (size_t n = 0; n < table.chunks.size(); n++) {
+		const FileChunk &chunk = table.chunks[n];
+		if (checksum(chunk.packed) != chunk.checksum || !unpack_chunk(chunk.packed, chunk.key, chunk.channels, p_codec, map)) {
+			return "is damaged: its chunk " + std::to_string(n + 1) + " of " + std::to_string(table.chunks.size()) + " cannot be read";
 		}
 	}
 	r_map = std::move(map);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "core/map/paint_map.h"
+#include "core/map/read_limits.h"
 
 #include <functional>
 #include <string>
@@ -35,8 +36,9 @@ struct MapCodec {
 // The same bytes for the same map.
 MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
 
-// Replaces r_map by what the bytes hold and returns "". If anything is wrong, leaves r_map as it was and returns what, as
-// the end of a sentence that begins with the file's name.
-std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map);
+// Replaces r_map by what the bytes hold and returns "". If anything is wrong, or more than p_limits allow, leaves r_map as it was and
+// returns what, as the end of a sentence that begins with the file's name. What the file would take is known from its table: nothing is
+// unpacked before.
+std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});
 
 } // namespace grass

@@ -8,120 +8,6 @@ namespace grass {
 
 namespace {
 
-// Texels of a layer that lie in a region: their first and last + 1, with the border counted, along x and z.
-struct TexelRange {
-	int i_begin, i_end, j_begin, j_end;
-};
-
-TexelRange texels_in(const MapRegion &p_region, const MapKey &p_key, int p_side) {
-	const double size = MAP_CHUNK_SIZE / p_side;
-	const Eigen::Array2d corner(p_key.x * MAP_CHUNK_SIZE, p_key.z * MAP_CHUNK_SIZE);
-	const auto clip = [p_side](double p_texel) { return int(std::clamp(p_texel, -1.0, p_side + 1.0)) + 1; };
-	const Eigen::Array2d low = ((p_region.min.array() - corner) / size).floor(),
-						 high = ((p_region.max.array() - corner) / size).floor() + 1.0;
-	return { clip(low.x()), clip(high.x()), clip(low.y()), clip(high.y()) };
-}
-
-uint8_t to_byte(double p_share) {
-	return uint8_t(std::clamp(p_share, 0.0, 1.0) * 255.0 + 0.5); // NOLINT(bugprone-incorrect-roundings): never negative
-}
-
-// Puts one layer together.
-class Composer {
-public:
-	Composer(const PaintMap &p_map, const MapKey &p_key, int32_t p_uncut) :
-			_key(p_key),
-			_uncut(p_uncut),
-			_density(p_map, MAP_DENSITY),
-			_height(p_map, MAP_HEIGHT),
-			_cut(p_map, MAP_CUT),
-			_wear(p_map, MAP_WEAR),
-			_lean(p_map, MAP_LEAN),
-			_normal(p_map, MAP_NORMAL),
-			_ground(p_map, MAP_GROUND),
-			_hole(p_map, MAP_HOLE),
-			_tint(p_map, MAP_TINT),
-			_species(p_map, MAP_SPECIES),
-			_ledge(p_map, MAP_LEDGE) {
-		const MapChunk *chunk = p_map.find(p_key);
-		_has_ledges = chunk != nullptr && chunk->channels[MAP_LEDGE];
-	}
-
-	bool compose(const MapRegion &p_region, MapLayer &r_layer) {
-		_changed = false;
-		const TexelRange fine = texels_in(p_region, _key, GRASS_FINE_TEXELS);
-		for (int j = fine.j_begin; j < fine.j_end; j++) {
-			for (int i = fine.i_begin; i < fine.i_end; i++) {
-				compose_fine(i, j, &r_layer.growth[size_t(j * MapLayer::FINE + i) * 4]);
-			}
-		}
-		const TexelRange coarse = texels_in(p_region, _key, GRASS_COARSE_TEXELS);
-		for (int j = coarse.j_begin; j < coarse.j_end; j++) {
-			for (int i = coarse.i_begin; i < coarse.i_end; i++) {
-				compose_coarse(i, j, size_t(j * MapLayer::COARSE + i), r_layer);
-			}
-		}
-		if (_has_ledges || !r_layer.ledge.empty()) {
-			compose_ledges(p_region, r_layer.ledge);
-		}
-		return _changed;
-	}
-
-private:
-	template <typename T> void put(T &r_texel, T p_value) {
-		_changed = _changed || r_texel != p_value;
-		r_texel = p_value;
-	}
-
-	void compose_ledges(const MapRegion &p_region, std::vector<uint8_t> &r_ledge) {
-		constexpr int SIDE = GRASS_LEDGE_TEXELS;
-		r_ledge.resize(size_t(SIDE) * SIDE, uint8_t(GRASS_LEDGE_NONE));
-		const TexelRange range = texels_in(p_region, _key, SIDE); // with a border, which there is none of here
-		for (int j = std::max(range.j_begin - 1, 0); j < std::min(range.j_end - 1, SIDE); j++) {
-			for (int i = std::max(range.i_begin - 1, 0); i < std::min(range.i_end - 1, SIDE); i++) {
-				put(r_ledge[size_t(j) * SIDE + size_t(i)], uint8_t(_ledge.code(0, _key.x * SIDE + i, _key.z * SIDE + j)));
-			}
-		}
-	}
-
-	// [Eq M1]
-	void compose_fine(int p_i, int p_j, uint8_t *r_texel) {
-		const int i = _key.x * GRASS_FINE_TEXELS + p_i - 1, j = _key.z * GRASS_FINE_TEXELS + p_j - 1;
-		const double wear = _wear.value(0, i, j);
-		const bool is_hole = _hole.code(0, i >> 1, j >> 1) != 0;
-		put(r_texel[0], is_hole ? uint8_t(0) : to_byte(_density.value(0, i, j) * (1.0 - wear * wear)));
-		put(r_texel[1], to_byte(height_at(i, j) * (1.0 - GRASS_WEAR_PRESSES * wear)));
-		put(r_texel[2], uint8_t(std::min(_cut.code(0, i, j), _uncut)));
-		put(r_texel[3], to_byte(wear));
-	}
-
-	// At the centre of a fine texel, a quarter of a coarse texel from the centre of the one that it lies in, towards three others.
-	double height_at(int p_i, int p_j) {
-		static_assert(GRASS_FINE_TEXELS == 2 * GRASS_COARSE_TEXELS);
-		const int i = p_i >> 1, j = p_j >> 1, i_next = i + (p_i & 1) * 2 - 1, j_next = j + (p_j & 1) * 2 - 1;
-		const int code = 3 * (3 * _height.code(0, i, j) + _height.code(0, i_next, j)) + 3 * _height.code(0, i, j_next) +
-				_height.code(0, i_next, j_next);
-		return info_of(MAP_HEIGHT).unit / 16.0 * code;
-	}
-
-	void compose_coarse(int p_i, int p_j, size_t p_texel, MapLayer &r_layer) {
-		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
-		for (int c = 0; c < 4; c++) {
-			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? _lean.code(c, i, j) : _normal.code(c - 2, i, j)));
-			// Weighted by its strength, so that a colour that does not show contributes nothing to its neighbours' blend.
-			const double strength = c < 3 ? _tint.value(3, i, j) : 1.0;
-			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
-		}
-		put(r_layer.ground[p_texel], float(_ground.value(0, i, j)));
-		put(r_layer.species[p_texel], uint8_t(_species.code(0, i, j)));
-	}
-
-	MapKey _key;
-	int32_t _uncut;
-	MapReader _density, _height, _cut, _wear, _lean, _normal, _ground, _hole, _tint, _species, _ledge;
-	bool _has_ledges = false, _changed = false;
-};
-
 // The four texels around a point of a layer, and how much each counts.
 struct Corners {
 	std::array<size_t, 4> texels;
@@ -172,28 +58,6 @@ void look_beside_ledge(const MapLayer &p_layer, const Eigen::Array2f &p_share, G
 }
 
 } // namespace
-
-MapRegion MapRegion::of_chunk(const MapKey &p_key) {
-	const Eigen::Vector2d corner(p_key.x * MAP_CHUNK_SIZE, p_key.z * MAP_CHUNK_SIZE);
-	return { corner, corner.array() + MAP_CHUNK_SIZE };
-}
-
-MapRegion MapRegion::of_grid(const TileGrid &p_grid) {
-	const Eigen::Vector2d half(0.5 * p_grid.get_size_x(), 0.5 * p_grid.get_size_z());
-	return { -half, half };
-}
-
-MapRegion MapRegion::grown(double p_metres) const {
-	return { min.array() - p_metres, max.array() + p_metres };
-}
-
-MapRegion MapRegion::shared(const MapRegion &p_other) const {
-	return { min.cwiseMax(p_other.min), max.cwiseMin(p_other.max) };
-}
-
-MapRegion MapRegion::joined(const MapRegion &p_other) const {
-	return { min.cwiseMin(p_other.min), max.cwiseMax(p_other.max) };
-}
 
 void MapLayers::reset(const TileGrid &p_grid, double p_tallest) {
 	_uncut = std::min(int32_t(std::ceil(p_tallest / info_of(MAP_CUT).unit)), MAP_UNCUT_CODE);
@@ -260,7 +124,7 @@ int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegio
 	const MapRegion region = is_new ? MapRegion::of_chunk(p_key) : p_region;
 	MapLayer &texels = _layers[size_t(layer)];
 	const bool had_ledges = !texels.ledge.empty();
-	const bool differs = Composer(p_map, p_key, _uncut).compose(region.grown(0.5 * CHANGE_MARGIN), texels);
+	const bool differs = compose_layer(p_map, p_key, _uncut, region.grown(0.5 * CHANGE_MARGIN), texels);
 	if (!had_ledges && !texels.ledge.empty()) {
 		_ledge_layers.push_back(layer);
 	}
@@ -297,7 +161,7 @@ void MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapL
 	}
 	r_there._layers[0].ledge.clear(); // perhaps of another chunk
 	r_there._pages[index_of(key)] = 0.0f;
-	Composer(p_map, key, _uncut).compose(MapRegion{ place, place }.grown(CHANGE_MARGIN), r_there._layers[0]);
+	compose_layer(p_map, key, _uncut, MapRegion{ place, place }.grown(CHANGE_MARGIN), r_there._layers[0]);
 }
 
 int MapLayers::get_species(int p_texel_x, int p_texel_z) const {

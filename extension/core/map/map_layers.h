@@ -4,37 +4,12 @@
 // the simulation samples the very same ones.
 #pragma once
 
-#include "core/base/tile_grid.h"
 #include "core/map/growth.h"
-#include "core/map/paint_map.h"
+#include "core/map/map_layer.h"
 
 #include <vector>
 
 namespace grass {
-
-// A rectangle of places, metres.
-struct MapRegion {
-	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero();
-	static MapRegion of_chunk(const MapKey &p_key);
-	static MapRegion of_grid(const TileGrid &p_grid); // the whole field
-	bool contains(const Eigen::Vector2d &p_place) const {
-		return (p_place.array() >= min.array()).all() && (p_place.array() <= max.array()).all();
-	}
-	MapRegion grown(double p_metres) const;
-	MapRegion joined(const MapRegion &p_other) const;
-	MapRegion shared(const MapRegion &p_other) const; // min > max along an axis: nothing
-	bool operator==(const MapRegion &) const = default;
-};
-
-struct MapLayer {
-	static constexpr int FINE = GRASS_FINE_TEXELS + 2, COARSE = GRASS_COARSE_TEXELS + 2; // texels along a side
-	std::vector<uint8_t> growth; // FINE^2 x (density, height, cut, wear)
-	std::vector<uint8_t> form; // COARSE^2 x (lean x, z, normal x, z), codes of their channels
-	std::vector<float> ground; // COARSE^2, metres
-	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
-	std::vector<uint8_t> species; // COARSE^2: 0 as they are mixed, n: species n - 1 only
-	std::vector<uint8_t> ledge; // GRASS_LEDGE_TEXELS^2 codes of their channel, without a border; empty: no ledge is near
-};
 
 class MapLayers {
 public:

@@ -16,10 +16,6 @@ namespace {
 static_assert(std::all_of(MAP_CHANNEL_INFO.begin(), MAP_CHANNEL_INFO.end(),
 		[](const MapChannelInfo &p_info) { return std::has_single_bit(unsigned(p_info.side)); }));
 
-bool is_in_reach(const MapKey &p_key) {
-	return p_key.x >= -PaintMap::REACH && p_key.z >= -PaintMap::REACH && p_key.x < PaintMap::REACH && p_key.z < PaintMap::REACH;
-}
-
 void write_code(uint8_t *r_texels, const MapChannelInfo &p_info, size_t p_index, int32_t p_code) {
 	if (p_info.bytes == 1) {
 		r_texels[p_index] = uint8_t(p_code);
@@ -111,7 +107,7 @@ int32_t PaintMap::get_code(MapChannel p_channel, int p_component, int p_i, int p
 bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code) {
 	const MapChannelInfo &info = info_of(p_channel);
 	const MapKey key = key_of(p_channel, p_i, p_j);
-	if (!is_in_reach(key)) {
+	if (!PaintMap::is_in_reach(key)) {
 		return false;
 	}
 	const int32_t code = std::clamp(p_code, info.lowest, info.highest);
@@ -156,7 +152,7 @@ MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 
 bool PaintMap::set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels) {
 	const bool is_new = find(p_key) == nullptr;
-	if (!is_in_reach(p_key) || (p_texels && p_texels->size() != info_of(p_channel).chunk_bytes()) ||
+	if (!PaintMap::is_in_reach(p_key) || (p_texels && p_texels->size() != info_of(p_channel).chunk_bytes()) ||
 			(is_new && _chunks.size() >= MAX_CHUNKS)) {
 		return false;
 	}
@@ -268,7 +264,7 @@ double MapReader::sample_beside(int p_component, int p_code, int p_i, int p_j, c
 
 double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 	const MapKey key = key_at(p_place);
-	if (!is_in_reach(key)) {
+	if (!PaintMap::is_in_reach(key)) {
 		return _info.value(_map.initial_code(_channel, p_component));
 	}
 	if (!_info.blends) {

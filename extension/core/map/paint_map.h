@@ -36,7 +36,8 @@ struct MapChunk {
 class PaintMap {
 public:
 	static constexpr int REACH = 256; // chunks x, z from -REACH to REACH - 1: 16 km to each side
-	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted: 1.7 GB with every channel in use
+	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted
+	static bool is_in_reach(const MapKey &p_key) { return p_key.x >= -REACH && p_key.z >= -REACH && p_key.x < REACH && p_key.z < REACH; }
 
 	// The density where nobody painted, 0..1: 0 by default, nothing grows there.
 	void set_base_density(double p_density);

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+## What maps from elsewhere may take: small files and messages that would unpack to gigabytes, and chunks far from any field.
+extends "res://tests/world_case.gd"
+
+const MAP_SETTING := "grass_field/limits/map_megabytes"
+const CHANGES_SETTING := "grass_field/limits/changes_megabytes"
+const FILE := "user://test_size_limits.grassmap"
+
+
+func after() -> void:
+	super()
+	ProjectSettings.set_setting(MAP_SETTING, ProjectSettings.property_get_revert(MAP_SETTING))
+	ProjectSettings.set_setting(CHANGES_SETTING, ProjectSettings.property_get_revert(CHANGES_SETTING))
+	if FileAccess.file_exists(FILE):
+		DirAccess.remove_absolute(FILE)
+
+
+## 64 chunks of one slope: 1.5 MB of texels that pack to some kilobytes.
+func even_map() -> GrassMap:
+	var map := GrassMap.new()
+	var heights := Image.create(2, 2, false, Image.FORMAT_RF)
+	heights.fill(Color(1, 0, 0))
+	heights.fill_rect(Rect2i(1, 0, 1, 2), Color(100, 0, 0))
+	map.set_ground(heights, Rect2(-255, -255, 510, 510))
+	return map
+
+
+func test_the_limits_are_project_settings() -> void:
+	assert_eq(ProjectSettings.get_setting(MAP_SETTING), 1024)
+	assert_eq(ProjectSettings.get_setting(CHANGES_SETTING), 64)
+
+
+func test_a_file_that_unpacks_to_too_much_is_refused_by_name() -> void:
+	var map := even_map()
+	assert_eq(map.get_chunks().size(), 64)
+	assert_greater(map.get_memory_usage(), 1 << 20)
+	assert_less(map.data.size(), 100000, "packed")
+	var other := GrassMap.new()
+	other.data = map.data
+	assert_eq(other.get_chunks().size(), 64)
+	ProjectSettings.set_setting(MAP_SETTING, 1)
+	expect_error("It is saved, and cannot be loaded before that is raised (the project setting %s)" % MAP_SETTING)
+	assert_eq(ResourceSaver.save(map, FILE), OK)
+	expect_error("the file would take 2 MB of memory, and a map may take 1 MB (the project setting %s)" % MAP_SETTING)
+	allow_error("Failed loading resource")
+	assert_true(ResourceLoader.load(FILE, "", ResourceLoader.CACHE_MODE_IGNORE) == null)
+
+
+func test_a_message_may_change_so_much() -> void:
+	var server := GrassMap.new()
+	var before := server.take_snapshot()
+	var changes := even_map().get_changes_since(before)
+	ProjectSettings.set_setting(CHANGES_SETTING, 1)
+	expect_error("would change 2 MB of the map, and one message may change 1 MB (the project setting %s)" % CHANGES_SETTING)
+	assert_false(server.apply_changes(changes))
+	assert_true(server.is_empty())
+	ProjectSettings.set_setting(CHANGES_SETTING, 2)
+	assert_true(server.apply_changes(changes))
+	assert_eq(server.get_chunks().size(), 64)
+
+
+func test_a_field_takes_no_chunks_from_far_away() -> void:
+	var field := add_field({size = Vector2(64, 64), map = full_map()})
+	await grown(field)
+	var server := full_map()
+	var before := server.take_snapshot()
+	var cut := brush(GrassBrush.TOOL_CUT, 2.0)
+	server.stroke(cut, Vector2(16000, 0), Vector2(16000, 0))
+	expect_error("the cut of chunk (249, -1) lies beyond every field that shows this map")
+	assert_false(field.map.apply_changes(server.get_changes_since(before)))
+	assert_true(field.map.is_empty())
+	server = full_map()
+	server.stroke(cut, Vector2(31, 0), Vector2(31, 0))
+	assert_true(field.map.apply_changes(server.get_changes_since(before)), "under the field")
+	assert_eq(field.map.get_chunks().size(), 2)
+
+
+func test_a_plot_takes_no_chunks_of_other_plots() -> void:
+	DirAccess.make_dir_recursive_absolute(FOLDER)
+	var far := full_map()
+	far.stroke(brush(GrassBrush.TOOL_CUT, 2.0), Vector2(1000, 0), Vector2(1000, 0))
+	ResourceSaver.save(far, FOLDER.path_join("plot_0_0.grassmap"))
+	expect_error("which lies beyond the ground that it is for")
+	var world := add_world()
+	await loaded(world)
+	assert_eq(world.get_statistics().files_refused, 1)
+	assert_true(world.get_field(Vector2i(0, 0)) != null, "its plot stands as if there were none")
