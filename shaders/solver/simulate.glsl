@@ -163,6 +163,7 @@ vec3 rest_of(int p_knot) {
 #include "solver/contact.inc"
 #include "solver/chain.inc"
 #include "solver/free.inc"
+#include "solver/ends.inc"
 #ifndef GRASS_FREE
 #include "solver/plan.inc"
 #endif

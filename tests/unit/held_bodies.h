@@ -106,6 +106,16 @@ inline void move(BladeScene &r_scene, const Rest &p_rest, float p_from, float p_
 	BladeScene::place(r_scene.colliders[0], { p_rest.aside, p_to, ACROSS }, { p_rest.aside, p_to, ACROSS });
 }
 
+// Takes the corners off the scene's last collider, a hull of this size.
+inline void cut_corners(BladeScene &r_scene, const Eigen::Vector3f &p_size) {
+	for (int i = 0; i < 8; i++) {
+		const Eigen::Vector3f corner(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
+		const Eigen::Vector3f normal = corner.normalized();
+		r_scene.planes.push_back({ normal.x(), normal.y(), normal.z(), 0.8f * normal.cwiseAbs().dot(p_size) });
+	}
+	r_scene.colliders.back().position_before.w = float(r_scene.planes.size());
+}
+
 // Two seconds after the shape came to rest, at p_rate steps a second.
 inline BladeScene make_held(const Rest &p_rest, float p_rate, const SolverParams &p_params = {}) {
 	constexpr float SPEED = 0.6f; // m/s
@@ -115,12 +125,7 @@ inline BladeScene make_held(const Rest &p_rest, float p_rate, const SolverParams
 	GrassCollider &collider = scene.add(p_rest.shape, { p_rest.aside, start, ACROSS }, p_rest.size);
 	collider.rotation = collider.rotation_before = { p_rest.turn.x(), p_rest.turn.y(), p_rest.turn.z(), p_rest.turn.w() };
 	if (p_rest.is_cut) {
-		for (int i = 0; i < 8; i++) {
-			const Eigen::Vector3f corner(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
-			const Eigen::Vector3f normal = corner.normalized();
-			scene.planes.push_back({ normal.x(), normal.y(), normal.z(), 0.8f * normal.cwiseAbs().dot(p_rest.size) });
-		}
-		collider.position_before.w = float(scene.planes.size());
+		cut_corners(scene, p_rest.size);
 	}
 	move(scene, p_rest, start, p_rest.height, int(std::ceil((start - p_rest.height) * p_rate / SPEED)), p_rate);
 	scene.step_for(2.0, p_rate);

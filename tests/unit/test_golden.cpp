@@ -69,8 +69,8 @@ const Golden GOLDEN[] = {
 	{ "swing, pbd", swing, Method::PBD, "5706ee41418c0d63", "7cedcdfdd3ca2207" },
 	{ "ball, direct", roll, Method::DIRECT, "af9ca2bf2f3d082b", "d5ee65afc7e94d89" },
 	{ "ball, pbd", roll, Method::PBD, "7200d1527d86bdd9", "5bcab1c5628e65e2" },
-	{ "edges, direct", sweep, Method::DIRECT, "2177b701b09447c5", "034ded8f986efe5b" },
-	{ "edges, pbd", sweep, Method::PBD, "0bc490206daf56c3", "7d3b2b55653ae0b8" },
+	{ "edges, direct", sweep, Method::DIRECT, "20b029bc1760dda5", "ac1c91fa260e7347" },
+	{ "edges, pbd", sweep, Method::PBD, "dc5d23e83c5b0e9b", "6e02ce644a66011c" },
 };
 
 // A field of two species on a painted hill: how blades stand at rest goes by clump, map and species.

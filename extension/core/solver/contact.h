@@ -12,6 +12,8 @@ namespace grass {
 
 #include "solver/push.inc"
 
+#include "solver/lay.inc"
+
 #include "core/base/lane_words_end.h"
 
 // The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
@@ -135,10 +137,15 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 	return segment;
 }
 
+// Blades that surfaces push nowhere at the end of a step.
+template <class Mask> struct Spared {
+	Mask is_held; // [Eq 36] they stay as they are: in a wedge surfaces would turn them on and on
+	Mask is_laid; // [Eq 47] a body rests on their roots
+};
+
 // [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
-// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit. p_is_held: [Eq 36], those
-// that stay as they are: in a wedge surfaces would turn them on and on.
-template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Mask &p_is_held) {
+// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit.
+template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Spared<Mask> &p_spared) {
 	const T zero(0.0f);
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -160,10 +167,13 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 				break;
 			}
 		}
-		segment = select(p_is_held, straight, segment);
+		if (any(p_spared.is_laid)) {
+			segment = select(p_spared.is_laid, laid_segment(straight, rest_length, parent.y, gap, p_terms.seconds), segment);
+		}
+		segment = select(p_spared.is_held, straight, segment);
 		const Vec3<T> change = segment - straight;
 		carry = carry + change;
-		r_blade.knots[k] = select(p_is_held, r_blade.knots[k], knot + change);
+		r_blade.knots[k] = select(p_spared.is_held, r_blade.knots[k], knot + change);
 		// What a surface had to push back stands still afterwards: no bounce, no jitter, no speed from an overlap.
 		const auto is_pushed = dot(change, change) > zero;
 		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);

@@ -205,14 +205,14 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 }
 
 // [Eq 22] A blade that something may touch takes an implicit Euler step, or several [Eq 43]; another one a step of the second order.
-// Returns which blades are held, [Eq 36].
-template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	using Mask = MaskOf<T>;
 	T fastest;
 	const Start<T> start = make_start(r_blade, p_terms, fastest);
 	const Near<T> near = find_near(r_blade, p_terms);
 	const Burial<T> burial = find_burial(r_blade, p_terms);
-	const Mask is_buried = near.is_near & burial.is_buried, stays = is_buried & burial.is_slow;
+	const Mask is_buried = near.is_near & burial.is_buried, is_laid = near.is_near & burial.is_laid;
+	const Mask stays = (is_buried & burial.is_slow) | is_laid;
 	const T parts = select(stays, T(1.0f), count_parts(r_blade, p_terms, near, fastest));
 	const Mask is_in_parts = parts > T(1.5f), is_near = near.is_near & !stays, is_free = !(is_near | is_in_parts | stays);
 	const T seconds = p_terms.seconds;
@@ -269,7 +269,7 @@ template <class T> GRASS_INLINE MaskOf<T> step_direct(Blade<T> &r_blade, const S
 			r_blade.twist[k - 1] = select(is_in_parts, parted.twist[k - 1], r_blade.twist[k - 1]);
 		}
 	}
-	return hold.is_held;
+	return { hold.is_held, is_laid };
 }
 
 } // namespace grass

@@ -42,9 +42,9 @@ GRASS_INLINE Edge<T> find_edge(
 		const T found_size = length(normal);
 		const T size = maximum(found_size, T(EDGE_FLAT));
 		const T bound = (low.distance + fall * share) / size;
-		edge.face.normal = select(is_open, normal * (one / size), edge.face.normal);
-		edge.face.distance = select(is_open, select(nearest < p_cutoff, bound, maximum(bound, p_cutoff)), edge.face.distance);
-		edge.share = select(is_open, select(found_size < T(EDGE_FLAT), zero, share), edge.share);
+		const Edge<T> between{ { normal * (one / size), select(nearest < p_cutoff, bound, maximum(bound, p_cutoff)) }, share };
+		const Edge<T> pierced{ { low.normal, low.distance + fall }, T(PIERCED) };
+		edge = select(is_open, select(found_size < T(EDGE_FLAT), pierced, between), edge);
 		is_open = is_open & (bound < p_cutoff);
 		if (i == EDGE_ROUNDS || !any(is_open)) {
 			return edge;

@@ -22,4 +22,8 @@ template <class T, class Mask> GRASS_INLINE Touch<T> select(const Mask &p_mask, 
 		select(p_mask, p_a.held, p_b.held), select(p_mask, p_a.friction, p_b.friction) };
 }
 
+template <class T, class Mask> GRASS_INLINE Edge<T> select(const Mask &p_mask, const Edge<T> &p_a, const Edge<T> &p_b) {
+	return { select(p_mask, p_a.face, p_b.face), select(p_mask, p_a.share, p_b.share) };
+}
+
 } // namespace grass

@@ -63,25 +63,29 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
-// [Eq 46] Whether colliders stand on the root of a blade that lies, at the end of this step: its clamp, which cannot get out, is inside.
+// Whether colliders stand on the root of a blade, at the end of this step: its clamp, which cannot get out, is inside.
 template <class T> struct Burial {
-	MaskOf<T> is_buried;
+	MaskOf<T> is_buried; // [Eq 46] and it lies
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
+	MaskOf<T> is_laid; // [Eq 47] one of them rests: none of its points is faster than CARRY_FROM
 };
 template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	MaskOf<T> is_buried = T(0.0f) > T(1.0f), is_fast = is_buried;
-	const T most = p_blade.blade_length * (p_terms.seconds * T(BURY_BELOW));
+	const MaskOf<T> none = T(0.0f) > T(1.0f);
+	MaskOf<T> is_buried = none, is_fast = none, is_laid = none;
+	const T of_step = p_blade.blade_length * p_terms.seconds;
 	for (const TileCollider &collider : p_terms.colliders) {
 		const Vec3<T> place = place_now(collider, p_blade.root, p_blade.rest[GRASS_CLAMPED_KNOTS - 1]);
 		auto is_inside = dot(place, place) < T(collider.bound * collider.bound);
 		if (any(is_inside)) {
+			const T moved = motion_of<T>(collider);
 			is_inside = is_inside & (find_face(collider, place).distance < T(0.0f));
 			is_buried = is_buried | is_inside;
-			is_fast = is_fast | (is_inside & (motion_of<T>(collider) > most));
+			is_fast = is_fast | (is_inside & (moved > of_step * T(BURY_BELOW)));
+			is_laid = is_laid | (is_inside & !(moved > of_step * T(CARRY_FROM)));
 		}
 	}
 	is_buried = is_buried & (p_blade.knots[GRASS_KNOTS - 1].y < p_blade.blade_length * T(LYING));
-	return { is_buried, !is_fast };
+	return { is_buried, !is_fast, is_laid };
 }
 
 // [Eq 43] In how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far the step takes its fastest knot,

@@ -81,7 +81,8 @@ template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, co
 }
 
 // The method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
-template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
+	const MaskOf<T> is_laid = find_burial(r_blade, p_terms).is_laid;
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);
@@ -93,6 +94,10 @@ template <class T> GRASS_INLINE void step_pbd(Blade<T> &r_blade, const StepTerms
 			}
 		}
 	}
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		r_blade.knots[k] = select(is_laid, r_blade.before[k], r_blade.knots[k]);
+	}
+	return { T(0.0f) > T(1.0f), is_laid };
 }
 
 // The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
@@ -105,18 +110,14 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	if (!any(!idle)) {
 		return;
 	}
-	auto is_held = T(0.0f) > T(1.0f);
-	if (p_terms.is_direct) {
-		is_held = step_direct(r_blade, p_terms);
-	} else {
-		step_pbd(r_blade, p_terms);
-	}
+	Spared<MaskOf<T>> spared = p_terms.is_direct ? step_direct(r_blade, p_terms) : step_pbd(r_blade, p_terms);
 	if (any(p_terms.blend > T(0.0f))) {
 		settle(r_blade, p_terms);
-		is_held = is_held & !(p_terms.blend > T(0.0f));
+		spared.is_held = spared.is_held & !(p_terms.blend > T(0.0f));
+		spared.is_laid = spared.is_laid & !(p_terms.blend > T(0.0f));
 	}
 	mend(r_blade);
-	finish(r_blade, p_terms, is_held);
+	finish(r_blade, p_terms, spared);
 	mend(r_blade); // what a body of absurd size did in finish()
 	if (any(idle)) {
 		keep_idle(r_blade, idle);

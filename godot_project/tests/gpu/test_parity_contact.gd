@@ -14,6 +14,7 @@ const ONE_UNDER_A_BALL := 1e-2  # that one: a leaf that is hit edge-on falls to 
 const ABOVE_THE_TIPS := 0.62  # metres: near enough to be in the lists of tiles
 const CROWDED := 2e-3  # of a blade's length
 const FEW_APART := 0.02  # share of the blades
+const LAID := 1e-4  # of a blade's length
 const SKIN := 0.0025  # metres, more than knots feel a surface from
 
 
@@ -178,6 +179,45 @@ func test_held_blades_stand_still_on_both() -> void:
 	assert_greater(still_now[0], BLADES / 2)
 	assert_near(still_now[1], still_now[0], 3)
 	assert_near(bends[1], bends[0], 0.02 * bends[0], "mm")
+
+
+## A boulder that appears on a tile, all of whose roots it covers.
+func test_boulders_lay_blades_alike() -> void:
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
+		return
+	var tile := gpu.get_tile_at(PLACE)
+	for method: GrassField.SolverMethod in [GrassField.METHOD_DIRECT, GrassField.METHOD_PBD]:
+		for field: GrassField in [gpu, cpu]:
+			field.method = method
+		var body := add_held_body(ball(0.4), PLACE - Vector3(0, 0.15, 0))
+		await ticks(60)
+		var poses: Array[PackedVector3Array] = [tile_knots(cpu, tile), tile_knots(gpu, tile)]
+		await ticks(5)
+		assert_less(farthest(tile_knots(cpu, tile), poses[0]), 1e-5, "metres, on the CPU")
+		assert_less(farthest(tile_knots(gpu, tile), poses[1]), 1e-5, "metres, on the GPU")
+		assert_less(height_of(gpu, tile), 20.0, "mm: they lie")
+		var off := difference([tile])
+		print("    parity below a boulder: %s of a blade's length" % String.num_scientific(off))
+		assert_less(off, LAID)
+		body.free()
+		await ticks(240)
+
+
+## A plank that appears around blades has none in it.
+func test_a_plank_that_appears_pierces_no_blade() -> void:
+	if not await add_pair({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
+		return
+	var plank := BoxShape3D.new()
+	plank.size = Vector3(1.0, 0.045, 0.8)
+	var body := add_held_body(plank, Vector3(PLACE.x, 0.12, PLACE.z))
+	await ticks(60)
+	var tile := gpu.get_tile_at(PLACE)
+	for field: GrassField in [gpu, cpu]:
+		var inside := 0
+		for knot in tile_knots(field, tile):
+			var from := (knot - body.global_position).abs()
+			inside += int(from.x < 0.499 and from.y < 0.0215 and from.z < 0.399)
+		assert_eq(inside, 0, "knots")
 
 
 ## Tiles below what stands still are left as they are, on both, and taken up again when it moves.
