@@ -34,9 +34,12 @@ void prefetch(const void *p_place, size_t p_bytes) {
 
 } // namespace
 
+bool BodyTracker::is_odd(const TrackedShape &p_shape) {
+	return p_shape.is_bound || p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP;
+}
+
 // As the last look found it: it moves as its velocity says, and has shapes, none of them one to be warned of.
 bool BodyTracker::is_plain(const Body &p_body) {
-	const auto is_odd = [](const TrackedShape &p_shape) { return p_shape.is_bound || p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP; };
 	return p_body.is_driven && p_body.has_before && p_body.is_written && !p_body.shapes.empty() &&
 			std::ranges::none_of(p_body.shapes, is_odd);
 }

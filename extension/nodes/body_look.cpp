@@ -3,6 +3,7 @@
 #include "nodes/body_tracker.h"
 
 #include "convert.h"
+#include "nodes/label.h"
 
 #include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -68,7 +69,7 @@ bool BodyTracker::look(Body &r_body) {
 		return false;
 	}
 	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
-	_reads.engine_calls++;
+	_reads.engine_calls += mode == PhysicsServer3D::BODY_MODE_KINEMATIC || mode == PhysicsServer3D::BODY_MODE_STATIC ? 2 : 1;
 	r_body.is_driven = is_driven_by_velocity(mode);
 	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
 			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
@@ -158,6 +159,9 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		if (is_same) {
 			continue;
 		}
+		if (is_enabled && shape.is_simplified) {
+			warn_of(r_body, shape);
+		}
 		has_changed = true;
 		r_body.is_written = r_body.is_written_still = false;
 		r_body.next_look_at_all = 0;
@@ -196,22 +200,17 @@ void BodyTracker::fit_scale(Body &r_body, const Eigen::Affine3d &p_now) {
 	}
 }
 
-// Once a field: the user may expect a body that moves to bend grass, and by its own form.
+// Once a field and kind: the user may expect a body that moves to bend grass, and by its own form.
 void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
-	const bool is_height_map = p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP;
-	bool &has_warned = is_height_map ? _has_warned_of_height_map : _has_warned_of_mesh;
-	if (has_warned || !(is_height_map || p_shape.is_bound)) {
+	bool &has_warned = _has_warned[p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP ? 0 : p_shape.is_bound ? 1 : 2];
+	if (has_warned) {
 		return;
 	}
-	has_warned = true;
 	const Node *node = Object::cast_to<Node>(ObjectDB::get_instance(p_body.instance_id));
-	const String name = node == nullptr ? String("a body without a node") : vformat("'%s'", node->get_name());
-	if (is_height_map) {
-		WARN_PRINT(vformat("GrassField: %s moves and has a HeightMapShape3D, which bends no grass: grass takes height maps for ground. "
-						   "Give the body a sphere, box, capsule, cylinder or convex polygon as well, or keep it still.",
-				name));
-	} else {
-		WARN_PRINT(vformat("GrassField: %s", why_bound(name)));
+	const String words = why_other(p_shape, node == nullptr ? String("A body without a node") : label_of(*node));
+	if (!words.is_empty()) {
+		has_warned = true;
+		WARN_PRINT(words);
 	}
 }
 
@@ -224,7 +223,7 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const
 	size_t next = r_body.first_collider;
 	r_body.mesh_pieces = 0;
 	for (TrackedShape &shape : r_body.shapes) {
-		if (shape.enabled && !stands_still) {
+		if (shape.enabled && !stands_still && is_odd(shape)) {
 			warn_of(r_body, shape);
 		}
 		for (ShapePart &part : shape.parts) {

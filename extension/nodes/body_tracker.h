@@ -18,6 +18,7 @@
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -151,6 +152,7 @@ private:
 	bool read_shapes(Body &r_body);
 	static void fit_part(const Body &p_body, ShapePart &r_part);
 	static void fit_scale(Body &r_body, const Eigen::Affine3d &p_now);
+	static bool is_odd(const TrackedShape &p_shape); // to be warned of once it moves
 	void warn_of(const Body &p_body, const TrackedShape &p_shape);
 	void read_traits(Body &r_body, int32_t p_count);
 	void follow_sleep(Body &r_body, const godot::Transform3D &p_world, bool p_is_due);
@@ -177,7 +179,7 @@ private:
 	Eigen::Affine3d _from_world_before = Eigen::Affine3d::Identity();
 	bool _has_field_before = false;
 	int _ticks_since_jump = 1 << 30;
-	bool _has_warned_of_height_map = false, _has_warned_of_mesh = false;
+	std::array<bool, 3> _has_warned{}; // of a height map, a trimesh, a convex polygon
 	int64_t _mesh_pieces = 0; // in this tick
 	size_t _written = 0; // colliders in this tick that have their places
 	int _tick = 0; // calls of collect(), modulo WAITING_TICKS

@@ -18,28 +18,28 @@ Eigen::Affine3d pose_along(const Eigen::Vector3d &p_from, const Eigen::Vector3d 
 
 } // namespace
 
-void BoneColliders::collect(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, const MotionTick &p_tick,
-		std::vector<ColliderShape> &r_colliders) {
-	const std::vector<const GrassBoneColliders3D *> nodes = GrassBoneColliders3D::get_all();
+void BoneColliders::collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
 	std::map<std::pair<uint64_t, int>, NodeMotion> motions;
-	if (!nodes.empty()) {
-		const Eigen::Affine3d from_world = to_eigen(p_field).inverse(Eigen::Isometry);
-		for (const GrassBoneColliders3D *node : nodes) {
-			if (node->get_world_3d() != p_world) {
-				continue;
-			}
-			for (const GrassBoneColliders3D::Bone &bone : node->find_bones()) {
-				const std::pair key(uint64_t(node->get_instance_id()), bone.index);
-				const Eigen::Vector3d from = from_world * to_eigen(bone.from), to = from_world * to_eigen(bone.to);
-				ColliderShape collider;
-				collider.type = GRASS_CAPSULE;
-				collider.size = { bone.radius, 0.5 * (to - from).norm(), bone.radius };
-				collider.friction = NodeMotion::FRICTION;
-				collider.owner = key.first;
-				motions[key] = _motions[key];
-				motions[key].pose(pose_along(from, to), p_tick, collider);
-				r_colliders.push_back(collider);
-			}
+	for (const auto &[id, node] : GrassBoneColliders3D::get_all()) {
+		if (node->get_world() != p_reach.world) {
+			continue;
+		}
+		const Eigen::AlignedBox3d bounds = node->find_bounds(_reads.engine_calls);
+		if (bounds.isEmpty() || !p_reach.is_near_global(bounds)) {
+			continue;
+		}
+		for (const GrassBoneColliders3D::Bone &bone : node->find_bones(_reads.engine_calls)) {
+			const std::pair key(id, bone.index);
+			const Eigen::Vector3d from = p_reach.from_world * to_eigen(bone.from), to = p_reach.from_world * to_eigen(bone.to);
+			ColliderShape collider;
+			collider.type = GRASS_CAPSULE;
+			collider.size = { bone.radius, 0.5 * (to - from).norm(), bone.radius };
+			collider.friction = NodeMotion::FRICTION;
+			collider.owner = id;
+			motions[key] = _motions[key];
+			motions[key].pose(pose_along(from, to), p_tick, collider);
+			r_colliders.push_back(collider);
+			_reads.poses++;
 		}
 	}
 	_count = int64_t(motions.size());

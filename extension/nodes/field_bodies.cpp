@@ -31,10 +31,11 @@ void FieldBodies::collect(
 	const MotionTick tick{ .delta = p_delta, .teleport_speed = p_teleport_speed };
 	_tracker.set_box(p_transform, half, p_delta);
 	_tracker.collect(p_transform, tick, p_field.get_tiles(), is_engines_own_server() ? run_parallel : serial_for, _colliders);
-	_registered.collect(p_transform, tick, _colliders);
-	_wheels.collect(p_transform, tick, _colliders);
-	_bones.collect(p_world, p_transform, tick, _colliders);
-	_soft_bodies.collect({ p_world, p_transform, half, _tracker.get_mask() }, tick, _colliders);
+	const FieldReach reach(p_world, p_transform, half, _tracker.get_mask());
+	_registered.collect(reach, tick, _colliders);
+	_wheels.collect(reach, tick, _colliders);
+	_bones.collect(reach, tick, _colliders);
+	_soft_bodies.collect(reach, tick, _colliders);
 }
 
 ParallelFor FieldBodies::get_parallel_for() const {
@@ -64,7 +65,9 @@ void FieldBodies::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.soft_bodies = _soft_bodies.get_count();
 	r_statistics.mesh_pieces = _tracker.get_mesh_pieces() + _registered.get_mesh_pieces();
 	r_statistics.reads = _tracker.get_reads();
-	r_statistics.reads.add(_soft_bodies.get_reads());
+	for (const BodyReads &reads : { _registered.get_reads(), _wheels.get_reads(), _bones.get_reads(), _soft_bodies.get_reads() }) {
+		r_statistics.reads.add(reads);
+	}
 }
 
 } // namespace grass

@@ -6,11 +6,16 @@
 #include "nodes/label.h"
 #include "nodes/property_value.h"
 
+#include <Eigen/Geometry>
+
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/classes/skeleton3d.hpp>
+#include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 
+#include <limits>
+#include <map>
 #include <vector>
 
 namespace grass {
@@ -39,14 +44,22 @@ public:
 	double get_thickness() const { return _thickness; }
 	void set_length_min(double p_length);
 	double get_length_min() const { return _length_min; }
-	void set_enabled(bool p_enabled) { _enabled = p_enabled; }
+	void set_enabled(bool p_enabled) {
+		_enabled = p_enabled;
+		forget();
+	}
 	bool is_enabled() const { return _enabled; }
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Those in the tree that are enabled, in the order in which they were made.
-	static std::vector<const GrassBoneColliders3D *> get_all();
-	std::vector<Bone> find_bones() const; // as the skeleton stands now
+	// Those in the tree, in the order in which they were made.
+	static const std::map<uint64_t, GrassBoneColliders3D *> &get_all();
+	// A global box around its bones, some metres too large at times: where they are is read in every eighth tick, and the skeleton's
+	// place in every one. All fields share what is read in a tick, and r_calls counts it once. Empty: it has no bones.
+	Eigen::AlignedBox3d find_bounds(int64_t &r_calls);
+	// As the skeleton stands in this tick.
+	const std::vector<Bone> &find_bones(int64_t &r_calls);
+	const godot::Ref<godot::World3D> &get_world() const { return _world; }
 
 protected:
 	static void _bind_methods();
@@ -55,12 +68,29 @@ protected:
 private:
 	godot::String label() const { return label_of(*this); } // for messages
 	const godot::Skeleton3D *find_skeleton() const;
+	void see(int64_t &r_calls);
+	void read_bones(int64_t &r_calls);
+	bool has_bone(const godot::Skeleton3D &p_skeleton, int p_bone, int64_t &r_calls) const;
+	void forget() { _seen = Seen(); }
 
 	godot::NodePath _skeleton;
 	godot::PackedStringArray _bones;
 	double _thickness = THICKNESS.initial;
 	double _length_min = LENGTH_MIN.initial;
 	bool _enabled = true;
+
+	static constexpr uint64_t NEVER = std::numeric_limits<uint64_t>::max();
+	// What is known of the skeleton, and since which tick of the engine.
+	struct Seen {
+		uint64_t tick = NEVER, bones_tick = NEVER;
+		const godot::Skeleton3D *skeleton = nullptr; // in that tick; null: none
+		godot::Transform3D to_world;
+		double way = 0.0; // that it went since the tick before, metres
+		Eigen::AlignedBox3d box; // of the bones, in the skeleton
+		std::vector<Bone> bones;
+	};
+	Seen _seen;
+	godot::Ref<godot::World3D> _world; // while it is in the tree
 };
 
 } // namespace grass

@@ -6,7 +6,6 @@
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
-#include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -45,10 +44,7 @@ void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
 		points.push_back(to_eigen(p_points[i]));
 	}
 	const Hull hull = Hull::make(points);
-	if (hull.is_bound) {
-		WARN_PRINT_ONCE("GrassField: a ConvexPolygonShape3D has too many points or faces for the grass solver; grass meets a 26-sided "
-						"bound of it. Use a simpler shape to be exact.");
-	}
+	r_tracked.is_simplified = hull.is_bound;
 	add_hull(r_tracked, hull);
 }
 
@@ -69,7 +65,7 @@ void set_box(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
 void convert(TrackedShape &r_tracked) {
 	r_tracked.parts.clear();
 	r_tracked.pieces = MeshPieces::Future();
-	r_tracked.is_split = r_tracked.is_bound = false;
+	r_tracked.is_split = r_tracked.is_bound = r_tracked.is_simplified = false;
 	ColliderShape shape;
 	switch (r_tracked.type) {
 		case PhysicsServer3D::SHAPE_SPHERE:
@@ -153,10 +149,23 @@ bool split_mesh(TrackedShape &r_shape) {
 	return true;
 }
 
-String why_bound(const String &p_name) {
-	return vformat("the ConcavePolygonShape3D of %s moves and has more than %d faces, or one that is not finite: it is not split into "
-				   "convex pieces, and grass meets the box around it. Give it a simpler mesh, or convex shapes.",
-			p_name, int64_t(MeshPieces::MAX_FACES));
+String why_other(const TrackedShape &p_shape, const String &p_name) {
+	if (p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP) {
+		return vformat("%s: it moves, and its HeightMapShape3D bends no grass: grass takes height maps for ground. Give it a sphere, box, "
+					   "capsule, cylinder or convex polygon as well, or keep it still.",
+				p_name);
+	}
+	if (p_shape.is_bound) {
+		return vformat("%s: its ConcavePolygonShape3D moves and has more than %d faces, or one that is not finite: it is not split into "
+					   "convex pieces, and grass meets the box around it. Give it a simpler mesh, or convex shapes.",
+				p_name, int64_t(MeshPieces::MAX_FACES));
+	}
+	if (p_shape.is_simplified) {
+		return vformat("%s: its ConvexPolygonShape3D has more than %d points or %d faces: grass meets a 26-sided bound of it. Give it a "
+					   "simpler shape.",
+				p_name, int64_t(Hull::MAX_POINTS), int64_t(Hull::MAX_PLANES));
+	}
+	return String();
 }
 
 } // namespace grass

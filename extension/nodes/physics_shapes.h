@@ -36,6 +36,7 @@ struct TrackedShape {
 	bool enabled = false;
 	bool is_split = false; // a trimesh, and its pieces were due
 	bool is_bound = false; // it has none: its box stays
+	bool is_simplified = false; // a convex polygon of too many points or faces
 
 	godot::RID rid;
 	godot::Variant data; // PhysicsServer3D.shape_get_data
@@ -52,7 +53,7 @@ bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_cal
 // To be called with a trimesh that moves, after each read: a thread splits it into convex pieces, which take the place of its box a fixed
 // number of ticks later. Whether they do now. Waits for the thread then, so that every replay sees the same.
 bool split_mesh(TrackedShape &r_shape);
-// Words of a warning where it could not be split. p_name: whose shape it is.
-godot::String why_bound(const godot::String &p_name);
+// Words of a warning where grass meets another form than the shape has, or nothing; empty where it does not. p_name: whose shape it is.
+godot::String why_other(const TrackedShape &p_shape, const godot::String &p_name);
 
 } // namespace grass

@@ -6,10 +6,17 @@
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/array.hpp>
+#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_int32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <limits>
+#include <set>
 
 using namespace godot;
 
@@ -17,24 +24,41 @@ namespace grass {
 
 namespace {
 
-// Around the grass: a body is read some ticks before it touches a blade. Metres.
-constexpr double APPROACH = 3.0;
 // Frames after a node got its mesh in which the server has it.
 constexpr uint64_t MESH_FRAMES = 2;
 
-bool is_disabled(const Node *p_node) {
-	while (p_node != nullptr && p_node->get_process_mode() == Node::PROCESS_MODE_INHERIT) {
-		p_node = p_node->get_parent();
+// It may have been disabled since find_handed_over() looked.
+bool is_removed(const SoftBody3D *p_node) {
+	if (p_node->can_process() || p_node->get_disable_mode() != SoftBody3D::DISABLE_MODE_REMOVE) {
+		return false;
 	}
-	return p_node != nullptr && p_node->get_process_mode() == Node::PROCESS_MODE_DISABLED;
+	const Node *node = p_node;
+	while (node != nullptr && node->get_process_mode() == Node::PROCESS_MODE_INHERIT) {
+		node = node->get_parent();
+	}
+	return node != nullptr && node->get_process_mode() == Node::PROCESS_MODE_DISABLED;
 }
 
-bool is_near(const AABB &p_bounds, const SoftBodies::Place &p_place) {
-	const Eigen::Affine3d from_world = to_eigen(p_place.field).inverse(Eigen::Isometry);
-	const Eigen::Vector3d half = 0.5 * to_eigen(p_bounds.size);
-	const Eigen::Vector3d middle = from_world * Eigen::Vector3d(to_eigen(p_bounds.position) + half);
-	const Eigen::Vector3d reach = from_world.linear().cwiseAbs() * half + to_eigen(p_place.half_extents);
-	return ((middle.cwiseAbs() - reach).array() <= APPROACH).all(); // false if it is not finite
+// Nodes whose mesh the server has, or gets before the next frame: those that the renderer is to call then. One that is enabled without a
+// mesh never is, whatever mesh it gets. By their ids, as in this tick.
+const std::set<uint64_t> &find_handed_over(int64_t &r_calls) {
+	static std::set<uint64_t> nodes;
+	static uint64_t tick = std::numeric_limits<uint64_t>::max();
+	const uint64_t now = Engine::get_singleton()->get_physics_frames();
+	if (tick == now) {
+		return nodes;
+	}
+	tick = now;
+	r_calls++;
+	nodes.clear();
+	const TypedArray<Dictionary> connections = RenderingServer::get_singleton()->get_signal_connection_list("frame_pre_draw");
+	for (int64_t i = 0; i < connections.size(); i++) {
+		const Callable listener = Dictionary(connections[i])["callable"];
+		if (const SoftBody3D *node = Object::cast_to<SoftBody3D>(listener.get_object())) {
+			nodes.insert(node->get_instance_id());
+		}
+	}
+	return nodes;
 }
 
 } // namespace
@@ -43,16 +67,17 @@ bool is_near(const AABB &p_bounds, const SoftBodies::Place &p_place) {
 bool SoftBodies::is_ready(const SoftBody3D *p_node) {
 	const Ref<Mesh> mesh = p_node->get_mesh();
 	_reads.engine_calls += 2;
-	if (mesh.is_null() ||
-			(!p_node->can_process() && p_node->get_disable_mode() == SoftBody3D::DISABLE_MODE_REMOVE && is_disabled(p_node))) {
+	if (mesh.is_null() || !find_handed_over(_reads.engine_calls).contains(p_node->get_instance_id()) || is_removed(p_node)) {
 		return false;
 	}
 	const uint64_t frame = Engine::get_singleton()->get_process_frames();
 	Shown &shown = _shown[p_node->get_instance_id()];
+	const int64_t surfaces = mesh->get_surface_count();
+	_reads.engine_calls++;
 	if (shown.mesh != mesh->get_instance_id()) {
-		shown = { mesh->get_instance_id(), frame };
+		shown = { mesh->get_instance_id(), frame, surfaces > 0 };
 	}
-	return frame >= shown.frame + MESH_FRAMES;
+	return shown.has_points && surfaces > 0 && frame >= shown.frame + MESH_FRAMES;
 }
 
 void SoftBodies::read_mesh(const Ref<Mesh> &p_mesh, Body &r_body) {
@@ -95,12 +120,11 @@ void SoftBodies::read_points(const RID &p_body, const AABB &p_bounds, Body &r_bo
 }
 
 void SoftBodies::write(
-		uint64_t p_owner, const Transform3D &p_field, const MotionTick &p_tick, Body &r_body, std::vector<ColliderShape> &r_colliders) {
-	const Eigen::Affine3d from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+		uint64_t p_owner, const FieldReach &p_reach, const MotionTick &p_tick, Body &r_body, std::vector<ColliderShape> &r_colliders) {
 	std::vector<Eigen::Vector3d> places;
 	places.reserve(r_body.places.size());
 	for (const Vector3 &place : r_body.places) {
-		places.emplace_back(from_world * to_eigen(place));
+		places.emplace_back(p_reach.from_world * to_eigen(place));
 	}
 	std::vector<Hull> hulls;
 	r_body.parts.bound(places, hulls);
@@ -121,16 +145,18 @@ void SoftBodies::write(
 	}
 }
 
-void SoftBodies::collect(const Place &p_place, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+void SoftBodies::collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	std::map<uint64_t, Body> still_near;
 	for (const SoftBody3D *node : SceneWatch::get_singleton()->get_soft_bodies()) {
-		if ((node->get_collision_layer() & p_place.mask) == 0 || node->get_world_3d() != p_place.world || !is_ready(node)) {
+		_reads.engine_calls += 2;
+		if ((node->get_collision_layer() & p_reach.mask) == 0 || node->get_world_3d() != p_reach.world || !is_ready(node)) {
 			continue;
 		}
 		const AABB bounds = server->soft_body_get_bounds(node->get_physics_rid());
-		_reads.engine_calls += 4;
-		if (!is_near(bounds, p_place)) {
+		_reads.engine_calls += 2;
+		const Eigen::Vector3d corner = to_eigen(bounds.position);
+		if (!p_reach.is_near_global({ corner, corner + to_eigen(bounds.size) })) {
 			continue;
 		}
 		const uint64_t id = node->get_instance_id();
@@ -144,7 +170,7 @@ void SoftBodies::collect(const Place &p_place, const MotionTick &p_tick, std::ve
 			read_mesh(mesh, body);
 		}
 		read_points(node->get_physics_rid(), bounds, body);
-		write(id, p_place.field, p_tick, body, r_colliders);
+		write(id, p_reach, p_tick, body, r_colliders);
 	}
 	_bodies.swap(still_near);
 	if (_shown.size() > SceneWatch::get_singleton()->get_soft_bodies().size()) {

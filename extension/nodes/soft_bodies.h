@@ -5,13 +5,12 @@
 #include "core/bodies/body_reads.h"
 #include "core/bodies/body_shape.h"
 #include "core/bodies/soft_parts.h"
+#include "nodes/field_reach.h"
 #include "nodes/node_motion.h"
 
 #include <godot_cpp/classes/mesh.hpp>
 #include <godot_cpp/classes/soft_body3d.hpp>
-#include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/aabb.hpp>
-#include <godot_cpp/variant/transform3d.hpp>
 
 #include <map>
 #include <vector>
@@ -20,16 +19,8 @@ namespace grass {
 
 class SoftBodies {
 public:
-	// Where a field looks for them.
-	struct Place {
-		godot::Ref<godot::World3D> world;
-		godot::Transform3D field; // orthonormal
-		godot::Vector3 half_extents; // of the box around its grass, metres
-		uint32_t mask = 1; // of the layers that bend it
-	};
-
 	// Appends the parts of every soft body near the grass, posed in the field's space.
-	void collect(const Place &p_place, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _bodies.clear(); } // see BodyTracker
 
 	int64_t get_count() const { return int64_t(_bodies.size()); } // in the last tick
@@ -48,14 +39,15 @@ private:
 	struct Shown {
 		uint64_t mesh = 0; // its id
 		uint64_t frame = 0; // of the engine, in which the node was first seen with it
+		bool has_points = false; // then: the server looks at a mesh once
 	};
 
 	// Whether its points can be read in this tick.
 	bool is_ready(const godot::SoftBody3D *p_node);
 	void read_mesh(const godot::Ref<godot::Mesh> &p_mesh, Body &r_body);
 	void read_points(const godot::RID &p_body, const godot::AABB &p_bounds, Body &r_body);
-	void write(uint64_t p_owner, const godot::Transform3D &p_field, const MotionTick &p_tick, Body &r_body,
-			std::vector<ColliderShape> &r_colliders);
+	void write(
+			uint64_t p_owner, const FieldReach &p_reach, const MotionTick &p_tick, Body &r_body, std::vector<ColliderShape> &r_colliders);
 
 	std::map<uint64_t, Body> _bodies; // by id: the order of colliders is the same in every run
 	std::map<uint64_t, Shown> _shown; // by id, also of those far away

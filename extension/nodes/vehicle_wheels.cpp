@@ -61,11 +61,11 @@ void VehicleWheels::add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle) {
 
 void VehicleWheels::clear() {
 	_vehicles.clear();
-	_colliders = NodeColliders();
+	_colliders.clear();
 }
 
-void VehicleWheels::collect(const Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
-	_colliders.collect(p_field, p_tick, r_colliders);
+void VehicleWheels::collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders) {
+	_colliders.collect(p_reach, p_tick, r_colliders);
 }
 
 std::vector<VehicleWheels::Slip> VehicleWheels::find_slips() const {

@@ -23,10 +23,11 @@ public:
 	// A shape of a body comes into the field's box or leaves it, see BodyTracker::body_changed().
 	void body_changed(int64_t p_status, int64_t p_instance_id);
 	void clear();
-	// Appends every wheel, posed in the field's space. p_field: the field's transform (orthonormal).
-	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+	// Appends every wheel, posed in the field's space.
+	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
 	void forget_motion() { _colliders.forget_motion(); }
 	int64_t get_count() const { return _colliders.get_count(); } // wheels near the grass
+	const BodyReads &get_reads() const { return _colliders.get_reads(); }
 	std::vector<Slip> find_slips() const;
 
 private:

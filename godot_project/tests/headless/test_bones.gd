@@ -79,3 +79,84 @@ func test_a_skeleton_that_is_put_elsewhere_leaves_the_grass_between_alone() -> v
 	await ticks(3)
 	assert_false(field.is_tile_awake(field.get_tile_at(Vector3(0, 0, 0.25))))
 	assert_true(field.is_tile_awake(field.get_tile_at(leg.position)))
+
+
+func add_chain(place: Vector3, count: int) -> Skeleton3D:
+	var skeleton := Skeleton3D.new()
+	for i in count:
+		skeleton.add_bone("Bone%d" % i)
+		if i > 0:
+			skeleton.set_bone_parent(i, i - 1)
+			skeleton.set_bone_rest(i, Transform3D(Basis(), Vector3(0.2, 0, 0)))
+	skeleton.reset_bone_poses()
+	skeleton.position = place
+	skeleton.add_child(GrassBoneColliders3D.new())
+	add_child(skeleton)
+	return skeleton
+
+
+func calls_of(fields: Array[GrassField], count: int) -> int:
+	var before := 0
+	for field in fields:
+		before -= field.get_statistics().engine_calls
+	await ticks(count)
+	for field in fields:
+		before += field.get_statistics().engine_calls
+	return before
+
+
+## A bone is asked for its parent and its pose; the node whether it is in the tree, for its skeleton, and that for its place and how many
+## bones it has.
+func test_each_bone_near_the_grass_is_counted() -> void:
+	var field := add_field()
+	var chain := add_chain(Vector3(0, 0.2, 0), 11)
+	await ticks(5)
+	assert_eq(field.get_statistics().bones, 10)
+	var before := field.get_statistics()
+	await ticks(40)
+	var after_ := field.get_statistics()
+	assert_eq(after_.engine_calls - before.engine_calls, 40 * (4 + 2 * 11))
+	assert_eq(after_.body_reads - before.body_reads, 40 * 10)
+	(chain.get_child(0) as GrassBoneColliders3D).bones = PackedStringArray(["Bone3", "Bone4"])
+	await ticks(5)
+	assert_eq(field.get_statistics().bones, 2)
+	# Ten of them have a parent whose name counts, and three poses are needed.
+	assert_eq(await calls_of([field], 40), 40 * (4 + 11 + 10 + 3))
+
+
+## They are looked at in every eighth tick, and their skeleton's place in each, once for all fields.
+func test_skeletons_far_away_cost_next_to_nothing() -> void:
+	var fields: Array[GrassField] = []
+	for i in 4:
+		fields.append(add_field({position = Vector3(8 * i, 0, 0)}))
+	for i in 5:
+		add_chain(Vector3(1400, 0.2, 3 * i), 60)
+	await ticks(10)
+	assert_eq(fields[0].get_statistics().bones, 0)
+	assert_eq(await calls_of(fields, 80), 5 * (80 * 3 + 80 / 8 * (1 + 2 * 60)))
+
+
+func test_fields_share_what_is_read() -> void:
+	var fields: Array[GrassField] = []
+	for i in 4:
+		fields.append(add_field({position = Vector3(2 * i, 0, 0)}))
+	add_chain(Vector3(0, 0.2, 0), 60)
+	await ticks(10)
+	for field in fields:
+		assert_eq(field.get_statistics().bones, 59)
+	assert_eq(await calls_of(fields, 40), 40 * (4 + 2 * 60))
+
+
+func test_who_comes_from_afar_bends_grass_at_once() -> void:
+	var field := add_field()
+	var chain := add_chain(Vector3(1400, 0.2, 0), 6)
+	await ticks(10)
+	chain.position.x = 0.0
+	await ticks(2)
+	assert_eq(field.get_statistics().bones, 5, "a skeleton")
+	chain.position.x = 1400.0
+	await ticks(10)
+	assert_eq(field.get_statistics().bones, 0)
+	chain.set_bone_pose_position(0, Vector3(-1400, 0, 0))
+	await ticks(10)
+	assert_eq(field.get_statistics().bones, 5, "its bones alone: within eight ticks")

@@ -274,7 +274,7 @@ func test_a_trimesh_of_too_many_faces_bends_by_its_box() -> void:
 	sphere.rings = 100
 	var body := add_held_body(trimesh(sphere), Vector3(0, 0.6, 0))
 	body.name = "Statue"
-	expect_error("the ConcavePolygonShape3D of 'Statue' moves and has more than 20000 faces")
+	expect_error("Statue': its ConcavePolygonShape3D moves and has more than 20000 faces")
 	for i in 30:
 		body.position.x += 0.01
 		await ticks(1)
@@ -289,7 +289,7 @@ func test_a_height_map_that_moves_is_told_of() -> void:
 	var body := add_held_body(HeightMapShape3D.new(), Vector3(0, 0.3, 0))
 	body.name = "Barge"
 	await ticks(10)  # while it stands nobody complains
-	expect_error("'Barge' moves and has a HeightMapShape3D")
+	expect_error("Barge': it moves, and its HeightMapShape3D bends no grass")
 	for i in 10:
 		body.position.x += 0.05
 		await ticks(1)

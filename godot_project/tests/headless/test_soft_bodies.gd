@@ -145,3 +145,43 @@ func test_a_body_gets_another_mesh() -> void:
 	body.mesh = null
 	await ticks(10)
 	assert_eq(field.get_statistics().soft_bodies, 0)
+
+
+## As pools of objects do: the server has no points of a body that was enabled without a mesh, whatever mesh it gets then. Asking for one is
+## an error, which fails the test.
+func test_a_body_from_a_pool() -> void:
+	var field := add_field()
+	add_floor()
+	var body := add_soft_body(ball_mesh(0.5), Vector3(0.25, 0.6, 0.25))
+	await ticks(10)
+	assert_eq(field.get_statistics().soft_bodies, 1)
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	await ticks(3)
+	body.mesh = null
+	await ticks(3)
+	body.process_mode = Node.PROCESS_MODE_INHERIT
+	await ticks(3)
+	body.mesh = ball_mesh(0.4)
+	await ticks(20)
+	assert_eq(field.get_statistics().soft_bodies, 0, "the server has it no more")
+	body.process_mode = Node.PROCESS_MODE_DISABLED
+	await ticks(3)
+	body.process_mode = Node.PROCESS_MODE_INHERIT
+	await ticks(10)
+	assert_eq(field.get_statistics().soft_bodies, 1, "enabled with its mesh")
+	for i in 6:  # all in one tick
+		body.process_mode = Node.PROCESS_MODE_DISABLED
+		body.mesh = null
+		body.process_mode = Node.PROCESS_MODE_INHERIT
+		body.mesh = ball_mesh(0.3 + 0.02 * i)
+		await ticks(2)
+	assert_eq(field.get_statistics().soft_bodies, 0)
+
+
+func test_a_mesh_without_faces() -> void:
+	var field := add_field()
+	var body := add_soft_body(ball_mesh(0.5), Vector3(0.25, 0.6, 0.25))
+	await ticks(5)
+	body.mesh = ArrayMesh.new()
+	await ticks(10)
+	assert_eq(field.get_statistics().soft_bodies, 0)
