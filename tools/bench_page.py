@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """docs/benchmarks/README.md: today's figures, made from the committed tables. `python3 -m tools.bench_page` writes it.
 
-The layer `docs` fails where the page is not what the tables make, and where a newer table of a benchmark is not used.
+The layer `docs` fails where the page is not what the tables make, where a newer table of a benchmark is not used, and where no page
+names a table.
 """
 
 import csv
@@ -282,6 +283,13 @@ def newer():
 			if re.match(r"\d{4}", other.parent.name) and other.parent.name[:10] > table[:10]:
 				wrong.append(f"{other.relative_to(FOLDER)} is newer than {table}")
 	return wrong
+
+
+def unnamed():
+	"""Tables and plots that no page names, as texts: their commit keeps them."""
+	pages = "".join(path.read_text() for path in (ROOT / "docs").rglob("*.md"))
+	kept = (path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*")))
+	return [f"no page names {path}: name it, or remove it" for path in kept if str(path) not in pages]
 
 
 if __name__ == "__main__":

@@ -129,11 +129,11 @@ def wrong_decisions():
 
 
 def wrong_benchmarks():
-	"""Pages of figures that are not what the newest tables make."""
+	"""Pages of figures that are not what the newest tables make, and tables that no page names."""
 	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench_page`"]
 	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
 	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
-	return "; ".join([*stale, *bench_page.newer()])
+	return "; ".join([*stale, *bench_page.newer(), *bench_page.unnamed()])
 
 
 def run(only):
