@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Checks links: of the Markdown sources as they lie here (and on a forge), and of the built site. Never goes online."""
+"""Checks links: of the Markdown sources as they lie here (and on a forge), and of the built site. Never goes online.
+
+Why our own: link checkers are a binary to fetch for each platform, and none says that a page loads something from elsewhere, so that it
+does not work offline, or shows a picture without a text.
+"""
 
 import functools
 import html.parser

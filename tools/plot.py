@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Small SVG plots: marks and lines between axes that are linear or go by powers of ten."""
+"""Small SVG plots: marks and lines between axes that are linear or go by powers of ten.
+
+Why our own: the plots are committed, so the same rows must make the same bytes on every machine, and matplotlib brings numpy and nine more
+packages for a hundred lines.
+"""
 
 import math
 

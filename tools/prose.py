@@ -2,6 +2,8 @@
 """One width for prose: wraps the paragraphs of Markdown pages, and the comments of sources, that are wider than their width.
 
 Tables, code, headings, equations, links and code spans stay whole; a line that one of them makes too wide is left alone.
+
+Why our own: formatters of Markdown rewrite whole pages and know no comments of sources, which are as much of this.
 """
 
 import re

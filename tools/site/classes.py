@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The class reference as pages, from extension/doc_classes."""
+"""The class reference as pages, from extension/doc_classes.
+
+Why our own: each entry links to the guides that tell of it (mentions.py), and a reference to what no class has fails the build. The
+engine's converter writes reStructuredText, for another site generator.
+"""
 
 import re
 import textwrap
