@@ -59,7 +59,6 @@ void FieldBodies::forget_motion() {
 }
 
 void FieldBodies::add_to(FieldStatistics &r_statistics) const {
-	r_statistics.bodies = get_count();
 	r_statistics.wheels = _wheels.get_count();
 	r_statistics.bones = _bones.get_count();
 	r_statistics.soft_bodies = _soft_bodies.get_count();

@@ -126,7 +126,6 @@ void FieldMaker::add_time(double p_ms) {
 void FieldMaker::add_to(FieldStatistics &r_statistics) const {
 	if (const ShownMap *map = get_map()) {
 		r_statistics.map_waiting += map->get_waiting();
-		r_statistics.memory += map->get_memory_usage();
 	}
 	r_statistics.is_waiting = r_statistics.is_waiting || _is_waiting;
 	r_statistics.makings = _makings;

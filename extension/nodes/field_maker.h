@@ -48,6 +48,7 @@ public:
 	// Milliseconds that the making took in one frame, at most, since request().
 	void add_time(double p_ms);
 	double get_most_ms() const { return _most_ms; }
+	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:

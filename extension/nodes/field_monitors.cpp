@@ -35,30 +35,6 @@ constexpr std::array<MonitorInfo, MONITOR_COUNT> MONITORS = { {
 
 } // namespace
 
-double monitor_of(const FieldStatistics &p_statistics, FieldMonitor p_monitor) {
-	const BackendStatistics &backend = p_statistics.backend_work;
-	switch (p_monitor) {
-		case MONITOR_AWAKE_TILES:
-			return double(p_statistics.awake_tiles);
-		case MONITOR_SIMULATED_BLADES:
-			return p_statistics.is_seen ? double(p_statistics.tile_work.simulated) * GRASS_BLADES_PER_TILE : 0.0;
-		case MONITOR_DRAWN_BLADES:
-			return double(backend.drawn_blades);
-		case MONITOR_DRAWN_TRIANGLES:
-			return double(p_statistics.drawn.triangles[0]);
-		case MONITOR_MANAGEMENT:
-			return 1e-3 * (p_statistics.gather_ms + p_statistics.tiles_ms);
-		case MONITOR_SIMULATE:
-			return 1e-3 * backend.simulate_ms;
-		case MONITOR_CULL:
-			return 1e-3 * backend.cull_ms;
-		case MONITOR_MEMORY:
-			return double(p_statistics.memory);
-		default:
-			return 0.0;
-	}
-}
-
 FieldMonitors *FieldMonitors::_singleton = nullptr;
 
 void FieldMonitors::add(GrassField *p_field) {

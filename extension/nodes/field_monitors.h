@@ -3,8 +3,6 @@
 // as a field does.
 #pragma once
 
-#include "core/field/field_statistics.h"
-
 #include <godot_cpp/classes/object.hpp>
 
 #include <array>
@@ -26,9 +24,6 @@ enum FieldMonitor {
 	MONITOR_MEMORY, // bytes
 	MONITOR_COUNT,
 };
-
-// The share of a field with these statistics.
-double monitor_of(const FieldStatistics &p_statistics, FieldMonitor p_monitor);
 
 class FieldMonitors : public godot::Object {
 	GDCLASS(FieldMonitors, godot::Object)

@@ -355,8 +355,11 @@ void FieldTerrain::add_to(FieldStatistics &r_statistics) const {
 	r_statistics.terrain_queries = _queries;
 	r_statistics.terrain_calls = _calls_before + (_source ? _source->get_calls() : 0);
 	r_statistics.terrain_waiting = _queue.get_waiting() + (_piece ? 1 : 0);
-	r_statistics.memory += _ids ? int64_t(_ids->get_memory_usage()) : 0;
-	r_statistics.memory += _colors ? 2 * int64_t(_colors->get_memory_usage()) : 0; // here, and as a texture
+}
+
+int64_t FieldTerrain::get_memory_usage() const {
+	const int64_t ids = _ids ? int64_t(_ids->get_memory_usage()) : 0;
+	return ids + (_colors ? 2 * int64_t(_colors->get_memory_usage()) : 0); // colours: here, and as a texture
 }
 
 } // namespace grass

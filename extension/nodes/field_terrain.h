@@ -54,6 +54,7 @@ public:
 	// Whether warn() says something else than when last asked this.
 	bool has_new_warning();
 	void add_to(FieldStatistics &r_statistics) const;
+	int64_t get_memory_usage() const; // bytes
 
 private:
 	template <typename F> bool ask(F &&p_ask);

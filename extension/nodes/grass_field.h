@@ -170,6 +170,7 @@ public:
 	FieldMemory find_memory() const;
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
+	godot::Dictionary get_counters() const;
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on
 	godot::Transform3D field_transform() const override; // global, without scale
 

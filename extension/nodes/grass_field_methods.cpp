@@ -159,7 +159,7 @@ int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) c
 
 int64_t GrassField::get_memory_usage() const {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	return find_statistics().memory;
+	return _standing.get_memory_usage() + _maker.get_memory_usage() + _terrain.get_memory_usage();
 }
 
 FieldMemory GrassField::find_memory() const {
@@ -189,6 +189,7 @@ FieldStatistics GrassField::find_statistics() const {
 	statistics.forces = int64_t(_forces.get().size());
 	statistics.forces_left_out = _forces.get_left_out();
 	statistics.blades = get_blade_count();
+	statistics.memory = get_memory_usage();
 	statistics.gather_ms = _gather_ms;
 	statistics.frame_ms = _frame_ms;
 	return statistics;
@@ -196,17 +197,42 @@ FieldStatistics GrassField::find_statistics() const {
 
 Dictionary GrassField::get_statistics() const {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
-	return to_dictionary(find_statistics());
+	return statistics_dictionary(find_statistics());
 }
 
+Dictionary GrassField::get_counters() const {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
+	return counters_dictionary(find_statistics());
+}
+
+// The debugger asks for each monitor by itself: each reads what it shows, and nothing else.
 double GrassField::get_monitor(FieldMonitor p_monitor) {
 	if (!_standing.stands()) {
 		return 0.0;
 	}
-	if (p_monitor == MONITOR_SIMULATE || p_monitor == MONITOR_CULL) {
-		_standing.measure_time();
+	const Field &field = _standing.get_field();
+	switch (p_monitor) {
+		case MONITOR_AWAKE_TILES:
+			return double(field.get_tiles().get_statistics().awake);
+		case MONITOR_SIMULATED_BLADES:
+			return field.is_seen() ? double(field.get_tiles().get_statistics().simulated) * GRASS_BLADES_PER_TILE : 0.0;
+		case MONITOR_DRAWN_BLADES:
+			return double(_standing.get_backend()->get_statistics().drawn_blades);
+		case MONITOR_DRAWN_TRIANGLES:
+			return double(_standing.count_drawn().triangles[0]);
+		case MONITOR_MANAGEMENT:
+			return 1e-3 * (_gather_ms + field.get_tiles_ms());
+		case MONITOR_SIMULATE:
+			_standing.measure_time();
+			return 1e-3 * _standing.get_backend()->get_statistics().simulate_ms;
+		case MONITOR_CULL:
+			_standing.measure_time();
+			return 1e-3 * _standing.get_backend()->get_statistics().cull_ms;
+		case MONITOR_MEMORY:
+			return double(get_memory_usage());
+		default:
+			return 0.0;
 	}
-	return monitor_of(find_statistics(), p_monitor);
 }
 
 // Before a query: makes the field. False where none stands. What of its map waits to be shown can wait: see StandingField::layers_at().

@@ -292,6 +292,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
 	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
+	ClassDB::bind_method(D_METHOD("get_counters"), &GrassField::get_counters);
 	ClassDB::bind_static_method("GrassField", D_METHOD("get_version"), &GrassField::get_version);
 
 	ClassDB::bind_method(D_METHOD("is_grass_at", "global_position"), &GrassField::is_grass_at);

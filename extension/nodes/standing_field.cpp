@@ -23,17 +23,6 @@ namespace {
 // used. Less: what is painted with it comes in pieces.
 constexpr int CHUNKS_AT_ONCE = 4;
 
-DrawnStatistics count_drawn(const BackendStatistics &p_backend, const FieldSetup &p_setup) {
-	DrawnStatistics drawn;
-	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
-		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
-		const int64_t count = p_backend.drawn_tiles[size_t(level)];
-		drawn.tiles[list] += count;
-		drawn.triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, p_setup.card_size > 0.0f);
-	}
-	return drawn;
-}
-
 } // namespace
 
 void StandingField::begin_passes() const {
@@ -325,11 +314,23 @@ int64_t StandingField::get_memory_usage() const {
 			(_backend ? _backend->get_memory_usage() : 0);
 }
 
+DrawnStatistics StandingField::count_drawn() const {
+	const BackendStatistics backend = _backend->get_statistics();
+	DrawnStatistics drawn;
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
+		const int64_t count = backend.drawn_tiles[size_t(level)];
+		drawn.tiles[list] += count;
+		drawn.triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _field.get_setup().card_size > 0.0f);
+	}
+	return drawn;
+}
+
 void StandingField::add_to(FieldStatistics &r_statistics) const {
 	if (_backend) {
 		r_statistics.backend = _backend->get_name();
 		r_statistics.backend_work = _backend->get_statistics();
-		r_statistics.tiles = _field.get_grid().get_tile_count();
+		r_statistics.drawn = count_drawn();
 		r_statistics.pool_tiles = _field.get_setup().pool_size;
 		r_statistics.awake_tiles = _field.get_tiles().get_statistics().awake;
 		r_statistics.is_waiting = r_statistics.is_waiting || is_look_waiting();
@@ -339,11 +340,8 @@ void StandingField::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.map_bytes = _map->get_textures().get_uploaded_bytes();
 		r_statistics.map_waiting += _map->get_waiting();
 	}
-	r_statistics.drawn = count_drawn(r_statistics.backend_work, _field.get_setup());
-	r_statistics.is_seen = _field.is_seen();
 	r_statistics.tile_work = _field.get_tiles().get_statistics();
 	r_statistics.instance_updates = r_statistics.backend_work.instance_updates + _ground.get_updates();
-	r_statistics.memory += get_memory_usage();
 	r_statistics.builds = _builds;
 	r_statistics.unseen_ticks = _field.get_unseen_ticks();
 	r_statistics.wind_updates = _wind_updates;

@@ -107,6 +107,7 @@ public:
 	}
 	void measure_time(); // from now on, whatever the property says
 	int64_t get_memory_usage() const; // bytes
+	DrawnStatistics count_drawn() const; // while it stands
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:

@@ -61,9 +61,9 @@ func _count(p_field: GrassField, p_still: GrassField, p_row: PackedStringArray) 
 	var before: Array[PackedVector3Array] = []
 	for tile in tiles:
 		before.append(p_field.get_tile_knots(tile))
-	var steps: Dictionary = p_field.get_statistics()
+	var steps: Dictionary = p_field.get_counters()
 	await get_tree().physics_frame
-	var now := p_field.get_statistics()
+	var now := p_field.get_counters()
 	var simulated: int = now.tile_steps - steps.tile_steps
 	var off := PackedInt32Array([0, 0, 0, 0])
 	var moved := PackedInt32Array([0, 0, 0, 0])

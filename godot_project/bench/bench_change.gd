@@ -52,17 +52,17 @@ func _measure(p_name: String, p_change: Callable) -> PackedStringArray:
 	await _frame()
 	for i in STILL:
 		still = maxf(still, await _frame())
-	var before: int = _field.get_statistics().makings if _field.is_inside_tree() else 0
+	var before: int = _field.get_counters().makings if _field.is_inside_tree() else 0
 	p_change.call()
 	_last = Time.get_ticks_usec()
 	var longest := 0.0
 	var frames := 0
-	while frames == 0 or _field.get_statistics().waiting or _field.get_statistics().map_waiting > 0:
+	while frames == 0 or _field.get_statistics().waiting or _field.get_counters().map_waiting > 0:
 		longest = maxf(longest, await _frame())
 		frames += 1
 	for i in 2:  # what the renderer does with it
 		longest = maxf(longest, await _frame())
-	var now := _field.get_statistics()
+	var now := _field.get_counters()
 	return [p_name, str(frames), str(now.makings - before), "%.2f" % now.build_ms, "%.1f" % longest, "%.1f" % still]
 
 

@@ -52,13 +52,15 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 		await get_tree().physics_frame
 		_turn_back(bodies)
 		if tick == warm_up:
-			before = field.get_statistics()
+			before = field.get_statistics().merged(field.get_counters())
 		if tick >= warm_up:
-			var now := field.get_statistics()
+			var now := field.get_statistics().merged(field.get_counters())
 			for stage in STAGES:
 				times.get_or_add(stage, []).append(now[stage])
-	var after := field.get_statistics()
-	var row: PackedStringArray = [str(after.tiles), str(p_bodies), str(after.awake_tiles), str(after.list_entries)]
+	var after := field.get_statistics().merged(field.get_counters())
+	var row: PackedStringArray = [
+		str(field.get_tiles().x * field.get_tiles().y), str(p_bodies), str(after.awake_tiles), str(after.list_entries)
+	]
 	for stage in STAGES:
 		times[stage].sort()
 		row.append_array(["%.4f" % times[stage][times[stage].size() >> 1], "%.4f" % times[stage][times[stage].size() * 95 / 100]])

@@ -50,13 +50,13 @@ func _measure(p_bodies: int, p_crowd: String) -> PackedStringArray:
 		await get_tree().physics_frame
 		if p_crowd == "moving":
 			source._turn_back(bodies)
-		var now := field.get_statistics()
+		var now := field.get_counters()
 		if tick == WARM_UP:
 			before = now
 		if tick >= WARM_UP:
 			for time in TIMES:
 				times.get_or_add(time, []).append(now[time])
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	var row: PackedStringArray = [str(p_bodies), p_crowd]
 	for time in TIMES:
 		times[time].sort()

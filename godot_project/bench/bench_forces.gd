@@ -51,6 +51,7 @@ func _measure(p_kind: String, p_side: float, p_software: bool) -> PackedStringAr
 		await get_tree().physics_frame
 	var times: Dictionary = await timer.measure(camera)
 	times.merge(field.get_statistics())
+	times.merge(field.get_counters())
 	if times.awake_tiles == 0:
 		times.simulate_ms = 0.0  # what is known is the last field's
 	for node: Node in [camera, sun, field] + forces:

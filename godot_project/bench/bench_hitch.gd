@@ -78,7 +78,7 @@ func _measure(p_name: String, p_change: Callable) -> PackedStringArray:
 func _waits() -> bool:
 	if not _field.is_inside_tree():
 		return false
-	var now := _field.get_statistics()
+	var now := _field.get_statistics().merged(_field.get_counters())
 	return now.waiting or now.map_waiting > 0 or now.compiling > 0
 
 

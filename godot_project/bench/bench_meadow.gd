@@ -67,6 +67,7 @@ func _measure(p_kind: String, p_shadows: bool, p_software: bool) -> Dictionary:
 	var times: Dictionary = await timer.measure(camera)
 	if field.visible:
 		times.merge(field.get_statistics())
+		times.merge(field.get_counters())
 	for node: Node in [camera, sun, field]:
 		node.queue_free()
 	await get_tree().process_frame

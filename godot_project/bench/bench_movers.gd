@@ -53,13 +53,13 @@ func _measure(p_mover: String, p_share: float) -> PackedStringArray:
 	for tick in warm_up + ticks:
 		mover.position.x += _place(tick / 60.0) - _place((tick - 1) / 60.0)  # a soft body's own position is always zero
 		await get_tree().physics_frame
-		var now := field.get_statistics()
+		var now := field.get_statistics().merged(field.get_counters())
 		if tick == warm_up:
 			before = now
 		if tick >= warm_up:
 			for name in PARTS + TIMES:
 				values[name].append(float(now[name]) if now.awake_tiles > 0 or name.begins_with("gather") else 0.0)
-	var after := field.get_statistics()
+	var after := field.get_statistics().merged(field.get_counters())
 	for node: Node3D in [field, camera, mover]:
 		node.queue_free()
 	await get_tree().process_frame

@@ -32,9 +32,9 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 				await Scenery.compiled(field)
 			camera.rotation.y = PI if kind == "behind" else 0.0
 			await _frames(20 if p_software else WARM_UP)
-			var before := field.get_statistics()
+			var before := field.get_counters()
 			var measured := await _frames(20 if p_software else FRAMES)
-			var after := field.get_statistics()
+			var after := field.get_counters()
 			for count in COUNTS:
 				measured[count] = float(after[count] - before[count]) / measured.wall.size()
 			times.get_or_add(kind, []).append(measured)

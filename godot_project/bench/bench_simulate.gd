@@ -31,12 +31,12 @@ func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 		await get_tree().physics_frame
 		body.position.y = 0.45 + 0.02 * sin(0.2 * tick)
 		if tick == 10:
-			uploaded = field.get_statistics().uploaded_bytes
+			uploaded = field.get_counters().uploaded_bytes
 		if tick >= 10:
 			await get_tree().process_frame
 			simulate.append(field.get_statistics().simulate_ms)
 			management.append(field.get_statistics().management_ms)
-	var statistics := field.get_statistics()
+	var statistics := field.get_statistics().merged(field.get_counters())
 	var median := preload("res://bench/measure.gd").median
 	var blades: int = statistics.awake_tiles * 64
 	var ms: float = median.call(simulate)

@@ -24,4 +24,4 @@ func happen(delta: float) -> void:
 
 
 func tell() -> String:
-	return "%d forces." % field.get_statistics().forces
+	return "%d forces." % field.get_counters().forces

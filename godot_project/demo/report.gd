@@ -31,13 +31,13 @@ func frame(p_draw_ms: float) -> void:
 
 
 func table(p_bodies: int, p_software: bool) -> String:
-	var statistics := _field.get_statistics()
+	var statistics := _field.get_statistics().merged(_field.get_counters())
 	var rows: Array[PackedStringArray] = [
 		["device", RenderingServer.get_video_adapter_name() + (" (software)" if p_software else "")],
 		["renderer", RenderingServer.get_current_rendering_method()],
 		["backend", statistics.backend],
 		["blades", _with_commas(statistics.blades)],
-		["tiles", _with_commas(statistics.tiles)],
+		["tiles", _with_commas(_field.get_tiles().x * _field.get_tiles().y)],
 		["bodies", str(p_bodies)],
 		["awake tiles", ", ".join(_awake)],
 		["most awake", "%d tiles, %s blades" % [_most_awake, _with_commas(_most_awake * 64)]],

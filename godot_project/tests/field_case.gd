@@ -38,15 +38,15 @@ static func warm_up(to: Node) -> Dictionary:
 	field.body_entered_grass.connect(entered.append)
 	var ticks := 0
 	var deadline := Time.get_ticks_msec() + PATIENCE * 1000
-	while ticks < 5 or field.get_statistics().steps == 0 and Time.get_ticks_msec() < deadline:
+	while ticks < 5 or field.get_counters().steps == 0 and Time.get_ticks_msec() < deadline:
 		await to.get_tree().physics_frame
 		body.position.x = 0.1 * sin(ticks)
 		ticks += 1
 		if field.get_statistics().compiling > 3:  # those of free tiles, of edges and of gathered knots come last
 			first_field = {
-				ticks = ticks, steps = field.get_statistics().steps, awake = field.get_awake_tile_count(), entered = entered.size()
+				ticks = ticks, steps = field.get_counters().steps, awake = field.get_awake_tile_count(), entered = entered.size()
 			}
-	first_field.steps_after = field.get_statistics().steps
+	first_field.steps_after = field.get_counters().steps
 	field.species = [GrassSpecies.new(), GrassSpecies.new()]
 	deadline = Time.get_ticks_msec() + PATIENCE * 1000
 	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
@@ -63,14 +63,14 @@ func compiled(field: GrassField) -> void:
 
 ## Frames until the field has been made as often as that.
 func made(field: GrassField, makings: int) -> void:
-	await wait_until(func() -> bool: return field.get_statistics().makings >= makings, "the field has been made %d times" % makings)
+	await wait_until(func() -> bool: return field.get_counters().makings >= makings, "the field has been made %d times" % makings)
 
 
 ## Frames until the field is what its properties and its map say.
 func grown(field: GrassField) -> void:
 	await frames(1)
 	await wait_until(
-		func() -> bool: return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0, "the field is grown"
+		func() -> bool: return not field.get_statistics().waiting and field.get_counters().map_waiting == 0, "the field is grown"
 	)
 
 

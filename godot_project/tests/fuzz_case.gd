@@ -144,9 +144,9 @@ func raise_ground(map: GrassMap) -> void:
 
 ## No NaN, no more awake tiles than the pool holds.
 func check(field: GrassField, what: String) -> void:
-	var now := field.get_statistics()
+	var now := field.get_statistics().merged(field.get_counters())
 	assert_true(now.awake_tiles <= now.pool_tiles, "%s: %d awake tiles in a pool of %d" % [what, now.awake_tiles, now.pool_tiles])
-	if now.backend == "none" or now.tiles == 0:
+	if now.backend == "none" or field.get_blade_count() == 0:
 		return
 	var tile := field.get_tile_at(field.to_global(Vector3(0.1, 0.0, 0.1)))
 	if tile.x >= 0:

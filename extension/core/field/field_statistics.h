@@ -15,11 +15,9 @@ struct DrawnStatistics {
 
 struct FieldStatistics {
 	const char *backend = "none";
-	int64_t tiles = 0, blades = 0, pool_tiles = 0, bare_tiles = 0;
+	int64_t blades = 0, pool_tiles = 0, bare_tiles = 0;
 	int64_t memory = 0; // bytes
 	int64_t awake_tiles = 0;
-	bool is_seen = false; // or a shadow of it
-	int64_t bodies = 0;
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of trimeshes that move
 	BodyReads reads;

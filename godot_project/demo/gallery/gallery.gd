@@ -61,7 +61,7 @@ func _record(folder: String) -> void:
 			var times := await _take(folder.path_join(name), SETTLE[software])
 			if not software:
 				rows[-1].settings.append("GPU time of a frame: %.1f ms, %.1f ms" % times)
-			print("%s: %s; %.1f ms on the CPU" % [name, ", ".join(rows[-1].settings), _place.field.get_statistics().frame_ms])
+			print("%s: %s; %.1f ms on the CPU" % [name, ", ".join(rows[-1].settings), _place.field.get_counters().frame_ms])
 	var about := {device = RenderingServer.get_video_adapter_name(), views = rows}
 	var file := FileAccess.open(folder.path_join("gallery.json"), FileAccess.WRITE)
 	if file == null:

@@ -64,7 +64,7 @@ func _row(p_name: String) -> PackedStringArray:
 	var triangles := 0
 	var plants := 0
 	for field: GrassField in _walk.country.fields:
-		var facts := field.get_statistics()
+		var facts := field.get_statistics().merged(field.get_counters())
 		blades += facts.drawn_blades
 		triangles += facts.drawn_triangles + facts.shadow_triangles
 		plants += facts.get("drawn_plants", 0)
@@ -75,7 +75,7 @@ func _row(p_name: String) -> PackedStringArray:
 func _wait() -> void:
 	for i in 600:
 		await RenderingServer.frame_post_draw
-		var facts: Dictionary = _walk.country.field.get_statistics()
+		var facts: Dictionary = _walk.country.field.get_statistics().merged(_walk.country.field.get_counters())
 		if i > SETTLE and not (facts.waiting or facts.map_waiting > 0 or facts.compiling > 0):
 			return
 

@@ -105,7 +105,7 @@ func _take(p_name: String) -> void:
 	var triangles := 0
 	var simulated := 0.0
 	for field: GrassField in _walk.country.fields:
-		var facts := field.get_statistics()
+		var facts := field.get_statistics().merged(field.get_counters())
 		awake += facts.awake_tiles
 		blades += facts.drawn_blades
 		triangles += facts.drawn_triangles + facts.shadow_triangles

@@ -224,7 +224,7 @@ func forces_forces() -> void:
 	await ticks(120)
 	stage.call("_on_door_slammed", place)
 	await ticks(5)
-	assert_eq(stage.field.get_statistics().forces, 1)
+	assert_eq(stage.field.get_counters().forces, 1)
 
 
 func forces_forces_2() -> void:

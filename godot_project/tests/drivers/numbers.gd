@@ -113,7 +113,7 @@ func _shown(fields: Array[GrassField]) -> void:
 
 
 func _is_shown(field: GrassField) -> bool:
-	var now := field.get_statistics()
+	var now := field.get_statistics().merged(field.get_counters())
 	return not now.waiting and now.map_waiting == 0 and now.drawn_tiles > 0
 
 
@@ -122,7 +122,7 @@ func _save(viewport: SubViewport, picture: String) -> void:
 		await RenderingServer.frame_post_draw
 	viewport.get_texture().get_image().save_png(_folder.path_join(picture + ".png"))
 	for field: GrassField in viewport.find_children("*", "GrassField", true, false):
-		var now := field.get_statistics()
+		var now := field.get_statistics().merged(field.get_counters())
 		print(
 			(
 				"GRASS-DRIVERS %s: %d tiles and %d for shadows, %d plants, by the %s"

@@ -69,26 +69,26 @@ func test_the_toolbar_leaves_the_docks_their_place() -> void:
 func test_grass_comes_and_goes_under_the_brush() -> void:
 	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
 	var all: int = field.get_tiles().x * field.get_tiles().y
-	await wait_until(func() -> bool: return field.get_statistics().bare_tiles == all, "the field is bare")
+	await wait_until(func() -> bool: return field.get_counters().bare_tiles == all, "the field is bare")
 	await take("Paint")
 	await press_and_move()
-	var bare: int = field.get_statistics().bare_tiles
+	var bare: int = field.get_counters().bare_tiles
 	assert_less(bare, all, "while the button is still down")
 	await key(KEY_ESCAPE)
 	await frames(1)
-	assert_eq(field.get_statistics().bare_tiles, all)
+	assert_eq(field.get_counters().bare_tiles, all)
 
 
 func test_what_a_script_paints_is_drawn_in_an_idle_editor() -> void:
 	(toolbar.get_node("Menu") as MenuButton).get_popup().id_pressed.emit(0)
 	field.wind_speed = 0.0
 	await idle()
-	var bare: int = field.get_statistics().bare_tiles
+	var bare: int = field.get_counters().bare_tiles
 	var brush := GrassBrush.new()
 	for i in 8:
 		field.map.stroke(brush, Vector2(-1, 0), Vector2(1, 0))
 	await frames(2)
-	assert_less(field.get_statistics().bare_tiles, bare)
+	assert_less(field.get_counters().bare_tiles, bare)
 	await idle()
 	field.wind_speed = 3.0
 	await frames(5)

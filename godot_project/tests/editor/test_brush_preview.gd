@@ -33,7 +33,7 @@ func hover(place: Vector3) -> void:
 
 
 func bare() -> int:
-	return field.get_statistics().bare_tiles
+	return field.get_counters().bare_tiles
 
 
 func hold(code: Key, pressed: bool) -> void:

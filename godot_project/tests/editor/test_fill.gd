@@ -83,7 +83,7 @@ func give_rule() -> void:
 
 func filled() -> void:
 	await frames(3)
-	await wait_until(func() -> bool: return field.get_statistics().fill_waiting == 0, "the rule has filled what changed")
+	await wait_until(func() -> bool: return field.get_counters().fill_waiting == 0, "the rule has filled what changed")
 
 
 ## Share of the field that is grown.

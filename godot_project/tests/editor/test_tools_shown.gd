@@ -16,7 +16,7 @@ func shown() -> void:
 	await wait_until(
 		func() -> bool:
 			EditorInterface.get_base_control().queue_redraw()
-			return not field.get_statistics().waiting and field.get_statistics().map_waiting == 0,
+			return not field.get_statistics().waiting and field.get_counters().map_waiting == 0,
 		"the field is shown"
 	)
 	await frames(10)
@@ -63,7 +63,7 @@ func test_grass_on_a_terrain() -> void:
 	root.add_child(terrain)
 	terrain.owner = root
 	field.terrain = NodePath("../Terrain")
-	await wait_until(func() -> bool: return field.get_statistics().terrain_waiting == 0 and field.map != null, "the terrain is read")
+	await wait_until(func() -> bool: return field.get_counters().terrain_waiting == 0 and field.map != null, "the terrain is read")
 	await shown()
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, 0.5)), terrain.get_height(Vector3(0.5, 0, 0.5)), 0.02)
 	await shoot("terrain")
@@ -82,7 +82,7 @@ func test_a_path_that_a_rule_clears() -> void:
 	root.add_child(path)
 	path.owner = root
 	await select(path)
-	await wait_until(func() -> bool: return field.get_statistics().fill_waiting == 0, "the rule has run")
+	await wait_until(func() -> bool: return field.get_counters().fill_waiting == 0, "the rule has run")
 	await shown()
 	assert_less(density(0, 0.4), 0.1)
 	assert_near(density(0, 2.5), 1.0, 0.01)

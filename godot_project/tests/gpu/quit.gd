@@ -21,5 +21,5 @@ func _ready() -> void:
 	while field.get_statistics().waiting:
 		await RenderingServer.frame_post_draw
 	await RenderingServer.frame_post_draw
-	print("drawn: %d plants" % field.get_statistics().drawn_plants)
+	print("drawn: %d plants" % field.get_counters().drawn_plants)
 	get_tree().quit()

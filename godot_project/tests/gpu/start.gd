@@ -24,7 +24,7 @@ func _ready() -> void:
 	var knots := field.wait_for_knots(field.get_tile_blades(field.get_tile_at(Vector3.ZERO)))
 	await RenderingServer.frame_post_draw
 	var picture := get_viewport().get_texture().get_image()
-	print("GRASS-START bent %d: knots %d, picture %d" % [field.get_statistics().simulated_blades, hash(knots), hash(picture.get_data())])
+	print("GRASS-START bent %d: knots %d, picture %d" % [field.get_counters().simulated_blades, hash(knots), hash(picture.get_data())])
 	get_tree().quit()
 
 

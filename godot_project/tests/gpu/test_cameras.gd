@@ -83,12 +83,12 @@ func test_a_camera_far_away_does_not_coarsen_the_near_one() -> void:
 func test_another_world_s_camera_does_not_count() -> void:
 	var field := add_seen_field()
 	await drawn()
-	var before: Dictionary = field.get_statistics()
+	var before: Dictionary = field.get_counters()
 	open_other_view()
 	other.world_3d = World3D.new()
 	other.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	await drawn()
-	assert_eq(field.get_statistics().culls, before.culls)
+	assert_eq(field.get_counters().culls, before.culls)
 
 
 func test_an_orthogonal_camera_thins_by_its_pixels() -> void:
@@ -127,11 +127,11 @@ func test_tiles_behind_the_camera_cast_their_shadows() -> void:
 	var lit := await picture_of(viewport)
 	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
 	var shaded := await picture_of(viewport)
-	var few: int = field.get_statistics().shadow_tiles
+	var few: int = field.get_counters().shadow_tiles
 	assert_eq(field.get_statistics().drawn_tiles, 0, "no tile is seen")
 	field.shadow_margin = 50.0
 	var all := await picture_of(viewport)
-	var many: int = field.get_statistics().shadow_tiles
+	var many: int = field.get_counters().shadow_tiles
 	print(
 		(
 			"    shadows darken by %.4f; %d tiles cast them, %d more change %.5f"
@@ -144,21 +144,21 @@ func test_tiles_behind_the_camera_cast_their_shadows() -> void:
 	sun.shadow_enabled = false
 	field.shadow_margin = 0.0
 	await drawn()
-	assert_eq(field.get_statistics().shadow_tiles, 0, "without a light that casts shadows")
+	assert_eq(field.get_counters().shadow_tiles, 0, "without a light that casts shadows")
 
 
 func test_no_shadow_beyond_its_distance() -> void:
 	var field := add_seen_field({cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON, size = Vector2(20, 20), shadow_distance = 5.0})
 	look(Vector3(0, 1.5, 9), Vector3(0, 0, 0))
 	await drawn()
-	var near: Dictionary = field.get_statistics()
+	var near: Dictionary = field.get_statistics().merged(field.get_counters())
 	field.shadow_distance = 1000.0
 	await drawn()
-	var far: Dictionary = field.get_statistics()
+	var far: Dictionary = field.get_statistics().merged(field.get_counters())
 	assert_greater(near.shadow_tiles, 5)
 	assert_less(near.shadow_tiles * 2, far.shadow_tiles)
 	assert_less(far.shadow_triangles * 2, far.drawn_triangles, "shadows are coarser than the picture")
 	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	await drawn()
-	assert_eq(field.get_statistics().shadow_tiles, 0)
+	assert_eq(field.get_counters().shadow_tiles, 0)
 	assert_eq(field.get_statistics().drawn_tiles, far.drawn_tiles)

@@ -69,12 +69,12 @@ func test_shadow_margin_draws_more() -> void:
 	camera.fov = 15.0
 	look(Vector3(0, 3, 0), Vector3.ZERO)
 	await drawn()
-	var without: int = field.get_statistics().shadow_tiles
+	var without: int = field.get_counters().shadow_tiles
 	var seen_tiles: int = field.get_statistics().drawn_tiles
 	assert_eq(without, seen_tiles, "no light, no margin: what is seen casts")
 	field.shadow_margin = 1.0
 	await drawn()
-	assert_greater(field.get_statistics().shadow_tiles, without)
+	assert_greater(field.get_counters().shadow_tiles, without)
 	assert_eq(field.get_statistics().drawn_tiles, seen_tiles, "not in the picture")
 
 
@@ -82,20 +82,20 @@ func test_nothing_changes_nothing_is_done() -> void:
 	for backend: GrassField.BackendMode in [GrassField.BACKEND_AUTO, GrassField.BACKEND_CPU]:
 		var field := add_seen_field({wind_speed = 3.0, backend = backend})
 		await drawn()
-		var before := field.get_statistics()
+		var before := field.get_counters()
 		assert_greater(before.culls, 0)
 		await frames(20)
-		var after := field.get_statistics()
+		var after := field.get_counters()
 		assert_eq(after.culls, before.culls)
 		assert_eq(after.uploaded_bytes, before.uploaded_bytes)
 		assert_eq(after.steps, before.steps)
 		camera.position.x += 0.1
 		await drawn()
-		assert_eq(field.get_statistics().culls, before.culls + 1, "one for the camera's one move")
-		assert_eq(field.get_statistics().uploaded_bytes > before.uploaded_bytes, backend == GrassField.BACKEND_AUTO)
+		assert_eq(field.get_counters().culls, before.culls + 1, "one for the camera's one move")
+		assert_eq(field.get_counters().uploaded_bytes > before.uploaded_bytes, backend == GrassField.BACKEND_AUTO)
 		field.pixels_min = 3.0
 		await drawn()
-		assert_eq(field.get_statistics().culls, before.culls + 2, "one for the level of detail")
+		assert_eq(field.get_counters().culls, before.culls + 2, "one for the level of detail")
 		field.free()
 
 
@@ -107,9 +107,9 @@ func test_a_still_body_uploads_little() -> void:
 	viewport.add_child(body)
 	await ticks(30)
 	assert_greater(field.get_awake_tile_count(), 0)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	await ticks(30)
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	assert_greater(after.steps, before.steps + 25)
 	assert_eq(after.uploaded_bytes, before.uploaded_bytes, "the records do not change")
 	assert_eq(after.culls, before.culls)
@@ -150,16 +150,16 @@ func test_hidden_and_without_a_camera() -> void:
 	await drawn()
 	field.hide()
 	camera.position.x += 1.0
-	var culls: int = field.get_statistics().culls
+	var culls: int = field.get_counters().culls
 	await drawn()
-	assert_eq(field.get_statistics().culls, culls, "hidden")
+	assert_eq(field.get_counters().culls, culls, "hidden")
 	field.show()
 	await drawn()
-	assert_greater(field.get_statistics().culls, culls, "shown")
+	assert_greater(field.get_counters().culls, culls, "shown")
 	viewport.remove_child(camera)
-	culls = field.get_statistics().culls
+	culls = field.get_counters().culls
 	await drawn()
-	assert_eq(field.get_statistics().culls, culls, "no camera")
+	assert_eq(field.get_counters().culls, culls, "no camera")
 	viewport.add_child(camera)
 	camera.position.x += 1.0
 	await drawn()

@@ -13,11 +13,11 @@ func test_a_pool_keeps_to_the_device_s_limit() -> void:
 	expect_error("`pool_tiles` is %d, and the graphics device has room for %d" % [HELD + 1, HELD])
 	var field := add_seen_field({pool_tiles = HELD})
 	await drawn()
-	assert_eq(field.get_statistics().pool_tiles, HELD)
+	assert_eq(field.get_counters().pool_tiles, HELD)
 	assert_eq(field.get_statistics().backend, "GPU")
 	field.pool_tiles = HELD + 1
 	await made(field, 2)
-	assert_eq(field.get_statistics().pool_tiles, HELD)
+	assert_eq(field.get_counters().pool_tiles, HELD)
 	field.backend = GrassField.BACKEND_CPU
 	await drawn()
-	assert_eq(field.get_statistics().pool_tiles, HELD + 1, "memory of the CPU has no such limit")
+	assert_eq(field.get_counters().pool_tiles, HELD + 1, "memory of the CPU has no such limit")

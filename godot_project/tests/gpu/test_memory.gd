@@ -99,7 +99,7 @@ func test_a_field_asks_for_no_texture_that_is_gone() -> void:
 		for i in 20:
 			var field := add_seen_field({size = Vector2(2, 2), pool_tiles = 64, wind_speed = 3.0, map = GrassMap.new() if mapped else null})
 			await frames(2)
-			assert_greater(field.get_statistics().instance_updates, 0, "it was drawn, and no error was reported")
+			assert_greater(field.get_counters().instance_updates, 0, "it was drawn, and no error was reported")
 			field.free()
 	done[0] = true
 	thread.wait_to_finish()

@@ -134,7 +134,7 @@ func stalks() -> Dictionary:
 
 func test_a_plant_in_the_wind() -> void:
 	var field := await add_one_blade(5.0, stalks())
-	assert_greater(field.get_statistics().drawn_plants, 0)
+	assert_greater(field.get_counters().drawn_plants, 0)
 	Engine.time_scale = 6.0
 	var found := await errors_of(40, func(_frame: int) -> void: pass)
 	Engine.time_scale = 1.0

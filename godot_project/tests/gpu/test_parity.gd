@@ -48,10 +48,10 @@ func test_six_hundred_steps_without_contact() -> void:
 	for blade in BLADES:
 		leaning += 1 if farthest(blade_of(bent, blade), blade_of(risen, blade)) > 0.05 else 0
 	assert_greater(leaning, 6)
-	assert_eq(gpu.get_statistics().steps, cpu.get_statistics().steps)
-	assert_eq(gpu.get_statistics().simulated_blades, cpu.get_statistics().simulated_blades)
-	assert_greater(gpu.get_statistics().free_tile_steps, 600, "by the pass of tiles without colliders")
-	assert_less(gpu.get_statistics().free_tile_steps * BLADES, gpu.get_statistics().simulated_blades, "but not those that the body was on")
+	assert_eq(gpu.get_counters().steps, cpu.get_counters().steps)
+	assert_eq(gpu.get_counters().simulated_blades, cpu.get_counters().simulated_blades)
+	assert_greater(gpu.get_counters().free_tile_steps, 600, "by the pass of tiles without colliders")
+	assert_less(gpu.get_counters().free_tile_steps * BLADES, gpu.get_counters().simulated_blades, "but not those that the body was on")
 
 
 func test_the_method_changes_while_blades_swing() -> void:
@@ -132,11 +132,11 @@ func test_the_same_tiles_are_awake_in_every_tick() -> void:
 		most = maxi(most, awake.size())
 		if not assert_eq(awake_tiles(gpu), awake, "tick %d" % i):
 			return
-		if not assert_eq(gpu.get_statistics().slept, cpu.get_statistics().slept, "tick %d" % i):
+		if not assert_eq(gpu.get_counters().slept, cpu.get_counters().slept, "tick %d" % i):
 			return
 	assert_greater(most, 5)
 	assert_eq(awake_tiles(gpu).size(), 0, "at the end all sleep")
-	assert_greater(gpu.get_statistics().slept, 15)
+	assert_greater(gpu.get_counters().slept, 15)
 
 
 func test_settled_on_the_gpu_too() -> void:
@@ -177,7 +177,7 @@ func test_asleep_by_energy_on_the_gpu_too() -> void:
 	print("    asleep by energy: CPU after %d ticks, GPU after %d" % [ends[cpu], ends[gpu]])
 	assert_true(ends[gpu] >= ends[cpu], "not before")
 	assert_less(ends[gpu] - ends[cpu], 60, "ticks later")
-	assert_eq(gpu.get_statistics().slept, cpu.get_statistics().slept)
+	assert_eq(gpu.get_counters().slept, cpu.get_counters().slept)
 
 
 func test_nothing_moves_when_the_gpu_puts_a_tile_to_sleep() -> void:

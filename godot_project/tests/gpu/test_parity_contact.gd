@@ -227,13 +227,13 @@ func test_left_alone_under_what_stands_still() -> void:
 	var body := add_held_body(ball(0.3), PLACE + Vector3(0, 0.25, 0))
 	await ticks(150)
 	for field: GrassField in [cpu, gpu]:
-		assert_eq(field.get_statistics().still_tiles, field.get_awake_tile_count())
+		assert_eq(field.get_counters().still_tiles, field.get_awake_tile_count())
 	assert_greater(gpu.get_awake_tile_count(), 0)
 	var tile := gpu.get_tile_at(PLACE)
-	var steps: int = gpu.get_statistics().steps
+	var steps: int = gpu.get_counters().steps
 	var height := height_of(gpu, tile)
 	await ticks(30)
-	assert_eq(gpu.get_statistics().steps, steps, "no dispatch")
+	assert_eq(gpu.get_counters().steps, steps, "no dispatch")
 	assert_eq(height_of(gpu, tile), height)
 	assert_near(height_of(cpu, tile), height, 0.02 * height, "mm")
 	body.free()
@@ -280,7 +280,7 @@ func test_edges_are_asked_only_near_what_is_sharp() -> void:
 	var body := add_held_body(ball(1.0), PLACE + Vector3(0, 1.2, 0))
 	await ticks(10)
 	assert_greater(gpu.get_awake_tile_count(), 0)
-	assert_eq(gpu.get_statistics().edge_tile_steps, 0)
+	assert_eq(gpu.get_counters().edge_tile_steps, 0)
 	var off := difference([gpu.get_tile_at(PLACE)])
 	print("    parity under a ball of 1 m, without edges: %s of a blade's length" % String.num_scientific(off))
 	assert_less(off, ONE_UNDER_A_BALL)
@@ -290,7 +290,7 @@ func test_edges_are_asked_only_near_what_is_sharp() -> void:
 	box.size = Vector3(0.5, 0.2, 0.5)
 	add_held_body(box, PLACE + Vector3(0, 0.2, 0))
 	await ticks(5)
-	assert_greater(gpu.get_statistics().edge_tile_steps, 0)
+	assert_greater(gpu.get_counters().edge_tile_steps, 0)
 
 
 ## A workgroup shares the first 32 colliders of its tile. Of this crowd only the last one reaches the grass.
@@ -306,7 +306,7 @@ func test_a_crowd_over_one_tile() -> void:
 	var tile := gpu.get_tile_at(PLACE)
 	var still := add_field({simulated = false})
 	await ticks(2)
-	assert_greater(gpu.get_statistics().crowd_tile_steps, 0)
+	assert_greater(gpu.get_counters().crowd_tile_steps, 0)
 	assert_greater(farthest(tile_knots(gpu, tile), tile_knots(still, tile)), 0.1, "metres: the last ball presses blades")
 	await ticks(60)
 	assert_less(share_apart([tile], CROWDED), FEW_APART)

@@ -43,8 +43,8 @@ func test_forces_move_both_alike() -> void:
 			)
 		)
 		assert_less(left, AFTER_FORCES)
-		assert_eq(gpu.get_statistics().forces, 2, "the blast is over")
-		assert_greater(gpu.get_statistics().free_tile_steps, 0, "a force is no collider")
+		assert_eq(gpu.get_counters().forces, 2, "the blast is over")
+		assert_greater(gpu.get_counters().free_tile_steps, 0, "a force is no collider")
 		for child in get_children():
 			child.free()
 

@@ -48,7 +48,7 @@ func test_a_field_that_changed_looks_as_if_it_had_been_made_so() -> void:
 	var body := add_ball(Vector3(0, 0.2, 0.5), 0.3)
 	var changed := add_seen_field({seed = 5})
 	await drawn()
-	var builds: int = changed.get_statistics().builds
+	var builds: int = changed.get_counters().builds
 	var before: Image = null
 	for change: Dictionary in [
 		{pool_tiles = 200}, {map = map}, {species = [GrassSpecies.new(), short]}, {map = null, pool_tiles = 900}, {species = []}
@@ -70,7 +70,7 @@ func test_a_field_that_changed_looks_as_if_it_had_been_made_so() -> void:
 		before = image
 		fresh.free()
 		changed.show()
-	assert_eq(changed.get_statistics().builds, builds)
+	assert_eq(changed.get_counters().builds, builds)
 	body.free()
 
 

@@ -66,7 +66,7 @@ func test_plants_with_a_mesh() -> void:
 	var field := add_seen_field({surface_hook = new_hook()})
 	var found := await pipelines_of(func() -> void: field.species = [species])
 	assert_eq(found.x, 0, "none by drawing")
-	assert_greater(field.get_statistics().drawn_plants, 0)
+	assert_greater(field.get_counters().drawn_plants, 0)
 
 
 ## A field stands for scripts and bodies at once.
@@ -78,7 +78,7 @@ func test_a_new_field_is_drawn_when_its_shaders_are_there() -> void:
 	var field := add_seen_field({surface_hook = new_hook()})
 	await frames(1)
 	assert_true(field.get_statistics().waiting, "its shaders are being made")
-	assert_greater(field.get_statistics().tiles, 0, "it stands")
+	assert_greater(field.get_blade_count(), 0, "it stands")
 	if field.get_statistics().waiting:
 		assert_less(difference(empty, await next_picture()).x, 0.01, "nothing is drawn with shaders of the engine's")
 	await drawn()

@@ -89,8 +89,8 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	)
 	assert_greater(share_of_heads(gpu, rest), 0.97)
 	assert_less(share_of_heads(gpu, grass), 0.35)
-	assert_eq(field.get_statistics().drawn_plants, rest.size())
-	assert_eq(field.get_statistics().left_out_plants, 0)
+	assert_eq(field.get_counters().drawn_plants, rest.size())
+	assert_eq(field.get_counters().left_out_plants, 0)
 	var body := add_held_body(ball(1.2), Vector3(0.2, 0.2, 0.2))
 	body.reparent(viewport)  # into its world
 	await ticks(30)
@@ -121,7 +121,7 @@ func test_both_backends_draw_the_same_plants() -> void:
 	map.stroke(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 2, strength = 1.0}), Vector2(-2, 0), Vector2(2, 0))
 	await drawn()
 	var gpu := await picture()
-	var count: int = field.get_statistics().drawn_plants
+	var count: int = field.get_counters().drawn_plants
 	keep(gpu, "plants_painted.png")
 	assert_greater(count, 40)
 	assert_eq(count, heads(field, 1).size())
@@ -129,7 +129,7 @@ func test_both_backends_draw_the_same_plants() -> void:
 	field.backend = GrassField.BACKEND_CPU
 	await drawn()
 	assert_eq(field.get_statistics().backend, "CPU")
-	assert_eq(field.get_statistics().drawn_plants, count)
+	assert_eq(field.get_counters().drawn_plants, count)
 	var off := difference(gpu, await picture())
 	print("    GPU and CPU: %d plants, mean difference %.5f" % [count, off.y])
 	assert_less(off.y, 0.003)
@@ -169,7 +169,7 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 	var field := add_plants([species])
 	await drawn()
 	var near := share_of(await picture(), is_violet)
-	var count: int = field.get_statistics().drawn_plants
+	var count: int = field.get_counters().drawn_plants
 	var memory: int = field.get_statistics().memory
 	species.plant_distance = 2.0
 	await drawn()
@@ -177,7 +177,7 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 	keep(image, "plants_far.png")
 	print("    violet: near %.4f, as blades %.4f; %d plants" % [near, share_of(image, is_violet), count])
 	assert_greater(count, 100)
-	assert_eq(field.get_statistics().drawn_plants, 0)
+	assert_eq(field.get_counters().drawn_plants, 0)
 	assert_greater(share_of(image, is_violet), 0.3 * near)
 	species.plant_mesh = null
 	await drawn()
@@ -250,16 +250,16 @@ func test_plants_that_others_hide_are_not_drawn() -> void:
 	await drawn()
 	var all := await picture()
 	keep(all, "plants_all.png")
-	var count: int = field.get_statistics().drawn_plants
+	var count: int = field.get_counters().drawn_plants
 	field.pixels_min = ClassDB.class_get_property_default_value(&"GrassField", &"pixels_min")
 	await drawn()
 	var image := await picture()
 	keep(image, "plants_in_sight.png")
-	var left: int = field.get_statistics().drawn_plants
+	var left: int = field.get_counters().drawn_plants
 	var off := difference(all, image)
 	print("    %d plants, %d in sight; mean colour %s and %s, mean difference %.4f" % [count, left, mean(all), mean(image), off.y])
 	assert_less(left, 0.8 * count)
 	assert_less(absf(mean(image).get_luminance() - mean(all).get_luminance()), 0.01)
 	field.backend = GrassField.BACKEND_CPU
 	await drawn()
-	assert_eq(field.get_statistics().drawn_plants, left)
+	assert_eq(field.get_counters().drawn_plants, left)

@@ -26,12 +26,12 @@ func test_a_soft_ball_and_a_trimesh_bend_grass() -> void:
 		mesh.position.y = maxf(mesh.position.y - 0.05, 0.6)
 		await ticks(1)
 	assert_eq(field.get_statistics().backend, "GPU")
-	assert_eq(field.get_statistics().soft_bodies, 1)
-	assert_eq(field.get_statistics().mesh_pieces, 1, "a box is convex")
+	assert_eq(field.get_counters().soft_bodies, 1)
+	assert_eq(field.get_counters().mesh_pieces, 1, "a box is convex")
 	for i in 2:
 		assert_greater(farthest(tile_knots(field, tiles[i]), rest[i]), 0.2, "metres, tile %s" % tiles[i])
 	assert_true(all_finite(field, tiles))
-	assert_eq(field.get_statistics().bad_colliders, 0)
+	assert_eq(field.get_counters().bad_colliders, 0)
 
 
 func test_a_height_map_that_moves_warns_and_bends_nothing() -> void:

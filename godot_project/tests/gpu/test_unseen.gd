@@ -30,12 +30,12 @@ func test_a_field_out_of_view_does_nothing() -> void:
 	look(Vector3(0, 1, 12), Vector3(0, 1, 30))
 	await drawn()
 	assert_eq(field.get_statistics().drawn_tiles, 0)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	for i in 20:
 		body.position.x += 0.05
 		camera.position.z += 0.1
 		await ticks(1)
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	for key: String in [
 		"steps",
 		"simulated_blades",
@@ -60,19 +60,19 @@ func test_a_field_at_rest_in_view_of_a_still_camera_does_nothing() -> void:
 	await ticks(10)
 	await drawn()
 	await drawn()
-	var before := field.get_statistics()
+	var before := field.get_statistics().merged(field.get_counters())
 	assert_greater(before.drawn_tiles, 0)
 	assert_greater(before.culls, 0)
 	for i in 20:
 		await drawn()
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	for key: String in [
 		"culls", "steps", "uploaded_bytes", "wind_updates", "instance_updates", "tiles_looked_at", "body_reads", "knots_read"
 	]:
 		assert_eq(after[key], before[key], key)
 	camera.position.z -= 0.5
 	await drawn()
-	assert_greater(field.get_statistics().culls, before.culls, "another view")
+	assert_greater(field.get_counters().culls, before.culls, "another view")
 
 
 func test_a_field_seen_again_is_as_if_it_had_been_seen() -> void:
@@ -85,11 +85,11 @@ func test_a_field_seen_again_is_as_if_it_had_been_seen() -> void:
 	assert_true(field.is_tile_awake(left), "nothing was done")
 	body.position.x = 1.25
 	await ticks(2)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	look(Vector3(0, 1, 12), Vector3.ZERO)
 	await drawn()
 	await ticks(5)
-	var after := field.get_statistics()
+	var after := field.get_statistics().merged(field.get_counters())
 	assert_false(field.is_tile_awake(left), "at rest by now")
 	assert_eq(after.evicted, before.evicted)
 	assert_true(field.is_tile_awake(field.get_tile_at(body.position)))
@@ -105,14 +105,14 @@ func test_a_hidden_field_does_nothing() -> void:
 	await ticks(10)
 	field.hide()
 	await drawn()
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	await ticks(10)
-	assert_eq(field.get_statistics().steps, before.steps)
-	assert_eq(field.get_statistics().body_reads, before.body_reads)
+	assert_eq(field.get_counters().steps, before.steps)
+	assert_eq(field.get_counters().body_reads, before.body_reads)
 	field.show()
 	await drawn()
 	await ticks(5)
-	assert_greater(field.get_statistics().steps, before.steps)
+	assert_greater(field.get_counters().steps, before.steps)
 
 
 func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> void:
@@ -132,10 +132,10 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	var unseen := awake_tiles(field).filter(func(p_tile: Vector2i) -> bool: return p_tile.y > field.get_tiles().y / 2)
 	assert_true(behind in unseen)
 	assert_greater(field.get_awake_tile_count(), unseen.size())
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	var knots := knots_of(field, [behind])
 	await ticks(40)
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	var passed: int = after.steps - before.steps  # the one ahead is simulated in every tick
 	assert_greater(passed, 20)
 	assert_eq(after.unseen_tile_steps - before.unseen_tile_steps, passed * unseen.size())
@@ -144,9 +144,9 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 	await ticks(10)
 	assert_less(farthest_of(field, knots), usual + 1e-3, "m: seen again nothing jumps")
 	await drawn()
-	before = field.get_statistics()
+	before = field.get_counters()
 	await ticks(10)
-	after = field.get_statistics()
+	after = field.get_counters()
 	assert_greater(after.unseen_tile_steps, before.unseen_tile_steps, "now it is the other one")
 	bodies[1].position.x += 0.1
 	await ticks(5)
@@ -165,16 +165,16 @@ func test_a_calm_tile_out_of_view_is_not_simulated_and_goes_on_when_seen() -> vo
 func test_no_wind_no_wind_code() -> void:
 	var field := add_seen_field()
 	await drawn()
-	assert_eq(field.get_statistics().wind_updates, 0)
+	assert_eq(field.get_counters().wind_updates, 0)
 	field.wind_speed = 2.0
 	await drawn()
-	var updates: int = field.get_statistics().wind_updates
+	var updates: int = field.get_counters().wind_updates
 	assert_greater(updates, 0)
 	field.wind_speed = 0.0
 	await drawn()
-	updates = field.get_statistics().wind_updates
+	updates = field.get_counters().wind_updates
 	await drawn()
-	assert_eq(field.get_statistics().wind_updates, updates)
+	assert_eq(field.get_counters().wind_updates, updates)
 
 
 func test_who_listens_is_told_though_nobody_sees() -> void:
@@ -197,12 +197,12 @@ func test_the_renderer_is_told_of_changes_only() -> void:
 	var field := add_seen_field({wind_speed = 3.0})
 	look(Vector3(0, 1, 4), Vector3.ZERO)
 	await frames(5)
-	var at_first: int = field.get_statistics().instance_updates
+	var at_first: int = field.get_counters().instance_updates
 	assert_greater(at_first, 0)
 	for i in 20:  # frames are drawn, wind blows, the camera moves: the node stands
 		camera.position.x += 0.05
 		await frames(1)
-	assert_eq(field.get_statistics().instance_updates, at_first)
+	assert_eq(field.get_counters().instance_updates, at_first)
 	# Picture, shadows, ground; here nothing casts shadows, so those are hidden all the time.
 	var changes: Array[Callable] = [
 		func() -> int:
@@ -225,7 +225,7 @@ func test_the_renderer_is_told_of_changes_only() -> void:
 	for i in changes.size():
 		expected += changes[i].call()
 		await frames(3)
-		assert_eq(field.get_statistics().instance_updates, expected, "change %d" % i)
+		assert_eq(field.get_counters().instance_updates, expected, "change %d" % i)
 	field.transparency = 0.0
 	field.position.x = 0.0
 	await frames(3)

@@ -25,7 +25,7 @@ func weightless() -> RigidBody3D:
 ## Whether a body at MIDDLE is felt: waits, and tells whether its tile is under an object.
 func felt(field: GrassField) -> bool:
 	await seen()
-	return field.get_statistics().colliders > 0 and field.is_tile_awake(CENTER)
+	return field.get_counters().colliders > 0 and field.is_tile_awake(CENTER)
 
 
 func test_every_kind_of_moving_body_bends_grass() -> void:
@@ -70,7 +70,7 @@ func test_floors_and_walls_wake_nothing() -> void:
 	await ticks(10)
 	assert_greater(field.get_body_count(), 1, "they are seen")
 	assert_eq(field.get_awake_tile_count(), 0)
-	assert_eq(field.get_statistics().steps, 0)
+	assert_eq(field.get_counters().steps, 0)
 
 
 func test_areas_bend_nothing() -> void:
@@ -163,10 +163,10 @@ func test_asleep_it_still_holds_the_grass_down() -> void:
 		limit -= 1
 	assert_true(body.sleeping, "it rests")
 	await ticks(60)
-	assert_eq(field.get_statistics().colliders, 1)
+	assert_eq(field.get_counters().colliders, 1)
 	body.apply_central_impulse(Vector3(2, 0, 0))
 	await ticks(20)
-	assert_eq(field.get_statistics().colliders, 1, "woken")
+	assert_eq(field.get_counters().colliders, 1, "woken")
 
 
 func test_a_teleport_hits_nothing_on_the_way() -> void:
@@ -222,14 +222,14 @@ func test_two_hundred_bodies_at_once() -> void:
 	add_floor()
 	await ticks(20)
 	assert_eq(field.get_body_count(), 201, "all of them, and the floor")
-	assert_eq(field.get_statistics().colliders, 200)
-	assert_eq(field.get_statistics().bad_colliders, 0)
+	assert_eq(field.get_counters().colliders, 200)
+	assert_eq(field.get_counters().bad_colliders, 0)
 	assert_true(all_finite(field, awake_tiles(field)))
 	for body in bodies:
 		body.free()
 	await ticks(3)
 	assert_eq(field.get_body_count(), 1)
-	assert_eq(field.get_statistics().colliders, 0)
+	assert_eq(field.get_counters().colliders, 0)
 
 
 func test_of_a_crowd_some_are_freed() -> void:
@@ -240,13 +240,13 @@ func test_of_a_crowd_some_are_freed() -> void:
 		body.linear_velocity = Vector3(0.3, 0, 0)
 		bodies.append(add_body(body, ball(0.1), Vector3(i % 20 - 9.8, 0.2, floorf(i / 20.0) - 9.8)))
 	await ticks(20)
-	assert_eq(field.get_statistics().colliders, 400)
+	assert_eq(field.get_counters().colliders, 400)
 	for round_number in 3:
 		for i in range(bodies.size() - 1, -1, -3):
 			bodies[i].free()
 			bodies.remove_at(i)
 		await ticks(1)
-		assert_eq(field.get_statistics().colliders, bodies.size(), "each of the others, and no other")
+		assert_eq(field.get_counters().colliders, bodies.size(), "each of the others, and no other")
 		assert_eq(field.get_body_count(), bodies.size())
 		await ticks(4)
 		for body in bodies:

@@ -29,8 +29,8 @@ func test_bones_bend_grass_as_they_swing() -> void:
 	var leg := add_leg(Vector3(0.25, 0, 0.25))
 	await ticks(3)
 	assert_true(field.is_tile_awake(field.get_tile_at(leg.position)))
-	assert_eq(field.get_statistics().colliders, 2, "thigh and shin")
-	assert_eq(field.get_statistics().bones, 2)
+	assert_eq(field.get_counters().colliders, 2, "thigh and shin")
+	assert_eq(field.get_counters().bones, 2)
 	assert_eq(entered, [leg.get_child(0)])
 	var tile := field.get_tile_at(Vector3(0.25, 0, 0.75))
 	var rest := tile_knots(field, tile)
@@ -40,7 +40,7 @@ func test_bones_bend_grass_as_they_swing() -> void:
 	assert_greater(farthest(tile_knots(field, tile), rest), 0.1, "metres: the foot has passed through")
 	leg.free()
 	await ticks(1)
-	assert_eq(field.get_statistics().bones, 0)
+	assert_eq(field.get_counters().bones, 0)
 	await ticks_to_sleep(field)
 
 
@@ -49,18 +49,18 @@ func test_which_bones_bend() -> void:
 	var leg := add_leg(Vector3(0.25, 0, 0.25), {bones = PackedStringArray(["Knee"])})
 	var bones: GrassBoneColliders3D = leg.get_child(0)
 	await ticks(3)
-	assert_eq(field.get_statistics().colliders, 1, "the shin")
+	assert_eq(field.get_counters().colliders, 1, "the shin")
 	bones.length_min = 0.5
 	await ticks(2)
-	assert_eq(field.get_statistics().colliders, 0, "too short")
+	assert_eq(field.get_counters().colliders, 0, "too short")
 	bones.length_min = 0.1
 	bones.enabled = false
 	await ticks(2)
-	assert_eq(field.get_statistics().colliders, 0)
+	assert_eq(field.get_counters().colliders, 0)
 	bones.enabled = true
 	bones.bones = PackedStringArray(["Tail"])
 	await ticks(2)
-	assert_eq(field.get_statistics().colliders, 0, "no such bone")
+	assert_eq(field.get_counters().colliders, 0, "no such bone")
 
 
 func test_without_a_skeleton_it_bends_nothing() -> void:
@@ -68,7 +68,7 @@ func test_without_a_skeleton_it_bends_nothing() -> void:
 	var bones := GrassBoneColliders3D.new()
 	add_child(bones)
 	await ticks(3)
-	assert_eq(field.get_statistics().colliders, 0)
+	assert_eq(field.get_counters().colliders, 0)
 
 
 func test_a_skeleton_that_is_put_elsewhere_leaves_the_grass_between_alone() -> void:

@@ -44,9 +44,9 @@ func test_meadow() -> void:
 func test_forces() -> void:
 	await open("forces")
 	await ticks(30)
-	assert_eq(field.get_statistics().forces, 2, "the rotor and the whirl")
+	assert_eq(field.get_counters().forces, 2, "the rotor and the whirl")
 	await ticks(45)
-	assert_eq(field.get_statistics().forces, 3, "and a blast")
+	assert_eq(field.get_counters().forces, 3, "and a blast")
 	var blast: Vector3 = place.get_node("Blast").global_position
 	assert_greater(field.bend_at(blast + Vector3(2, 0, 0)).x, 0.3)
 	assert_less(field.bend_at(blast + Vector3(-2, 0, 0)).x, -0.3)

@@ -219,7 +219,7 @@ func test_a_blast() -> void:
 	ball.linear_velocity = Vector3.ZERO
 	await tap(button(JOY_BUTTON_X))
 	await ticks(12)
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	assert_greater(field.get_awake_tile_count(), awake + 60, "it wakes what it reaches")
 	assert_greater(field.bend_at(walk.hills.on_ground(place + Vector3(2, 0, 0))).x, 0.2, "away from it")
 	assert_less(field.bend_at(walk.hills.on_ground(place + Vector3(-2, 0, 0))).x, -0.2)

@@ -86,7 +86,7 @@ func test_patch_changes_rebuild_the_field() -> void:
 	var field := add_field({patch = patch})
 	await ticks(2)
 	var before := tile_knots(field, Vector2i.ZERO)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	patch.length_min = 0.1
 	patch.length_max = 0.1
 	await made(field, makings + 1)

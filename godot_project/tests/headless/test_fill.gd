@@ -48,24 +48,24 @@ func test_a_field_is_full_when_it_comes_into_the_tree() -> void:
 	add_child(field)
 	await frames(1)
 	assert_eq(finished[0], 1)
-	assert_eq(field.get_statistics().fill_cells, 16 * CELLS_A_CHUNK)
-	assert_eq(field.get_statistics().fill_waiting, 0)
+	assert_eq(field.get_counters().fill_cells, 16 * CELLS_A_CHUNK)
+	assert_eq(field.get_counters().fill_waiting, 0)
 	assert_near(field.density_at(Vector3(100, 0, -100)), 0.75, 0.01)
 	await _follow()
-	assert_eq(field.get_statistics().fill_cells, 16 * CELLS_A_CHUNK, "nothing changed, nothing done")
+	assert_eq(field.get_counters().fill_cells, 16 * CELLS_A_CHUNK, "nothing changed, nothing done")
 
 
 func test_a_live_rule_is_followed_a_few_chunks_a_frame() -> void:
 	var rule := _rule({density = 0.75})
 	var field := await _add_filled(rule)
-	var cells: int = field.get_statistics().fill_cells
+	var cells: int = field.get_counters().fill_cells
 	var finished := [0]
 	field.fill_finished.connect(func() -> void: finished[0] += 1)
 	rule.density = 0.25
 	rule.density = 0.5
 	await frames(1)
 	for n in 10:
-		var done: int = field.get_statistics().fill_cells - cells
+		var done: int = field.get_counters().fill_cells - cells
 		assert_eq(done, mini((n + 1) * 4, 16) * CELLS_A_CHUNK)
 		await frames(1)
 	assert_eq(finished[0], 1)
@@ -97,20 +97,20 @@ func test_strokes_and_cuts_fill_nothing_again_but_snapshots_do() -> void:
 	var rule := _rule()
 	var field := await _add_filled(rule)
 	var full := field.map.take_snapshot()
-	var cells: int = field.get_statistics().fill_cells
+	var cells: int = field.get_counters().fill_cells
 	_erase(field.map, Vector2(20, 20), 6.0)
 	field.trample(Vector3(-20, 0, 20), 2.0, 1.0)
 	await _follow()
-	assert_eq(field.get_statistics().fill_cells, cells)
+	assert_eq(field.get_counters().fill_cells, cells)
 	rule.density = 0.5
 	await _follow()
-	cells = field.get_statistics().fill_cells
+	cells = field.get_counters().fill_cells
 	field.map.restore_snapshot(full)
 	assert_eq(_density(field, 100, 100), 1.0)
 	await _follow()
 	assert_near(_density(field, 100, 100), 0.5, 0.01, "the rule of now fills the map of then")
 	assert_near(_density(field, 20, 20), 0.5, 0.01, "the stroke is undone")
-	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
+	assert_eq(field.get_counters().fill_cells, cells + 16 * CELLS_A_CHUNK)
 
 
 func test_the_maps_base_density_shows_only_where_no_rule_fills() -> void:
@@ -125,14 +125,14 @@ func test_the_maps_base_density_shows_only_where_no_rule_fills() -> void:
 
 func test_another_rule_does_not_make_the_field_anew() -> void:
 	var field := await _add_filled(_rule())
-	var builds: int = field.get_statistics().builds
+	var builds: int = field.get_counters().builds
 	field.fill_rule = _rule({density = 0.5})
 	await _follow()
 	field.fill_rule = null
 	field.fill_rule = _rule({density = 0.25})
 	await _follow()
 	assert_near(_density(field, 100, 100), 0.25, 0.01)
-	assert_eq(field.get_statistics().builds, builds)
+	assert_eq(field.get_counters().builds, builds)
 
 
 func test_new_ground_is_filled_anew() -> void:

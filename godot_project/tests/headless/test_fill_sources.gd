@@ -8,14 +8,14 @@ func test_an_exclusion_node_that_moves_is_followed_where_it_was_and_is() -> void
 	var field := await _add_filled(_rule())
 	assert_eq(_density(field, 22, 20), 0.0)
 	assert_eq(_density(field, 20, 23), 1.0)
-	var cells: int = field.get_statistics().fill_cells
+	var cells: int = field.get_counters().fill_cells
 	exclusion.position = Vector3(-40, 0.5, 100)
 	exclusion.rotation.y = PI / 2
 	await frames(2)
 	assert_eq(_density(field, 22, 20), 1.0)
 	assert_eq(_density(field, -40, 103), 0.0)
 	assert_eq(_density(field, -37, 100), 1.0)
-	assert_eq(field.get_statistics().fill_cells, cells + 2 * CELLS_A_CHUNK)
+	assert_eq(field.get_counters().fill_cells, cells + 2 * CELLS_A_CHUNK)
 	(exclusion.shape as BoxShape3D).size = Vector3(20, 2, 4)  # the shape itself
 	await frames(2)
 	assert_eq(_density(field, -40, 108), 0.0)
@@ -120,10 +120,10 @@ func test_a_mask_is_read_from_its_texture() -> void:
 	assert_eq(_density(field, -100, -100), 0.0)
 	assert_eq(_density(field, 5, 5), 1.0)
 	assert_eq(_density(field, 5, 35), 0.0)
-	var cells: int = field.get_statistics().fill_cells
+	var cells: int = field.get_counters().fill_cells
 	mask.set_image(image)  # headless, the engine keeps the old picture: only that it is read again shows
 	await _follow()
-	assert_eq(field.get_statistics().fill_cells, cells + 16 * CELLS_A_CHUNK)
+	assert_eq(field.get_counters().fill_cells, cells + 16 * CELLS_A_CHUNK)
 	image.fill(Color(0, 0, 0, 0.5))
 	rule.mask = ImageTexture.create_from_image(image)
 	await _follow()

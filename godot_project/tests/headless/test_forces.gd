@@ -37,9 +37,9 @@ func test_a_blast_flattens_the_grass_and_it_rises_again() -> void:
 	var before := places.map(func(place: Vector3) -> Vector3: return lean_at(field, place))
 	field.blast(Vector3(0, 0.3, 0), 40.0, 5.0, 0.6)
 	await ticks(12)
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	assert_greater(field.get_awake_tile_count(), 20)
-	assert_eq(field.get_statistics().list_entries, 0, "a force is no collider")
+	assert_eq(field.get_counters().list_entries, 0, "a force is no collider")
 	for i in places.size():
 		var lean := lean_at(field, places[i])
 		var outwards := places[i].normalized()
@@ -48,7 +48,7 @@ func test_a_blast_flattens_the_grass_and_it_rises_again() -> void:
 	await ticks_to_sleep(field)
 	for i in places.size():
 		assert_eq(lean_at(field, places[i]), before[i])
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 
 
 func test_each_force_bends_as_it_blows() -> void:
@@ -77,7 +77,7 @@ func test_only_tiles_that_a_force_moves_are_awake() -> void:
 	var force := add_force(GrassForce3D.KIND_WIND, {speed = 2.5, radius = 4.0, turbulence = 0.0})
 	await ticks(30)
 	assert_eq(field.get_awake_tile_count(), 0, "a breath wakes none")
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	force.speed = 12.0
 	await ticks(60)
 	var awake := awake_tiles(field)
@@ -87,21 +87,20 @@ func test_only_tiles_that_a_force_moves_are_awake() -> void:
 		assert_less(maxf(absf(centre.x), absf(centre.z)), 4.0 + 2.0)
 	force.position = Vector3(40, 0, 0)
 	await ticks_to_sleep(field)
-	assert_eq(field.get_statistics().forces, 0, "it is too far away")
+	assert_eq(field.get_counters().forces, 0, "it is too far away")
 
 
 func test_blades_come_to_stand_still_in_a_steady_wind() -> void:
 	var field := add_meadow()
 	var force := add_force(GrassForce3D.KIND_WIND, {speed = 12.0, radius = 4.0, turbulence = 0.0})
 	await wait_until(
-		func() -> bool:
-			return field.get_statistics().still_tiles > 0 and field.get_statistics().still_tiles == field.get_awake_tile_count(),
+		func() -> bool: return field.get_counters().still_tiles > 0 and field.get_counters().still_tiles == field.get_awake_tile_count(),
 		"all awake tiles are still",
 		true
 	)
 	force.speed = 14.0
 	await ticks(3)
-	assert_eq(field.get_statistics().still_tiles, 0, "another wind moves them")
+	assert_eq(field.get_counters().still_tiles, 0, "another wind moves them")
 
 
 func test_a_push_blows_along_its_velocity() -> void:
@@ -136,8 +135,8 @@ func test_no_more_than_sixteen_count_the_strongest() -> void:
 	for i in 20:
 		field.push(Vector3(i * 0.5 - 5, 0, 0), Vector3(4.0 + i, 0, 0), 1.0, 2.0)
 	await ticks(2)
-	assert_eq(field.get_statistics().forces, 16)
-	assert_eq(field.get_statistics().forces_left_out, 4)
+	assert_eq(field.get_counters().forces, 16)
+	assert_eq(field.get_counters().forces_left_out, 4)
 
 
 func test_forces_of_another_world_or_hidden_ones_do_not_blow() -> void:
@@ -145,20 +144,20 @@ func test_forces_of_another_world_or_hidden_ones_do_not_blow() -> void:
 	var force := add_force(GrassForce3D.KIND_WIND, {speed = 20.0})
 	force.visible = false
 	await ticks(3)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 	force.visible = true
 	await ticks(3)
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	force.enabled = false
 	await ticks(3)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 	var other := SubViewport.new()
 	other.own_world_3d = true
 	add_child(other)
 	force.reparent(other)
 	force.enabled = true
 	await ticks(3)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 
 
 func add_windy_area(properties := {}) -> Area3D:
@@ -185,18 +184,18 @@ func test_the_wind_of_an_area_blows() -> void:
 	var rest := lean_at(field, Vector3(1, 0, 0))
 	var area := add_windy_area({wind_force_magnitude = 12.0})
 	await ticks(60)
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	var lean := lean_at(field, Vector3(1, 0, 0)) - rest
 	assert_greater(-lean.x, 0.15, "along -z of its source: %s" % lean)
 	area.wind_force_magnitude = 0.0
 	await ticks_to_sleep(field)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 	area.wind_force_magnitude = 12.0
 	await ticks(5)
-	assert_eq(field.get_statistics().forces, 1)
+	assert_eq(field.get_counters().forces, 1)
 	area.free()
 	await ticks_to_sleep(field)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 
 
 func test_an_area_without_a_source_does_not_blow() -> void:
@@ -204,7 +203,7 @@ func test_an_area_without_a_source_does_not_blow() -> void:
 	add_windy_area({wind_force_magnitude = 12.0, wind_source_path = ^""})
 	add_windy_area({wind_force_magnitude = 12.0, collision_layer = 2})
 	await ticks(10)
-	assert_eq(field.get_statistics().forces, 0)
+	assert_eq(field.get_counters().forces, 0)
 
 
 func test_no_body_enters_with_a_force() -> void:
@@ -215,7 +214,7 @@ func test_no_body_enters_with_a_force() -> void:
 	await ticks(5)
 	assert_greater(field.get_awake_tile_count(), 0)
 	assert_eq(entered, [])
-	assert_eq(field.get_statistics().colliders, 0)
+	assert_eq(field.get_counters().colliders, 0)
 
 
 func test_bad_input_is_refused_by_name() -> void:

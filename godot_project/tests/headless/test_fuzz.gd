@@ -9,20 +9,20 @@ func test_a_pool_that_is_wanted_is_not_used_yet() -> void:
 	await ticks(8)
 	assert_eq(field.get_awake_tile_count(), 16)
 	for i in 6:
-		var pool: int = field.get_statistics().pool_tiles
+		var pool: int = field.get_counters().pool_tiles
 		field.patch.length_max = 0.5 + 0.05 * i
 		field.pool_tiles = 4096 if i % 2 == 0 else 16
 		field.sleep_delay = 1.1 + 0.1 * i
 		if not assert_true(field.get_statistics().waiting):
 			return
-		assert_eq(field.get_statistics().pool_tiles, pool)
+		assert_eq(field.get_counters().pool_tiles, pool)
 		assert_eq(field.get_awake_tile_count(), awake_tiles(field).size(), "while it waits, both speak of the standing field")
 		for tick in 8:
 			await ticks(1)
 			check(field, "round %d, tick %d" % [i, tick])
 		await grown(field)
 		await ticks(2)
-	assert_eq(field.get_statistics().pool_tiles, 16)
+	assert_eq(field.get_counters().pool_tiles, 16)
 
 
 func test_any_property_in_any_order() -> void:

@@ -104,7 +104,7 @@ func test_a_field_without_a_map_gets_one() -> void:
 	assert_true(field.map != null)
 	assert_eq(field.density_at(Vector3(-1.5, 0, -1.5)), 1.0)
 	await ticks(2)
-	assert_eq(field.get_statistics().bare_tiles, 0)
+	assert_eq(field.get_counters().bare_tiles, 0)
 
 
 func test_what_is_asked_badly_is_told() -> void:

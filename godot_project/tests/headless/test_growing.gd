@@ -14,20 +14,20 @@ func long_blades(length: float) -> GrassPatch:
 func test_other_blades_come_when_they_are_there() -> void:
 	var field := add_field()
 	await ticks(2)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	var old := tile_knots(field, TILE)
 	for i in 5:  # the last one counts
 		field.patch = long_blades(0.5 + 0.1 * i)
 		field.patch.length_min = 0.4
 	assert_eq(tile_knots(field, TILE), old, "the old grass stands")
-	assert_eq(field.get_statistics().makings, before.makings, "nobody waits")
+	assert_eq(field.get_counters().makings, before.makings, "nobody waits")
 	await made(field, before.makings + 1)
 	var fresh := add_field({patch = field.patch})
 	await ticks(2)
 	assert_eq(tile_knots(field, TILE), tile_knots(fresh, TILE))
 	assert_ne(tile_knots(field, TILE), old)
 	await frames(20)
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	assert_eq(after.makings, before.makings + 1, "once for ten changes")
 	assert_eq(after.builds, before.builds, "in the same buffers")
 
@@ -35,11 +35,11 @@ func test_other_blades_come_when_they_are_there() -> void:
 func test_what_changes_meanwhile_comes_with_it() -> void:
 	var field := add_field()
 	await ticks(2)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	field.patch = long_blades(0.6)
 	field.size = Vector2(6, 6)
 	await grown(field)
-	assert_eq(field.get_statistics().makings, before.makings + 1, "once")
+	assert_eq(field.get_counters().makings, before.makings + 1, "once")
 	same_as_fresh(field)
 
 
@@ -48,7 +48,7 @@ func test_what_keeps_the_buffers() -> void:
 	var body := add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
 	await seen()
 	assert_greater(field.get_awake_tile_count(), 0)
-	var builds: int = field.get_statistics().builds
+	var builds: int = field.get_counters().builds
 	var flower := GrassSpecies.new()
 	flower.patch = long_blades(0.7)
 	for change: Dictionary in [
@@ -69,7 +69,7 @@ func test_what_keeps_the_buffers() -> void:
 		field.set(property, change[property])
 		await grown(field)
 		await seen()
-		assert_eq(field.get_statistics().builds, builds, property)
+		assert_eq(field.get_counters().builds, builds, property)
 		assert_greater(field.get_awake_tile_count(), 0, property)
 		assert_true(all_finite(field, awake_tiles(field)), property)
 		same_as_fresh(field)
@@ -101,7 +101,7 @@ func hilly_map(height: float, side := 300.0) -> GrassMap:
 func test_another_map_comes_when_it_is_laid_out() -> void:
 	var field := add_field({map = hilly_map(1.0), size = Vector2(300, 300)})
 	await ticks(2)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	var tile := field.get_tiles() / 2
 	var old := tile_knots(field, tile)
 	var next := hilly_map(3.0)
@@ -119,7 +119,7 @@ func test_another_map_comes_when_it_is_laid_out() -> void:
 	assert_eq(field.density_at(Vector3(100, 0, 80)), 1.0)
 	assert_near(field.height_at(Vector3(60, 0, 0)) / field.height_at(Vector3(60, 0, 9)), 0.5, 0.25)
 	await grown(field)
-	var after := field.get_statistics()
+	var after := field.get_counters()
 	assert_eq(after.makings, before.makings + 1)
 	assert_eq(after.builds, before.builds)
 	assert_greater(after.bare_tiles, 1000)
@@ -132,22 +132,22 @@ func test_a_large_change_of_a_map_comes_piece_by_piece() -> void:
 	var map := hilly_map(1.0)
 	var field := add_field({map = map, size = Vector2(300, 300)})
 	await ticks(2)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	var flat := map.take_snapshot()
 	map.stroke(brush(GrassBrush.TOOL_ERASE, 3.0), Vector2.ZERO, Vector2.ZERO)
 	await ticks(1)
-	assert_eq(field.get_statistics().map_waiting, 0, "a stroke is there at once")
-	assert_greater(field.get_statistics().bare_tiles, 50)
+	assert_eq(field.get_counters().map_waiting, 0, "a stroke is there at once")
+	assert_greater(field.get_counters().bare_tiles, 50)
 	var erased := map.take_snapshot()
 	map.clear()
-	assert_greater(field.get_statistics().map_waiting, 20)
+	assert_greater(field.get_counters().map_waiting, 20)
 	assert_eq(field.density_at(Vector3(140, 0, 140)), 1.0)
 	map.restore_snapshot(flat)
 	map.restore_snapshot(erased)
 	assert_eq(field.density_at(Vector3.ZERO), 0.0, "what is asked of the map holds at once")
 	await grown(field)
-	assert_eq(field.get_statistics().makings, makings, "it was not made again")
-	assert_greater(field.get_statistics().bare_tiles, 50)
+	assert_eq(field.get_counters().makings, makings, "it was not made again")
+	assert_greater(field.get_counters().bare_tiles, 50)
 	for place: Vector2 in [Vector2(0, 0), Vector2(3, 1), Vector2(-100, 100), Vector2(149, -149)]:
 		same_as_fresh(field, field.get_tile_at(Vector3(place.x, 0, place.y)))
 
@@ -158,7 +158,7 @@ func test_nobody_waits_for_the_blades_of_a_species() -> void:
 	two.patch = long_blades(0.6)
 	var field := add_field({species = [one, two]})
 	await ticks(2)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	var old := tile_knots(field, TILE)
 	for i in 5:
 		two.patch.length_max = 0.7 + 0.1 * i
@@ -166,7 +166,7 @@ func test_nobody_waits_for_the_blades_of_a_species() -> void:
 	assert_eq(tile_knots(field, TILE), old)
 	assert_true(field.get_statistics().waiting)
 	await grown(field)
-	assert_eq(field.get_statistics().makings, before.makings + 1, "once for ten changes")
+	assert_eq(field.get_counters().makings, before.makings + 1, "once for ten changes")
 	assert_ne(tile_knots(field, TILE), old)
 	same_as_fresh(field, TILE)
 
@@ -201,7 +201,7 @@ func test_a_patch_that_becomes_empty() -> void:
 	var field := add_field({patch = long_blades(0.5)})
 	await ticks(2)
 	assert_greater(field.get_blade_count(), 0)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	expect_error("No grass grows")
 	field.patch.length_min = 0.0
 	field.patch.length_max = 0.0

@@ -81,7 +81,7 @@ func test_an_include_without_the_function_is_left_out() -> void:
 	var field := add_field({surface_hook = include("void grass_surfaces() {}\n")})
 	await ticks(2)
 	assert_eq(listed(field), [])
-	assert_greater(field.get_statistics().tiles, 0)
+	assert_greater(field.get_blade_count(), 0)
 
 
 ## A name that the field's own shaders have passes where the include stands alone.
@@ -92,7 +92,7 @@ func test_a_name_that_is_taken_is_left_out() -> void:
 	var field := add_field({surface_hook = include("uniform float root_shade;\n" + HEAD + "\talbedo *= root_shade;\n}\n")})
 	await ticks(2)
 	assert_eq(listed(field), [])
-	assert_greater(field.get_statistics().tiles, 0)
+	assert_greater(field.get_blade_count(), 0)
 
 
 func test_presets_compile_in_every_field() -> void:

@@ -45,8 +45,8 @@ func test_a_field_at_a_hundred_kilometres() -> void:
 	assert_greater(near.get_awake_tile_count(), 4)
 	assert_eq(awake_tiles(far), awake_tiles(near))
 	# Knots are told in the world's coordinates, in steps of 8 mm out there: the bodies' records are what can be compared.
-	var a := near.get_statistics()
-	var b := far.get_statistics()
+	var a := near.get_counters()
+	var b := far.get_counters()
 	for key: String in ["woken", "slept", "tile_steps", "list_entries", "colliders", "tiles_looked_at"]:
 		assert_eq(b[key], a[key], key)
 	for body in bodies:
@@ -74,7 +74,7 @@ func test_the_world_is_shifted_about_its_origin() -> void:
 				assert_eq(awake_tiles(moved), awake_tiles(still), "%s, tick %d" % [first.get_class(), i])
 		await ticks(2)
 		assert_greater(still.get_awake_tile_count(), 4)
-		assert_eq(moved.get_statistics().evicted, 0)
+		assert_eq(moved.get_counters().evicted, 0)
 		assert_less(difference(still, moved), SAME, first.get_class())
 		for node: Node in [first, second, still, moved]:
 			node.free()
@@ -102,8 +102,8 @@ func test_a_field_that_leaves_its_bodies_behind() -> void:
 	field.position = Vector3(500, 0, 0)
 	await ticks(12)
 	assert_eq(field.get_body_count(), 0)
-	assert_eq(field.get_statistics().colliders, 0)
-	assert_eq(field.get_statistics().evicted, 0)
+	assert_eq(field.get_counters().colliders, 0)
+	assert_eq(field.get_counters().evicted, 0)
 
 
 func test_four_by_four_kilometres() -> void:
@@ -115,7 +115,7 @@ func test_four_by_four_kilometres() -> void:
 	assert_eq(tile, Vector2i(7998, 2))
 	assert_less(field.get_memory_usage(), 64_000_000, "bytes: less than one a tile")
 	assert_greater(await bend_with_ball(field, place), 0.05, "in the corner")
-	assert_less(field.get_statistics().tiles_looked_at, 2000, "tiles looked at, of 64 million")
+	assert_less(field.get_counters().tiles_looked_at, 2000, "tiles looked at, of 64 million")
 	assert_less(field.get_awake_tile_count(), 60)
 
 
@@ -123,17 +123,17 @@ func test_a_static_body_comes_to_rest() -> void:
 	var field := add_field()
 	var body := add_body(StaticBody3D.new(), ball(0.2), Vector3(0.25, 0.25, 0.25))
 	await seen()
-	assert_eq(field.get_statistics().colliders, 0, "ground")
+	assert_eq(field.get_counters().colliders, 0, "ground")
 	body.position.x += 0.02
 	await seen()
-	assert_eq(field.get_statistics().colliders, 1, "it moved")
+	assert_eq(field.get_counters().colliders, 1, "it moved")
 	await ticks(100)
-	assert_eq(field.get_statistics().colliders, 1)
+	assert_eq(field.get_counters().colliders, 1)
 	await ticks(40)
-	assert_eq(field.get_statistics().colliders, 0, "it has stood still for two seconds")
+	assert_eq(field.get_counters().colliders, 0, "it has stood still for two seconds")
 	body.position.x += 0.02
 	await seen()
-	assert_eq(field.get_statistics().colliders, 1, "it moved again")
+	assert_eq(field.get_counters().colliders, 1, "it moved again")
 
 
 func test_a_figure_turned_round_mows_nothing() -> void:
@@ -144,10 +144,10 @@ func test_a_figure_turned_round_mows_nothing() -> void:
 		var field := add_field()
 		var body := add_held_body(long, Vector3(0.25, 0.25, 0.25))
 		await seen()
-		var before: int = field.get_statistics().woken
+		var before: int = field.get_counters().woken
 		body.rotation.y += turn
 		await ticks(4)
-		awake.append(field.get_statistics().woken - before)
+		awake.append(field.get_counters().woken - before)
 		body.free()
 		field.free()
 		await ticks(2)

@@ -159,10 +159,10 @@ func test_paused_and_hidden() -> void:
 	await ticks(2)
 	field.hide()
 	assert_greater(await bend_with_ball(field), 0.05, "a hidden field is simulated: it may be shown at any time")
-	var steps: int = field.get_statistics().steps
+	var steps: int = field.get_counters().steps
 	field.process_mode = PROCESS_MODE_DISABLED
 	await ticks(10)
-	assert_eq(field.get_statistics().steps, steps, "a paused field stands still")
+	assert_eq(field.get_counters().steps, steps, "a paused field stands still")
 	field.process_mode = PROCESS_MODE_INHERIT
 	await ticks(5)
-	assert_greater(field.get_statistics().steps, steps)
+	assert_greater(field.get_counters().steps, steps)

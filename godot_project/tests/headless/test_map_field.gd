@@ -26,14 +26,14 @@ func longest(field: GrassField, tile: Vector2i) -> float:
 func test_nothing_grows_where_nobody_painted() -> void:
 	var field := add_field({map = GrassMap.new()})
 	await seen()
-	assert_eq(field.get_statistics().bare_tiles, 64)
+	assert_eq(field.get_counters().bare_tiles, 64)
 	var body := add_held_body(ball(0.2), Vector3(0.25, 0.2, 0.25))
 	await seen()
 	assert_eq(field.get_awake_tile_count(), 0, "nothing there to bend")
 	field.map.stroke(brush(GrassBrush.TOOL_PAINT, 1.0), Vector2(1, 1), Vector2(1, 1))
 	await seen()
 	assert_greater(field.get_awake_tile_count(), 0, "grass that was painted under a body")
-	assert_less(field.get_statistics().bare_tiles, 64)
+	assert_less(field.get_counters().bare_tiles, 64)
 	body.position.x = -1.5
 	await ticks(1)
 	assert_false(field.is_tile_awake(field.get_tile_at(Vector3(-1.5, 0, 0.25))), "still bare")
@@ -129,22 +129,22 @@ func test_two_fields_share_a_map_and_it_can_be_changed_for_another() -> void:
 	await seen()
 	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.5), Vector2.ZERO, Vector2.ZERO)
 	await seen()
-	var bare: int = one.get_statistics().bare_tiles
+	var bare: int = one.get_counters().bare_tiles
 	assert_greater(bare, 3)
-	assert_eq(two.get_statistics().bare_tiles, bare)
+	assert_eq(two.get_counters().bare_tiles, bare)
 	two.map = null
 	await grown(two)
-	assert_eq(two.get_statistics().bare_tiles, 0)
+	assert_eq(two.get_counters().bare_tiles, 0)
 	map.stroke(brush(GrassBrush.TOOL_ERASE, 1.9), Vector2.ZERO, Vector2.ZERO)
 	await seen()
-	assert_greater(one.get_statistics().bare_tiles, bare)
-	assert_eq(two.get_statistics().bare_tiles, 0, "no longer its map")
+	assert_greater(one.get_counters().bare_tiles, bare)
+	assert_eq(two.get_counters().bare_tiles, 0, "no longer its map")
 	one.free()
 	map.clear()  # nobody listens
 	two.map = full_map()
 	two.map.base_density = 0.0
 	await seen()
-	assert_eq(two.get_statistics().bare_tiles, 64)
+	assert_eq(two.get_counters().bare_tiles, 64)
 
 
 func test_only_chunks_that_changed_travel() -> void:
@@ -153,12 +153,12 @@ func test_only_chunks_that_changed_travel() -> void:
 	for place in [Vector2(-60, -60), Vector2(60, -60), Vector2(-60, 60), Vector2(60, 60)]:
 		field.map.stroke(rule, place, place)
 	await seen()
-	var all: int = field.get_statistics().map_bytes
+	var all: int = field.get_counters().map_bytes
 	await ticks(20)
-	assert_eq(field.get_statistics().map_bytes, all, "nothing changed")
+	assert_eq(field.get_counters().map_bytes, all, "nothing changed")
 	field.map.stroke(brush(GrassBrush.TOOL_ERASE, 2.5), Vector2(-30, -30), Vector2(-30, -30))
 	await seen()
-	var chunk: int = field.get_statistics().map_bytes - all
+	var chunk: int = field.get_counters().map_bytes - all
 	print("    a stroke of 5 m uploads %d KiB, the map had %d KiB" % [chunk / 1024, all / 1024])
 	assert_eq(chunk, 4 * (130 * 130 + 3 * 66 * 66))
 
@@ -169,4 +169,4 @@ func test_a_map_that_is_broken_leaves_no_grass_and_no_crash() -> void:
 	map.data = PackedByteArray([1, 2, 3])
 	var field := add_field({map = map})
 	await seen()
-	assert_eq(field.get_statistics().bare_tiles, 64)
+	assert_eq(field.get_counters().bare_tiles, 64)

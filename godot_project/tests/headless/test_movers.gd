@@ -172,10 +172,10 @@ func test_fast_bodies_cost_no_more_calls_of_the_engine() -> void:
 	var field := add_track()
 	var mover := add_mover("animatable", HEIGHT + Vector3(-20, 0, 0), field)
 	await ticks(3)
-	var before := field.get_statistics()
+	var before := field.get_counters()
 	for i in 10:
 		await push(mover, "animatable", Vector3(200, 0, 0))
-	var after_ := field.get_statistics()
+	var after_ := field.get_counters()
 	assert_less(after_.engine_calls - before.engine_calls, 10 * 2 + 2 * 10 + 1, "two a tick, and two looks at its shapes at most")
 
 
@@ -186,12 +186,12 @@ func test_a_registered_node_that_turns_in_place_sweeps() -> void:
 	bar.size = Vector3(2.5, 0.3, 0.2)
 	field.register_collider(rotor, bar)
 	await ticks(4)
-	var before: int = field.get_statistics().woken
+	var before: int = field.get_counters().woken
 	rotor.rotation.y += 0.8
 	await ticks(1)
 	rotor.rotation.y -= 0.8
 	await ticks(2)
-	assert_greater(field.get_statistics().woken, before)
+	assert_greater(field.get_counters().woken, before)
 
 
 ## 60 m in a tick, aslant: the box around that way has more tiles than the pool.

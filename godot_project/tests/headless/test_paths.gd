@@ -24,12 +24,12 @@ func test_a_path_is_cleared_and_followed_where_it_is_moved_and_bent() -> void:
 	assert_eq(_density(field, 20, 21.5), 0.0)
 	assert_eq(_density(field, 20, 22.5), 1.0)
 	assert_eq(_density(field, 38, 20), 0.0)
-	var cells: int = field.get_statistics().fill_cells
+	var cells: int = field.get_counters().fill_cells
 	path.curve.set_point_position(1, Vector3(20, 0, 30))
 	await frames(2)
 	assert_eq(_density(field, 38, 20), 1.0, "where it was")
 	assert_eq(_density(field, 44, 50), 0.0, "where it is")
-	assert_eq(field.get_statistics().fill_cells, cells + CELLS_A_CHUNK, "one chunk of 16")
+	assert_eq(field.get_counters().fill_cells, cells + CELLS_A_CHUNK, "one chunk of 16")
 	path.curve.set_point_out(0, Vector3(0, 0, 30))
 	path.curve.set_point_in(1, Vector3(-20, 0, 0))
 	await frames(2)

@@ -24,9 +24,9 @@ func test_many_blades_in_one_call() -> void:
 	blades.reverse()
 	assert_eq(field.get_blade_knots(blades).slice(0, KNOTS), field.get_knots(awake, 63))
 	assert_eq(field.get_blade_knots([]).size(), 0)
-	var statistics := field.get_statistics()
+	var counters := field.get_counters()
 	for key: String in ["knot_waits", "knots_read", "knots_age"]:
-		assert_eq(statistics[key], 0, key)
+		assert_eq(counters[key], 0, key)
 
 
 func test_blades_around_a_place() -> void:
@@ -79,10 +79,10 @@ func test_a_border_that_fades_is_in_the_picture_only() -> void:
 		answers[-1].append(field.get_tile_knots(tile))
 		assert_ne(answers[-1][-1], upright, "the body bends the blades")
 	assert_eq(answers[0], answers[1])
-	var makings: int = fields[0].get_statistics().makings
+	var makings: int = fields[0].get_counters().makings
 	fields[0].border_fade = 5.0
 	await ticks(2)
-	assert_eq(fields[0].get_statistics().makings, makings, "it is a number of the shaders")
+	assert_eq(fields[0].get_counters().makings, makings, "it is a number of the shaders")
 
 
 func test_what_is_not_there() -> void:

@@ -46,18 +46,18 @@ func test_a_field_is_not_made_again() -> void:
 	properties.surface_hook = ShaderInclude.new()
 	var field := add_field(properties)
 	await grown(field)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	var names := properties_of(&"GrassField")
 	assert_greater(names.size(), 50)
 	for property in names:
 		for i in 3:
 			field.set(property, field.get(property))
 			await ticks(1)
-		var now := field.get_statistics()
+		var now := field.get_statistics().merged(field.get_counters())
 		assert_eq([now.makings, now.waiting], [makings, false], property)
 	field.density = 300.0
 	await made(field, makings + 1)
-	assert_eq(field.get_statistics().makings, makings + 1, "and another value makes it once")
+	assert_eq(field.get_counters().makings, makings + 1, "and another value makes it once")
 
 
 func test_a_world_goes_on() -> void:
@@ -115,13 +115,13 @@ func test_a_patch_that_changes_in_every_frame_shows() -> void:
 	species.patch = patch
 	var field := add_field({species = [species] as Array[GrassSpecies]})
 	await grown(field)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	var count := [0]
 	await wait_until(
 		func() -> bool:
 			count[0] += 1
 			patch.length_max = 0.7 + 0.1 * (count[0] % 5)
-			return field.get_statistics().makings >= makings + 3,
+			return field.get_counters().makings >= makings + 3,
 		"a field is made whose patch changes in every frame"
 	)
 	patch.length_min = 1.3
@@ -137,11 +137,11 @@ func test_a_patch_that_changes_in_every_frame_shows() -> void:
 func test_species_that_change_in_every_frame_show() -> void:
 	var field := add_field({map = full_map()})
 	await grown(field)
-	var makings: int = field.get_statistics().makings
+	var makings: int = field.get_counters().makings
 	var came := await wait_until(
 		func() -> bool:
 			field.species = [GrassSpecies.new(), GrassSpecies.new()] as Array[GrassSpecies]
-			return field.get_statistics().makings >= makings + 3,
+			return field.get_counters().makings >= makings + 3,
 		"a field is made whose species change in every frame"
 	)
 	assert_true(came)

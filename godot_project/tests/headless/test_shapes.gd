@@ -129,7 +129,7 @@ func test_no_knot_inside_several_offset_and_turned_shapes() -> void:
 
 func collider_count(field: GrassField) -> int:
 	await seen()
-	return field.get_statistics().colliders
+	return field.get_counters().colliders
 
 
 func test_shapes_are_added_and_removed() -> void:
@@ -208,7 +208,7 @@ func test_ground_shapes_bend_nothing() -> void:
 	add_body(StaticBody3D.new(), trimesh(BoxMesh.new()), Vector3.ZERO)
 	await ticks(20)
 	assert_eq(field.get_awake_tile_count(), 0)
-	assert_eq(field.get_statistics().mesh_pieces, 0, "ground is not split")
+	assert_eq(field.get_counters().mesh_pieces, 0, "ground is not split")
 
 
 func trimesh(mesh: Mesh) -> ConcavePolygonShape3D:
@@ -233,7 +233,7 @@ func test_a_trimesh_that_moves_bends_by_convex_pieces() -> void:
 	var body := add_held_body(ring(), Vector3(0, 2.0, 0))
 	var other := add_held_body(body.get_child(0).shape, Vector3(0, 0.25, 30))
 	await ticks(30)
-	var pieces: int = field.get_statistics().mesh_pieces
+	var pieces: int = field.get_counters().mesh_pieces
 	assert_greater(pieces, 3)
 	assert_less(pieces, 9)
 	assert_eq(field.get_awake_tile_count(), 0, "above the grass")
@@ -248,7 +248,7 @@ func test_a_trimesh_that_moves_bends_by_convex_pieces() -> void:
 	assert_true(all_finite(field, awake_tiles(field)))
 	other.position.z = 3.0
 	await ticks(30)
-	assert_eq(field.get_statistics().mesh_pieces, 2 * pieces, "another body with the same mesh")
+	assert_eq(field.get_counters().mesh_pieces, 2 * pieces, "another body with the same mesh")
 
 
 func test_a_registered_trimesh_is_split_too() -> void:
@@ -258,10 +258,10 @@ func test_a_registered_trimesh_is_split_too() -> void:
 	add_child(node)
 	field.register_collider(node, ring())
 	await ticks(3)
-	assert_eq(field.get_statistics().colliders, 1, "its box, at first")
+	assert_eq(field.get_counters().colliders, 1, "its box, at first")
 	await ticks(20)
-	assert_greater(field.get_statistics().colliders, 3)
-	assert_eq(field.get_statistics().colliders, field.get_statistics().mesh_pieces)
+	assert_greater(field.get_counters().colliders, 3)
+	assert_eq(field.get_counters().colliders, field.get_counters().mesh_pieces)
 	await ticks(200)
 	assert_near(field.bend_at(Vector3.ZERO).y, 0.0, 0.02, "in its hole grass stands again")
 	assert_less(field.bend_at(Vector3(1.75, 0, 0)).y, -0.1, "below the ring")
@@ -279,7 +279,7 @@ func test_a_trimesh_of_too_many_faces_bends_by_its_box() -> void:
 		body.position.x += 0.01
 		await ticks(1)
 	assert_eq(await collider_count(field), 1)
-	assert_eq(field.get_statistics().mesh_pieces, 0)
+	assert_eq(field.get_counters().mesh_pieces, 0)
 
 
 func test_a_height_map_that_moves_is_told_of() -> void:

@@ -59,8 +59,8 @@ func test_awake_as_long_as_a_body_is_there() -> void:
 	var touched := field.get_awake_tile_count()
 	await ticks(700)
 	assert_eq(field.get_awake_tile_count(), touched, "its blades stay pressed")
-	assert_eq(field.get_statistics().slept, 0)
-	assert_eq(field.get_statistics().settling_tiles, 0)
+	assert_eq(field.get_counters().slept, 0)
+	assert_eq(field.get_counters().settling_tiles, 0)
 	body.free()
 	assert_less(await ticks_to_sleep(field), 300)
 
@@ -75,12 +75,12 @@ func test_simulates_less_than_the_timer() -> void:
 	var steps: Array[int] = []
 	for field in fields:
 		await ticks_to_sleep(field)
-		var now := field.get_statistics()
+		var now := field.get_counters()
 		assert_eq(now.slept, now.woken)
 		assert_eq(now.simulated_blades, now.tile_steps * BLADES)
 		steps.append(now.tile_steps)
-	print("    a ball through %d tiles: %d tile steps by timer, %d by energy" % [fields[0].get_statistics().woken, steps[0], steps[1]])
-	assert_eq(fields[0].get_statistics().woken, fields[1].get_statistics().woken)
+	print("    a ball through %d tiles: %d tile steps by timer, %d by energy" % [fields[0].get_counters().woken, steps[0], steps[1]])
+	assert_eq(fields[0].get_counters().woken, fields[1].get_counters().woken)
 	assert_less(steps[1], 0.9 * steps[0])
 
 
@@ -103,5 +103,5 @@ func test_what_never_calms_down_is_put_to_rest() -> void:
 	await bend_with_ball(field)
 	await ticks(590)
 	assert_greater(field.get_awake_tile_count(), 0, "shortly before ten seconds")
-	assert_eq(field.get_statistics().settling_tiles, 0)
+	assert_eq(field.get_counters().settling_tiles, 0)
 	assert_less(await ticks_to_sleep(field), 60 * field.settle_time + 20)

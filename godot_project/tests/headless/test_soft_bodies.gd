@@ -51,18 +51,18 @@ func test_a_soft_ball_falls_into_the_grass() -> void:
 	var body := add_soft_body(ball_mesh(0.5), Vector3(0.25, 2.5, 0.25), {pressure_coefficient = 1.0})
 	await ticks(8)
 	assert_eq(field.get_awake_tile_count(), 0, "it is still above the grass")
-	assert_eq(field.get_statistics().soft_bodies, 1, "and known")
+	assert_eq(field.get_counters().soft_bodies, 1, "and known")
 	await ticks(120)
-	assert_eq(field.get_statistics().colliders, 8, "its parts")
+	assert_eq(field.get_counters().colliders, 8, "its parts")
 	assert_less(field.bend_at(Vector3(0.25, 0, 0.25)).y, -0.3, "grass lies below it")
 	assert_near(field.bend_at(Vector3(2, 0, 2)).y, 0.0, 0.01, "and stands beside it")
 	assert_eq(entered, [body])
 	assert_true(all_finite(field, awake_tiles(field)))
 	body.free()
 	await ticks(2)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)
 	await ticks_to_sleep(field)
-	assert_eq(field.get_statistics().bad_colliders, 0)
+	assert_eq(field.get_counters().bad_colliders, 0)
 
 
 ## Moves a soft body by `way`: Jolt takes its transform as one of where its points are.
@@ -113,19 +113,19 @@ func test_bodies_that_bend_nothing() -> void:
 	var empty := SoftBody3D.new()
 	add_child(empty)
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)
 	field.collision_mask = 2
 	await ticks(3)
-	assert_eq(field.get_statistics().soft_bodies, 1)
+	assert_eq(field.get_counters().soft_bodies, 1)
 	other_layer.process_mode = Node.PROCESS_MODE_DISABLED
 	await ticks(5)
-	assert_eq(field.get_statistics().soft_bodies, 0, "it is out of the server")
+	assert_eq(field.get_counters().soft_bodies, 0, "it is out of the server")
 	other_layer.process_mode = Node.PROCESS_MODE_INHERIT
 	await ticks(5)
-	assert_eq(field.get_statistics().soft_bodies, 1)
+	assert_eq(field.get_counters().soft_bodies, 1)
 	remove_child(other_layer)
 	await ticks(5)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)
 	other_layer.free()
 	far.free()
 
@@ -137,14 +137,14 @@ func test_a_body_gets_another_mesh() -> void:
 	await ticks(10)
 	body.mesh = mesh_of(PrismMesh.new())  # far fewer points
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 1)
-	assert_less(field.get_statistics().colliders, 8, "fewer parts")
+	assert_eq(field.get_counters().soft_bodies, 1)
+	assert_less(field.get_counters().colliders, 8, "fewer parts")
 	body.mesh = ball_mesh(0.4)
 	await ticks(10)
-	assert_eq(field.get_statistics().colliders, 8)
+	assert_eq(field.get_counters().colliders, 8)
 	body.mesh = null
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)
 
 
 ## As pools of objects do: the server has no points of a body that was enabled without a mesh, whatever mesh it gets then. Asking for one is
@@ -154,7 +154,7 @@ func test_a_body_from_a_pool() -> void:
 	add_floor()
 	var body := add_soft_body(ball_mesh(0.5), Vector3(0.25, 0.6, 0.25))
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 1)
+	assert_eq(field.get_counters().soft_bodies, 1)
 	body.process_mode = Node.PROCESS_MODE_DISABLED
 	await ticks(3)
 	body.mesh = null
@@ -163,19 +163,19 @@ func test_a_body_from_a_pool() -> void:
 	await ticks(3)
 	body.mesh = ball_mesh(0.4)
 	await ticks(20)
-	assert_eq(field.get_statistics().soft_bodies, 0, "the server has it no more")
+	assert_eq(field.get_counters().soft_bodies, 0, "the server has it no more")
 	body.process_mode = Node.PROCESS_MODE_DISABLED
 	await ticks(3)
 	body.process_mode = Node.PROCESS_MODE_INHERIT
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 1, "enabled with its mesh")
+	assert_eq(field.get_counters().soft_bodies, 1, "enabled with its mesh")
 	for i in 6:  # all in one tick
 		body.process_mode = Node.PROCESS_MODE_DISABLED
 		body.mesh = null
 		body.process_mode = Node.PROCESS_MODE_INHERIT
 		body.mesh = ball_mesh(0.3 + 0.02 * i)
 		await ticks(2)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)
 
 
 func test_a_mesh_without_faces() -> void:
@@ -184,4 +184,4 @@ func test_a_mesh_without_faces() -> void:
 	await ticks(5)
 	body.mesh = ArrayMesh.new()
 	await ticks(10)
-	assert_eq(field.get_statistics().soft_bodies, 0)
+	assert_eq(field.get_counters().soft_bodies, 0)

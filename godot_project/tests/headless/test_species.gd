@@ -162,19 +162,19 @@ func test_species_swing_by_their_own_numbers() -> void:
 		off[field.get_blade_species(tile, blade)] += knots[tip].distance_to(rest[tip])
 	assert_greater(off[0], 0.5, "metres, of all tips together")
 	assert_less(off[1], 0.2 * off[0])
-	assert_greater(field.get_statistics().simulated_blades, 0)
-	var makings: int = field.get_statistics().makings
+	assert_greater(field.get_counters().simulated_blades, 0)
+	var makings: int = field.get_counters().makings
 	var species := field.species
 	species[0].natural_frequency = 3.0
 	species[1].tip_color = Color.RED
 	await ticks(2)
-	assert_eq(field.get_statistics().makings, makings)
+	assert_eq(field.get_counters().makings, makings)
 	assert_greater(field.get_awake_tile_count(), 0, "colours and frequencies disturb nothing")
 	await ticks(60)
 	assert_less(farthest(tile_knots(field, tile), rest), 0.02)
 	species[1].patch.length_max = 0.9
 	await grown(field)
-	assert_eq(field.get_statistics().makings, makings + 1)
+	assert_eq(field.get_counters().makings, makings + 1)
 
 
 func test_grass_of_species_sleeps_again() -> void:

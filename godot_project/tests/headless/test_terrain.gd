@@ -31,8 +31,8 @@ func field_on(properties := {}) -> GrassField:
 	return field
 
 
-func statistic(field: GrassField, key: String) -> int:
-	return field.get_statistics()[key]
+func counter(field: GrassField, key: String) -> int:
+	return field.get_counters()[key]
 
 
 ## Frames until nothing of the terrain waits and the rule has followed.
@@ -40,7 +40,7 @@ func read(field: GrassField) -> void:
 	await frames(1)
 	await wait_until(
 		func() -> bool:
-			var now := field.get_statistics()
+			var now := field.get_statistics().merged(field.get_counters())
 			return now.terrain_waiting == 0 and now.fill_waiting == 0 and now.map_waiting == 0 and not now.waiting,
 		"the terrain is read"
 	)
@@ -163,15 +163,15 @@ func test_textures_that_change_fill_again_where_they_did() -> void:
 	var terrain := add_terrain(Terrain3DLike.new())
 	var field := await field_on({size = Vector2(128, 128), fill_rule = _rule({texture_ids = PackedInt32Array([1])})})
 	assert_near(_density(field, 30, 30), 0.0, 0.01)
-	var cells := statistic(field, "fill_cells")
-	var queries := statistic(field, "terrain_queries")
+	var cells := counter(field, "fill_cells")
+	var queries := counter(field, "terrain_queries")
 	terrain.data.hills.grass = Rect2(28, 28, 4, 4)
 	terrain.data.maps_edited.emit(AABB(Vector3(28, 0, 28), Vector3(4, 0, 4)))
 	terrain.data.maps_changed.emit()
 	await read(field)
 	assert_near(_density(field, 30, 30), 1.0, 0.01)
-	assert_eq(statistic(field, "fill_cells") - cells, CELLS_A_CHUNK, "one chunk")
-	assert_less(statistic(field, "terrain_queries") - queries, 15 * 15, "the edited area")
+	assert_eq(counter(field, "fill_cells") - cells, CELLS_A_CHUNK, "one chunk")
+	assert_less(counter(field, "terrain_queries") - queries, 15 * 15, "the edited area")
 
 
 func test_an_edit_is_noticed_and_only_its_area_is_read() -> void:
@@ -179,7 +179,7 @@ func test_an_edit_is_noticed_and_only_its_area_is_read() -> void:
 		add_terrain(terrain)
 		var field := await field_on()
 		var hills := hills_of(terrain)
-		var queries := statistic(field, "terrain_queries")
+		var queries := counter(field, "terrain_queries")
 		hills.bump = 3.0
 		hills.bump_area = Rect2(-4, -4, 8, 8)
 		if terrain is PlainTerrain:
@@ -193,7 +193,7 @@ func test_an_edit_is_noticed_and_only_its_area_is_read() -> void:
 		var what: String = terrain.get_script().resource_path
 		assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2(0.5, 0.5)), hills.height(0.5, 0.5), 0.02, what)
 		var side := 10 if terrain is HTerrainLike else 8  # texels of its four corners, each in a chunk of its own, and those around
-		assert_eq(statistic(field, "terrain_queries") - queries, 4 * side * side, what)
+		assert_eq(counter(field, "terrain_queries") - queries, 4 * side * side, what)
 		remove([field, terrain])
 
 
@@ -206,10 +206,10 @@ func test_all_is_read_again_where_a_terrain_does_not_say_where() -> void:
 		change.call()
 		await read(field)
 		assert_less(off_the_hills(field, terrain.data.hills), 0.05)
-	var queries := statistic(field, "terrain_queries")
+	var queries := counter(field, "terrain_queries")
 	field.terrain_changed(AABB(Vector3(0, 0, 0), Vector3(2, 0, 2)))
 	await read(field)
-	assert_eq(statistic(field, "terrain_queries") - queries, 100, "2 m, 2 m around them, and those around in four chunks")
+	assert_eq(counter(field, "terrain_queries") - queries, 100, "2 m, 2 m around them, and those around in four chunks")
 	expect_error("terrain_changed() needs an area of finite numbers")
 	field.terrain_changed(AABB(Vector3(NAN, 0, 0), Vector3(2, 0, 2)))
 	await frames(1)
@@ -223,15 +223,15 @@ func test_places_of_a_frame_are_bounded_and_the_nearest_come_first() -> void:
 	var field := add_field({size = Vector2(256, 256), density = 1.0, terrain = NodePath("../Terrain")})
 	var before := 0
 	var most := 0
-	while statistic(field, "terrain_waiting") > 0 or before == 0:
+	while counter(field, "terrain_waiting") > 0 or before == 0:
 		await frames(1)
-		var now := statistic(field, "terrain_queries")
+		var now := counter(field, "terrain_queries")
 		most = maxi(most, now - before)
 		before = now
 	assert_less(most, QUERIES_A_FRAME + 2 * ROW + 1)
 	assert_greater(before, 256 * 256)
 	assert_less(before, 260 * 260 + 4 * 25 * 66, "each place once, and those around each chunk")
-	assert_greater(statistic(field, "terrain_calls"), before)
+	assert_greater(counter(field, "terrain_calls"), before)
 	var first := terrain.asked[0]
 	assert_true(first.x >= 63 and first.z >= 63, "the chunk under the camera: %s" % first)
 
@@ -242,7 +242,7 @@ func test_heights_in_bulk() -> void:
 	var field := await field_on()
 	assert_less(off_the_hills(field, terrain.hills), 0.05)
 	assert_eq(field.density_at(Vector3(8, 0, 0)), 0.0)
-	assert_less(20 * statistic(field, "terrain_calls"), statistic(field, "terrain_queries"), "a call for each row")
+	assert_less(20 * counter(field, "terrain_calls"), counter(field, "terrain_queries"), "a call for each row")
 
 
 func test_normals_are_the_terrains_own() -> void:
@@ -256,21 +256,21 @@ func test_normals_are_the_terrains_own() -> void:
 func test_a_field_at_rest_asks_nothing() -> void:
 	add_terrain(PlainTerrain.new())
 	var field := await field_on()
-	var calls := statistic(field, "terrain_calls")
+	var calls := counter(field, "terrain_calls")
 	await frames(40)
-	assert_eq(statistic(field, "terrain_calls"), calls)
+	assert_eq(counter(field, "terrain_calls"), calls)
 
 
 func test_a_shifted_origin_asks_nothing_and_a_field_that_moves_alone_does() -> void:
 	var terrain: PlainTerrain = add_terrain(PlainTerrain.new())
 	var field := await field_on()
 	await frames(20)
-	var calls := statistic(field, "terrain_calls")
+	var calls := counter(field, "terrain_calls")
 	var shift := Vector3(-512, 8, 256)
 	terrain.position += shift
 	field.position += shift
 	await frames(50)
-	assert_eq(statistic(field, "terrain_calls"), calls)
+	assert_eq(counter(field, "terrain_calls"), calls)
 	assert_less(off_the_hills(field, terrain.hills, shift), 0.05)
 	field.position += Vector3(30, 1, 0)
 	await frames(50)
@@ -303,7 +303,7 @@ func test_a_terrain_that_comes_late_and_goes() -> void:
 	await frames(20)
 	assert_less(off_the_hills(field, hills), 0.05, "the ground stays")
 	field.terrain = NodePath()
-	assert_eq(statistic(field, "terrain_waiting"), 0)
+	assert_eq(counter(field, "terrain_waiting"), 0)
 
 
 func test_nodes_that_are_no_terrain_are_named() -> void:
@@ -338,4 +338,4 @@ func test_a_tilted_field_says_so() -> void:
 	expect_error("the field is tilted")
 	var field := add_field({terrain = NodePath("../Terrain"), rotation = Vector3(0.2, 0, 0)})
 	await frames(3)
-	assert_eq(statistic(field, "terrain_queries"), 0)
+	assert_eq(counter(field, "terrain_queries"), 0)

@@ -17,6 +17,7 @@ func test_calls_from_another_thread_are_refused() -> void:
 	expect_error("GrassField 'Meadow': set_map() belongs to the main thread")
 	expect_error("GrassField 'Meadow': set_param() belongs to the main thread")
 	expect_error("GrassField 'Meadow': get_statistics() belongs to the main thread")
+	expect_error("GrassField 'Meadow': get_counters() belongs to the main thread")
 	var field := add_field({map = full_map()})
 	var map := field.map
 	await ticks(2)
@@ -26,6 +27,7 @@ func test_calls_from_another_thread_are_refused() -> void:
 			field.map = null
 			field.friction = 0.7
 			field.get_statistics()
+			field.get_counters()
 	)
 	assert_eq(field.map, map)
 	assert_near(field.friction, 1.0, 1e-6)

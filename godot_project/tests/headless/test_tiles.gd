@@ -13,17 +13,17 @@ func test_sleeps_two_seconds_and_a_settling_after_the_last_touch() -> void:
 	var body := add_held_body(ball(0.2), PLACE)
 	await ticks(200)
 	assert_true(field.is_tile_awake(TILE), "as long as the body is there")
-	assert_eq(field.get_statistics().settling_tiles, 0)
+	assert_eq(field.get_counters().settling_tiles, 0)
 	body.free()
 	await ticks(115)
 	assert_true(field.is_tile_awake(TILE))
-	assert_eq(field.get_statistics().settling_tiles, 0, "shortly before two seconds")
+	assert_eq(field.get_counters().settling_tiles, 0, "shortly before two seconds")
 	await ticks(10)
-	assert_greater(field.get_statistics().settling_tiles, 0, "shortly after them")
-	assert_eq(field.get_statistics().settling_tiles, field.get_awake_tile_count())
+	assert_greater(field.get_counters().settling_tiles, 0, "shortly after them")
+	assert_eq(field.get_counters().settling_tiles, field.get_awake_tile_count())
 	assert_near(125 + await ticks_to_sleep(field), 60 * (2.0 + field.settle_time), 5, "ticks in all")
-	assert_eq(field.get_statistics().slept, field.get_statistics().woken)
-	assert_eq(field.get_statistics().evicted, 0)
+	assert_eq(field.get_counters().slept, field.get_counters().woken)
+	assert_eq(field.get_counters().evicted, 0)
 
 
 func test_sleep_delay_and_settle_time_are_kept_to() -> void:
@@ -46,11 +46,11 @@ func test_a_touch_keeps_awake_and_ends_the_settling() -> void:
 	await seen()
 	body.position.y = 10.0
 	await ticks(40)
-	assert_greater(field.get_statistics().settling_tiles, 0)
+	assert_greater(field.get_counters().settling_tiles, 0)
 	body.position = PLACE
 	await seen()
-	assert_eq(field.get_statistics().settling_tiles, 0)
-	assert_eq(field.get_statistics().slept, 0, "it never slept in between")
+	assert_eq(field.get_counters().settling_tiles, 0)
+	assert_eq(field.get_counters().slept, 0, "it never slept in between")
 
 
 func test_statistics_add_up() -> void:
@@ -62,14 +62,14 @@ func test_statistics_add_up() -> void:
 		if i in [20, 60, 100]:
 			bodies.pop_back().free()
 		await ticks(1)
-		var now := field.get_statistics()
+		var now := field.get_statistics().merged(field.get_counters())
 		if not assert_eq(now.woken - now.slept - now.evicted, now.awake_tiles, "tick %d" % i):
 			return
 		assert_eq(field.get_awake_tile_count(), now.awake_tiles)
 		assert_eq(awake_tiles(field).size(), now.awake_tiles, "tick %d" % i)
 		assert_true(now.settling_tiles <= now.awake_tiles, "settling tiles are awake")
 		assert_true(now.list_entries >= now.colliders, "each collider in a list")
-	var end := field.get_statistics()
+	var end := field.get_counters()
 	assert_greater(end.woken, 5)
 	assert_eq(end.simulated_blades, end.tile_steps * BLADES)
 	assert_greater(end.simulated_blades, end.steps * BLADES - 1)
@@ -86,10 +86,10 @@ func test_a_small_pool_gives_to_those_under_bodies() -> void:
 	await ticks(10)
 	assert_true(field.is_tile_awake(field.get_tile_at(body.position)), "the tile under the body has a slot")
 	assert_eq(field.get_awake_tile_count(), 4)
-	assert_greater(field.get_statistics().evicted, 0)
+	assert_greater(field.get_counters().evicted, 0)
 	add_held_body(ball(0.05), Vector3(-1.25, 0.1, -1.25))
 	await ticks(10)
-	var now := field.get_statistics()
+	var now := field.get_statistics().merged(field.get_counters())
 	assert_eq(field.get_awake_tile_count(), 4)
 	assert_greater(now.refused + now.capped, 0, "wishes that the pool could not grant are counted")
 	assert_true(all_finite(field, awake_tiles(field)))
@@ -104,7 +104,7 @@ func test_not_simulated_stands_still() -> void:
 	await ticks(10)
 	assert_eq(field.get_awake_tile_count(), 0)
 	assert_eq(tile_knots(field, TILE), rest)
-	assert_eq(field.get_statistics().steps, 0)
+	assert_eq(field.get_counters().steps, 0)
 	field.simulated = true
 	await ticks(10)
 	assert_greater(farthest(tile_knots(field, TILE), rest), 0.05, "switched on")
@@ -118,7 +118,7 @@ func test_nothing_near_costs_nothing() -> void:
 	add_held_body(ball(0.2), Vector3(10, 0.25, 0))
 	add_held_body(ball(0.2), Vector3(0, 5, 0))
 	await ticks(60)
-	var now := field.get_statistics()
+	var now := field.get_counters()
 	assert_eq(now.steps, 0)
 	assert_eq(now.simulated_blades, 0)
 	assert_eq(now.woken, 0)
@@ -131,9 +131,9 @@ func test_steps_stop_when_all_sleep() -> void:
 	body.free()
 	await ticks_to_sleep(field)
 	await ticks(3)
-	var steps: int = field.get_statistics().steps
+	var steps: int = field.get_counters().steps
 	await ticks(30)
-	assert_eq(field.get_statistics().steps, steps)
+	assert_eq(field.get_counters().steps, steps)
 
 
 func test_waking_without_contact_moves_nothing() -> void:

@@ -51,11 +51,11 @@ func test_wheels_press_the_grass() -> void:
 			assert_greater(pressed_at(field, Vector3(place.x, 0, place.z)), 0.05, "below a wheel at %s" % place)
 	assert_less(pressed_at(field, Vector3(vehicle.position.x, 0, vehicle.position.z)), 0.02, "below the middle")
 	assert_eq(entered, [vehicle], "the vehicle, not its wheels")
-	assert_eq(field.get_statistics().wheels, 4)
+	assert_eq(field.get_counters().wheels, 4)
 	var awake := field.get_awake_tile_count()
 	vehicle.free()
 	await ticks(5)
-	assert_eq(field.get_statistics().wheels, 0)
+	assert_eq(field.get_counters().wheels, 0)
 	await ticks_to_sleep(field)
 	assert_greater(awake, 3)
 

@@ -254,7 +254,7 @@ func test_noise_of_a_rule_continues_across_borders() -> void:
 	await go(world, Vector3(128, 0, 64))
 	var left := world.get_field(Vector2i(0, 0))
 	var right := world.get_field(Vector2i(1, 0))
-	await wait_until(func() -> bool: return left.get_statistics().fill_waiting + right.get_statistics().fill_waiting == 0, "rules have run")
+	await wait_until(func() -> bool: return left.get_counters().fill_waiting + right.get_counters().fill_waiting == 0, "rules have run")
 	await frames(4)
 	var same := 0
 	var grown := 0

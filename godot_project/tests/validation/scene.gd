@@ -33,7 +33,7 @@ func _ready() -> void:
 	for tick in TICKS / 2:
 		await get_tree().physics_frame
 	for field in fields:
-		var now := field.get_statistics()
+		var now := field.get_statistics().merged(field.get_counters())
 		print(
 			(
 				"GRASS-VALIDATION %s: %d steps, %d tiles by the pass for edges, %d by the one without colliders, %d drawn tiles"
