@@ -145,6 +145,7 @@ public:
 	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
+	godot::Variant _get_param(int64_t p_param) const; // for the property: an int where it is a whole number
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 

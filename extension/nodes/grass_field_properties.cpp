@@ -131,6 +131,11 @@ double GrassField::get_param(int64_t p_param) const {
 	return _properties.params[size_t(p_param)];
 }
 
+Variant GrassField::_get_param(int64_t p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(FIELD_PARAMS.size()), Variant());
+	return property_value(FIELD_PARAMS[size_t(p_param)].tunable, _properties.params[size_t(p_param)]);
+}
+
 void GrassField::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX(p_index, int(FIELD_COLORS.size()));
@@ -215,7 +220,7 @@ void add_numbers(std::string_view p_group) {
 
 void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassField::set_param);
-	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::get_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::_get_param);
 	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassField::set_color);
 	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassField::get_color);
 

@@ -113,6 +113,11 @@ double GrassSpecies::get_param(int64_t p_param) const {
 	return _params[size_t(p_param)];
 }
 
+Variant GrassSpecies::_get_param(int64_t p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(SPECIES_PARAM_COUNT), Variant());
+	return property_value(SPECIES_PARAMS[size_t(p_param)], _params[size_t(p_param)]);
+}
+
 void GrassSpecies::set_color(int64_t p_index, const Color &p_color) {
 	GRASS_CHANGE_GUARD(label());
 	ERR_FAIL_INDEX(p_index, int(SPECIES_COLOR_COUNT));
@@ -195,7 +200,7 @@ SpeciesLook GrassSpecies::make_look(const std::vector<Ref<Image>> &p_card, const
 
 void GrassSpecies::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassSpecies::set_param);
-	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassSpecies::get_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassSpecies::_get_param);
 	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassSpecies::set_color);
 	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassSpecies::get_color);
 	ClassDB::bind_method(D_METHOD("set_patch", "patch"), &GrassSpecies::set_patch);

@@ -10,6 +10,10 @@ using namespace godot;
 namespace grass {
 
 PropertyInfo property_of(const Tunable &p_tunable) {
+	if (p_tunable.is_whole) {
+		const String hint = range_hint(int64_t(p_tunable.minimum), int64_t(p_tunable.maximum), p_tunable.unit);
+		return PropertyInfo(Variant::INT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
+	}
 	String hint = vformat("%s,%s,%s", p_tunable.minimum, p_tunable.maximum, p_tunable.step);
 	if (p_tunable.unit[0] != '\0') {
 		hint += vformat(",suffix:%s", String::utf8(p_tunable.unit));
@@ -17,9 +21,13 @@ PropertyInfo property_of(const Tunable &p_tunable) {
 	return PropertyInfo(Variant::FLOAT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
 }
 
+Variant property_value(const Tunable &p_tunable, double p_value) {
+	return p_tunable.is_whole ? Variant(int64_t(p_value)) : Variant(p_value);
+}
+
 double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
 	const double value = p_tunable.clamp(p_value);
-	if (value != p_value) {
+	if (value != p_tunable.whole(p_value)) {
 		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
 				p_tunable.maximum, String::utf8(p_tunable.unit), value));
 	}

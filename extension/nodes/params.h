@@ -13,6 +13,9 @@ namespace grass {
 
 godot::PropertyInfo property_of(const Tunable &p_tunable);
 
+// What the getter of such a property returns: an int where it is a whole number.
+godot::Variant property_value(const Tunable &p_tunable, double p_value);
+
 // The nearest allowed value; warns, naming p_owner and the property, if it differs from the given one.
 double checked(const Tunable &p_tunable, double p_value, const godot::String &p_owner);
 

@@ -14,9 +14,11 @@ struct Tunable {
 	double minimum, maximum; // what the solver and the renderer are tested for
 	double step; // the inspector's step
 	double initial; // the default
+	bool is_whole = false; // an int for scripts and the inspector; what a fraction adds is cut off, as the engine does with an int
 
 	// The nearest allowed value; NaN gives the default.
-	double clamp(double p_value) const { return std::isnan(p_value) ? initial : std::clamp(p_value, minimum, maximum); }
+	double clamp(double p_value) const { return std::isnan(p_value) ? initial : std::clamp(whole(p_value), minimum, maximum); }
+	double whole(double p_value) const { return is_whole ? std::trunc(p_value) : p_value; }
 	bool allows(double p_value) const { return p_value >= minimum && p_value <= maximum; }
 };
 

@@ -37,7 +37,7 @@ inline constexpr Tunable SHADOW_COARSENESS{ "shadow_coarseness", "", 1.0, 16.0, 
 
 // Tiles that a field draws in a frame, at most; a quarter as many cast shadows. 100 bytes each. Where more are seen, far ones are left
 // out, evenly: below 10000 the grass ends before one's eyes.
-inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "tiles", 256.0, 4194304.0, 1.0, 262144.0 };
+inline constexpr Tunable DRAWN_TILES_MAX{ "drawn_tiles_max", "tiles", 256.0, 4194304.0, 1.0, 262144.0, true };
 
 struct LodParams {
 	float far = float(LOD_FAR.initial); // metres

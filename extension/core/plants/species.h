@@ -41,14 +41,14 @@ inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.0
 // 0: a card is upright and faces the eye; 1: it lies across its blade's tip, as a daisy.
 inline constexpr Tunable CARD_FLATNESS{ "card_flatness", "", 0.0, 1.0, 0.01, 0.0 };
 // Pictures side by side in a card's texture, of which each blade has one.
-inline constexpr Tunable CARD_PICTURES{ "card_pictures", "", 1.0, 8.0, 1.0, 1.0 };
+inline constexpr Tunable CARD_PICTURES{ "card_pictures", "", 1.0, 8.0, 1.0, 1.0, true };
 // Side of a leaf. Above 0.15 single leaves look like paper.
 inline constexpr Tunable LEAF_SIZE{ "leaf_size", "m", 0.005, 1.0, 0.005, 0.05 };
 
 // From there on a plant with a mesh is drawn as a blade. Each costs its mesh's vertices until then.
 inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0, 30.0 };
 // Blades that share a root: 1, 2, 4 or 8. As many as grass_tile_start() is a multiple of, at most.
-inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0 };
+inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0, true };
 static_assert(GRASS_START_STRIDE % int(PLANT_STEMS.maximum) == 0);
 
 // Vertices of a species' plants around a camera, all the way round, at most: each is posed in the depth prepass, the picture and each

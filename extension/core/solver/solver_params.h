@@ -27,7 +27,7 @@ inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1,
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
 // METHOD_DIRECT: solves in one step of a blade that something is near, 1 lets it tremble; others take one. METHOD_PBD: rounds of local
 // shape and contact; the paper found two or three enough, 1 lets knots rest on each other's contacts.
-inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0 };
+inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
 // Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 

@@ -117,7 +117,7 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 
 func test_both_backends_draw_the_same_plants() -> void:
 	var map := full_map()
-	var field := add_plants([make(0.7, GREEN), plant(0.3, {stems = 4.0})], {map = map, density = 8.0})
+	var field := add_plants([make(0.7, GREEN), plant(0.3, {stems = 4})], {map = map, density = 8.0})
 	map.stroke(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 2, strength = 1.0}), Vector2(-2, 0), Vector2(2, 0))
 	await drawn()
 	var gpu := await picture()

@@ -201,5 +201,26 @@ func test_what_cannot_work_is_said() -> void:
 	field.collision_mask = 1
 	await ticks(5)
 	assert_eq(field.get_awake_tile_count(), 0, "without a pool nothing wakes")
-	assert_greater(field.get_statistics().capped, 0, "and a counter says so")
+	assert_greater(field.get_counters().capped, 0, "and a counter says so")
 	body.free()
+
+
+## What is a whole number is an int for scripts, and in a scene written before it was one.
+func test_whole_numbers_are_ints() -> void:
+	var field: GrassField = load("res://tests/fixtures/whole_numbers.tscn").instantiate()
+	var whole := {
+		field: {iterations = 3, drawn_tiles_max = 4096},
+		field.species[0]: {card_pictures = 4, stems = 2},
+	}
+	for object: Object in whole:
+		for property: String in whole[object]:
+			var info := properties_of(object.get_class()).filter(func(known: Dictionary) -> bool: return known.name == property)
+			assert_eq(info[0].type, TYPE_INT, property)
+			assert_eq(info[0].hint, PROPERTY_HINT_RANGE, property)
+			assert_eq(typeof(object.get(property)), TYPE_INT, property)
+			assert_eq(object.get(property), whole[object][property], property + ": a float in the scene")
+			object.set(property, whole[object][property] + 0.9)
+			assert_eq(object.get(property), whole[object][property], property + ": a script's float")
+	var sum: int = field.iterations + field.species[0].stems
+	assert_eq(sum, 5, "typed code reads ints")
+	field.free()

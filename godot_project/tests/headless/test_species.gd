@@ -50,7 +50,7 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 		card_color = Color.YELLOW,
 		plant_mesh = BoxMesh.new(),
 		plant_distance = 12.0,
-		stems = 4.0,
+		stems = 4,
 	}
 	var changes: Array[int] = [0]
 	species.changed.connect(func() -> void: changes[0] += 1)
@@ -227,7 +227,7 @@ func test_meshes_that_cannot_be_drawn_are_reported() -> void:
 
 ## Groups of stems of one species, each at one place, and no more of them than the share asks for.
 func test_stems_of_a_plant_share_a_root() -> void:
-	var field := add_field({species = [make(0.8), make(0.2, 0.5, {stems = 4.0, stand_strength = 0.0})], size = Vector2(8, 8)})
+	var field := add_field({species = [make(0.8), make(0.2, 0.5, {stems = 4, stand_strength = 0.0})], size = Vector2(8, 8)})
 	await ticks(2)
 	var shared := 0
 	var plants := 0
