@@ -31,11 +31,8 @@ public:
 	// Goes on with another field, all of its blades at rest; with a map, set_cover() follows. False if it cannot: make another
 	// backend then.
 	virtual bool set_field(const FieldSetup &p_setup) = 0;
-	// Whether it can never do its work, or not by this method, since the driver has refused a pass.
-	virtual bool is_refused(Method p_method) const {
-		(void)p_method;
-		return false;
-	}
+	// Whether it can never do its work, since the driver has refused a pass.
+	virtual bool is_refused() const { return false; }
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
 	// Before follow(), in each frame that is drawn. p_is_read: whether somebody reads motion vectors; p_has_blown: whether the wind's clock

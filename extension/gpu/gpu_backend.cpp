@@ -68,7 +68,6 @@ Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_e
 
 GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup),
-		_method(p_setup.method),
 		_patch_texture(patch_texture(p_setup.patch)),
 		_report(std::make_shared<GpuReport>()),
 		_knot_report(std::make_shared<KnotReport>()),
@@ -115,13 +114,12 @@ void GpuBackend::begin_passes(bool p_species, Method p_method, const FieldPlants
 }
 
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
-	const bool has_species = p_setup.species != nullptr;
-	const bool has_passes = has_species == (_setup.species != nullptr) || prepare_passes({ has_species, _method }).can_simulate;
+	const bool has_passes = kind_of(p_setup) == kind_of(_setup) || prepare_passes(kind_of(p_setup));
 	const bool has_plants = !p_setup.has_plants || prepare_plants(p_setup.is_mapped);
 	return has_passes && has_plants && prepare_patch(p_setup.patch);
 }
 
-Prepared GpuBackend::prepare_passes(const PassKind &p_kind) {
+bool GpuBackend::prepare_passes(const PassKind &p_kind) {
 	RenderQueue::get_singleton()->post([field = _field, p_kind] { field->prepare(p_kind); });
 	std::lock_guard lock(_report->mutex);
 	return _report->prepared[p_kind.index()];
@@ -141,11 +139,11 @@ bool GpuBackend::prepare_patch(const std::shared_ptr<const Patch> &p_patch) {
 
 bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_room = p_setup.instance_capacity() <= _picture.capacity() && p_setup.shadow_capacity() <= _shadows.capacity();
-	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room) || needs_refused_pass(p_setup, _method)) {
+	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room) || needs_refused_pass(p_setup)) {
 		return false;
 	}
 	const bool has_other_blades = p_setup.patch != _setup.patch,
-			   has_other_passes = (p_setup.species != nullptr) != (_setup.species != nullptr);
+			   has_other_passes = kind_of(p_setup) != kind_of(_setup);
 	_setup = p_setup;
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
@@ -174,14 +172,6 @@ bool GpuBackend::can_simulate() {
 		_can_simulate = _report->can_simulate;
 	}
 	return _can_simulate;
-}
-
-Method GpuBackend::choose_method(Method p_wanted) {
-	if (p_wanted != _method && prepare_passes({ _setup.species != nullptr, p_wanted }).is_complete) {
-		_method = p_wanted;
-		RenderQueue::get_singleton()->post([field = _field, p_wanted] { field->set_method(p_wanted); });
-	}
-	return _method;
 }
 
 bool GpuBackend::is_complete() const {

@@ -21,7 +21,6 @@ struct FieldMultiMeshes;
 struct GpuReport;
 struct KnotReport;
 struct PassKind;
-struct Prepared;
 
 class GpuBackend : public Backend {
 public:
@@ -33,9 +32,8 @@ public:
 
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
-	bool is_refused(Method p_method) const override { return needs_refused_pass(_setup, p_method); }
+	bool is_refused() const override { return needs_refused_pass(_setup); }
 	bool can_simulate() override;
-	Method choose_method(Method p_wanted) override;
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
@@ -60,7 +58,7 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
-	Prepared prepare_passes(const PassKind &p_kind);
+	bool prepare_passes(const PassKind &p_kind);
 	bool prepare_plants(bool p_is_mapped);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
@@ -69,7 +67,6 @@ private:
 	FieldSetup _setup;
 	bool _measure = false;
 	bool _can_simulate = false;
-	Method _method;
 	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
 	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;

@@ -90,7 +90,7 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
 	_cull.create(CULL, has_shader_workers() ? GpuPass::Compile::LATER : GpuPass::Compile::NOW);
-	_kind = { p_setup.species != nullptr, p_setup.method };
+	_kind = kind_of(p_setup);
 	make_simulate();
 	_reader.create();
 	set_field(p_setup, p_patch);
@@ -121,22 +121,15 @@ void GpuField::look_for_passes() {
 }
 
 void GpuField::prepare(const PassKind &p_kind) {
-	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind, TILES_ALL)),
-			   has_free = GpuPass::prepare(simulate_code(p_kind, TILES_FREE)),
-			   has_edges = GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
-	const bool is_complete = can_simulate && has_free && has_edges && GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)) == nullptr;
+	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
+	GpuPass::prepare(simulate_code(p_kind, TILES_FREE));
+	GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
 	std::lock_guard lock(_report->mutex);
-	_report->prepared[p_kind.index()] = { can_simulate, is_complete };
-}
-
-void GpuField::set_method(Method p_method) {
-	_kind.method = p_method;
-	make_simulate();
-	bind_simulate();
+	_report->prepared[p_kind.index()] = can_simulate;
 }
 
 void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
-	const bool had_species = std::exchange(_kind.species, p_setup.species != nullptr);
+	const PassKind kind_before = std::exchange(_kind, kind_of(p_setup));
 	const int64_t size_before = std::exchange(_pool_size, p_setup.pool_size);
 	_tiles = p_setup.grid.get_tile_count();
 	_is_mapped = p_setup.is_mapped;
@@ -156,7 +149,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	if (_pool_size != size_before) {
 		make_pool_texture();
 	}
-	if (_kind.species != had_species) {
+	if (_kind != kind_before) {
 		make_simulate();
 	}
 	_patch = RenderingServer::get_singleton()->texture_get_rd_texture(p_patch);

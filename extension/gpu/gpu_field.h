@@ -56,13 +56,11 @@ struct PassKind {
 
 	static constexpr size_t COUNT = 4;
 	size_t index() const { return size_t(method) * 2 + size_t(species); }
+	bool operator==(const PassKind &p_other) const = default;
 };
-
-// Which of the passes of GpuField::prepare() the driver has compiled.
-struct Prepared {
-	bool can_simulate = false; // the one for all kinds of tiles
-	bool is_complete = false; // all of them, and none was refused that the others need
-};
+inline PassKind kind_of(const FieldSetup &p_setup) {
+	return { p_setup.species != nullptr, p_setup.method };
+}
 
 // What the render thread reports to the main thread.
 struct GpuReport {
@@ -71,7 +69,7 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
-	std::array<Prepared, PassKind::COUNT> prepared = {}; // by PassKind::index()
+	std::array<bool, PassKind::COUNT> prepared = {}; // by PassKind::index(): the pass for all kinds of tiles is
 	bool can_simulate = false; // the simulation pass is ready
 	std::array<bool, 2> plants_prepared = {}; // the pass that chooses plants: without a map, with one
 };
@@ -93,8 +91,6 @@ public:
 	void look_for_passes();
 	// Lets worker threads make the passes that such a field needs; GpuReport shows when they are ready.
 	void prepare(const PassKind &p_kind);
-	// Simulates by prepared passes from the next step on.
-	void set_method(Method p_method);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
 	// One tick: uploads the records, simulates their tiles, requests their energy.

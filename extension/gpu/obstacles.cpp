@@ -56,8 +56,8 @@ String device_words() {
 			server->get_video_adapter_api_version());
 }
 
-const char *find_refused(const FieldSetup &p_setup, Method p_method) {
-	if (const char *pass = GpuField::find_refused({ p_setup.species != nullptr, p_method })) {
+const char *find_refused(const FieldSetup &p_setup) {
+	if (const char *pass = GpuField::find_refused(kind_of(p_setup))) {
 		return pass;
 	}
 	return p_setup.has_plants ? PlantPasses::find_refused(p_setup.is_mapped) : nullptr;
@@ -70,15 +70,15 @@ const DeviceLimits &device_limits() {
 	return limits;
 }
 
-bool needs_refused_pass(const FieldSetup &p_setup, Method p_method) {
-	return CompileQueue::get().has_refused() && find_refused(p_setup, p_method) != nullptr;
+bool needs_refused_pass(const FieldSetup &p_setup) {
+	return CompileQueue::get().has_refused() && find_refused(p_setup) != nullptr;
 }
 
-String find_obstacle(const FieldSetup &p_setup, Method p_method) {
+String find_obstacle(const FieldSetup &p_setup) {
 	if (const std::string lack = fit_device(device_limits(), p_setup).lack; !lack.empty()) {
 		return String::utf8(lack.c_str());
 	}
-	const char *pass = find_refused(p_setup, p_method);
+	const char *pass = find_refused(p_setup);
 	return pass == nullptr ? String() : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
 }
 

@@ -13,11 +13,10 @@ namespace grass {
 
 // As the engine and its driver say, found once; where there is no device, the defaults.
 const DeviceLimits &device_limits();
-// Why it cannot, as a sentence: what it lacks, or a pass that its driver has refused so far. Empty: nothing is known. p_method: that the
-// field is to be simulated by.
-godot::String find_obstacle(const FieldSetup &p_setup, Method p_method);
+// Why it cannot, as a sentence: what it lacks, or a pass that its driver has refused so far. Empty: nothing is known.
+godot::String find_obstacle(const FieldSetup &p_setup);
 // Whether find_obstacle() finds a refused pass, and fast where there has been none in this process.
-bool needs_refused_pass(const FieldSetup &p_setup, Method p_method);
+bool needs_refused_pass(const FieldSetup &p_setup);
 // What to say of passes refused since the last call, one text each.
 struct Refusal {
 	godot::String text;

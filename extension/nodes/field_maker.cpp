@@ -37,8 +37,7 @@ bool FieldMaker::prepare(const FieldProperties &p_properties, const Field &p_now
 	FrameShare::Turn turn(this);
 	const auto has_time = [&] { return !in_parts || (p_properties.is_streamed ? turn.has_part() : turn.has_time()); };
 	if (!_wanted && has_time()) {
-		// A new backend of this field continues with the passes that are compiled.
-		_wanted = find_wanted(p_properties, p_backend != nullptr ? p_now.get_method() : p_properties.method);
+		_wanted = find_wanted(p_properties);
 	}
 	if (_wanted && !_wanted->bounds && has_time()) {
 		_wanted->bounds = p_now.bounds_of(_wanted->setup);
@@ -73,17 +72,17 @@ std::optional<ShownPlace> FieldMaker::find_place(const FieldProperties &p_proper
 	if (!p_properties.species.prepare_patches()) {
 		return {};
 	}
-	return shown_place_of(find_wanted(p_properties, p_properties.method).setup);
+	return shown_place_of(find_wanted(p_properties).setup);
 }
 
-WantedField FieldMaker::find_wanted(const FieldProperties &p_properties, Method p_method) {
+WantedField FieldMaker::find_wanted(const FieldProperties &p_properties) {
 	WantedField wanted;
 	FieldSetup &setup = wanted.setup;
 	setup.grid = p_properties.grid();
 	setup.patch = p_properties.species.join();
 	setup.clump = p_properties.clump();
 	setup.pool_size = int(p_properties.pool_tiles);
-	setup.method = p_method;
+	setup.method = p_properties.method;
 	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(p_properties.seed);
 	wanted.painted = p_properties.map;

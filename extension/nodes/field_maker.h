@@ -52,7 +52,7 @@ public:
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	static WantedField find_wanted(const FieldProperties &p_properties, Method p_method);
+	static WantedField find_wanted(const FieldProperties &p_properties);
 	bool prepare_map(const std::function<bool()> &p_has_time);
 	void drop();
 

@@ -57,7 +57,7 @@ void GrassField::set_method(SolverMethod p_method) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
 	if (replace(_properties.method, Method(p_method))) {
-		_standing.update_method();
+		request_rebuild();
 	}
 }
 

@@ -57,7 +57,7 @@ void StandingField::make_backend() {
 	if (setup.patch->is_empty()) {
 		return;
 	}
-	if (wants_device() && find_obstacle(setup, _properties.method).is_empty()) {
+	if (wants_device() && find_obstacle(setup).is_empty()) {
 		_backend = std::make_unique<GpuBackend>(setup);
 	} else {
 		_backend = std::make_unique<CpuBackend>(setup);
@@ -67,7 +67,7 @@ void StandingField::make_backend() {
 }
 
 bool StandingField::leave_refused_device() {
-	if (!_backend || !_backend->is_refused(_properties.method)) {
+	if (!_backend || !_backend->is_refused()) {
 		return false;
 	}
 	drop_backend();
@@ -83,12 +83,12 @@ bool StandingField::wants_device() const {
 
 String StandingField::refusal_warning() const {
 	const FieldSetup &setup = _field.get_setup();
-	const bool is_refused = wants_device() && needs_refused_pass(setup, _properties.method);
+	const bool is_refused = wants_device() && needs_refused_pass(setup);
 	return is_refused ? obstacle_warning() : String();
 }
 
 String StandingField::obstacle_warning() const {
-	const String obstacle = find_obstacle(_field.get_setup(), _properties.method);
+	const String obstacle = find_obstacle(_field.get_setup());
 	return obstacle.is_empty() ? obstacle : vformat("The CPU simulates and draws this field, which takes more time. %s", obstacle);
 }
 
@@ -137,13 +137,6 @@ void StandingField::update_params() {
 		_field.set_params(_properties.field_params(_species));
 		_field.stir();
 	}
-}
-
-void StandingField::update_method() {
-	if (_backend) {
-		_field.choose_method(*_backend, _properties.method);
-	}
-	update_params();
 }
 
 void StandingField::update_measuring() {
@@ -230,7 +223,7 @@ const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const 
 }
 
 bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
-	return _field.begin_tick(*_backend, _properties.method, p_is_listened, p_delta);
+	return _field.begin_tick(*_backend, p_is_listened, p_delta);
 }
 
 void StandingField::tick(

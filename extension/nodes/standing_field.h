@@ -57,7 +57,6 @@ public:
 
 	// What a field that goes on as it is reads from the properties.
 	void update_params();
-	void update_method();
 	void update_measuring();
 	// Before it is made for the first time, beside another field of the same blades: gusts go on from there.
 	void join(const StandingField &p_other) {

@@ -27,7 +27,6 @@ public:
 	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_size) {}
 
 	bool can_simulate() override { return can; }
-	Method choose_method(Method p_wanted) override { return has_all_methods ? p_wanted : Method::DIRECT; }
 	void step(const StepInput &p_input) override {
 		_pool.step(p_input);
 		_step = p_input.number;
@@ -42,7 +41,7 @@ public:
 		return knots;
 	}
 
-	bool can = true, has_all_methods = true;
+	bool can = true;
 	int steps = 0;
 	Method method = Method::DIRECT; // of the last step
 	std::vector<GrassSlot> slots; // likewise
@@ -86,7 +85,7 @@ struct FieldScene {
 	void put_ball(const Eigen::Vector3d &p_place) { put_ball(p_place, p_place); }
 	// False if the tick was left out.
 	bool tick(bool p_is_listened = false) {
-		if (!field.begin_tick(simulator, params.solver.method, p_is_listened, TICK)) {
+		if (!field.begin_tick(simulator, p_is_listened, TICK)) {
 			return false;
 		}
 		field.resume();
@@ -169,7 +168,7 @@ TEST_CASE("field: ticks that nobody sees are left out, unless somebody listens, 
 	CHECK_FALSE(scene.field.resume());
 	CHECK_FALSE(scene.tick());
 	scene.field.see(make_view(true), true);
-	REQUIRE(scene.field.begin_tick(scene.simulator, Method::DIRECT, false, TICK));
+	REQUIRE(scene.field.begin_tick(scene.simulator, false, TICK));
 	CHECK(scene.field.resume());
 	CHECK_FALSE(scene.field.resume());
 	scene.field.see(FieldView(), false); // hidden
@@ -193,21 +192,20 @@ TEST_CASE("field: while the simulation compiles grass stands, and who listens st
 	CHECK(scene.simulator.steps == 1);
 }
 
-TEST_CASE("field: the method changes as soon as the simulator has it, for every species") {
+TEST_CASE("field: the method is the one that it was made with, whatever its params say") {
 	FieldScene scene;
 	scene.put_ball({ 0.5, 0.2, 0.5 });
-	scene.simulator.has_all_methods = false;
 	scene.params.solver.method = Method::PBD;
 	scene.field.set_params(scene.params);
 	scene.tick();
 	CHECK(scene.simulator.method == Method::DIRECT);
-	scene.simulator.has_all_methods = true;
+	REQUIRE(scene.field.get_tiles().get_statistics().awake > 0);
+	scene.setup.method = Method::PBD;
+	scene.params.solver.method = Method::DIRECT;
+	scene.field.set(scene.setup, scene.field.bounds_of(scene.setup), nullptr, {}, scene.params);
+	CHECK(scene.field.get_tiles().get_statistics().awake == 0); // made anew, at rest
 	scene.tick();
 	CHECK(scene.simulator.method == Method::PBD);
-	CHECK(scene.field.get_method() == Method::PBD);
-	scene.params.solver.method = Method::DIRECT;
-	scene.field.set_params(scene.params); // not yet chosen
-	CHECK(scene.field.get_method() == Method::PBD);
 }
 
 TEST_CASE("field params: tiles wait for the species that swings longest, and are calm when the quickest is") {

@@ -16,7 +16,7 @@ struct BackendStatistics {
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
 	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares
 	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
-						   // free tiles by whole solves; after a change of method all by the one before
+						   // free tiles by whole solves
 	int64_t uploaded_bytes = 0; // GPU: travelled to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t pool_bytes = 0; // now: of those, what a larger pool has more of

@@ -57,22 +57,12 @@ void Field::forget_map() {
 	_blades = FieldBlades();
 }
 
-// Keeps the chosen method.
 void Field::set_params(const FieldParams &p_params) {
-	const Method method = get_method();
 	_params = p_params;
-	set_method(method);
-}
-
-void Field::set_method(Method p_method) {
-	_params.solver.method = p_method;
+	_params.solver.method = _setup.method;
 	for (SolverParams &species : _params.species) {
-		species.method = p_method;
+		species.method = _setup.method;
 	}
-}
-
-void Field::choose_method(Simulator &r_simulator, Method p_wanted) {
-	set_method(r_simulator.choose_method(p_wanted));
 }
 
 TileParams Field::tile_params() const {
@@ -120,9 +110,8 @@ void Field::see(const FieldView &p_view, bool p_is_visible) {
 	_is_seen = _tiles.is_field_seen();
 }
 
-bool Field::begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta) {
+bool Field::begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta) {
 	r_simulator.tidy();
-	choose_method(r_simulator, p_method); // at rest, too: it compiles meanwhile
 	_can_simulate = r_simulator.can_simulate();
 	if ((_is_seen && _can_simulate) || p_is_listened) {
 		return true;

@@ -37,13 +37,10 @@ public:
 	// Puts every blade to rest at once.
 	void rest() { _tiles.reset(); }
 
-	// For the next step.
+	// For the next step. Their method is not read: the field keeps the one that it was made with.
 	void set_params(const FieldParams &p_params);
 	// Tiles follow the params, and what stands still may move.
 	void stir();
-	// The method to simulate by from now on, as soon as the simulator can.
-	void choose_method(Simulator &r_simulator, Method p_wanted);
-	Method get_method() const { return _params.solver.method; }
 	// The map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
 
@@ -53,7 +50,7 @@ public:
 	bool is_seen() const { return _is_seen; } // or a shadow of it
 
 	// Begins a tick of p_delta seconds. False: nobody would notice what happens in it, so the rest of it is left out.
-	bool begin_tick(Simulator &r_simulator, Method p_method, bool p_is_listened, double p_delta);
+	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
 	// True once after ticks that were left out: bodies have moved meanwhile, and must not sweep grass on the way.
 	bool resume();
 	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are among
@@ -84,7 +81,6 @@ public:
 
 private:
 	TileParams tile_params() const;
-	void set_method(Method p_method);
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
 	void step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces);

@@ -28,7 +28,7 @@ struct FieldSetup {
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
 	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
 
-	Method method = Method::DIRECT; // that it begins with
+	Method method = Method::DIRECT; // that its blades are solved by
 
 	bool has_terrain = false; // a texture of the terrain gives it colour
 	float card_size = 0.0f; // farthest that a card or a leaf reaches from its tip, metres; 0: no species has one

@@ -13,8 +13,6 @@ public:
 
 	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and step() is not called.
 	virtual bool can_simulate() { return true; }
-	// Returns the method to simulate by from now on: p_wanted, once all of its passes are compiled.
-	virtual Method choose_method(Method p_wanted) { return p_wanted; }
 	// Whether no pass stands in for one that is still being compiled, so that results no longer change with it.
 	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.

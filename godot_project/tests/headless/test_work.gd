@@ -241,6 +241,28 @@ func test_many_changes_at_once_make_the_field_once() -> void:
 	assert_eq(field.get_counters().builds, 1, "nothing that it is made of has changed")
 
 
+## As any other change of what it is made of: its blades stand, and what touches them bends them again.
+func test_another_method_makes_the_field_anew() -> void:
+	var field := add_field()
+	var body := add_held_body(ball(0.3), Vector3(0.25, 0.25, 0.25))
+	await ticks(10)
+	var before := field.get_counters()
+	assert_greater(before.steps, 0)
+	body.free()
+	field.method = GrassField.METHOD_PBD
+	await ticks(2)
+	var after := field.get_counters()
+	assert_eq(after.makings, before.makings + 1)
+	assert_eq(after.builds, before.builds, "what was made serves")
+	assert_eq(field.get_awake_tile_count(), 0, "at rest")
+	field.method = GrassField.METHOD_PBD
+	await ticks(2)
+	assert_eq(field.get_counters().makings, after.makings, "the same method again")
+	add_held_body(ball(0.3), Vector3(0.25, 0.25, 0.25))
+	await ticks(3)
+	assert_greater(field.bend_at(Vector3(0.4, 0, 0.25)).length(), 0.0)
+
+
 func test_a_field_that_grows_keeps_its_pool() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
