@@ -27,7 +27,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
 
 What the machine lacks (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) is fetched into .tools/ here:
 nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of yours, 4.6 or newer.
-`./grass COMMAND --help` tells a command's options; docs/building.md tells more.
+`./grass COMMAND --help` tells a command's options; docs/internals/building.md tells more.
 """
 
 
@@ -66,7 +66,7 @@ def parser():
 		"layers",
 		nargs="*",
 		metavar="LAYER",
-		help="which; docs/building.md lists them (default: all but windows, arm64, release, sanitize and drivers)",
+		help="which; docs/internals/building.md lists them (default: all but windows, arm64, release, sanitize and drivers)",
 	)
 	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
 	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The tables of docs/drivers.md: the build's rules, and what Mesa's compilers make of the passes. `python3 -m tools.drivers_page`.
+"""The tables of docs/internals/drivers.md: the build's rules, and what Mesa's compilers make of the passes.
+
+`python3 -m tools.drivers_page` writes them.
 
 The layer `docs` fails where the page's tables are not those.
 """
@@ -11,7 +13,7 @@ from tools.paper_page import grid
 from tools.places import ROOT
 from tools.scons import spirv_rules
 
-PAGE = ROOT / "docs/drivers.md"
+PAGE = ROOT / "docs/internals/drivers.md"
 
 
 def rules():
@@ -36,7 +38,7 @@ def figures():
 			body.append([label, *(cell(rows[name, *key]) if (name, *key) in rows else "" for name in cards)])
 		lines += grid(["pipeline", *(card.title for card in cards.values())], body)[:-1]
 	made = dict.fromkeys(re.sub(r"^\w+(?:: | (?=\w+: ))", "", note) for note in notes)  # a card's name says nothing here
-	return [*lines, "", f"[drivers.csv](benchmarks/drivers/drivers.csv). {'. '.join(made)}.", ""]
+	return [*lines, "", f"[drivers.csv](../benchmarks/drivers/drivers.csv). {'. '.join(made)}.", ""]
 
 
 TABLES = {"rules": rules, "figures": figures}

@@ -190,7 +190,7 @@ def check_glibc(target, library):
 	if newest > toolchains.GLIBC_MOST:
 		raise Failure(
 			f"{library.name} needs glibc {'.'.join(map(str, newest))}, more than {'.'.join(map(str, toolchains.GLIBC_MOST))}:"
-			" make releases with the GCC of Debian 12 (docs/building.md, Other platforms)."
+			" make releases with the GCC of Debian 12 (docs/internals/building.md, Other platforms)."
 		)
 
 

@@ -156,7 +156,7 @@ def run_engine(command, environment, *arguments):
 
 
 def unpack(kind, project):
-	"""A fresh project that has the zip. The engine knows the extension when it starts, as docs/ci.md tells."""
+	"""A fresh project that has the zip. The engine knows the extension when it starts, as docs/guide/ci.md tells."""
 	shutil.rmtree(project, ignore_errors=True)
 	if not kind:
 		shutil.copytree(EMPTY, project)

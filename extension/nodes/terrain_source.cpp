@@ -67,7 +67,7 @@ Variant TerrainSource::ask_node(const StringName &p_method) {
 
 void TerrainSource::complain(const Variant &p_value, const char *p_method, const String &p_wanted) {
 	if (_problem.is_empty() && is_alive()) { // else it said nothing
-		_problem = vformat("%s() of '%s' returned %s, not %s. See docs/terrain.md for what it must return.", p_method,
+		_problem = vformat("%s() of '%s' returned %s, not %s. See docs/guide/terrain.md for what it must return.", p_method,
 				get_node()->get_name(), describe(p_value), p_wanted);
 	}
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A terrain of another addon, or of a game, that is asked by the names of its methods: docs/terrain.md. One class for each way of asking;
-// terrain_sources.cpp has them. Nothing here knows fields.
+// A terrain of another addon, or of a game, that is asked by the names of its methods: docs/guide/terrain.md. One class for each way of
+// asking; terrain_sources.cpp has them. Nothing here knows fields.
 #pragma once
 
 #include "core/fill/terrain_piece.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways to ask a terrain: by the plain interface, as Terrain3D, as HTerrain. The names are theirs; docs/terrain.md lists them.
+// The ways to ask a terrain: by the plain interface, as Terrain3D, as HTerrain. The names are theirs; docs/guide/terrain.md lists them.
 #include "nodes/terrain_source.h"
 
 #include <godot_cpp/classes/image.hpp>
@@ -304,7 +304,7 @@ std::unique_ptr<TerrainSource> TerrainSource::find(Node *p_node, String &r_probl
 	const String type = p_node->get_class();
 	if (!p_node->has_method("get_data")) {
 		r_problem = vformat("`terrain` is '%s' (%s), which has no method get_height(), nor the get_data() of Terrain3D and HTerrain. Name "
-							"another node, or give it the method (docs/terrain.md).",
+							"another node, or give it the method (docs/guide/terrain.md).",
 				name, type);
 		return nullptr;
 	}
@@ -327,7 +327,7 @@ std::unique_ptr<TerrainSource> TerrainSource::find(Node *p_node, String &r_probl
 	}
 	r_problem =
 			vformat("get_data() of `terrain`, '%s', returned an object (%s) with neither get_height() nor get_interpolated_height_at(): "
-					"it is no terrain that a field knows (docs/terrain.md).",
+					"it is no terrain that a field knows (docs/guide/terrain.md).",
 					name, data->get_class());
 	return nullptr;
 }

@@ -90,7 +90,7 @@ def compute_header(target, source, env):
 				print(f"{node}: the shader does not compile:\n{error}")
 				return 1
 			if refused := spirv_rules.broken(spirv.read(words)):
-				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/drivers.md):\n" + "\n".join(refused))
+				print(f"{node}{suffix}: a driver of Godot's refuses this pass (docs/internals/drivers.md):\n" + "\n".join(refused))
 				return 1
 			rows = (", ".join(map(str, words[at : at + 12])) for at in range(0, len(words), 12))
 			lines.append(f"inline constexpr uint32_t {constant_name(node, suffix + '_SPIRV')}[] = {{\n" + ",\n".join(rows) + "\n};\n")

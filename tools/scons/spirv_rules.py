@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a compute pass may ask for, so that each of Godot's drivers takes it. The build refuses a pass that asks for more.
 
-docs/drivers.md shows the same table; tests/driver_compilers/rules/ has a pass that breaks each rule.
+docs/internals/drivers.md shows the same table; tests/driver_compilers/rules/ has a pass that breaks each rule.
 """
 
 from dataclasses import dataclass

@@ -10,8 +10,7 @@ CODE = re.compile(r"(?<![`\[])`([^`\n]+)`(?![`\]])")
 NAME = re.compile(r"(?:(Grass\w+)\.|field\.)?(\w+)(?:\([^`]*\))?")
 IN_BLOCK = re.compile(r"\b(Grass\w+)\b|\.(\w+)\b")
 FIRST = "GrassField"  # whose member is meant where several classes have one of that name
-INSIDE = ("architecture", "building", "gpu_layout", "solver")  # pages in which a plain word in code is rather a file or a C++ name
-MADE_HERE = "Where this is made"  # a heading below which the same is true
+GUIDE = "guide/"  # the folder of the user's pages; on others a plain word in code is rather a file or a C++ name
 
 
 class Mentions:
@@ -35,8 +34,8 @@ class Mentions:
 	def linked(self, page, text):
 		"""The page's text, in which names of classes and members link to them."""
 		title = next(iter(re.findall(r"^# +(.+)$", text, re.MULTILINE)), page)
-		is_guide = "/" not in page and page[:-3] not in INSIDE
-		anchor, taken, in_fence, inside, lines = "", {}, False, False, []
+		is_guide = page.startswith(GUIDE)
+		anchor, taken, in_fence, lines = "", {}, False, []
 
 		def note(target):
 			if target and is_guide:
@@ -46,7 +45,7 @@ class Mentions:
 			named = NAME.fullmatch(match[1])
 			target = named and self.found(named[1], named[2])
 			is_plain = target and target[1] and not named[1] and not re.search(r"_|\(", match[1])
-			if not target or is_plain and (not is_guide or inside):
+			if not target or is_plain and not is_guide:
 				return match[0]
 			note(target)
 			address = posixpath.relpath(f"classes/{target[0]}.md", posixpath.dirname(page) or ".")
@@ -61,7 +60,6 @@ class Mentions:
 			elif line.startswith("#"):
 				made = slug(line.lstrip("# "), taken)
 				anchor = "" if line.startswith("# ") else made
-				inside = MADE_HERE in line
 			else:
 				# Not inside of a link's own text.
 				line = "".join(

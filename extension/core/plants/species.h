@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The species of a field: the share of each, and which one a blade is. shaders/plants/species.inc as C++, and the numbers
-// that its functions read. docs/species.md, [Eq P1] to [Eq P4].
+// that its functions read. docs/internals/species.md, [Eq P1] to [Eq P4].
 #pragma once
 
 #include "core/base/hash.h"

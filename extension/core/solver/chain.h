@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // METHOD_DIRECT: a blade is a chain of rigid segments on springy joints (an inextensible elastic rod), and one implicit
-// step is one sweep from tip to root and one back. Twin of shaders/solver/chain.inc. docs/solver.md derives it.
+// step is one sweep from tip to root and one back. Twin of shaders/solver/chain.inc. docs/internals/solver.md derives it.
 #pragma once
 
 #include "core/solver/beyond.h"

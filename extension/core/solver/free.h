@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // METHOD_DIRECT: the step of a blade that nothing is near, of the second order with one solve. Twin of shaders/solver/free.inc.
-// docs/solver.md derives it.
+// docs/internals/solver.md derives it.
 #pragma once
 
 #include "core/solver/chain.h"

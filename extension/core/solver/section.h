@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a blade's stiffness and mass change from root to tip, docs/solver.md, [Eq 44].
+// How a blade's stiffness and mass change from root to tip, docs/internals/solver.md, [Eq 44].
 #pragma once
 
 namespace grass {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One step of one blade (or of eight, one in each lane): METHOD_PBD, the method of Han and Harada 2012 that Fan et al.
-// 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc. docs/solver.md derives it.
+// 2015 (section 4.2) use, repaired. Twin of shaders/solver/solve.inc. docs/internals/solver.md derives it.
 #pragma once
 
 #include "core/solver/contact.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a user sets of the solver, in physical units, and how a step's coefficients follow from it, the time step and
-// the number of iterations. docs/solver.md, [Eq 8] and [Eq 9].
+// the number of iterations. docs/internals/solver.md, [Eq 8] and [Eq 9].
 #pragma once
 
 #include "core/base/layout.h"
@@ -31,7 +31,7 @@ inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true
 // Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 
-// How a blade is solved. docs/solver.md compares them.
+// How a blade is solved. docs/internals/solver.md compares them.
 enum class Method { DIRECT = GRASS_METHOD_DIRECT, PBD = GRASS_METHOD_PBD };
 
 struct SolverParams {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. Started with `-- --out DIR` it takes
-## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/walk.md says how.
+## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/guide/walk.md says how.
 ##   --parts FILE   measures what its parts cost to draw, then ends
 ##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
 ##                  rendering, or tiny (64 m in 128 m), for tests

@@ -162,7 +162,7 @@ func painting_from_a_script() -> void:
 	assert_greater(stage.field.height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
 
 
-func index_from_a_script() -> void:
+func first_meadow_from_a_script() -> void:
 	var node := Node3D.new()
 	node.set_script(block_script())
 	add_child(node)

@@ -22,7 +22,7 @@ class Level:
 		return is_instance_valid(field) and field.is_inside_tree()
 
 
-## A terrain with all methods of docs/terrain.md; `told` hears the name of each that is called.
+## A terrain with all methods of docs/guide/terrain.md; `told` hears the name of each that is called.
 class Terrain:
 	extends Node3D
 

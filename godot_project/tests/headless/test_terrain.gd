@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field on a terrain that is asked by the names of its methods (docs/terrain.md): heights, holes, textures, changes, what it costs.
+## A field on a terrain that is asked by the names of its methods (docs/guide/terrain.md): heights, holes, textures, changes, what it costs.
 extends "res://tests/fill_case.gd"
 
 const PlainTerrain := preload("res://tests/terrains/plain_terrain.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A terrain of a game's own: the plain interface of docs/terrain.md, one place a call.
+## A terrain of a game's own: the plain interface of docs/guide/terrain.md, one place a call.
 extends Node3D
 
 signal terrain_changed(area: AABB)

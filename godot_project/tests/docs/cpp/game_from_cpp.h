@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the C++ block of docs/game.md assumes: a class of the reader's extension, in his own header.
+// What the C++ block of docs/guide/game.md assumes: a class of the reader's extension, in his own header.
 #pragma once
 
 #include <godot_cpp/classes/character_body3d.hpp>
