@@ -9,7 +9,7 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, drivers_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
+from tools import bench_page, cost_table, drivers_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.test_runs import Tally, in_engine
 
@@ -17,6 +17,7 @@ PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
 COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re.MULTILINE)
 EMPTY = BUILD / "snippets_project"  # an empty project that has the add-on, where shell blocks run
 SHELL_LIMIT = 300  # seconds
+EQUATION = re.compile(r"\[Eq \w+\]|\$[^$`\n]+\$|\$\$")
 DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of docs/decisions, after its status
 
 
@@ -128,6 +129,15 @@ def wrong_decisions():
 	return "; ".join(wrong)
 
 
+def wrong_guide():
+	"""Pages of the guide with an equation: those are for docs/internals."""
+	wrong = []
+	for path in sorted((ROOT / "docs/guide").glob("*.md")):
+		found = EQUATION.search(links.CODE.sub("", path.read_text()))
+		wrong += [f"{path.name}: {found[0]}"] if found else []
+	return "; ".join(wrong)
+
+
 def wrong_benchmarks():
 	"""Pages of figures that are not what the newest tables make, and tables that no page names."""
 	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench_page`"]
@@ -180,5 +190,11 @@ def run(only):
 	return tally
 
 
-CHECKED_PAGES = {"docs/decisions": wrong_decisions, "docs/benchmarks": wrong_benchmarks, "docs/drivers": drivers_page.wrong}
+CHECKED_PAGES = {
+	"docs/decisions": wrong_decisions,
+	"docs/guide has no equation": wrong_guide,
+	"docs/benchmarks": wrong_benchmarks,
+	"docs/costs": cost_table.wrong,
+	"docs/drivers": drivers_page.wrong,
+}
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## What the walk costs on this GPU: its time to draw a frame, whole and with one part left out at a time. Started with
-## `-- --parts FILE`, which is written as CSV (docs/guide/walk.md).
+## `-- --parts FILE`, which is written as CSV (docs/benchmarks/walk.md).
 extends RefCounted
 
 const Scenery := preload("res://demo/walk/country.gd")

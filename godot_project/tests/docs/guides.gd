@@ -3,10 +3,15 @@
 extends "res://tests/docs/snippet_case.gd"
 
 
-func readme_grass_in_your_own_project_in_a_minute() -> void:
-	var stage := await ran()
-	assert_eq(stage.locals.tile, stage.field.get_tile_at(stage.player.global_position))
-	assert_true(stage.field.is_tile_awake(stage.locals.tile), "the player bends the grass")
+func readme_install() -> void:
+	var node := Node3D.new()
+	node.set_script(block_script())
+	add_child(node)
+	await seen()
+	var meadow := node.get_child(0) as GrassField
+	assert_near(meadow.get_blade_count(), 400.0 * 400.0, 0.02 * 160000.0, "blades on 20 m x 20 m")
+	assert_greater(meadow.density_at(Vector3.ZERO), 0.9)
+	assert_eq(meadow.get_statistics().backend, "CPU")
 
 
 func game_a_mower() -> void:
@@ -203,7 +208,32 @@ func surface_hooks_the_wind_over_time() -> void:
 	assert_greater(stage.field.wind_speed, 3.0)
 
 
-func species_plants_with_a_mesh() -> void:
+func look_taller_or_shorter() -> void:
+	var stage := await staged()
+	var before := stage.field.height_at(Vector3.ZERO)
+	stage.call("grow_to_the_hip")
+	await wait_until(func() -> bool: return not stage.field.get_statistics().waiting, "the field has grown")
+	assert_greater(stage.field.height_at(Vector3.ZERO), 1.4 * before, "metres")
+
+
+func look_another_colour() -> void:
+	var stage := await staged()
+	stage.call("turn_to_autumn")
+	await wait_until(func() -> bool: return not stage.field.get_statistics().waiting, "the field has changed")
+	assert_eq(stage.field.species[0].tip_color, Color(0.72, 0.52, 0.2))
+	assert_eq(stage.field.soil_color, Color(0.25, 0.18, 0.1))
+
+
+func plants_several_kinds_of_plants() -> void:
+	var stage := await staged()
+	stage.call("mix_a_meadow")
+	await wait_until(func() -> bool: return not stage.field.get_statistics().waiting, "the field grows both")
+	assert_eq(stage.field.species.size(), 2)
+	assert_true(stage.field.species[1].card is Texture2D, "daisies have flowers")
+	assert_near(stage.field.species[0].share, 0.9, 1e-6)
+
+
+func plants_plants_with_a_mesh() -> void:
 	var node := Node3D.new()
 	node.set_script(block_script())
 	add_child(node)
@@ -214,7 +244,7 @@ func species_plants_with_a_mesh() -> void:
 	assert_eq(knots[0][0], knots[1][0], "eight fronds to a root")
 
 
-func forces_forces() -> void:
+func forces_forces_and_wind() -> void:
 	var stage := await staged()
 	var place := Vector3(1, 0, 1)
 	stage.call("_on_grenade_exploded", place)
@@ -227,7 +257,7 @@ func forces_forces() -> void:
 	assert_eq(stage.field.get_counters().forces, 1)
 
 
-func forces_forces_2() -> void:
+func forces_forces_and_wind_2() -> void:
 	var stage := await staged()
 	var helicopter := Node3D.new()
 	helicopter.position = Vector3(0, 3, 0)
