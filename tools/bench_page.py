@@ -231,7 +231,11 @@ def sleeping():
 	rows = read("sleep")[1]
 	most = max(float(row["tile_steps"]) for row in rows)
 	body = [[row["asleep"], number(float(row["tile_steps"])), f"{float(row['tile_steps']) / most:.0%}"] for row in rows]
-	lines = ["## Sleeping", "", "Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../internals/solver.md#going-to-sleep))."]
+	lines = [
+		"## Sleeping",
+		"",
+		"Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../internals/solver.md#going-to-sleep)).",
+	]
 	return lines + grid(["asleep", "steps of tiles", "of the most"], body) + source("sleep")
 
 

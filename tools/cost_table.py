@@ -28,7 +28,7 @@ def row(page, what, name, *times, device=CARD):
 def drawing(page, name, renderer, blades):
 	rows = bench_page.read(name)[1]
 	times = [f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")]
-	return row(page, f"a frame with {number(blades)} blades, {renderer}, without / with shadows", name, *times)
+	return row(page, f"drawing a field of {number(blades)} blades, {renderer}, without / with shadows", name, *times)
 
 
 def crowd(page):
@@ -40,7 +40,13 @@ def crowd(page):
 def churn(page):
 	full = pick(bench_page.read("cpu")[1], tiles=16000000, bodies=128)[0]
 	ms = sum(float(full[name]) for name in ("gather_ms", "tiles_ms", "upload_ms"))
-	return row(page, "128 moving bodies and a pool of 4,096 tiles that is always full, a tick, on the processor", "cpu", f"{ms:.2f}", device=PROCESSOR)
+	return row(
+		page,
+		"128 moving bodies and a pool of 4,096 tiles that is always full, a tick, on the processor",
+		"cpu",
+		f"{ms:.2f}",
+		device=PROCESSOR,
+	)
 
 
 def rest(page):

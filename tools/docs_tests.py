@@ -9,7 +9,8 @@ import shlex
 import shutil
 import subprocess
 
-from tools import bench_page, cost_table, drivers_page, engine, formatting, links, machine, one_text, paper, paper_page, prose, settle, snippets
+from tools import bench_page, cost_table, drivers_page, engine, formatting, links, machine
+from tools import one_text, paper, paper_page, prose, settle, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.test_runs import Tally, in_engine
 
