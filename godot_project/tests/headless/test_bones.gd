@@ -98,10 +98,10 @@ func add_chain(place: Vector3, count: int) -> Skeleton3D:
 func calls_of(fields: Array[GrassField], count: int) -> int:
 	var before := 0
 	for field in fields:
-		before -= field.get_statistics().engine_calls
+		before -= field.get_counters().engine_calls
 	await ticks(count)
 	for field in fields:
-		before += field.get_statistics().engine_calls
+		before += field.get_counters().engine_calls
 	return before
 
 
@@ -111,15 +111,15 @@ func test_each_bone_near_the_grass_is_counted() -> void:
 	var field := add_field()
 	var chain := add_chain(Vector3(0, 0.2, 0), 11)
 	await ticks(5)
-	assert_eq(field.get_statistics().bones, 10)
-	var before := field.get_statistics()
+	assert_eq(field.get_counters().bones, 10)
+	var before := field.get_counters()
 	await ticks(40)
-	var after_ := field.get_statistics()
+	var after_ := field.get_counters()
 	assert_eq(after_.engine_calls - before.engine_calls, 40 * (4 + 2 * 11))
 	assert_eq(after_.body_reads - before.body_reads, 40 * 10)
 	(chain.get_child(0) as GrassBoneColliders3D).bones = PackedStringArray(["Bone3", "Bone4"])
 	await ticks(5)
-	assert_eq(field.get_statistics().bones, 2)
+	assert_eq(field.get_counters().bones, 2)
 	# Ten of them have a parent whose name counts, and three poses are needed.
 	assert_eq(await calls_of([field], 40), 40 * (4 + 11 + 10 + 3))
 
@@ -132,7 +132,7 @@ func test_skeletons_far_away_cost_next_to_nothing() -> void:
 	for i in 5:
 		add_chain(Vector3(1400, 0.2, 3 * i), 60)
 	await ticks(10)
-	assert_eq(fields[0].get_statistics().bones, 0)
+	assert_eq(fields[0].get_counters().bones, 0)
 	assert_eq(await calls_of(fields, 80), 5 * (80 * 3 + 80 / 8 * (1 + 2 * 60)))
 
 
@@ -143,7 +143,7 @@ func test_fields_share_what_is_read() -> void:
 	add_chain(Vector3(0, 0.2, 0), 60)
 	await ticks(10)
 	for field in fields:
-		assert_eq(field.get_statistics().bones, 59)
+		assert_eq(field.get_counters().bones, 59)
 	assert_eq(await calls_of(fields, 40), 40 * (4 + 2 * 60))
 
 
@@ -153,10 +153,10 @@ func test_who_comes_from_afar_bends_grass_at_once() -> void:
 	await ticks(10)
 	chain.position.x = 0.0
 	await ticks(2)
-	assert_eq(field.get_statistics().bones, 5, "a skeleton")
+	assert_eq(field.get_counters().bones, 5, "a skeleton")
 	chain.position.x = 1400.0
 	await ticks(10)
-	assert_eq(field.get_statistics().bones, 0)
+	assert_eq(field.get_counters().bones, 0)
 	chain.set_bone_pose_position(0, Vector3(-1400, 0, 0))
 	await ticks(10)
-	assert_eq(field.get_statistics().bones, 5, "its bones alone: within eight ticks")
+	assert_eq(field.get_counters().bones, 5, "its bones alone: within eight ticks")
