@@ -102,6 +102,7 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 		return;
 	}
 	GroundRays rays(field->get_world_3d(), field->field_transform());
+	rays.stand(*field);
 	const double radius = 0.5 * (p_shape.get_max() - p_shape.get_min()).maxCoeff();
 	const double span = search_height(radius + border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };

@@ -23,7 +23,9 @@ real_t shrink_of(const Camera3D *p_camera) {
 }
 
 GroundRays rays_in(const PaintedFields &p_painted) {
-	return GroundRays(p_painted.chosen->get_world_3d(), to_godot(Eigen::Affine3d(p_painted.space)));
+	GroundRays rays(p_painted.chosen->get_world_3d(), to_godot(Eigen::Affine3d(p_painted.space)));
+	rays.stand(*p_painted.chosen);
+	return rays;
 }
 
 } // namespace

@@ -17,15 +17,33 @@ namespace grass {
 // Ticks after which a static body that moved is ground again.
 constexpr int STILL_TICKS = 120;
 
+// How far a body that rides with a field may be from where it was in it: metres, and as much a metre from its middle.
+constexpr double RIDES_WITHIN = 1e-3;
+
+// Whether it stands where it stood in the field.
+bool BodyTracker::rides(const Body &p_body, const Eigen::Affine3d &p_now) {
+	return (p_now.matrix() - p_body.before.matrix()).norm() < RIDES_WITHIN;
+}
+
+// Nodes tell the server late where they are, and it moves kinematic bodies later still. What rides with a field is therefore a tick behind
+// it: where it was beside the field of the tick before. As long as the field has just begun to move, that holds for all that does not yet.
+bool BodyTracker::follows_late(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) {
+	return p_field.has_moved && p_body.has_before && !p_body.is_driven && (p_field.has_begun || p_world != p_body.world_before) &&
+			rides(p_body, p_field.from_world_before * to_eigen(p_world));
+}
+
 // In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
 // kinematic bodies in it) are where they were beside the field, not far away from it.
 Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) const {
 	const Eigen::Affine3d world = to_eigen(p_world);
 	const Eigen::Affine3d now = p_field.from_world * world;
+	const Eigen::Affine3d late = p_field.from_world_before * world;
+	if (follows_late(p_body, p_world, p_field)) {
+		return late;
+	}
 	if (!p_field.has_jumped || !p_body.has_before) {
 		return now;
 	}
-	const Eigen::Affine3d late = p_field.from_world_before * world;
 	const Eigen::Vector3d before = p_body.before.translation();
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
@@ -55,21 +73,26 @@ Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vecto
 // Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
 void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
 	const MotionTick &tick = p_following.tick;
-	const Eigen::Matrix3d from_world = p_following.field.from_world.linear();
-	const Eigen::Vector3d now = p_now.translation();
+	const FieldPose &field = p_following.field;
+	const Eigen::Matrix3d from_world = field.from_world.linear();
+	const Eigen::Vector3d now = p_now.translation(), place = to_eigen(r_body.world_before.origin);
+	// How what stands still passes a field that moves, metres per second.
+	const Eigen::Vector3d passing = field.has_jumped
+			? Eigen::Vector3d(0, 0, 0)
+			: Eigen::Vector3d((field.from_world * place - field.from_world_before * place) / tick.delta);
 	r_body.was_put = !r_body.has_before;
 	if (!r_body.has_before) {
 		const Eigen::Vector3d seen = server_velocity(r_body, p_following.reads);
 		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen, p_following.reads);
 		r_body.has_before = true;
 		r_body.before = p_now;
-		r_body.before.translation() = r_body.motion.start(now, from_world * seen, from_world * own, tick);
+		r_body.before.translation() = r_body.motion.start(now, from_world * seen + passing, from_world * own + passing, tick);
 		return;
 	}
 	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;
 	Eigen::Vector3d own = Eigen::Vector3d::Zero();
 	if (!r_body.motion.expects(step, tick)) {
-		own = from_world * own_velocity(r_body, from_world.transpose() * step / tick.delta, p_following.reads);
+		own = from_world * own_velocity(r_body, from_world.transpose() * (step / tick.delta - passing), p_following.reads) + passing;
 	}
 	const Eigen::Vector3d from = r_body.motion.follow(before, now, own, tick);
 	if (from == now && step != Eigen::Vector3d::Zero()) {

@@ -29,10 +29,11 @@ constexpr int JUMP_TICKS = 6;
 
 } // namespace
 
-void BodyTracker::start(
-		const RID &p_space, const Callable &p_changed, const Callable &p_area_changed, const Callable &p_woke, uint32_t p_mask) {
+void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Callable &p_area_changed, const Callable &p_woke,
+		uint32_t p_mask, std::vector<uint64_t> &&p_carriers) {
 	stop();
 	_woke = p_woke;
+	_carriers = std::move(p_carriers);
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_mask = p_mask;
 	_box = server->box_shape_create();
@@ -102,6 +103,7 @@ void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 			found->second.rid = p_body;
 			found->second.instance_id = uint64_t(p_instance_id);
 			found->second.turn = int(key % WAITING_TICKS);
+			found->second.is_carrier = carries(uint64_t(p_instance_id));
 		}
 		found->second.overlaps++;
 	} else if (found != _bodies.end()) {
@@ -118,6 +120,10 @@ void BodyTracker::body_woke(int64_t p_body) {
 	if (found != _bodies.end()) {
 		found->second.is_asleep = false;
 	}
+}
+
+bool BodyTracker::carries(uint64_t p_instance_id) const {
+	return std::ranges::find(_carriers, p_instance_id) != _carriers.end();
 }
 
 int64_t BodyTracker::body_count() const {
@@ -178,8 +184,10 @@ BodyTracker::FieldPose BodyTracker::pose_field(const Transform3D &p_field) {
 	const Eigen::Vector3d origin = to_eigen(p_field.origin);
 	field.has_jumped = (field.from_world_before * origin).norm() > FIELD_JUMP;
 	field.has_moved = field.from_world.matrix() != field.from_world_before.matrix();
+	field.has_begun = field.has_moved && !_has_field_moved;
 	_from_world_before = field.from_world;
 	_has_field_before = true;
+	_has_field_moved = field.has_moved;
 	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
 	return field;
 }
@@ -238,6 +246,10 @@ void BodyTracker::read(Body &r_body, const Following &p_following) {
 		r_body.mesh_pieces = 0;
 		return;
 	}
+	if (r_body.is_carrier) {
+		place(r_body);
+		return;
+	}
 	_reads.poses++;
 	_reads.engine_calls++;
 	const bool is_due = look(r_body);
@@ -254,8 +266,9 @@ void BodyTracker::read(Body &r_body, const Following &p_following) {
 
 void BodyTracker::follow(Body &r_body, const Transform3D &p_world, bool p_is_due, const Following &p_following) {
 	const Eigen::Affine3d now = pose_of(r_body, p_world, p_following.field);
-	const bool is_carried =
-			_ticks_since_jump <= 1 && r_body.has_before && (now.translation() - r_body.before.translation()).norm() < FIELD_JUMP;
+	const bool is_carried = r_body.has_before &&
+			((_ticks_since_jump <= 1 && (now.translation() - r_body.before.translation()).norm() < FIELD_JUMP) ||
+					(p_following.field.has_moved && rides(r_body, now)));
 	const bool ground = is_ground(r_body, p_world, is_carried);
 	const bool has_waited = r_body.waited > 0;
 	if (has_waited) {

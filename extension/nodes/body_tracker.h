@@ -32,12 +32,15 @@ public:
 	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed(). p_woke is called with the id of a
 	// body's RID, and must hand it to body_woke().
 	// p_area_changed: of areas, with the arguments of area_set_area_monitor_callback.
+	// p_carriers: instance ids of nodes that carry the field. Their bodies are its ground.
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_area_changed,
-			const godot::Callable &p_woke, uint32_t p_mask);
+			const godot::Callable &p_woke, uint32_t p_mask, std::vector<uint64_t> &&p_carriers);
 	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
 	// p_delta: seconds of a tick.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);
 	void set_mask(uint32_t p_mask);
+	// Whether a node carries the field.
+	bool carries(uint64_t p_instance_id) const;
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
@@ -73,6 +76,7 @@ private:
 		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
 		bool is_at_rest = false; // asleep or not: its next tick is as its last one, if it is where it was
 		bool is_lost = false; // has left, or was freed
+		bool is_carrier = false; // of the field, and thus its ground, however it moves
 		bool is_plain = false; // until the next look it needs nothing but its pose, and nothing that it shares with others
 		bool is_written = false, is_written_still = false; // its colliders lie at first_collider; with one pose
 		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
@@ -111,6 +115,7 @@ private:
 		Eigen::Affine3d from_world, from_world_before;
 		bool has_jumped = false;
 		bool has_moved = false; // since the tick before
+		bool has_begun = false; // it has, and stood still before
 	};
 
 	// What following a body reads besides it, and writes.
@@ -163,6 +168,8 @@ private:
 	static bool waits_for_slots(const Body &p_body, const TileManager &p_tiles);
 	void wait(Body &r_body, const Following &p_following);
 	static void catch_up(Body &r_body, const Eigen::Affine3d &p_now);
+	static bool follows_late(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field);
+	static bool rides(const Body &p_body, const Eigen::Affine3d &p_now);
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
 	static Eigen::Vector3d server_velocity(const Body &p_body, BodyReads &r_reads);
@@ -176,8 +183,9 @@ private:
 	godot::Vector3 _box_extents; // with the approach
 	double _approach = 0.0; // metres
 	uint32_t _mask = 1;
+	std::vector<uint64_t> _carriers; // instance ids
 	Eigen::Affine3d _from_world_before = Eigen::Affine3d::Identity();
-	bool _has_field_before = false;
+	bool _has_field_before = false, _has_field_moved = false; // there was a tick before; the field moved in it
 	int _ticks_since_jump = 1 << 30;
 	std::array<bool, 3> _has_warned{}; // of a height map, a trimesh, a convex polygon
 	int64_t _mesh_pieces = 0; // in this tick

@@ -182,6 +182,7 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a region of finite numbers, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
 	GroundRays rays(_host.as_node().get_world_3d(), _host.field_transform(), p_mask);
+	rays.stand(_host.as_node());
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			_host.message("the physics space is locked now. Where physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));

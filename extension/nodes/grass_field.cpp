@@ -74,10 +74,19 @@ void GrassField::enter() {
 	if (!Engine::get_singleton()->is_editor_hint()) {
 		_bodies.get_tracker().start(get_world_3d()->get_space(), callable_mp(this, &GrassField::_body_changed),
 				callable_mp(this, &GrassField::_area_changed), callable_mp(this, &GrassField::_body_woke),
-				uint32_t(_properties.collision_mask));
+				uint32_t(_properties.collision_mask), find_carriers());
 	}
 	_standing.begin_passes();
 	request_rebuild();
+}
+
+// What the field rides on: when its place in the tree changes, it enters again.
+std::vector<uint64_t> GrassField::find_carriers() const {
+	std::vector<uint64_t> carriers;
+	for (const Node *node = get_parent(); node != nullptr; node = node->get_parent()) {
+		carriers.push_back(node->get_instance_id());
+	}
+	return carriers;
 }
 
 void GrassField::leave() {
@@ -201,7 +210,9 @@ void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_in
 	(void)p_body_shape; // see BodyTracker::body_changed()
 	(void)p_area_shape; // the area has one shape
 	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
-	_bodies.get_wheels().body_changed(p_status, p_instance_id);
+	if (!_bodies.get_tracker().carries(uint64_t(p_instance_id))) {
+		_bodies.get_wheels().body_changed(p_status, p_instance_id);
+	}
 }
 
 void GrassField::_area_changed(int64_t p_status, const RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape) {

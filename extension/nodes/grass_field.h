@@ -209,6 +209,7 @@ private:
 	// grass_field.cpp: the node's life, its ticks and its frames
 	void enter();
 	bool belongs_here() const;
+	std::vector<uint64_t> find_carriers() const;
 	void leave();
 	// From the message queue, where the engine lets a node die: nodes/script_call.h. What returns a bool says whether it still lives.
 	void _physics_tick(double p_delta);

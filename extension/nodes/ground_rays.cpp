@@ -17,6 +17,11 @@ bool moves_about(const Object *p_body) {
 	return Object::cast_to<RigidBody3D>(p_body) || Object::cast_to<CharacterBody3D>(p_body) || Object::cast_to<AnimatableBody3D>(p_body);
 }
 
+bool GroundRays::is_ground(const Object *p_body) const {
+	const Node *node = Object::cast_to<Node>(p_body);
+	return !moves_about(p_body) || (_standing != nullptr && node != nullptr && node->is_ancestor_of(const_cast<Node *>(_standing)));
+}
+
 GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, int64_t p_mask) :
 		_field(to_eigen(p_field).matrix()), _to_field(_field.inverse()) {
 	_space = p_world.is_valid() ? p_world->get_direct_space_state() : nullptr;
@@ -37,7 +42,7 @@ std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, c
 			return {};
 		}
 		Object *body = hit["collider"];
-		if (!moves_about(body)) {
+		if (is_ground(body)) {
 			return Eigen::Vector3d(_to_field * to_eigen(Vector3(hit["position"])));
 		}
 		_passed.push_back(hit["rid"]); // never met again, so the loop ends

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_ray_query_parameters3d.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -26,6 +27,8 @@ public:
 	// p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
 
+	// A node that stands on the ground: bodies that carry it are ground, however they move.
+	void stand(const godot::Node &p_node) { _standing = &p_node; }
 	bool is_usable() const { return _space != nullptr; }
 	// The first body on the way that does not move about; field space, metres.
 	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
@@ -33,6 +36,9 @@ public:
 	double height_at(const Eigen::Vector2d &p_place, double p_low, double p_high);
 
 private:
+	bool is_ground(const godot::Object *p_body) const;
+
+	const godot::Node *_standing = nullptr;
 	godot::PhysicsDirectSpaceState3D *_space = nullptr;
 	Eigen::Isometry3d _field, _to_field;
 	godot::Ref<godot::PhysicsRayQueryParameters3D> _query;

@@ -22,6 +22,9 @@ public:
 	// The same blades on another grid: much less work.
 	TileBounds(const TileBounds &p_other, const TileGrid &p_grid);
 
+	// What rises no higher above the ground bends nothing: a deck that a field stands on, as rounding leaves it. Metres.
+	static constexpr double LEAST_RISE = 1e-3;
+
 	// A tile's place in the grid.
 	struct Tile {
 		uint16_t x = 0, z = 0;
@@ -50,7 +53,7 @@ public:
 			const float bottom = float(p_bounds.min.y() - lean - double(ground.high));
 			const Box &blades = boxes[grass_tile_start(tile.x, tile.z, seed) / GRASS_START_STRIDE];
 			r_tiles[kept] = tile;
-			kept += int(blades.meets(box, bottom)) & int(!ground.is_bare()) & int(p_bounds.max.y() >= double(ground.low));
+			kept += int(blades.meets(box, bottom)) & int(!ground.is_bare()) & int(p_bounds.max.y() > double(ground.low) + LEAST_RISE);
 		}
 		return kept;
 	}

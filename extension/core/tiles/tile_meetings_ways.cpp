@@ -109,7 +109,7 @@ void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
 
 // The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.
 TileRange TileMeetings::find_range(const Bounds &p_swept) const {
-	if (p_swept.max.y() < _tiles->params.low || p_swept.min.y() > _tiles->params.height) {
+	if (p_swept.max.y() <= _tiles->params.low + TileBounds::LEAST_RISE || p_swept.min.y() > _tiles->params.height) {
 		return {};
 	}
 	return _tiles->grid.get_range(p_swept.min.x(), p_swept.max.x(), p_swept.min.z(), p_swept.max.z(), _tiles->params.overhang);
