@@ -16,8 +16,8 @@ size_t TileMeetings::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	size_t blocks = bytes(_blocks);
 	for (const Block &block : _blocks) {
-		blocks += bytes(block.ways) + bytes(block.squares) + bytes(block.found) + bytes(block.meetings) + bytes(block.meetings_asleep) +
-				bytes(block.known_slots) + bytes(block.known_slots_before) + block.met.get_memory_usage() +
+		blocks += bytes(block.ways) + bytes(block.whole) + bytes(block.squares) + bytes(block.found) + bytes(block.meetings) +
+				bytes(block.meetings_asleep) + bytes(block.known_slots) + bytes(block.known_slots_before) + block.met.get_memory_usage() +
 				block.stirred.get_memory_usage();
 	}
 	return blocks + bytes(_known) + bytes(_met) + bytes(_meetings) + bytes(_wanted) + _place_of_tile.get_memory_usage();

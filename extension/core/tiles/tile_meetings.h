@@ -8,8 +8,10 @@
 #include "core/tiles/slot_map.h"
 #include "core/tiles/slot_set.h"
 #include "core/tiles/tile_bounds.h"
+#include "core/tiles/tile_footprint.h"
 #include "core/tiles/tile_map.h"
 #include "core/tiles/tile_params.h"
+#include "core/tiles/tile_view.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,6 +27,7 @@ public:
 		const TileGrid &grid;
 		const TileParams &params;
 		const TileBounds *bounds; // null: a tile's box is its square, grown
+		const TileView &view; // as of this step
 		const SlotMap &slots; // of awake tiles
 		SlotSet &met, &stirred; // by a collider; by one that moves
 		TileStatistics &statistics;
@@ -81,6 +84,7 @@ private:
 	// PARALLEL_BLOCK colliders that follow each other, for one thread at a time. All but known_slots_before is of one step.
 	struct Block {
 		std::vector<Way> ways; // of the colliders, rising
+		std::vector<Way> whole; // the same before they were limited
 		std::vector<const SlotMap::Square *> squares; // of the ranges, one after the other, row by row
 		std::vector<Found> found; // of a range
 		std::vector<Meeting> meetings, meetings_asleep; // with tiles that have slots, and that have none
@@ -105,6 +109,10 @@ private:
 	void add_collider(ColliderShape &r_collider, uint32_t p_index, Block &r_block);
 	void add_ways(const ColliderShape &p_collider, uint32_t p_index, Block &r_block);
 	void limit_ranges(std::span<const ColliderShape> p_colliders);
+	int64_t limit_ways(std::span<const ColliderShape> p_colliders, int64_t p_most, int64_t p_wide, int64_t p_left, Block &r_block);
+	int64_t narrow(const ColliderShape &p_collider, const Way &p_way, int64_t p_limit, Block &r_block);
+	void add_outline(const TileFootprint &p_footprint, const Way &p_way, int p_middle, bool p_seen, int64_t &r_left, Block &r_block) const;
+	void add_span(const Way &p_way, int p_z, const TileFootprint::Span &p_span, bool p_seen, int64_t &r_left, Block &r_block) const;
 	TileRange find_range(const Bounds &p_swept) const;
 	// tile_meetings_asleep.cpp
 	void meet_asleep_tiles(const ParallelFor &p_parallel_for);

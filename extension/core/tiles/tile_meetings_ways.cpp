@@ -9,6 +9,9 @@ namespace grass {
 
 namespace {
 
+// Tiles up to which a body is small: its outline is most of it.
+constexpr int64_t LARGE = 64;
+
 // At most p_limit tiles of the range: those around (p_x, p_z).
 TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 	if (p_range.count() <= p_limit) {
@@ -72,8 +75,9 @@ void TileMeetings::add_ways(const ColliderShape &p_collider, uint32_t p_index, B
 	}
 }
 
-// A body over more tiles than the pool holds, or bodies that together fill the list, get those around their centres.
+// Large bodies while not all tiles can be awake that are met, and bodies that together fill the list, get those around their outlines.
 void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
+	constexpr int64_t WIDE_PART = 8; // a body is large, too, that covers such a part of the pool
 	int64_t total = 0, widest = 0;
 	size_t ways = 0;
 	for (const Block &block : get_blocks()) {
@@ -86,25 +90,111 @@ void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
 	if (_tiles->bounds && total > GRASS_START_COUNT / 4) {
 		_tiles->bounds->prefetch();
 	}
-	const int64_t capacity = _tiles->params.list_capacity();
+	const int64_t pool = _tiles->params.pool_size, capacity = _tiles->params.list_capacity();
 	const int64_t share = total <= capacity ? capacity : std::max<int64_t>(1, capacity / int64_t(ways));
-	const int64_t most = std::min<int64_t>(share, _tiles->params.pool_size);
-	if (total <= capacity && widest <= most) {
+	const int64_t most = std::min(share, pool), wide = total > pool ? std::max(LARGE, pool / WIDE_PART) : most;
+	if (total <= capacity && widest <= std::min(most, wide)) {
 		return;
 	}
 	int64_t left = capacity;
 	for (Block &block : get_blocks()) {
-		for (Way &way : block.ways) {
-			TileRange &range = way.range;
-			if (const int64_t limit = std::min(most, left); range.count() > limit) {
-				const TilePlace centre = _tiles->grid.get_place(p_colliders[way.collider].now.position);
-				_tiles->statistics.capped += uint64_t(range.count());
-				range = shrink(range, limit, centre.x, centre.z);
-				_tiles->statistics.capped -= uint64_t(range.count());
-			}
-			left -= range.count();
+		left -= limit_ways(p_colliders, most, wide, left, block);
+	}
+}
+
+// Returns how many tiles the ways may meet then, p_left at most.
+int64_t TileMeetings::limit_ways(
+		std::span<const ColliderShape> p_colliders, int64_t p_most, int64_t p_wide, int64_t p_left, Block &r_block) {
+	std::vector<Way> &whole = r_block.whole;
+	whole.swap(r_block.ways);
+	r_block.ways.clear();
+	int64_t taken = 0;
+	for (size_t i = 0; i < whole.size(); i++) {
+		const ColliderShape &collider = p_colliders[whole[i].collider];
+		const int64_t limit = std::min(p_most, p_left - taken), count = whole[i].range.count();
+		const bool is_hiding =
+				count > p_wide && collider.force == ColliderShape::NO_FORCE && whole[i].swept.max.y() >= _tiles->params.height;
+		const bool is_piece = (i > 0 && whole[i - 1].collider == whole[i].collider) ||
+				(i + 1 < whole.size() && whole[i + 1].collider == whole[i].collider);
+		int64_t kept = count;
+		if (count <= limit && (is_piece || !is_hiding)) {
+			r_block.ways.push_back(whole[i]);
+		} else if (is_piece || count <= LARGE || collider.force != ColliderShape::NO_FORCE) {
+			const TilePlace centre = _tiles->grid.get_place(collider.now.position);
+			r_block.ways.push_back(whole[i]);
+			TileRange &range = r_block.ways.back().range;
+			range = shrink(range, limit, centre.x, centre.z);
+			kept = range.count();
+		} else {
+			kept = narrow(collider, whole[i], limit, r_block);
+		}
+		_tiles->statistics.capped += uint64_t(count - kept);
+		taken += kept;
+	}
+	return taken;
+}
+
+// Puts ways around the body's outline, where blades are bent out, in the place of one over all that is under it: first those in view. A
+// body lower than the grass gets what is left around its middle. Returns how many tiles they may meet, p_limit at most.
+int64_t TileMeetings::narrow(const ColliderShape &p_collider, const Way &p_way, int64_t p_limit, Block &r_block) {
+	_known[p_way.collider].stamp = 0;
+	_known[p_way.collider].is_complete = false;
+	const TilePlace centre = _tiles->grid.get_place(p_collider.now.position);
+	const TileFootprint footprint(p_collider, p_way.swept, _tiles->grid, _tiles->params);
+	int64_t left = p_limit;
+	for (const bool seen : { true, false }) {
+		add_outline(footprint, p_way, centre.z, seen, left, r_block);
+	}
+	int64_t inner = left;
+	if (footprint.is_tall()) {
+		inner = left == p_limit ? std::min<int64_t>(left, 1) : 0; // one, to know that it is in grass
+	}
+	if (inner > 0) {
+		r_block.ways.push_back({ p_way.swept, shrink(p_way.range, inner, centre.x, centre.z), p_way.collider });
+		left -= r_block.ways.back().range.count();
+	}
+	return p_limit - left;
+}
+
+// From the row of its middle outwards. p_seen: those in view, or the others.
+void TileMeetings::add_outline(
+		const TileFootprint &p_footprint, const Way &p_way, int p_middle, bool p_seen, int64_t &r_left, Block &r_block) const {
+	const TileRange &range = p_way.range;
+	const int middle = std::clamp(p_middle, range.z_begin, range.z_end - 1);
+	for (int n = 0; n < 2 * range.depth() && r_left > 0; n++) {
+		const int z = middle + (n % 2 == 0 ? n / 2 : -(n + 1) / 2);
+		if (z < range.z_begin || z >= range.z_end) {
+			continue;
+		}
+		const TileFootprint::Span reached = p_footprint.find_reached(z, { range.x_begin, range.x_end });
+		const TileFootprint::Span covered = reached.is_empty() ? reached : p_footprint.find_covered(z, reached);
+		if (covered.is_empty()) {
+			add_span(p_way, z, reached, p_seen, r_left, r_block);
+		} else {
+			add_span(p_way, z, { reached.begin, covered.begin }, p_seen, r_left, r_block);
+			add_span(p_way, z, { covered.end, reached.end }, p_seen, r_left, r_block);
 		}
 	}
+}
+
+// In pieces without gaps, of tiles that it meets.
+void TileMeetings::add_span(
+		const Way &p_way, int p_z, const TileFootprint::Span &p_span, bool p_seen, int64_t &r_left, Block &r_block) const {
+	const auto is_wanted = [&](int p_x) {
+		return _tiles->view.sees(p_x, p_z) == p_seen && (!_tiles->bounds || _tiles->bounds->meets(p_x, p_z, p_way.swept));
+	};
+	int begin = p_span.begin;
+	for (int x = p_span.begin; x <= p_span.end && r_left > 0; x++) {
+		if (x < p_span.end && x - begin < r_left && is_wanted(x)) {
+			continue;
+		}
+		if (x > begin) {
+			r_block.ways.push_back({ p_way.swept, { begin, x, p_z, p_z + 1 }, p_way.collider });
+			r_left -= x - begin;
+		}
+		begin = x + 1;
+	}
+	r_block.looked_at += uint64_t(std::max(p_span.end - p_span.begin, 0));
 }
 
 // The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.

@@ -57,8 +57,8 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, c
 	_time += delta;
 	_step_number++;
 	begin_step();
-	_meetings.find(
-			{ _grid, _params, _bounds.get(), _slot_of_tile, _met, _stirred, _statistics }, p_colliders, p_parallel_for); // lines 1 to 9
+	_meetings.find({ _grid, _params, _bounds.get(), _view, _slot_of_tile, _met, _stirred, _statistics }, p_colliders,
+			p_parallel_for); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	sign_meetings(p_colliders);
 	deactivate_tiles(delta); // lines 18 to 25
