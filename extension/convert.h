@@ -11,6 +11,7 @@
 #include <godot_cpp/variant/basis.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/plane.hpp>
+#include <godot_cpp/variant/projection.hpp>
 #include <godot_cpp/variant/quaternion.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/vector2.hpp>
@@ -46,6 +47,15 @@ inline Eigen::Affine3d to_eigen(const godot::Transform3D &p_transform) {
 	a.linear() = to_eigen(p_transform.basis);
 	a.translation() = to_eigen(p_transform.origin);
 	return a;
+}
+
+inline Eigen::Matrix4d to_eigen(const godot::Projection &p_projection) {
+	Eigen::Matrix4d m;
+	for (int column = 0; column < 4; column++) {
+		const godot::Vector4 &own = p_projection.columns[column];
+		m.col(column) = Eigen::Vector4d(own.x, own.y, own.z, own.w);
+	}
+	return m;
 }
 
 // Plane as n.x, n.y, n.z, d with n.x <= d on the inner side (both sides use this form).

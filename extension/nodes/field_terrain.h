@@ -22,7 +22,7 @@ namespace grass {
 // the field, and this with it.
 class FieldTerrain {
 public:
-	explicit FieldTerrain(godot::Node3D &p_field) : _node(p_field) {}
+	explicit FieldTerrain(godot::VisualInstance3D &p_field) : _node(p_field) {}
 
 	void set_path(const godot::NodePath &p_path);
 	void look_soon() { _frames_to_look = _source ? _frames_to_look : 0; } // for a terrain that was not found
@@ -68,7 +68,7 @@ private:
 	void show_colors();
 	bool lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
-	godot::Node3D &_node; // the field
+	godot::VisualInstance3D &_node; // the field
 	godot::NodePath _path;
 	std::shared_ptr<TerrainSource> _source; // null: not found
 	bool _can_read = false; // see can_read()

@@ -11,6 +11,8 @@
 #include <godot_cpp/classes/viewport_texture.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/classes/xr_interface.hpp>
+#include <godot_cpp/classes/xr_server.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
@@ -70,6 +72,26 @@ ViewCamera view_camera(const Camera3D *p_camera, Viewport *p_viewport, const Eig
 	return view;
 }
 
+// A headset's eyes, as the renderer asks for them: it takes layers, near and far from the camera, and where the eyes are from the headset.
+void add_eyes(XRInterface &p_headset, const Camera3D *p_camera, Viewport *p_viewport, const Eigen::Affine3d &p_field,
+		std::vector<ViewCamera> &r_views) {
+	const Vector2 size = p_headset.get_render_target_size();
+	const double aspect = size.y > 0.0f ? double(size.x) / size.y : 1.0, near = p_camera->get_near();
+	const Transform3D origin = XRServer::get_singleton()->get_world_origin();
+	for (uint32_t eye = 0; eye < p_headset.get_view_count(); eye++) {
+		const Eigen::Affine3d pose = to_eigen(p_headset.get_transform_for_view(eye, origin).orthonormalized());
+		const Eigen::Matrix4d projection = to_eigen(p_headset.get_projection_for_view(eye, aspect, near, p_camera->get_far()));
+		const double pixels = double(size.y) * p_viewport->get_scaling_3d_scale();
+		r_views.push_back(view_of_eye(projection, p_field.inverse(Eigen::Isometry) * pose, near, pixels));
+	}
+}
+
+// The headset that shows a viewport's picture, if any.
+Ref<XRInterface> find_headset(Viewport *p_viewport) {
+	const Ref<XRInterface> headset = p_viewport->is_using_xr() ? XRServer::get_singleton()->get_primary_interface() : Ref<XRInterface>();
+	return headset.is_valid() && headset->is_initialized() ? headset : Ref<XRInterface>();
+}
+
 bool has_motion_effect(const Ref<Compositor> &p_compositor) {
 	if (p_compositor.is_null()) {
 		return false;
@@ -92,43 +114,54 @@ bool has_motion(const Camera3D *p_camera, Viewport *p_viewport) {
 			has_motion_effect(p_camera->get_compositor());
 }
 
-// Whether this frame shows what the camera sees of the node's world. Not by is_current(), which the editor's cameras and those of the
-// edited scene return differently.
-bool is_seeing(const Camera3D *p_camera, const Node3D *p_node) {
+// Whether this frame shows what the camera sees of the node's world, of whatever layers. Not by is_current(), which the editor's cameras
+// and those of the edited scene return differently.
+bool is_watching(const Camera3D *p_camera, const Node3D *p_node) {
 	Viewport *viewport = p_camera->get_viewport();
 	return viewport != nullptr && viewport->get_camera_3d() == p_camera && p_camera->get_world_3d() == p_node->get_world_3d() &&
 			is_drawn(viewport);
 }
 
-std::vector<ViewCamera> find_cameras(const Node3D *p_node, const Eigen::Affine3d &p_field) {
-	std::vector<ViewCamera> views;
+// The same of some layers: the renderer draws nothing else for the camera, neither in its picture nor in the shadows there.
+bool is_seeing(const Camera3D *p_camera, const Node3D *p_node, uint32_t p_layers) {
+	return (p_camera->get_cull_mask() & p_layers) != 0 && is_watching(p_camera, p_node);
+}
+
+void find_cameras(const VisualInstance3D *p_node, const Eigen::Affine3d &p_field, FieldView &r_view) {
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
-		if (is_seeing(camera, p_node)) {
-			views.push_back(view_camera(camera, camera->get_viewport(), p_field));
+		r_view.is_watched = r_view.is_watched || is_watching(camera, p_node);
+		if (!is_seeing(camera, p_node, p_node->get_layer_mask())) {
+			continue;
+		}
+		Viewport *viewport = camera->get_viewport();
+		if (const Ref<XRInterface> headset = find_headset(viewport); headset.is_valid()) {
+			add_eyes(**headset, camera, viewport, p_field, r_view.cameras);
+		} else {
+			r_view.cameras.push_back(view_camera(camera, viewport, p_field));
 		}
 	}
-	return views;
 }
 
 // Whether a picture is made with motion vectors: for TAA, FSR 2, or an effect that reads them.
-bool are_motion_vectors_read(const Node3D *p_node) {
+bool are_motion_vectors_read(const VisualInstance3D *p_node) {
 	const SceneWatch &scene = *SceneWatch::get_singleton();
 	const bool in_world = std::ranges::any_of(scene.get_environments(), [p_node](const WorldEnvironment *p_environment) {
 		return p_environment->get_viewport() != nullptr && p_environment->get_viewport()->find_world_3d() == p_node->get_world_3d() &&
 				has_motion_effect(p_environment->get_compositor());
 	});
 	return in_world || std::ranges::any_of(scene.get_cameras(), [p_node](const Camera3D *p_camera) {
-		return is_seeing(p_camera, p_node) && has_motion(p_camera, p_camera->get_viewport());
+		return is_seeing(p_camera, p_node, p_node->get_layer_mask()) && has_motion(p_camera, p_camera->get_viewport());
 	});
 }
 
-// Where the shadow of a point p_height metres above the field ends, from there, for each directional light that casts shadows down on
+// Where the shadow of a point p_height metres above the field ends, from there, for each directional light that casts its shadows down on
 // it. At most p_farthest metres long; field space.
-std::vector<Eigen::Vector3f> find_falls(const Node3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
+std::vector<Eigen::Vector3f> find_falls(
+		const VisualInstance3D *p_node, const Eigen::Affine3d &p_field, double p_height, double p_farthest) {
 	std::vector<Eigen::Vector3f> falls;
 	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
 		if (!sun->has_shadow() || !sun->is_visible_in_tree() || sun->get_world_3d() != p_node->get_world_3d() ||
-				falls.size() == GRASS_MAX_SUNS) {
+				(sun->get_shadow_caster_mask() & p_node->get_layer_mask()) == 0 || falls.size() == GRASS_MAX_SUNS) {
 			continue;
 		}
 		const Eigen::Vector3d shining = to_eigen(-sun->get_global_transform().basis.get_column(2));
@@ -142,10 +175,10 @@ std::vector<Eigen::Vector3f> find_falls(const Node3D *p_node, const Eigen::Affin
 
 } // namespace
 
-std::vector<Eigen::Vector2d> find_eyes(const Node3D *p_node, const Eigen::Affine3d &p_field) {
+std::vector<Eigen::Vector2d> find_eyes(const Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field) {
 	std::vector<Eigen::Vector2d> eyes;
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
-		if (is_seeing(camera, p_node)) {
+		if (is_seeing(camera, p_node, p_layers)) {
 			const Eigen::Vector3d eye = p_field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin);
 			eyes.emplace_back(eye.x(), eye.z());
 		}
@@ -157,7 +190,7 @@ FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, 
 	SceneWatch::get_singleton()->start(p_node);
 	FieldView view;
 	const Eigen::Affine3d field = to_eigen(p_transform);
-	view.cameras = find_cameras(p_node, field);
+	find_cameras(p_node, field, view);
 	if (view.cameras.empty()) {
 		return view;
 	}

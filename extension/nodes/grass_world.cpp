@@ -100,7 +100,7 @@ void GrassWorld::_frame() {
 	}
 	CpuClock clock;
 	std::vector<WorldEye> eyes;
-	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this)) {
+	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this, _plots.find_layers())) {
 		eyes.push_back({ camera, _radius });
 	}
 	std::vector<WorldMover> movers = _eyes.find_bodies();

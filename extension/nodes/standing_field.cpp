@@ -265,7 +265,7 @@ void StandingField::read_asked() {
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
 	_field.see(p_view, p_is_visible);
-	if (_is_shown && !p_view.cameras.empty() && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
+	if (_is_shown && p_view.is_watched && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(p_view);
 		_is_crowded = _is_crowded || leaves_tiles_out();
 	}

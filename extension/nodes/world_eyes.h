@@ -27,7 +27,8 @@ public:
 	// A tick of p_delta seconds: some of the bodies are looked at, in turn.
 	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents, double p_delta);
 
-	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world) const;
+	// p_layers: of the grass.
+	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world, uint32_t p_layers) const;
 	std::vector<WorldMover> find_bodies() const; // awake ones
 	int64_t get_body_count() const { return int64_t(_bodies.size()); }
 

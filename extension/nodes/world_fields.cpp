@@ -76,6 +76,7 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 	_pattern.has_terrain = !first->get_terrain().is_empty();
 	_pattern.pool_tiles = first->get_pool_tiles();
 	_pattern.collision_mask = uint32_t(first->get_collision_mask());
+	_pattern.layers = first->get_layer_mask();
 	_pattern.tile_size = first->get_tile_size();
 	_pattern.map.set_base_density(1.0);
 	if (first->get_map().is_valid()) {

@@ -26,7 +26,7 @@ public:
 		PaintMap map; // of plots without a file
 		bool has_terrain = false;
 		int64_t pool_tiles = 0;
-		uint32_t collision_mask = 1;
+		uint32_t collision_mask = 1, layers = 1;
 		double tile_size = 0.0; // metres
 	};
 

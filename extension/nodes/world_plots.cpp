@@ -231,6 +231,15 @@ void WorldPlots::ask() {
 	}
 }
 
+uint32_t WorldPlots::find_layers() const {
+	uint32_t layers = _fields.get_pattern().layers;
+	for (const auto &[key, plot] : _plots) {
+		const GrassField *field = field_of(plot); // null: it is still being read
+		layers |= field != nullptr ? field->get_layer_mask() : 0u;
+	}
+	return layers;
+}
+
 std::vector<PlotKey> WorldPlots::get_standing() const {
 	std::vector<PlotKey> keys;
 	for (const auto &[key, plot] : _plots) {

@@ -55,6 +55,7 @@ public:
 	const WorldFields &get_fields() const { return _fields; }
 	WorldFiles &get_files() { return _files; }
 	const WorldFiles &get_files() const { return _files; }
+	uint32_t find_layers() const; // of the grass that stands, and of what comes
 	WorldStatistics get_statistics() const;
 
 private:

@@ -19,7 +19,7 @@ PLAIN = ("bool", "int", "float")
 BY_HAND = {*PLAIN, "Nil", "RID", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3", "Vector3i", "Transform2D",
 	"Vector4", "Vector4i", "Plane",
 	"Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color"}  # fmt: skip
-UNUSED = {"Vector3i", "Transform2D", "Vector4i", "Projection"}  # by the extension; what has them is left out
+UNUSED = {"Vector3i", "Transform2D", "Vector4i"}  # by the extension; what has them is left out
 RENAMED = {("Node", "get_node"): "get_node_internal", ("", "typeof"): "type_of"}
 OPERATORS = {"==", "!=", "<", "<=", ">", ">=", "+"}  # of two values of a type
 LEFT_OUT = {"is_instance_valid"}

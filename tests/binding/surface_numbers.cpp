@@ -211,6 +211,14 @@ METHOD(Transform3D, translated_local, Transform3D(const Vector3 &) const)
 METHOD(Transform3D, is_finite, bool() const)
 METHOD(Transform3D, operator String, String() const)
 
+// variant/projection.hpp
+FIELD(Projection, columns, Vector4[4])
+CONSTRUCTOR(Projection)
+CONSTRUCTOR(Projection, const Vector4 &, const Vector4 &, const Vector4 &, const Vector4 &)
+METHOD(Projection, operator==, bool(const Projection &) const)
+METHOD(Projection, operator!=, bool(const Projection &) const)
+METHOD(Projection, operator String, String() const)
+
 // variant/color.hpp
 FIELD(Color, r, float)
 FIELD(Color, g, float)

@@ -80,7 +80,7 @@ constexpr bool is_only_for_loops = !std::ranges::range<T> && !std::ranges::range
 } // namespace
 
 #define REFUSED(m_use, ...) static_assert(none<m_use, __VA_ARGS__>);
-#define NUMBERS Vector2, Vector2i, Vector3, Vector4, Rect2, Rect2i, AABB, Basis, Quaternion, Transform3D, Plane, Color
+#define NUMBERS Vector2, Vector2i, Vector3, Vector4, Rect2, Rect2i, AABB, Basis, Quaternion, Transform3D, Projection, Plane, Color
 
 // Loops go over these; algorithms, spans and arithmetic take pointers.
 static_assert(is_only_for_loops<PackedByteArray> && is_only_for_loops<PackedInt32Array> && is_only_for_loops<PackedInt64Array>);
@@ -141,6 +141,7 @@ REFUSED(Equals, AABB, std::nullptr_t, String, StringName)
 REFUSED(Equals, Basis, std::nullptr_t, String, StringName)
 REFUSED(Equals, Quaternion, std::nullptr_t, String, StringName)
 REFUSED(Equals, Transform3D, std::nullptr_t, String, StringName)
+REFUSED(Equals, Projection, std::nullptr_t, String, StringName)
 REFUSED(Equals, Plane, std::nullptr_t, String, StringName)
 REFUSED(Equals, Color, std::nullptr_t, String, StringName)
 static_assert(!is_constant_alone<Vector2> && !is_constant_alone<Vector2i> && !is_constant_alone<Vector3> && !is_constant_alone<Vector4>);

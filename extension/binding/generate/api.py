@@ -37,10 +37,11 @@ PLAIN = [
 	"AABB",
 	"Basis",
 	"Transform3D",
+	"Projection",
 	"Color",
 ]
 # Builtin types that the extension has no use for; methods with them are left out.
-UNUSED = {"Vector3i", "Transform2D", "Vector4i", "Projection"}
+UNUSED = {"Vector3i", "Transform2D", "Vector4i"}
 KEYWORDS = {
 	"class",
 	"default",

@@ -237,6 +237,7 @@ GODOT_TEXT(Quaternion)
 GODOT_TEXT(AABB)
 GODOT_TEXT(Basis)
 GODOT_TEXT(Transform3D)
+GODOT_TEXT(Projection)
 GODOT_TEXT(Color)
 #undef GODOT_TEXT
 

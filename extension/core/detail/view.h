@@ -4,7 +4,7 @@
 
 #include "core/detail/lod.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -21,9 +21,18 @@ struct ViewCamera {
 	bool operator==(const ViewCamera &) const = default;
 };
 
+// What the six planes of a projection hold. p_clip: from the planes' space to clip space (OpenGL's: -w <= x, y, z <= w is seen).
+Frustum frustum_of(const Eigen::Matrix4d &p_clip);
+
+// One eye of a headset. p_projection: from its own space to clip space; p_eye: its pose in field space (orthonormal); p_near: metres;
+// p_pixels: height of its picture. A field that two eyes see has two cameras: no plane of one eye takes away what the other sees, and
+// the eye that is nearer decides how fine a tile is drawn.
+ViewCamera view_of_eye(const Eigen::Matrix4d &p_projection, const Eigen::Affine3d &p_eye, double p_near, double p_pixels);
+
 // Where the field is seen from in a frame, and how finely it is drawn. Field space, metres.
 struct FieldView {
-	std::vector<ViewCamera> cameras; // all whose picture this frame shows
+	std::vector<ViewCamera> cameras; // all whose picture this frame shows, and that see the field's layers; two of a headset
+	bool is_watched = false; // a picture of the field's world is shown, whatever layers it leaves out; else nobody knows who looks at it
 	LodParams lod;
 	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
 	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light

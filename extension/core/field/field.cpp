@@ -93,7 +93,7 @@ void Field::regrow(const TileRange &p_tiles) {
 }
 
 void Field::see(const FieldView &p_view, bool p_is_visible) {
-	if (p_view.cameras.empty() && p_is_visible) {
+	if (p_view.cameras.empty() && !p_view.is_watched && p_is_visible) {
 		_tiles.get_view().see_all();
 		_is_seen = true;
 		return;

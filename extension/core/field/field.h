@@ -44,8 +44,8 @@ public:
 	// The map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
 
-	// What the cameras of a frame see of it. Without cameras, a visible node's field counts as seen: scripts and tests look
-	// at such a world in ways that are not known here.
+	// What the cameras of a frame see of it. Where no picture of its world is shown, a visible node's field counts as seen: scripts and
+	// tests look at such a world in ways that are not known here.
 	void see(const FieldView &p_view, bool p_is_visible);
 	bool is_seen() const { return _is_seen; } // or a shadow of it
 

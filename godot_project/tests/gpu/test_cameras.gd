@@ -91,6 +91,56 @@ func test_another_world_s_camera_does_not_count() -> void:
 	assert_eq(field.get_counters().culls, before.culls)
 
 
+## A minimap's camera, which leaves the grass out: nothing more is drawn, nor casts a shadow, nor is simulated for it.
+func test_a_camera_that_leaves_out_the_field_s_layers_does_not_count() -> void:
+	var keys := ["drawn_tiles", "drawn_blades", "drawn_triangles", "shadow_tiles", "culls"]
+	var sun: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
+	sun.shadow_enabled = true
+	open_other_view()
+	var field := add_seen_field({size = Vector2(20, 20), layers = 2, cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON})
+	camera.cull_mask = 3
+	look(Vector3(0, 1.2, 0), Vector3(0, 0.2, -4))
+	await drawn()
+	var alone := field.get_statistics()
+	assert_greater(alone.drawn_tiles, 0)
+	assert_greater(alone.shadow_tiles, 0)
+	other_camera.cull_mask = 1
+	other_camera.look_at_from_position(Vector3(0, 1.2, 0), Vector3(0, 0.2, 4))  # what the first one does not see
+	other.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	await drawn()
+	for key: String in keys:
+		assert_eq(field.get_statistics()[key], alone[key], key)
+	other_camera.cull_mask = 3
+	await drawn()
+	assert_greater(field.get_statistics().drawn_tiles, alone.drawn_tiles, "a camera that shows it counts")
+	other_camera.cull_mask = 1
+	await drawn()
+	assert_eq(field.get_statistics().drawn_tiles, alone.drawn_tiles, "and no longer")
+	camera.cull_mask = 1
+	await drawn()
+	assert_eq(field.get_statistics().drawn_tiles, 0, "no camera shows it")
+	assert_eq(field.get_statistics().shadow_tiles, 0, "no camera shows its shadow")
+	var ticks_before: int = field.get_statistics().unseen_ticks
+	await ticks(5)
+	assert_greater(field.get_statistics().unseen_ticks, ticks_before + 3, "nothing is simulated that no camera shows")
+	field.layers = 1
+	await drawn()
+	assert_greater(field.get_statistics().drawn_tiles, alone.drawn_tiles, "both show its new layers")
+
+
+func test_a_sun_whose_shadows_leave_out_the_field_throws_none() -> void:
+	var sun: DirectionalLight3D = viewport.find_children("*", "DirectionalLight3D", true, false)[0]
+	sun.shadow_enabled = true
+	sun.look_at_from_position(Vector3.ZERO, Vector3(0, -0.2, 1))
+	var field := add_seen_field({size = Vector2(6, 6), shadow_margin = 0.0, cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON})
+	look(Vector3(0, 1.4, 4.5), Vector3(0, 0, 5.0))  # all that it sees of the grass is shadow
+	await drawn()
+	assert_greater(field.get_statistics().shadow_tiles, 0)
+	sun.shadow_caster_mask = 2
+	await drawn()
+	assert_eq(field.get_statistics().shadow_tiles, 0)
+
+
 func test_an_orthogonal_camera_thins_by_its_pixels() -> void:
 	var field := add_seen_field()
 	camera.projection = Camera3D.PROJECTION_ORTHOGONAL

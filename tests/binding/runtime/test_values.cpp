@@ -33,6 +33,7 @@ TEST_CASE("a Variant keeps every kind of value") {
 	CHECK((survives(Quaternion(0, 1, 0, 0), Variant::QUATERNION)));
 	CHECK((survives(::godot::AABB(Vector3(1, 2, 3), Vector3(4, 5, 6)), Variant::AABB)));
 	CHECK((survives(Transform3D(Basis(), Vector3(1, 2, 3)), Variant::TRANSFORM3D)));
+	CHECK((survives(Projection({ 1, 2, 3, 4 }, { 5, 6, 7, 8 }, { 9, 10, 11, 12 }, { 13, 14, 15, 16 }), Variant::PROJECTION)));
 	CHECK((survives(Color(0.25, 0.5, 0.75, 1), Variant::COLOR)));
 	CHECK((survives(StringName("name"), Variant::STRING_NAME)));
 	CHECK((survives(PackedFloat32Array({ 1.5f, 2.5f }), Variant::PACKED_FLOAT32_ARRAY)));

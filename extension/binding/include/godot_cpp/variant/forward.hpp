@@ -36,6 +36,7 @@ struct Quaternion;
 struct AABB;
 struct Basis;
 struct Transform3D;
+struct Projection;
 struct Color;
 
 } // namespace godot
