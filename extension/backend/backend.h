@@ -35,6 +35,9 @@ public:
 	virtual bool is_refused() const { return false; }
 	// Chooses what is drawn in this frame.
 	virtual void draw(const FieldView &p_view) = 0;
+	// Before show_motion(), in each frame that is drawn. p_is_between: whether the engine draws bodies between two ticks, and so the blades
+	// that they bend; p_share: of the last step, 0..1; the rest is the step's before.
+	virtual void show_between(bool p_is_between, float p_share) = 0;
 	// Before follow(), in each frame that is drawn. p_is_read: whether somebody reads motion vectors; p_has_blown: whether the wind's clock
 	// ran since the last frame. The engine calls vertex() once more with the MODEL_MATRIX of the frame before, and nothing else lets a
 	// shader know which call it is: so in frames in which blades move the instance of the picture turns y over, or back, and the

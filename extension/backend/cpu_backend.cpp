@@ -18,7 +18,6 @@ using namespace godot;
 namespace grass {
 
 namespace {
-constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
 // Ticks between checks of the pool's memory, and how many checks in a row must find it at least four times too large: three seconds.
 // Room for twice what is awake stays. Less: memory comes and goes with every body that passes.
@@ -45,7 +44,7 @@ CpuBackend::CpuBackend(const FieldSetup &p_setup) :
 		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_size), _patch_texture(patch_texture(p_setup.patch)) {
 	_materials.set("patch_knots", _patch_texture);
 	_materials.set("blade_length", _setup.blade_length());
-	_changed_slots.reset(p_setup.pool_size, false);
+	_texels.reset(p_setup.pool_size);
 	update_pool_texture();
 }
 
@@ -61,7 +60,7 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 	}
 	if (p_setup.pool_size != _setup.pool_size) {
 		_pool.set_pool_size(p_setup.pool_size);
-		_changed_slots.reset(p_setup.pool_size, false);
+		_texels.reset(p_setup.pool_size);
 		_highest_slot = std::min(_highest_slot, p_setup.pool_size - 1);
 	}
 	_setup = p_setup;
@@ -77,14 +76,15 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 void CpuBackend::step(const StepInput &p_input) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	const int64_t blades_before = _pool.get_simulated_blades();
+	_texels.begin_step(_pool, p_input.slots);
 	_pool.step(p_input, run_parallel);
+	_texels.end_step(p_input.slots);
 	for (const GrassSlot &slot : p_input.slots) {
 		_tiles_changed = _tiles_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
 		if (slot.list.w & GRASS_SLOT_RETIRED) {
 			_slot_of_tile.erase(slot.tile.z);
 		} else {
 			_slot_of_tile[slot.tile.z] = slot.tile.w;
-			_changed_slots.insert(slot.tile.w);
 			_highest_slot = std::max(_highest_slot, slot.tile.w);
 		}
 	}
@@ -185,23 +185,13 @@ void CpuBackend::choose_tiles(const FieldView &p_view) {
 void CpuBackend::update_pool_texture() {
 	const int rows = rows_for(_highest_slot);
 	const bool is_resized = rows != _pool_rows;
-	if (!is_resized && _changed_slots.is_empty()) {
+	if (!_texels.show(_pool, rows, _share) && !is_resized) {
 		return;
 	}
 	_pool_rows = rows;
-	_pool_texels.resize(size_t(_pool_rows) * ROW_TEXELS * 4);
-	if (is_resized) {
-		_pool_texels.shrink_to_fit();
-	}
-	for (const int slot : _changed_slots) {
-		if (slot >= _pool_rows) {
-			break; // asleep since, or it would have a row
-		}
-		_pool.pack_row(slot, std::span(_pool_texels).subspan(size_t(slot) * ROW_TEXELS * 4, ROW_TEXELS * 4));
-	}
-	_changed_slots.reset(_setup.pool_size, false);
+	_statistics.mixes += _texels.is_between() ? 1 : 0;
 	const Ref<Image> image =
-			Image::create_from_data(ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(std::span<const uint16_t>(_pool_texels)));
+			Image::create_from_data(PoolTexels::ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(_texels.get_shown()));
 	if (is_resized) {
 		_pool_texture = ImageTexture::create_from_image(image);
 		set_uniform("pool_knots", _pool_texture);
@@ -261,7 +251,8 @@ int64_t CpuBackend::get_shared_memory() const {
 }
 
 int64_t CpuBackend::get_pool_memory() const {
-	return _pool.get_memory_usage() + int64_t(_pool_texels.capacity()) * 4; // likewise
+	return _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
+			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // what is shown is a texture, too
 }
 
 int64_t CpuBackend::get_memory_usage() const {
@@ -271,7 +262,7 @@ int64_t CpuBackend::get_memory_usage() const {
 	}
 	return bytes + _plants.get_memory_usage() +
 			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
-					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _changed_slots.get_memory_usage());
+					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));
 }
 
 } // namespace grass

@@ -5,8 +5,8 @@
 
 #include "backend/backend.h"
 #include "core/detail/cull.h"
+#include "core/field/pool_texels.h"
 #include "core/solver/simulate.h"
-#include "core/tiles/slot_set.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/patch_texture.h"
@@ -30,6 +30,10 @@ public:
 	void step(const StepInput &p_input) override;
 	void tidy() override;
 	void draw(const FieldView &p_view) override;
+	void show_between(bool p_is_between, float p_share) override {
+		_texels.set_between(p_is_between);
+		_share = p_share;
+	}
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
@@ -66,10 +70,10 @@ private:
 	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // live longer than the materials that read them
 	BladeMaterials _materials;
 	int _pool_rows = 0; // of the pool texture
-	SlotSet _changed_slots; // rows of the texture to write before the next frame, which may never come (headless)
 	int _highest_slot = -1; // with memory; rises with the slots in use, falls when all have been far below for a while
 	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); looks in a row that found much too much memory
-	std::vector<uint16_t> _pool_texels;
+	PoolTexels _texels; // of the pool texture; written before the next frame, which may never come (headless)
+	float _share = 1.0f; // of the last step, in this frame
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
 	TileCull _cull;
 	Plants _plants;

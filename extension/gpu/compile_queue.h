@@ -20,7 +20,7 @@
 namespace grass {
 
 // In which order a field needs its passes: what draws it, what bends it and what scripts ask of that, then what does so faster.
-enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, FREE, EDGES, CROWDS };
+enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, MIX, FREE, EDGES, CROWDS };
 
 // What a pipeline is made of.
 struct PassCode {

@@ -193,6 +193,19 @@ void GpuBackend::draw(const FieldView &p_view) {
 	});
 }
 
+void GpuBackend::show_between(bool p_is_between, float p_share) {
+	if (_is_between != p_is_between) {
+		_is_between = p_is_between;
+		_share = -1.0f; // no frame has shown anything of it
+		RenderQueue::get_singleton()->post([field = _field, p_is_between] { field->set_between(p_is_between); });
+	}
+	if (_is_between && _steps > 0 && (_has_stepped || _share != p_share)) {
+		_share = p_share;
+		_has_stepped = true; // the blades of this frame are elsewhere, for motion vectors, too
+		RenderQueue::get_singleton()->post([field = _field, p_share] { field->mix(p_share); });
+	}
+}
+
 void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
 	if (_has_motion != p_is_read) {
 		_has_motion = p_is_read;
@@ -323,7 +336,7 @@ int64_t GpuBackend::get_pool_memory() const {
 }
 
 int64_t GpuBackend::get_pool_tile_memory() const {
-	return GpuField::find_pool_tile_bytes();
+	return GpuField::find_pool_tile_bytes(_is_between);
 }
 
 int64_t GpuBackend::get_memory_usage() const {

@@ -37,6 +37,7 @@ public:
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
+	void show_between(bool p_is_between, float p_share) override;
 	void show_motion(bool p_is_read, bool p_has_blown) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
@@ -80,6 +81,8 @@ private:
 	bool _has_motion = false; // somebody reads motion vectors
 	bool _is_flipped = false; // the picture's instance, see show_motion()
 	bool _has_stepped = false; // since the last frame
+	bool _is_between = false; // frames show what is between two steps
+	float _share = 1.0f; // of the last step, in the last frame
 	std::shared_ptr<GpuReport> _report;
 	uint64_t _energy_step = 0; // after which `_energy` and `_bends` were read
 	std::vector<float> _energy;

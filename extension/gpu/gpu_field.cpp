@@ -7,8 +7,6 @@
 #include "gpu/gpu_times.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
-#include <godot_cpp/classes/rd_texture_format.hpp>
-#include <godot_cpp/classes/rd_texture_view.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
@@ -19,8 +17,6 @@ using namespace godot;
 namespace grass {
 
 namespace {
-
-constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
 const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull", PassOrder::CULL };
 
@@ -43,41 +39,6 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	const bool crowd = p_tiles == TILES_WITH_CROWDS;
 	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd,
 		p_tiles != TILES_ALL };
-}
-
-using Usage = BitField<RenderingDevice::TextureUsageBits>;
-
-// p_data: its texels; without any, its contents are undefined.
-RID make_texture(RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, Usage p_usage,
-		const TypedArray<PackedByteArray> &p_data = {}) {
-	Ref<RDTextureFormat> format;
-	format.instantiate();
-	format->set_format(p_format);
-	format->set_width(uint32_t(p_width));
-	format->set_height(uint32_t(std::max<int64_t>(p_height, 1))); // no texture is empty
-	format->set_usage_bits(p_usage);
-	Ref<RDTextureView> view;
-	view.instantiate();
-	return main_device()->texture_create(format, view, p_data);
-}
-
-// RGBA16F, a row for each slot; without p_is_resting nobody knows what is in it, with it blades at rest.
-RID make_rows(int64_t p_slots, Usage p_usage, bool p_is_resting = false) {
-	TypedArray<PackedByteArray> data;
-	if (p_is_resting) {
-		PackedByteArray zeros;
-		zeros.resize(p_slots * POOL_TEXTURE_WIDTH * 8);
-		zeros.fill(0);
-		data.push_back(zeros);
-	}
-	return make_texture(RenderingDevice::DATA_FORMAT_R16G16B16A16_SFLOAT, POOL_TEXTURE_WIDTH, p_slots, p_usage, data);
-}
-
-void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
-	p_shown->set_texture_rd_rid(p_new); // it held a view of what is freed next
-	if (p_old.is_valid()) {
-		main_device()->free_rid(p_old);
-	}
 }
 
 } // namespace
@@ -178,6 +139,10 @@ void GpuField::make_pool_texture() {
 					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
 							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT));
 	replace_texture(_pool, old, _pool_texture);
+	_used_rows = std::min(_used_rows, int(_pool_size));
+	if (_mix.is_created()) {
+		_mix.create(_pool_texture, _sampler, _pool_size);
+	}
 	make_before_texture();
 }
 
@@ -186,7 +151,7 @@ void GpuField::make_drawn_texture(int64_t p_places) {
 	const int rows = 1 + int((p_places + GRASS_PLACES_PER_ROW - 1) / GRASS_PLACES_PER_ROW);
 	if (rows != _drawn_rows) {
 		_drawn_rows = rows;
-		const Usage usage = RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT;
+		const TextureUsage usage = RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT;
 		const RID made = make_texture(RenderingDevice::DATA_FORMAT_R32G32B32A32_SFLOAT, 2 * GRASS_PLACES_PER_ROW, rows, usage);
 		replace_texture(_drawn, std::exchange(_drawn_texture, made), made);
 		_table_changed = true;
@@ -199,48 +164,72 @@ void GpuField::make_before_texture() {
 				make_rows(_pool_size, RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
 		replace_texture(_before, old, _before_texture);
 		_has_moved = true;
-		if (!_resting_rows.is_valid()) {
-			_resting_rows = make_rows(RESTING_ROWS, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
-		}
 	}
 }
 
 void GpuField::set_motion(const Ref<Texture2DRD> &p_before) {
 	if (_before.is_valid() && p_before.is_null()) {
 		replace_texture(_before, std::exchange(_before_texture, RID()), RID());
-		main_device()->free_rid(std::exchange(_resting_rows, RID()));
 	}
 	_before = p_before;
 	make_before_texture();
+	free_unneeded_rows();
+}
+
+void GpuField::set_between(bool p_is_between) {
+	if (p_is_between == _mix.is_created()) {
+		return;
+	}
+	if (p_is_between) {
+		_mix.create(_pool_texture, _sampler, _pool_size);
+		_mix.keep(_pool_texture, _used_rows);
+	} else {
+		_pool->set_texture_rd_rid(_pool_texture); // it held a view of what is freed next
+		_mix.free();
+		free_unneeded_rows();
+	}
+	_has_moved = true;
+	std::lock_guard lock(_report->mutex);
+	report_memory();
+}
+
+void GpuField::free_unneeded_rows() {
+	if (!_before.is_valid() && !_mix.is_created()) {
+		_resting_rows.free();
+	}
+}
+
+// Comes before draw(), which shows it.
+void GpuField::mix(float p_share) {
+	if (!_has_kept) {
+		keep_pool();
+		_has_kept = true;
+	}
+	const bool was_showing = _mix.is_showing(), has_mixed = _mix.mix(p_share, _used_rows);
+	if (_mix.is_showing() && !was_showing) {
+		_pool->set_texture_rd_rid(_mix.get_shown());
+	}
+	_has_moved = _has_moved || has_mixed;
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.mixes += has_mixed ? 1 : 0;
 }
 
 // What the last frame showed, for the motion vectors of the next one.
 void GpuField::keep_pool() {
 	if (_before.is_valid() && _has_moved && _used_rows > 0) {
-		main_device()->texture_copy(
-				_pool_texture, _before_texture, Vector3(), Vector3(), Vector3(POOL_TEXTURE_WIDTH, real_t(_used_rows), 1), 0, 0, 0, 0);
+		copy_rows(_mix.is_showing() ? _mix.get_shown() : _pool_texture, _before_texture, 0, 0, _used_rows);
 		_has_moved = false;
 	}
 }
 
-// The last frame showed tiles at rest that wake in this step. Their rows hold what other tiles left there, or nothing that is known.
+// Tiles that wake in this step were at rest in the frame and in the step before. Their rows hold what other tiles left there, or nothing
+// that is known.
 void GpuField::rest_before(std::span<const GrassSlot> p_slots) {
-	if (!_before.is_valid()) {
-		return;
+	if (_before.is_valid()) {
+		_resting_rows.copy_to(_before_texture, p_slots);
 	}
-	std::vector<int> rows;
-	for (const GrassSlot &slot : p_slots) {
-		if ((slot.list.w & GRASS_SLOT_FRESH) != 0) {
-			rows.push_back(slot.tile.w);
-		}
-	}
-	std::ranges::sort(rows);
-	for (size_t first = 0, next = 0; first < rows.size(); first = next) { // rows that follow each other, by one copy
-		while (next < rows.size() && rows[next] - rows[first] == int(next - first) && next - first < RESTING_ROWS) {
-			next++;
-		}
-		const Vector3 size(POOL_TEXTURE_WIDTH, real_t(next - first), 1);
-		main_device()->texture_copy(_resting_rows, _before_texture, Vector3(), Vector3(0, real_t(rows[first]), 0), size, 0, 0, 0, 0);
+	if (_mix.is_created()) {
+		_resting_rows.copy_to(_mix.get_earlier(), p_slots);
 	}
 }
 
@@ -275,6 +264,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	RenderingDevice *device = main_device();
 	set_motion(Ref<Texture2DRD>());
+	set_between(false);
 	for (Ref<Texture2DRD> *shown : { &_pool, &_drawn }) {
 		if (shown->is_valid()) { // the texture resource first: it holds a view of what is freed next
 			(*shown)->set_texture_rd_rid(RID());
@@ -310,15 +300,15 @@ void GpuField::report_times() {
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }
 
-int64_t GpuField::find_pool_tile_bytes() {
-	return 2 * POOL_TEXTURE_WIDTH * 8 + SLOT_BYTES + (TWIST_FLOATS_PER_SLOT + 1) * 4 +
+int64_t GpuField::find_pool_tile_bytes(bool p_is_between) {
+	return (p_is_between ? 4 : 2) * POOL_ROW_BYTES + SLOT_BYTES + (TWIST_FLOATS_PER_SLOT + 1) * 4 +
 			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
 }
 
 // The report's mutex is held.
 void GpuField::report_memory() {
-	const int64_t textures = POOL_TEXTURE_WIDTH * 8 * (_pool_size + (_before.is_valid() ? _pool_size + int64_t(RESTING_ROWS) : 0)) +
-			int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4));
+	const int64_t textures = POOL_ROW_BYTES * (_before.is_valid() ? 2 : 1) * _pool_size + _mix.get_memory_usage() +
+			_resting_rows.get_memory_usage() + int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4));
 	int64_t bytes = textures + _reader.get_memory_usage();
 	for (const GpuBuffer *buffer : buffers()) {
 		bytes += buffer->size();

@@ -10,6 +10,8 @@
 #include "gpu/device.h"
 #include "gpu/knot_reader.h"
 #include "gpu/plant_passes.h"
+#include "gpu/pool_mix.h"
+#include "gpu/pool_rows.h"
 
 #include <godot_cpp/classes/texture2drd.hpp>
 
@@ -77,8 +79,9 @@ struct GpuReport {
 class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
-	// Bytes of each tile of the pool, used or not, with a map, several species and motion vectors.
-	static int64_t find_pool_tile_bytes();
+	// Bytes of each tile of the pool, used or not, with a map, several species and motion vectors; p_is_between: see
+	// set_between().
+	static int64_t find_pool_tile_bytes(bool p_is_between);
 
 	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
@@ -101,6 +104,10 @@ public:
 	void set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	// p_before: gets a texture of where the last drawn frame showed the pool's blades; null: nobody reads motion vectors.
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
+	// Whether frames between two ticks show what is between their steps: mix() then.
+	void set_between(bool p_is_between);
+	// Before draw(): p_share of the last step, the rest of the one before.
+	void mix(float p_share);
 	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
 	KnotReader &get_reader() { return _reader; }
@@ -108,7 +115,6 @@ public:
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
-	static constexpr size_t RESTING_ROWS = 16;
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
@@ -119,6 +125,7 @@ private:
 	void make_pool_texture();
 	void make_before_texture();
 	void keep_pool();
+	void free_unneeded_rows();
 	void rest_before(std::span<const GrassSlot> p_slots);
 	void make_simulate();
 	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
@@ -167,8 +174,11 @@ private:
 	std::array<godot::RID, 2> _instances, _begun; // the MultiMeshes' buffers; those that GRASS_CULL_BEGIN has written
 	// A copy of it, as long as motion vectors are read: written before the first step of a frame, read by the blade shader.
 	godot::RID _before_texture;
-	// As long as that: rows of blades at rest, to be copied into it.
-	godot::RID _resting_rows;
+	// As long as that, or _mix: to be copied into both.
+	RestingRows _resting_rows;
+	// Where physics is interpolated: written in each frame whose share of the last step is another one, read by the blade shader in place
+	// of the pool's texture.
+	PoolMix _mix;
 	godot::Ref<godot::Texture2DRD> _before; // null: nobody reads them
 	int _used_rows = 0; // of the pool's texture
 	bool _has_kept = false; // since the last frame

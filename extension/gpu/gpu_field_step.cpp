@@ -65,6 +65,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (!_has_kept) {
 		keep_pool();
 	}
+	if (_mix.is_created()) {
+		_mix.keep(_pool_texture, _used_rows);
+	}
 	rest_before(p_records.slots);
 	int64_t uploaded = 0;
 	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once

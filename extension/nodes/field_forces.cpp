@@ -65,7 +65,7 @@ void FieldForces::gather(const Vector2 &p_size) {
 	if (_pushes.empty() && _areas.is_empty() && !GrassForce3D::is_any_in_tree()) {
 		return;
 	}
-	const Transform3D to_field = _host.field_transform().affine_inverse();
+	const Transform3D to_field = _host.drawn_transform().affine_inverse();
 	for (const Force &push : _pushes) {
 		add(push, to_field, p_size);
 	}
@@ -73,7 +73,7 @@ void FieldForces::gather(const Vector2 &p_size) {
 		add(wind, to_field, p_size);
 	}
 	const Ref<World3D> world = _host.as_node().get_world_3d();
-	for (const GrassForce3D *node : GrassForce3D::get_blowing()) {
+	for (GrassForce3D *node : GrassForce3D::get_blowing()) {
 		if (node->get_world_3d() == world) {
 			add(node->get_force(), to_field, p_size);
 		}

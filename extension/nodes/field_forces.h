@@ -13,7 +13,7 @@ namespace grass {
 
 class FieldForces {
 public:
-	FieldForces(const FieldHost &p_host) : _host(p_host) {}
+	FieldForces(FieldHost &p_host) : _host(p_host) {}
 
 	// Pushes of scripts. Places and velocities are global, p_duration is in seconds: see FORCE_SPEED and others in core/forces/force.h.
 	void blast(const godot::Vector3 &p_place, double p_speed, double p_radius, double p_duration);
@@ -30,7 +30,7 @@ private:
 	void push(Force &r_force, double p_speed, double p_radius, double p_duration);
 	void add(const Force &p_force, const godot::Transform3D &p_to_field, const godot::Vector2 &p_size);
 
-	const FieldHost &_host;
+	FieldHost &_host;
 	AreaWinds _areas;
 	std::vector<Force> _pushes; // global
 	std::vector<Force> _forces;

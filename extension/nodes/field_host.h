@@ -16,6 +16,8 @@ public:
 
 	virtual const godot::Node3D &as_node() const = 0;
 	virtual godot::Transform3D field_transform() const = 0; // global, without scale
+	// The same where this frame draws it: between two ticks, where the engine interpolates physics. In a tick as field_transform().
+	virtual godot::Transform3D drawn_transform() = 0;
 	// Makes the field, if it waits to be made. False: a script that ran meanwhile freed the field, so touch nothing of it.
 	[[nodiscard]] virtual bool build() = 0;
 	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that

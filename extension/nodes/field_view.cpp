@@ -92,6 +92,16 @@ Ref<XRInterface> find_headset(Viewport *p_viewport) {
 	return headset.is_valid() && headset->is_initialized() ? headset : Ref<XRInterface>();
 }
 
+// How p_field stands to a camera that is drawn between two ticks, where planes and place that the camera tells are the last tick's.
+Eigen::Affine3d seen_from(Camera3D *p_camera, const Eigen::Affine3d &p_field) {
+	const Transform3D told = p_camera->get_global_transform(), drawn = p_camera->get_global_transform_interpolated();
+	if (told == drawn || !drawn.is_finite()) {
+		return p_field;
+	}
+	const Eigen::Isometry3d back(to_eigen(drawn.orthonormalized()).matrix());
+	return to_eigen(told.orthonormalized()) * back.inverse() * p_field;
+}
+
 bool has_motion_effect(const Ref<Compositor> &p_compositor) {
 	if (p_compositor.is_null()) {
 		return false;
@@ -128,7 +138,7 @@ bool is_seeing(const Camera3D *p_camera, const Node3D *p_node, uint32_t p_layers
 }
 
 void find_cameras(const VisualInstance3D *p_node, const Eigen::Affine3d &p_field, FieldView &r_view) {
-	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
+	for (Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
 		r_view.is_watched = r_view.is_watched || is_watching(camera, p_node);
 		if (!is_seeing(camera, p_node, p_node->get_layer_mask())) {
 			continue;
@@ -137,7 +147,7 @@ void find_cameras(const VisualInstance3D *p_node, const Eigen::Affine3d &p_field
 		if (const Ref<XRInterface> headset = find_headset(viewport); headset.is_valid()) {
 			add_eyes(**headset, camera, viewport, p_field, r_view.cameras);
 		} else {
-			r_view.cameras.push_back(view_camera(camera, viewport, p_field));
+			r_view.cameras.push_back(view_camera(camera, viewport, seen_from(camera, p_field)));
 		}
 	}
 }

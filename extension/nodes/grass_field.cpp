@@ -19,9 +19,26 @@
 #include <godot_cpp/core/object.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+Transform3D without_scale(const Transform3D &p_transform) {
+	if (!p_transform.is_finite() || p_transform.basis.determinant() == 0.0) {
+		return Transform3D(Basis(), p_transform.origin.is_finite() ? p_transform.origin : Vector3());
+	}
+	Transform3D turned = p_transform.orthonormalized();
+	if (turned.basis.determinant() < 0.0) { // a mirrored field would turn its blades inside out
+		turned.basis.scale_local(Vector3(-1, 1, 1));
+	}
+	return turned.is_finite() ? turned : Transform3D(Basis(), p_transform.origin);
+}
+
+} // namespace
 
 GrassField::GrassField() {
 	GrassPatch::prepare_default(); // until it enters the tree
@@ -45,6 +62,9 @@ void GrassField::_notification(int p_what) {
 			if (belongs_here()) {
 				callable_mp(this, &GrassField::_physics_tick).call_deferred(get_physics_process_delta_time());
 			}
+			break;
+		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION:
+			_moved_in = UINT64_MAX; // it was put elsewhere: nothing is between there and here
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_configuration_warnings();
@@ -130,7 +150,9 @@ void GrassField::_physics_tick(double p_delta) {
 	_bodies.collect(_standing.get_field(), get_world_3d(), field_transform(), _properties.param(PARAM_TELEPORT_SPEED), p_delta);
 	_bodies.add_forces(_forces.get());
 	_gather_ms = clock.lap();
-	_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for());
+	if (_standing.tick(_bodies.get_colliders(), _forces.get(), p_delta, _bodies.get_parallel_for())) {
+		_moved_in = Engine::get_singleton()->get_physics_frames();
+	}
 	if (_work.wear_tracks(_bodies.get_wheels(), p_delta) && _standing.stands()) {
 		emit_visits();
 	}
@@ -182,7 +204,8 @@ void GrassField::_before_draw() {
 	CpuClock clock;
 	show();
 	update_map();
-	const FieldView view = is_visible_in_tree() ? find_view(this, field_transform(), _properties, _standing.get_field()) : FieldView();
+	const Transform3D place = drawn_transform();
+	const FieldView view = is_visible_in_tree() ? find_view(this, place, _properties, _standing.get_field()) : FieldView();
 	if (is_compatibility() && !view.cameras.empty()) {
 		_standing.show_light(_other_light.find(this));
 	}
@@ -190,8 +213,9 @@ void GrassField::_before_draw() {
 	if (view.has_motion) {
 		expect_motion_vectors();
 	}
+	_standing.show_between(is_physics_interpolated_and_enabled(), find_share());
 	_standing.show_motion(view.has_motion);
-	_standing.follow(this, field_transform());
+	_standing.follow(this, place);
 	if (_standing.draw(view, is_visible_in_tree())) {
 		update_configuration_warnings();
 		if (!Engine::get_singleton()->is_editor_hint()) { // there it stands beside the node
@@ -199,6 +223,14 @@ void GrassField::_before_draw() {
 		}
 	}
 	_frame_ms = clock.lap();
+}
+
+// Of the last step, in this frame: bodies are drawn so far on their way from the tick before to the last one. In ticks in which no blade
+// moved, or that the field left out, both steps are the same.
+float GrassField::find_share() const {
+	const Engine *engine = Engine::get_singleton();
+	const bool is_moving = engine->get_physics_frames() == _moved_in;
+	return is_moving ? std::clamp(float(engine->get_physics_interpolation_fraction()), 0.0f, 1.0f) : 1.0f;
 }
 
 // Whether a script listens for bodies in the grass, seen or not.
@@ -227,15 +259,11 @@ AABB GrassField::_get_aabb() const {
 }
 
 Transform3D GrassField::field_transform() const {
-	const Transform3D transform = get_global_transform();
-	if (!transform.is_finite() || transform.basis.determinant() == 0.0) {
-		return Transform3D(Basis(), transform.origin.is_finite() ? transform.origin : Vector3());
-	}
-	Transform3D turned = transform.orthonormalized();
-	if (turned.basis.determinant() < 0.0) { // a mirrored field would turn its blades inside out
-		turned.basis.scale_local(Vector3(-1, 1, 1));
-	}
-	return turned.is_finite() ? turned : Transform3D(Basis(), transform.origin);
+	return without_scale(get_global_transform());
+}
+
+Transform3D GrassField::drawn_transform() {
+	return without_scale(get_global_transform_interpolated());
 }
 
 } // namespace grass

@@ -174,6 +174,7 @@ public:
 	godot::Dictionary get_counters() const;
 	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on
 	godot::Transform3D field_transform() const override; // global, without scale
+	godot::Transform3D drawn_transform() override;
 
 	bool is_grass_at(const godot::Vector3 &p_global_position);
 	double density_at(const godot::Vector3 &p_global_position);
@@ -215,6 +216,7 @@ private:
 	void _physics_tick(double p_delta);
 	void _frame(double p_delta);
 	void _before_draw();
+	float find_share() const;
 	bool is_listened_to() const;
 	void emit_visits();
 	void emit_leaving();
@@ -284,6 +286,7 @@ private:
 	mutable bool _has_reported = false; // message() has named version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as the editor last knew it
+	uint64_t _moved_in = UINT64_MAX; // the physics tick whose step moved blades last; none where they are drawn as they are
 	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time of reading bodies in the last tick; of the last frame
 };
 

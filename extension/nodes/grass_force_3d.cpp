@@ -29,16 +29,16 @@ bool GrassForce3D::is_any_in_tree() {
 	return !forces_in_tree.empty();
 }
 
-std::vector<const GrassForce3D *> GrassForce3D::get_blowing() {
-	std::vector<const GrassForce3D *> blowing;
+std::vector<GrassForce3D *> GrassForce3D::get_blowing() {
+	std::vector<GrassForce3D *> blowing;
 	std::ranges::copy_if(forces_in_tree, std::back_inserter(blowing), [](const GrassForce3D *p_force) { return p_force->is_blowing(); });
 	std::ranges::sort(blowing, {}, [](const GrassForce3D *p_force) { return p_force->get_instance_id(); });
 	return blowing;
 }
 
-Force GrassForce3D::get_force() const {
+Force GrassForce3D::get_force() {
 	Force force = _force;
-	const Transform3D transform = get_global_transform();
+	const Transform3D transform = get_global_transform_interpolated();
 	force.place = to_eigen(transform.origin);
 	force.direction = to_eigen(-transform.basis.get_column(2));
 	force.duration = force.kind == ForceKind::BLAST ? _duration : 0.0;

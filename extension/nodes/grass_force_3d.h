@@ -42,9 +42,9 @@ public:
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
 	// Those in the tree that blow, in the order in which they were made.
-	static std::vector<const GrassForce3D *> get_blowing();
+	static std::vector<GrassForce3D *> get_blowing();
 	static bool is_any_in_tree();
-	Force get_force() const; // global
+	Force get_force(); // global; in a frame where it is drawn
 
 protected:
 	static void _bind_methods();

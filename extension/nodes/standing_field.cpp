@@ -226,12 +226,14 @@ bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
 	return _field.begin_tick(*_backend, p_is_listened, p_delta);
 }
 
-void StandingField::tick(
+bool StandingField::tick(
 		std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for) {
 	_field.set_params(_properties.field_params(_species));
-	if (_field.tick(*_backend, p_colliders, p_delta, p_forces, p_parallel_for)) {
+	const bool has_moved = _field.tick(*_backend, p_colliders, p_delta, p_forces, p_parallel_for);
+	if (has_moved) {
 		request_draw();
 	}
+	return has_moved;
 }
 
 void StandingField::blow(std::span<const Force> p_forces, double p_delta) {

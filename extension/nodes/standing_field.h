@@ -81,11 +81,14 @@ public:
 	// A tick: begins it, then takes what the bodies do. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _field.resume(); }
-	void tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
+	// True if blades moved.
+	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
 	// A frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
 	// A frame, before drawing begins: the wind blows.
 	void blow(std::span<const Force> p_forces, double p_delta);
+	// A frame, before show_motion(). See Backend.
+	void show_between(bool p_is_between, float p_share) { _backend->show_between(p_is_between, p_share); }
 	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
 	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);

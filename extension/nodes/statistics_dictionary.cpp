@@ -79,6 +79,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;
 	result["knot_waits"] = backend.knot_waits;
+	result["mixes"] = backend.mixes;
 	result["knots_age"] = backend.knots_age;
 	result["culls"] = backend.culls;
 	result["instance_updates"] = p_statistics.instance_updates;

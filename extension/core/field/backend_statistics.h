@@ -21,6 +21,7 @@ struct BackendStatistics {
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
 	int64_t pool_bytes = 0; // now: of those, what a larger pool has more of
 	int64_t culls = 0; // culling passes
+	int64_t mixes = 0; // frames for which the offsets of two steps were mixed
 	int64_t instance_updates = 0; // changes of the node that went to the renderer: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};

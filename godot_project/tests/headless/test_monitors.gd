@@ -54,6 +54,7 @@ const COUNTERS: Array[String] = [
 	"knots_read",
 	"knot_waits",
 	"knots_age",
+	"mixes",
 	"culls",
 	"instance_updates",
 	"drawn_plants",

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "core/field/pool_texels.h"
+
+#include "core/base/half.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace grass {
+
+namespace {
+
+uint16_t mix_halves(uint16_t p_before, uint16_t p_after, float p_share) {
+	if (p_before == p_after || p_share >= 1.0f) {
+		return p_after;
+	}
+	return float_to_half(half_to_float(p_before) * (1.0f - p_share) + half_to_float(p_after) * p_share);
+}
+
+} // namespace
+
+void PoolTexels::reset(int p_pool_size) {
+	_pool_size = p_pool_size;
+	_changed.reset(_pool_size, false);
+	begin_between();
+}
+
+void PoolTexels::begin_between() {
+	_moved = _settled = SlotSet();
+	if (_is_between) {
+		_moved.reset(_pool_size, false);
+		_settled = _changed;
+	}
+}
+
+void PoolTexels::set_between(bool p_is_between) {
+	if (p_is_between == _is_between) {
+		return;
+	}
+	_is_between = p_is_between;
+	_share = 1.0f;
+	begin_between();
+	_earlier = _is_between ? _now : std::vector<uint16_t>();
+	_shown = _earlier;
+}
+
+void PoolTexels::resize(int p_rows) {
+	if (p_rows == _rows) {
+		return;
+	}
+	_rows = p_rows;
+	for (std::vector<uint16_t> *texels : { &_now, &_earlier, &_shown }) {
+		if (texels == &_now || _is_between) {
+			texels->resize(size_t(_rows) * ROW);
+			texels->shrink_to_fit();
+		}
+	}
+}
+
+// Slots beyond the rows are asleep since, or they would have one.
+void PoolTexels::pack(const CpuPool &p_pool) {
+	for (const int slot : _changed) {
+		if (slot >= _rows) {
+			break;
+		}
+		p_pool.pack_row(slot, row(_now, slot));
+	}
+	_changed.clear();
+}
+
+void PoolTexels::begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_slots) {
+	if (!_is_between) {
+		return;
+	}
+	int highest = _rows - 1;
+	for (const GrassSlot &slot : p_slots) {
+		highest = std::max(highest, slot.tile.w);
+	}
+	resize(highest < _rows ? _rows : int(std::bit_ceil(unsigned(highest + 1))));
+	pack(p_pool);
+	for (const int slot : _moved) {
+		if (slot < _rows) {
+			std::ranges::copy(row(_now, slot), row(_earlier, slot).begin());
+		}
+	}
+	_settled.insert_all(_moved);
+	_moved.clear();
+	for (const GrassSlot &slot : p_slots) {
+		if ((slot.list.w & GRASS_SLOT_FRESH) != 0) {
+			std::ranges::fill(row(_earlier, slot.tile.w), uint16_t(0)); // it was at rest; another tile left its blades there
+		}
+	}
+}
+
+void PoolTexels::end_step(std::span<const GrassSlot> p_slots) {
+	for (const GrassSlot &slot : p_slots) {
+		if ((slot.list.w & GRASS_SLOT_RETIRED) == 0) {
+			_changed.insert(slot.tile.w);
+			if (_is_between) {
+				_moved.insert(slot.tile.w);
+			}
+		}
+	}
+}
+
+void PoolTexels::mix(float p_share) {
+	for (const int slot : _settled) {
+		if (slot < _rows && !_moved.has(slot)) {
+			std::ranges::copy(row(_now, slot), row(_earlier, slot).begin());
+			std::ranges::copy(row(_now, slot), row(_shown, slot).begin());
+		}
+	}
+	_settled.clear();
+	for (const int slot : _moved) {
+		if (slot < _rows) {
+			std::ranges::transform(row(_earlier, slot), row(_now, slot), row(_shown, slot).begin(),
+					[p_share](uint16_t p_before, uint16_t p_after) { return mix_halves(p_before, p_after, p_share); });
+		}
+	}
+}
+
+bool PoolTexels::show(const CpuPool &p_pool, int p_rows, float p_share) {
+	const bool has_changed = p_rows != _rows || !_changed.is_empty();
+	resize(p_rows);
+	pack(p_pool);
+	if (!_is_between) {
+		return has_changed;
+	}
+	const bool is_other = has_changed || !_settled.is_empty() || (_share != p_share && !_moved.is_empty());
+	_share = p_share;
+	if (is_other) {
+		mix(p_share);
+	}
+	return is_other;
+}
+
+} // namespace grass

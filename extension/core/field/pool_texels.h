@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The pool's texture as the CPU makes it: a row for each slot, 4 halves for each knot of each blade. Between two ticks it shows the offsets
+// of the last two steps, mixed (docs/decisions/0060); where nobody asks for that, only those of the last step are kept. Twin of
+// shaders/solver/mix.glsl.
+#pragma once
+
+#include "core/solver/simulate.h"
+#include "core/tiles/slot_set.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class PoolTexels {
+public:
+	static constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+
+	// Slots that may be awake; none is.
+	void reset(int p_pool_size);
+	// Whether there is anything between two steps. It begins with the last one.
+	void set_between(bool p_is_between);
+	bool is_between() const { return _is_between; }
+
+	// Around a step: what p_pool holds before it, and the slots that it moves.
+	void begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_slots);
+	void end_step(std::span<const GrassSlot> p_slots);
+
+	// Makes the texels of a texture of p_rows, with p_share of the last step, 0..1. Returns whether they are others than before.
+	bool show(const CpuPool &p_pool, int p_rows, float p_share);
+	std::span<const uint16_t> get_shown() const { return _is_between ? _shown : _now; }
+	int get_rows() const { return _rows; }
+	size_t get_memory_usage() const { // bytes
+		return (_now.capacity() + _earlier.capacity() + _shown.capacity()) * sizeof(uint16_t) + _changed.get_memory_usage() +
+				_moved.get_memory_usage() + _settled.get_memory_usage();
+	}
+
+private:
+	static constexpr size_t ROW = size_t(ROW_TEXELS) * 4;
+
+	void begin_between();
+	void resize(int p_rows);
+	void pack(const CpuPool &p_pool);
+	void mix(float p_share);
+	std::span<uint16_t> row(std::vector<uint16_t> &r_texels, int p_slot) const {
+		return std::span(r_texels).subspan(size_t(p_slot) * ROW, ROW);
+	}
+
+	int _rows = 0, _pool_size = 0;
+	bool _is_between = false;
+	float _share = 1.0f; // that is shown
+	std::vector<uint16_t> _now, _earlier, _shown; // after the last step, the one before, and what is between; the last two may be empty
+	SlotSet _changed; // rows that _now does not have yet
+	SlotSet _moved; // by the last step: rows that are mixed
+	SlotSet _settled; // rows that were mixed, or not shown yet, and that the last step did not move
+};
+
+} // namespace grass

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Textures on the device, and those that have a row for each slot of the pool: RGBA16F, how far each knot of its blades is from rest.
+// Everything here may only be called on the render thread.
+#pragma once
+
+#include "core/base/layout.h"
+#include "gpu/device.h"
+
+#include <godot_cpp/classes/texture2drd.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+namespace grass {
+
+inline constexpr int POOL_TEXTURE_WIDTH = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
+inline constexpr int64_t POOL_ROW_BYTES = POOL_TEXTURE_WIDTH * 8;
+
+using TextureUsage = godot::BitField<godot::RenderingDevice::TextureUsageBits>;
+
+// p_data: its texels; without any, its contents are undefined.
+godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
+		const godot::TypedArray<godot::PackedByteArray> &p_data = {});
+// Without p_is_resting nobody knows what is in the rows, with it blades at rest.
+godot::RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting = false);
+void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
+// Shows p_new in place of p_old, which is freed.
+void replace_texture(const godot::Ref<godot::Texture2DRD> &p_shown, const godot::RID &p_old, const godot::RID &p_new);
+
+// A few rows of blades at rest, for those of tiles that wake: other tiles left theirs there.
+class RestingRows {
+public:
+	static constexpr int COUNT = 16;
+
+	// Of the fresh slots among p_slots, into p_to.
+	void copy_to(const godot::RID &p_to, std::span<const GrassSlot> p_slots);
+	void free();
+	int64_t get_memory_usage() const { return _rows.is_valid() ? COUNT * POOL_ROW_BYTES : 0; }
+
+private:
+	godot::RID _rows;
+};
+
+} // namespace grass
