@@ -1,128 +1,29 @@
 # SPDX-License-Identifier: MIT
-"""The commands of ./grass: reads the command line and calls the module that does the work."""
+"""The commands of ./grass: calls the module that does the work."""
 
-import argparse
 import signal
 import sys
 
+from tools.command_line import EXPLANATION, parser
 from tools.places import OUT
 from tools.say import Failure, complain
-
-EXPLANATION = """\
-GrassField: grass that every physics body pushes, for Godot 4.6.
-
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets) and says where its pictures are
-  ./grass gallery  renders the same grass in many lights
-  ./grass test     builds and runs every layer of tests
-  ./grass build    builds the extension for the project in godot_project/
-  ./grass format   formats every source
-  ./grass tidy     looks for mistakes in the C++ sources
-  ./grass debug    opens the tests in gdb, with a library that can be debugged
-  ./grass editor   opens that project in the engine's editor
-  ./grass bench    runs the benchmarks, of the core and in the engine
-  ./grass docs     makes the site, out/site
-  ./grass export OUT   packs the project to run elsewhere
-  ./grass release  makes the zips of a release, out/release
-  ./grass clean    removes what was built (--all: also what was fetched)
-
-What the machine lacks (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) is fetched into .tools/ here:
-nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of yours, 4.6 or newer.
-`./grass COMMAND --help` tells a command's options; docs/internals/building.md tells more.
-"""
-
-
-DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "walk")
-BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
-	figure, and MultiMeshes beside them. drivers: what Mesa's compilers make of the passes, for cards that are not here. pack: what
-	another machine's GPU needs, to --out"""
-
-
-def parser():
-	top = argparse.ArgumentParser(prog="./grass", add_help=False)
-	commands = top.add_subparsers(dest="command", metavar="COMMAND")
-
-	demo = commands.add_parser("demo", help="run the demo")
-	demo.add_argument("place", nargs="?", default="demo", choices=DEMOS, help="demo: 128 bodies thrown into a field (default); or a place")
-	demo.add_argument("--out", default=None, metavar="DIR", help="folder for pictures and table (default: out/PLACE)")
-	demo.add_argument(
-		"--size",
-		choices=("small", "large"),
-		help="of pictures, and of the field that bodies are thrown into; default: large on a GPU, small on software Vulkan",
-	)
-	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
-
-	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
-	demo.add_argument(
-		"--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU"
-	)
-
-	gallery = commands.add_parser("gallery", help="render the same grass in many lights, into out/gallery")
-	gallery.add_argument("--out", default=None, metavar="DIR", help="folder for the pictures (default: out/gallery)")
-	gallery.add_argument("--only", default="", metavar="VIEW", help="only this view")
-	gallery.add_argument("--page", metavar="DIR", help="instead, make the page of the docs from the pictures in DIR")
-
-	test = commands.add_parser("test", help="build and run the tests")
-	test.add_argument(
-		"layers",
-		nargs="*",
-		metavar="LAYER",
-		help="which; docs/internals/building.md lists them (default: all but windows, arm64, release, sanitize and drivers)",
-	)
-	test.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
-	test.add_argument("--gpu", action="store_true", help="the gpu layer on this machine's GPU instead of software Vulkan")
-
-	build = commands.add_parser("build", help="build the extension")
-	build.add_argument("arguments", nargs="*", metavar="TARGET|OPTION=VALUE", help="passed on to SCons, such as target=release")
-
-	commands.add_parser("format", help="format every source: C++, Python, GDScript, comments and pages")
-	tidy = commands.add_parser("tidy", help="clang-tidy over C++ sources")
-	tidy.add_argument("files", nargs="*", metavar="FILE", help="which (default: those of the extension, room by room)")
-	debug = commands.add_parser("debug", help="run the headless tests in gdb, with a library built with -Og -g3")
-	debug.add_argument("--only", default="", metavar="PART", help="only tests whose name contains PART")
-	debug.add_argument("--trace", action="store_true", help="run at once, print a backtrace where it stops, and end")
-	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
-	commands.add_parser("editor", help="open the project in the editor")
-	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "drivers", "pack"), help=BENCHMARKS)
-	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
-	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
-	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
-	bench.add_argument(
-		"--only",
-		metavar="PART",
-		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, cpu, questions, change, "
-		"hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
-	)
-
-	commands.add_parser("docs", help="make the site, out/site")
-
-	export = commands.add_parser("export", help="pack the project to run elsewhere")
-	export.add_argument("out", metavar="OUT", help="folder to write to")
-	export.add_argument("--debug", action="store_true", help="with the debug template and library")
-	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
-
-	release = commands.add_parser("release", help="make the zips of a release, out/release")
-	release.add_argument(
-		"--only", default="", metavar="TARGET", help="only these libraries, such as linux.x86_64 or linux.x86_64.release,windows"
-	)
-	release.add_argument("--out", default=None, metavar="DIR", help="folder for the zips (default: out/release)")
-	release.add_argument("--fixtures", action="store_true", help="instead, write files of this version for the tests of later ones")
-
-	clean = commands.add_parser("clean", help="remove what was built")
-	clean.add_argument("--all", action="store_true", help="also remove what was fetched")
-	return top
 
 
 def dispatch(options):
 	"""Returns the exit code."""
-	from tools import accuracy, build, export, film, paper, scenes, testing  # here, so that the explanation is at once
+	from tools.bench import accuracy, paper
+	from tools.build import build
+	from tools.pages import film
+	from tools.release import export
+	from tools.run import scenes
+	from tools.test import testing  # here, so that the explanation is at once
 
 	if options.command == "demo" and options.video:
 		film.record(options.out) if not options.recorded else film.encode_recorded(options.recorded)
 	elif options.command == "demo":
 		scenes.demo(options.place, options.out, options.size, options.method)
 	elif options.command == "gallery":
-		from tools import gallery
+		from tools.pages import gallery
 
 		gallery.write_page(options.page) if options.page else gallery.render(options.out, options.only)
 	elif options.command == "bench":
@@ -135,9 +36,10 @@ def dispatch(options):
 			paper.run(options.out, options.quick, options.only, options.gpu_results)
 			return 0
 		if options.what == "drivers":
-			from tools import driver_figures
+			from tools.bench import driver_figures, drivers_page
 
-			driver_figures.run(options.out, options.only)
+			if driver_figures.run(options.out, options.only):
+				drivers_page.write()
 			return 0
 		if options.what == "pack":
 			export.benchmark(options.out or OUT / "bench_pack")
@@ -150,25 +52,25 @@ def dispatch(options):
 	elif options.command == "build":
 		build.scons(*options.arguments)
 	elif options.command == "format":
-		from tools import formatting
+		from tools.test import formatting
 
 		formatting.format_all()
 	elif options.command == "tidy":
-		from tools import tidy
+		from tools.test import tidy
 
 		return tidy.run(options.files)
 	elif options.command == "debug":
-		from tools import debugging
+		from tools.run import debugging
 
 		return debugging.run(options.only, options.at, options.trace)
 	elif options.command == "docs":
-		from tools.site import build as site  # beside the rest it needs Python 3.11
+		from tools.pages.site import build as site  # beside the rest it needs Python 3.11
 
 		site.make()
 	elif options.command == "export":
 		export.export(options.out, options.debug, options.tests)
 	elif options.command == "release":
-		from tools import release
+		from tools.release import release
 
 		release.write_fixtures() if options.fixtures else release.make(options.only, options.out)
 	elif options.command == "clean":

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/blade_mesh.h"
 
-#include "core/detail/lod.h"
+#include "core/lod/lod.h"
 
 #include <godot_cpp/variant/packed_int32_array.hpp>
 

@@ -2,7 +2,7 @@
 // How one species of a field is drawn by a mesh.
 #pragma once
 
-#include "core/detail/plant_cull.h"
+#include "core/lod/plant_cull.h"
 #include "draw/plant_model.h"
 
 #include <algorithm>

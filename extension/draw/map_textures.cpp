@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/map_textures.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/typed_array.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw/patch_texture.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/blades/leaf_pictures.h"
 #include "draw/shared_shader.h"
 

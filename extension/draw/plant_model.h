@@ -8,7 +8,7 @@
 #include <godot_cpp/variant/color.hpp>
 #include <godot_cpp/variant/string.hpp>
 
-#include "core/plants/species.h"
+#include "core/species/species.h"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "editor/species_palette.h"
-#include "nodes/grass_brush.h"
+#include "resources/grass_brush.h"
 
 #include <godot_cpp/classes/button.hpp>
 #include <godot_cpp/classes/button_group.hpp>

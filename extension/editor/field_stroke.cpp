@@ -3,7 +3,7 @@
 
 #include "core/paint/brush_keys.h"
 #include "editor/painted_fields.h"
-#include "nodes/ground_rays.h"
+#include "physics/ground_rays.h"
 
 #include <cmath>
 

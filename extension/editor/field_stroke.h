@@ -5,9 +5,9 @@
 #include "core/paint/stroke_path.h"
 #include "editor/ground_picker.h"
 #include "editor/map_step.h"
-#include "nodes/grass_brush.h"
+#include "resources/grass_brush.h"
 #include "nodes/grass_field.h"
-#include "nodes/grass_map.h"
+#include "resources/grass_map.h"
 
 #include <optional>
 #include <set>

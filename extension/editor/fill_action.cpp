@@ -2,7 +2,7 @@
 #include "editor/fill_action.h"
 
 #include "editor/map_step.h"
-#include "nodes/editor_hooks.h"
+#include "shared/editor_hooks.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 

@@ -4,7 +4,7 @@
 
 namespace grass {
 
-// Lets nodes reach the editor while the plugin runs, see nodes/editor_hooks.h.
+// Lets nodes reach the editor while the plugin runs, see shared/editor_hooks.h.
 void set_editor_hooks();
 void clear_editor_hooks();
 

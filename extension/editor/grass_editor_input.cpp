@@ -2,7 +2,7 @@
 // What the mouse and the keys do in the 3D view while a GrassField or a GrassWorld is selected.
 #include "editor/grass_editor_plugin.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/time.hpp>
 

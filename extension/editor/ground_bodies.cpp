@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ground_bodies.h"
 
-#include "convert.h"
-#include "nodes/ground_rays.h"
-#include "nodes/same_data.h"
+#include "shared/convert.h"
+#include "physics/ground_rays.h"
+#include "shared/same_data.h"
 
 #include <godot_cpp/classes/csg_shape3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/kept_plots_dialog.h"
 
-#include "nodes/grass_world.h"
+#include "world/grass_world.h"
 
 #include <godot_cpp/classes/control.hpp>
 #include <godot_cpp/classes/editor_interface.hpp>

@@ -2,7 +2,7 @@
 // Changes of fields' maps as one step of the editor's history: of a field's own map, or of a plot, which may leave memory meanwhile.
 #pragma once
 
-#include "nodes/grass_world.h"
+#include "world/grass_world.h"
 
 #include <godot_cpp/classes/editor_undo_redo_manager.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/painted_fields.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "nodes/field_monitors.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>

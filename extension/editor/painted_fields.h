@@ -2,7 +2,7 @@
 // The fields that one brush paints: the chosen one and those that adjoin it, or the plots of the chosen world.
 #pragma once
 
-#include "nodes/grass_world.h"
+#include "world/grass_world.h"
 
 #include <Eigen/Geometry>
 

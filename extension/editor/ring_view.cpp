@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ring_view.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/paint/brush_ring.h"
 #include "draw/shared_shader.h"
 #include "render_shaders.gen.h"

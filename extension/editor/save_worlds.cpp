@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/save_worlds.h"
 
-#include "nodes/grass_world.h"
+#include "world/grass_world.h"
 
 #include <godot_cpp/classes/editor_file_system.hpp>
 #include <godot_cpp/classes/editor_interface.hpp>

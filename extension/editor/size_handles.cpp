@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/size_handles.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/paint/handle_drag.h"
 #include "nodes/grass_field.h"
 

@@ -2,7 +2,7 @@
 // What is dragged onto the toolbar, species and pictures: from the file dock, or from another resource in the inspector.
 #pragma once
 
-#include "nodes/grass_species.h"
+#include "resources/grass_species.h"
 
 #include <godot_cpp/classes/texture2d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>

@@ -2,7 +2,7 @@
 // Pictures of GrassSpecies resources in the inspector and in the file dock.
 #pragma once
 
-#include "nodes/grass_species.h"
+#include "resources/grass_species.h"
 
 #include <godot_cpp/classes/editor_resource_preview_generator.hpp>
 #include <godot_cpp/classes/image.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor_icons.gen.h"
-#include "nodes/grass_brush.h"
+#include "resources/grass_brush.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/view_drop.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "editor/ground_picker.h"
 #include "editor/species_drop.h"
 #include "nodes/field_monitors.h"

@@ -3,7 +3,7 @@
 // the render thread (RenderingServer.call_on_render_thread).
 #pragma once
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "gpu/compile_queue.h"
 
 #include <godot_cpp/classes/rd_uniform.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "draw/blade_mesh.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"

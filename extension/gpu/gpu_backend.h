@@ -3,7 +3,7 @@
 // whose instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
 #pragma once
 
-#include "backend/backend.h"
+#include "draw/backend.h"
 #include "core/field/knot_watch.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"

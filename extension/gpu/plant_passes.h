@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The passes of a frame that choose the plants to draw by a mesh (shaders/plants/plants.glsl), one for each species that has one. Lives on
+// The passes of a frame that choose the plants to draw by a mesh (shaders/species/plants.glsl), one for each species that has one. Lives on
 // the render thread, in GpuField.
 #pragma once
 
-#include "core/detail/plant_cull.h"
+#include "core/lod/plant_cull.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
-#include "core/plants/species.h"
+#include "core/species/species.h"
 #include "gpu/device.h"
 
 #include <godot_cpp/classes/texture2d.hpp>

@@ -2,14 +2,14 @@
 // The node's life, its physics ticks and its frames.
 #include "nodes/grass_field.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
-#include "nodes/field_view.h"
-#include "nodes/main_thread.h"
-#include "nodes/scene_watch.h"
-#include "nodes/script_call.h"
+#include "field/field_view.h"
+#include "shared/main_thread.h"
+#include "shared/scene_watch.h"
+#include "shared/script_call.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>

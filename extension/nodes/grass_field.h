@@ -3,21 +3,21 @@
 // frame, properties -> maker -> standing field when they change. No maths here.
 #pragma once
 
-#include "nodes/bare_answer.h"
-#include "nodes/field_bodies.h"
-#include "nodes/field_filler.h"
-#include "nodes/field_forces.h"
-#include "nodes/field_host.h"
-#include "nodes/field_maker.h"
+#include "ground/bare_answer.h"
+#include "physics/field_bodies.h"
+#include "ground/field_filler.h"
+#include "field/field_forces.h"
+#include "field/field_host.h"
+#include "field/field_maker.h"
 #include "nodes/field_monitors.h"
-#include "nodes/field_places.h"
-#include "nodes/field_properties.h"
-#include "nodes/field_terrain.h"
-#include "nodes/field_work.h"
-#include "nodes/ground_rays.h"
-#include "nodes/other_light.h"
-#include "nodes/property_value.h"
-#include "nodes/standing_field.h"
+#include "field/field_places.h"
+#include "field/field_properties.h"
+#include "ground/field_terrain.h"
+#include "field/field_work.h"
+#include "physics/ground_rays.h"
+#include "field/other_light.h"
+#include "shared/property_value.h"
+#include "field/standing_field.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
@@ -187,7 +187,7 @@ public:
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
 	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
-	// Blasts and gusts of air; p_duration: seconds. See FORCE_SPEED and others in core/forces/force.h.
+	// Blasts and gusts of air; p_duration: seconds. See FORCE_SPEED and others in core/blades/force.h.
 	void blast(const godot::Vector3 &p_global_position, double p_speed, double p_radius, double p_duration);
 	void push(const godot::Vector3 &p_global_position, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
@@ -212,7 +212,7 @@ private:
 	bool belongs_here() const;
 	std::vector<uint64_t> find_carriers() const;
 	void leave();
-	// From the message queue, where the engine lets a node die: nodes/script_call.h. What returns a bool says whether it still lives.
+	// From the message queue, where the engine lets a node die: shared/script_call.h. What returns a bool says whether it still lives.
 	void _physics_tick(double p_delta);
 	void _frame(double p_delta);
 	void _before_draw();

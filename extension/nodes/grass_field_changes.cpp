@@ -2,15 +2,15 @@
 // What a change of properties, species, map or fill rule sets going.
 #include "nodes/grass_field.h"
 
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/frame_share.h"
 #include "gpu/obstacles.h"
-#include "nodes/editor_hooks.h"
-#include "nodes/main_thread.h"
-#include "nodes/property_value.h"
-#include "nodes/script_call.h"
-#include "nodes/watch_resource.h"
+#include "shared/editor_hooks.h"
+#include "shared/main_thread.h"
+#include "shared/property_value.h"
+#include "shared/script_call.h"
+#include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>

@@ -4,7 +4,7 @@
 
 #include "core/base/cpu_clock.h"
 
-#include "nodes/main_thread.h"
+#include "shared/main_thread.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 

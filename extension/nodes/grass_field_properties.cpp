@@ -2,12 +2,12 @@
 // GrassField's properties: each setter clamps its value, warns if it had to, and passes it on.
 #include "nodes/grass_field.h"
 
-#include "nodes/bind_property.h"
-#include "nodes/inherited_properties.h"
-#include "nodes/main_thread.h"
-#include "nodes/params.h"
-#include "nodes/property_value.h"
-#include "nodes/script_call.h"
+#include "shared/bind_property.h"
+#include "shared/inherited_properties.h"
+#include "shared/main_thread.h"
+#include "shared/params.h"
+#include "shared/property_value.h"
+#include "shared/script_call.h"
 
 #include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>

@@ -2,7 +2,7 @@
 // GrassField's terrain: set, read, heard.
 #include "nodes/grass_field.h"
 
-#include "nodes/main_thread.h"
+#include "shared/main_thread.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 

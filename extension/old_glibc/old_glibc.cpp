@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What libstdc++ expects of a newer C library than the one that the library must load on (glibc 2.31). Only in the library, and only
-// where it is linked against that one: tools/scons/platforms.py.
+// where it is linked against that one: tools/build/platforms.py.
 #include <unistd.h>
 
 // Whether the program has one thread only, so that reference counts need no atomic instructions: it never says so.

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 ## Runs the tests of one layer: `godot [--headless] --path godot_project res://tests/runner.tscn -- --layer=headless`
 ## (or gpu), optionally with `--only=PART[,PART...]` of tests' names. `./grass test` does that and adds up the layers. Those in
-## res://tests/drivers belong to the layer `gpu`, and run under a Vulkan layer (tools/drivers.py). The layer `editor` runs inside the
+## res://tests/drivers belong to the layer `gpu`, and run under a Vulkan layer (tools/test/drivers.py). The layer `editor` runs inside the
 ## editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene (`./grass export OUT --tests`) it
 ## wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
 ##
-## Finds res://tests/LAYER/test_*.gd. For tools/testing.py, which also knows what had not run if the engine dies, it
+## Finds res://tests/LAYER/test_*.gd. For tools/test/testing.py, which also knows what had not run if the engine dies, it
 ## prints a line `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
 @tool
 extends Node
@@ -66,7 +66,7 @@ func _ready() -> void:
 	for test: Dictionary in plan:
 		await _run(test)
 	OS.remove_logger(_listener)
-	if OS.has_feature("template"):  # elsewhere tools/testing.py adds up
+	if OS.has_feature("template"):  # elsewhere tools/test/testing.py adds up
 		print("%d passed, %d failed%s" % [_passed, _failed, ", %d skipped" % _skipped if _skipped else ""])
 		_failed += 0 if plan else 1  # nothing was tested
 	get_tree().quit(1 if _failed else 0)

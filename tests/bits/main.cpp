@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steps scenes of random blades, bodies and parameters, and prints a hash of each, for the fastest lanes that the machine has and for
-// doubles. The layers `windows` and `arm64` compare what the program says there with what it says here (tools/testing_platforms.py).
+// doubles. The layers `windows` and `arm64` compare what the program says there with what it says here (tools/test/testing_platforms.py).
 #include "bit_hash.h"
 #include "random_scene.h"
 

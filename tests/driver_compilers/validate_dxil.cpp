@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Asks Microsoft's validator whether DXIL files are valid: `validate_dxil LIBDXCOMPILER FILE...`. Prints `FILE<tab>valid` or what is
-// wrong. Compiled against the headers that come with the library (tools/driver_tools.py).
+// wrong. Compiled against the headers that come with the library (tools/bench/driver_tools.py).
 #include "WinAdapter.h"
 
 #include "dxcapi.h"

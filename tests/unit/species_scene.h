@@ -4,7 +4,7 @@
 
 #include "grown_tile.h"
 
-#include "core/plants/species.h"
+#include "core/species/species.h"
 
 namespace grass::test {
 

@@ -2,7 +2,7 @@
 // Thin lines of a card do not vanish with the distance, and do not grow into a blot.
 #include <doctest/doctest.h>
 
-#include "core/plants/card_coverage.h"
+#include "core/species/card_coverage.h"
 
 #include <cmath>
 #include <vector>

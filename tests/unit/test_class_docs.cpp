@@ -4,8 +4,8 @@
 #include "core/fill/fill_params.h"
 #include "core/paint/brush_params.h"
 #include "core/world/world_plan.h"
-#include "nodes/field_params.h"
-#include "nodes/species_params.h"
+#include "field/field_params.h"
+#include "resources/species_params.h"
 
 #include <doctest/doctest.h>
 

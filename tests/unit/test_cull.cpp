@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of shaders/detail/cull.glsl, on the CPU's twin.
-#include "core/detail/cull.h"
+// The rules of shaders/lod/cull.glsl, on the CPU's twin.
+#include "core/lod/cull.h"
 
 #include "core/base/hash.h"
 #include "core/map/map_layers.h"

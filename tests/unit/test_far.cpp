@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the ground shows of grass that is not drawn blade by blade.
 #include "core/blades/clump.h"
-#include "core/detail/lod.h"
+#include "core/lod/lod.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What forces do to the air, and which tiles they wake.
-#include "core/forces/force.h"
+#include "core/blades/force.h"
 
 #include "tile_scene.h"
 

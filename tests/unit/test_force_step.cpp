@@ -4,7 +4,7 @@
 
 #include "grown_tile.h"
 
-#include "core/forces/force.h"
+#include "core/blades/force.h"
 #include "core/solver/simulate.h"
 #include "core/solver/solver_params.h"
 

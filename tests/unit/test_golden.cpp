@@ -10,7 +10,7 @@
 #include "blade_scene.h"
 
 #include "core/paint/brush.h"
-#include "core/plants/field_blades.h"
+#include "core/species/field_blades.h"
 #include "core/solver/simulate.h"
 
 #include <doctest/doctest.h>

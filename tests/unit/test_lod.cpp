@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/detail/lod.h"
+#include "core/lod/lod.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/wear/mow.h"
+#include "core/paint/mow.h"
 
-#include "core/wear/recovery.h"
+#include "core/paint/recovery.h"
 
 #include <doctest/doctest.h>
 

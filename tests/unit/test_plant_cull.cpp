@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which plants are drawn by a mesh: the rules of shaders/plants/plants.glsl, on the CPU's twin.
-#include "core/detail/plant_cull.h"
+// Which plants are drawn by a mesh: the rules of shaders/species/plants.glsl, on the CPU's twin.
+#include "core/lod/plant_cull.h"
 
 #include <doctest/doctest.h>
 

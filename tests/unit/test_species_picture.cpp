@@ -2,7 +2,7 @@
 // The editor's small picture of a species shows its colours, its height and its flowers.
 #include <doctest/doctest.h>
 
-#include "core/plants/species_picture.h"
+#include "core/species/species_picture.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #include "species_scene.h"
 
 #include "core/base/half.h"
-#include "core/plants/field_blades.h"
+#include "core/species/field_blades.h"
 #include "core/solver/simulate.h"
 #include "core/solver/solver_params.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A headset's two eyes: what either of them sees is chosen, as finely as the nearer one needs it.
-#include "core/detail/view.h"
+#include "core/lod/view.h"
 
-#include "core/detail/cull.h"
+#include "core/lod/cull.h"
 #include "core/field/field.h"
 
 #include <doctest/doctest.h>

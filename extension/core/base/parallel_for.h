@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work that may run on several threads: the engine's (backend/parallel.h), or none.
+// Work that may run on several threads: the engine's (shared/parallel.h), or none.
 #pragma once
 
 #include <cstddef>

@@ -3,14 +3,14 @@
 // and no engine: tests/unit/test_field.cpp runs it.
 #pragma once
 
-#include "core/detail/view.h"
+#include "core/lod/view.h"
 #include "core/field/field_params.h"
 #include "core/field/field_setup.h"
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
-#include "core/forces/force.h"
+#include "core/blades/force.h"
 #include "core/map/field_map.h"
-#include "core/plants/field_blades.h"
+#include "core/species/field_blades.h"
 #include "core/tiles/tiles.h"
 
 #include <array>

@@ -5,9 +5,9 @@
 #include "core/base/tile_grid.h"
 #include "core/blades/clump.h"
 #include "core/blades/patch.h"
-#include "core/detail/cull.h"
+#include "core/lod/cull.h"
 #include "core/map/growth.h"
-#include "core/plants/species.h"
+#include "core/species/species.h"
 #include "core/solver/solver_params.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/field/field.h"
-#include "core/wear/mow.h"
+#include "core/paint/mow.h"
 
 namespace grass {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/tile_grid.h"
-#include "core/detail/lod.h"
+#include "core/lod/lod.h"
 #include "core/tiles/tile_params.h"
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Runs the code blocks of the documentation: those in the list that tools/snippets.py wrote into the folder GRASS_SNIPPETS.
+## Runs the code blocks of the documentation: those in the list that tools/pages/snippets.py wrote into the folder GRASS_SNIPPETS.
 ##
 ## What a block must do stands in guides.gd (pages) or classes.gd (class reference), in a function named as the block's key.
 extends "res://tests/runner.gd"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## What a reader is taken to have when he copies a block: a field, a player and the like, under the names that the pages use.
-## Scripts that tools/snippets.py makes of blocks extend this one; stage.tscn, whose root gets such a script, has the nodes.
+## Scripts that tools/pages/snippets.py makes of blocks extend this one; stage.tscn, whose root gets such a script, has the nodes.
 extends Node3D
 
 

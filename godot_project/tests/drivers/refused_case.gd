@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A test under the layer of tests/drivers/, which refuses compute passes: those of tools/drivers.py from the process's beginning, and those
+## A test under the layer of tests/drivers/, which refuses compute passes: those of tools/test/drivers.py from the process's beginning, and those
 ## of refuse() from then on. A process compiles a pass once.
 extends "res://tests/view_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Ends the game as soon as it has drawn a field with plants: the engine still makes pipelines then. Started by tools/quitting.py.
+## Ends the game as soon as it has drawn a field with plants: the engine still makes pipelines then. Started by tools/test/quitting.py.
 extends Node3D
 
 const PRESETS := "res://addons/grass_field/presets/%s.tres"

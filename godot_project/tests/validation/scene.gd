@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What tools/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and bodies that move; with `-- --field`
+## What tools/test/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and bodies that move; with `-- --field`
 ## fields as well, of all that bodies, maps and species have passes for. Whatever the layer says of the scene without them is the engine's
 ## own.
 extends Node3D

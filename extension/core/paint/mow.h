@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A game's tools on the map: cutting with a solid shape, measuring how much of a region is mown, regrowing.
+#pragma once
+
+#include "core/map/map_layers.h"
+#include "core/paint/brush.h"
+#include "core/paint/footprint.h"
+
+#include <functional>
+
+#include <functional>
+
+namespace grass {
+
+// What one texel's worth of grass is, where nothing was painted or cut.
+struct GrassKind {
+	double height = 0.0; // of the blades at rest, on average, metres
+	double tallest = 0.0; // metres; cuts at this height and above cut nothing
+	double per_area = 0.0; // blades a square metre
+	std::function<double(const Eigen::Vector2d &)> height_at; // by place, where species differ, in place of `height`
+};
+
+struct CutResult : BrushResult {
+	double area = 0.0; // m^2 on which grass became shorter, as dense as it stands there
+	double volume = 0.0; // m^3: that area times the height that fell
+	double blades = 0.0; // that became shorter
+};
+
+// A rectangle or, if there is one, the part of a shape's footprint within it.
+struct MowRegion {
+	const Footprint *footprint = nullptr;
+	MapRegion rectangle{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // everything
+};
+
+// Cuts what stands in the region's shape: every blade ends at its underside. A shape that covers no texel's centre (they lie
+// 0.5 m apart) cuts the texel below its middle.
+CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind);
+
+// Share of the region's grass, weighted by density, that stands lower than it would without cuts; 0 where nothing grows.
+double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassKind &p_kind);
+
+// Grows cut grass in the region by p_height metres and reduces its wear by p_wear. Drops cuts that no longer cut anything.
+// Visits only chunks that hold cuts or wear. The result's amount is the cuts': metres times m^2.
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, double p_wear);
+// The same with a wear that differs from place to place (metres). It is read for worn texels only; null: no wear goes.
+using WearAt = std::function<double(const Eigen::Vector2d &p_place)>;
+BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind, double p_height, const WearAt &p_wear);
+
+} // namespace grass

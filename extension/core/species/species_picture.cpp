@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "core/species/species_picture.h"
+
+#include "core/base/half.h"
+#include "core/base/hash.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace grass {
+
+namespace {
+
+constexpr int BLADES = 90;
+constexpr int FINE = 2; // texels that are drawn for each of the picture, along a side
+constexpr int STEPS = 6; // of a segment, at least
+constexpr float FILLED = 0.9f; // of the height, by the tallest blade
+constexpr float DEEP = 0.12f; // how much higher the hindmost roots stand, shares of the height
+constexpr float WIDER = 1.5f; // than they are: thin blades would be lost in a small picture
+
+float from_srgb(uint8_t p_byte) {
+	return std::pow(float(p_byte) / 255.0f, 2.2f);
+}
+
+uint8_t to_srgb(float p_value) {
+	return uint8_t(std::lround(255.0f * std::pow(std::clamp(p_value, 0.0f, 1.0f), 1.0f / 2.2f)));
+}
+
+class Canvas {
+public:
+	explicit Canvas(int p_side) : _side(p_side), _texels(size_t(p_side) * size_t(p_side), Eigen::Vector4f::Zero()) {}
+
+	int get_side() const { return _side; }
+
+	void put(int p_x, int p_y, const Eigen::Vector3f &p_color) {
+		if (p_x >= 0 && p_x < _side && p_y >= 0 && p_y < _side) {
+			_texels[size_t(p_y) * size_t(_side) + size_t(p_x)] << p_color, 1.0f;
+		}
+	}
+
+	void put_disc(const Eigen::Vector2f &p_middle, float p_radius, const Eigen::Vector3f &p_color) {
+		const int reach = int(std::ceil(p_radius));
+		const int x = int(std::floor(p_middle.x())), y = int(std::floor(p_middle.y()));
+		put(x, y, p_color);
+		for (int dy = -reach; dy <= reach; dy++) {
+			for (int dx = -reach; dx <= reach; dx++) {
+				const Eigen::Vector2f texel(float(x + dx) + 0.5f, float(y + dy) + 0.5f);
+				if ((texel - p_middle).norm() <= p_radius) {
+					put(x + dx, y + dy, p_color);
+				}
+			}
+		}
+	}
+
+	// The mean of FINE x FINE texels each.
+	std::vector<uint8_t> shrunk() const {
+		std::vector<uint8_t> bytes;
+		for (int y = 0; y < _side; y += FINE) {
+			for (int x = 0; x < _side; x += FINE) {
+				Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+				for (int i = 0; i < FINE * FINE; i++) {
+					sum += _texels[size_t(y + i / FINE) * size_t(_side) + size_t(x + i % FINE)];
+				}
+				const Eigen::Vector3f color = sum.head<3>() / std::max(sum.w(), 1.0f);
+				const float alpha = sum.w() / float(FINE * FINE);
+				bytes.insert(
+						bytes.end(), { to_srgb(color.x()), to_srgb(color.y()), to_srgb(color.z()), uint8_t(std::lround(255.0f * alpha)) });
+			}
+		}
+		return bytes;
+	}
+
+private:
+	int _side;
+	std::vector<Eigen::Vector4f> _texels; // linear colour, and 1 where something is
+};
+
+// A blade on the canvas.
+struct DrawnBlade {
+	std::array<Eigen::Vector2f, GRASS_KNOTS> knots; // texels
+	float width; // at the root, texels
+	float depth; // 0 before, 1 behind
+	uint32_t hash;
+
+	float chance(int p_which) const { return float(grass_hash(hash + uint32_t(p_which)) >> 8) / float(1 << 24); }
+};
+
+// p_texels: of a metre.
+DrawnBlade make_blade(const Patch &p_patch, int p_blade, int p_side, float p_texels) {
+	const auto knot = [&](int p_knot) { return &p_patch.texels[Patch::texel_index(p_blade, p_knot)]; };
+	DrawnBlade blade;
+	blade.hash = uint32_t(p_blade) * 8;
+	blade.depth = half_to_float(knot(0)[1]);
+	blade.width = WIDER * half_to_float(knot(0)[3]) * p_texels;
+	const float side = float(p_side);
+	const Eigen::Vector2f root(side * (0.08f + 0.84f * half_to_float(knot(0)[0])), side * (0.99f - DEEP * blade.depth));
+	blade.knots[0] = root;
+	for (int k = 1; k < GRASS_KNOTS; k++) {
+		blade.knots[size_t(k)] = root + p_texels * Eigen::Vector2f(half_to_float(knot(k)[0]), -half_to_float(knot(k)[1]));
+	}
+	return blade;
+}
+
+Eigen::Vector3f color_of(const PictureLook &p_look, const DrawnBlade &p_blade, float p_along) {
+	const float place = p_along * float(p_look.colors.size() - 1);
+	const size_t first = std::min(size_t(place), p_look.colors.size() - 1), second = std::min(first + 1, p_look.colors.size() - 1);
+	const float part = place - float(first);
+	Eigen::Vector3f color = (1.0f - part) * p_look.colors[first] + part * p_look.colors[second];
+	const float straw = p_blade.chance(1) > 1.0f - 0.3f * p_look.dry ? 0.8f : 0.6f * p_look.dry * std::max(0.0f, 4.0f * p_along - 3.0f);
+	color = (1.0f - straw) * color + straw * p_look.dry_color;
+	const float light = (0.45f + 0.55f * p_along) * (1.0f - 0.45f * p_blade.depth) * (0.85f + 0.3f * p_blade.chance(2));
+	return 1.3f * light * color;
+}
+
+// A flower or a leaf. p_texels: RGBA8, sRGB, p_side squared; p_tint: times these; p_width, p_height: on the canvas.
+void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint8_t> p_texels, int p_side, const Eigen::Vector3f &p_tint,
+		float p_width, float p_height) {
+	const Eigen::Vector2f middle = p_blade.knots.back();
+	const float width = p_width, height = p_height;
+	for (int y = int(-0.5f * height); y <= int(0.5f * height); y++) {
+		for (int x = int(-0.5f * width); x <= int(0.5f * width); x++) {
+			const auto place = [&](float p_at, float p_size) {
+				return size_t(std::clamp(p_at / std::max(p_size, 1.0f) + 0.5f, 0.0f, 0.999f) * float(p_side));
+			};
+			const uint8_t *texel = &p_texels[4 * (place(float(y), height) * size_t(p_side) + place(float(x), width))];
+			if (texel[3] >= 128) {
+				const Eigen::Vector3f color(from_srgb(texel[0]), from_srgb(texel[1]), from_srgb(texel[2]));
+				r_canvas.put(int(middle.x()) + x, int(middle.y()) + y, (1.0f - 0.3f * p_blade.depth) * color.cwiseProduct(p_tint));
+			}
+		}
+	}
+}
+
+void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
+	for (int k = 0; k < GRASS_SEGMENTS; k++) {
+		const Eigen::Vector2f from = p_blade.knots[size_t(k)], way = p_blade.knots[size_t(k + 1)] - from;
+		const int steps = std::max(STEPS, int(std::ceil(way.norm())));
+		for (int i = 0; i < steps; i++) {
+			const float part = float(i) / float(steps), along = (float(k) + part) / float(GRASS_SEGMENTS);
+			const float width = p_blade.width * std::sqrt(1.0f - along);
+			r_canvas.put_disc(from + part * way, 0.5f * width, color_of(p_look, p_blade, along));
+		}
+	}
+	if (!p_look.card.empty() && p_blade.chance(3) < p_look.card_share) {
+		const float width = p_look.card_width * p_texels, height = p_look.card_height * p_texels;
+		draw_card(r_canvas, p_blade, p_look.card, p_look.card_side, p_look.card_color, width, height);
+	} else if (!p_look.leaf.empty()) {
+		const float side = p_look.leaf_size * p_texels;
+		const float grey = 1.5f; // leaves are multiples of their blade's colour
+		draw_card(r_canvas, p_blade, p_look.leaf, p_look.card_side, grey * color_of(p_look, p_blade, 1.0f), side, 0.6f * side);
+	}
+}
+
+} // namespace
+
+std::vector<uint8_t> draw_species(const PatchParams &p_patch, const PictureLook &p_look, int p_side) {
+	const Patch patch = generate_patch(p_patch);
+	Canvas canvas(FINE * p_side);
+	if (!patch.is_empty() && !p_look.colors.empty()) {
+		const float tallest = patch.max_height + (p_look.card.empty() ? 0.0f : 0.5f * p_look.card_height);
+		const float texels = (FILLED - 0.5f * DEEP) * float(canvas.get_side()) / std::max(tallest, 1e-3f);
+		std::vector<DrawnBlade> blades;
+		for (int i = 0; i < BLADES; i++) {
+			blades.push_back(make_blade(patch, i * (GRASS_PATCH_BLADES / BLADES), canvas.get_side(), texels));
+		}
+		std::sort(blades.begin(), blades.end(), [](const DrawnBlade &p_a, const DrawnBlade &p_b) { return p_a.depth > p_b.depth; });
+		for (const DrawnBlade &blade : blades) {
+			draw_blade(canvas, p_look, blade, texels);
+		}
+	}
+	return canvas.shrunk();
+}
+
+} // namespace grass

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "cpu/cpu_backend.h"
+
+#include "shared/parallel.h"
+#include "shared/convert.h"
+#include "draw/blade_mesh.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/time.hpp>
+#include <godot_cpp/core/memory.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
+// Ticks between checks of the pool's memory, and how many checks in a row must find it at least four times too large: three seconds.
+// Room for twice what is awake stays. Less: memory comes and goes with every body that passes.
+constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
+constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
+
+int rows_for(int p_highest_slot) {
+	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
+}
+// Grows the MultiMesh with what it shows.
+void show_instances(FieldInstance &r_instance, std::span<const float> p_instances) {
+	const int count = int(p_instances.size()) / GRASS_INSTANCE_FLOATS;
+	if (count > r_instance.capacity()) {
+		r_instance.reserve(int(std::bit_ceil(unsigned(count))));
+	}
+	PackedFloat32Array buffer;
+	buffer.resize(int64_t(r_instance.capacity()) * GRASS_INSTANCE_FLOATS);
+	std::ranges::copy(p_instances, buffer.ptrw());
+	r_instance.set_instances(buffer, count);
+}
+} // namespace
+
+CpuBackend::CpuBackend(const FieldSetup &p_setup) :
+		_setup(p_setup), _pool(p_setup.patch, p_setup.pool_size), _patch_texture(patch_texture(p_setup.patch)) {
+	_materials.set("patch_knots", _patch_texture);
+	_materials.set("blade_length", _setup.blade_length());
+	_texels.reset(p_setup.pool_size);
+	update_pool_texture();
+}
+
+bool CpuBackend::set_field(const FieldSetup &p_setup) {
+	if (!p_setup.has_meshes_of(_setup)) {
+		return false;
+	}
+	if (p_setup.patch != _setup.patch) {
+		_pool.set_patch(p_setup.patch);
+		const Ref<ImageTexture> before = std::exchange(_patch_texture, patch_texture(p_setup.patch)); // until nothing reads it
+		set_uniform("patch_knots", _patch_texture);
+		_materials.set("blade_length", p_setup.blade_length());
+	}
+	if (p_setup.pool_size != _setup.pool_size) {
+		_pool.set_pool_size(p_setup.pool_size);
+		_texels.reset(p_setup.pool_size);
+		_highest_slot = std::min(_highest_slot, p_setup.pool_size - 1);
+	}
+	_setup = p_setup;
+	_slot_of_tile.clear();
+	_cover.reset(); // of the other grid; set_cover() follows
+	_tiles_changed = true;
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup));
+	}
+	return true;
+}
+
+void CpuBackend::step(const StepInput &p_input) {
+	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	const int64_t blades_before = _pool.get_simulated_blades();
+	_texels.begin_step(_pool, p_input.slots);
+	_pool.step(p_input, run_parallel);
+	_texels.end_step(p_input.slots);
+	for (const GrassSlot &slot : p_input.slots) {
+		_tiles_changed = _tiles_changed || (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0;
+		if (slot.list.w & GRASS_SLOT_RETIRED) {
+			_slot_of_tile.erase(slot.tile.z);
+		} else {
+			_slot_of_tile[slot.tile.z] = slot.tile.w;
+			_highest_slot = std::max(_highest_slot, slot.tile.w);
+		}
+	}
+	_step_number = p_input.number;
+	_statistics.steps++;
+	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
+	if (_measure) {
+		_statistics.simulate_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
+	}
+}
+
+void CpuBackend::tidy() {
+	if (_ticks_to_look-- > 0) {
+		return;
+	}
+	_ticks_to_look = LOOK_EVERY - 1;
+	int highest = -1;
+	for (const auto &[tile, slot] : _slot_of_tile) {
+		highest = std::max(highest, slot);
+	}
+	const int needed = rows_for(highest);
+	_low_looks = needed * MUCH <= rows_for(_highest_slot) ? _low_looks + 1 : 0;
+	if (_low_looks >= LOW_LOOKS) {
+		_low_looks = 0;
+		_highest_slot = 2 * needed - 1;
+		_pool.trim(_highest_slot + 1); // the texture follows in the next frame
+	}
+}
+
+void CpuBackend::draw(const FieldView &p_view) {
+	if (!_levels[0].is_created()) {
+		return;
+	}
+	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
+	update_pool_texture();
+	if (!_tiles_changed && _view == p_view) {
+		return; // the same view of the same tiles: the MultiMeshes are still right
+	}
+	choose_tiles(p_view);
+	_view = p_view;
+	_tiles_changed = false;
+	_statistics.culls++;
+	if (_measure) {
+		_statistics.cull_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
+	}
+}
+
+int CpuBackend::find_slot(int p_tile) const {
+	const auto found = _slot_of_tile.find(p_tile);
+	return found == _slot_of_tile.end() ? GRASS_NO_SLOT : found->second;
+}
+
+void CpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
+	_materials.set(p_name, p_value);
+	_plants.set_uniform(p_name, p_value);
+}
+
+void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
+	const std::vector<int> rooms(p_plants.size(), FIRST_INSTANCES);
+	_plants.set(p_plants, rooms, shader_features(_setup), false, field_bounds(_setup, _cover.get()));
+	_plant_cull = {};
+	_plants_of = p_plants_of;
+	_tiles_changed = true;
+	_plants.set_uniform("patch_knots", _patch_texture);
+	_plants.set_uniform("pool_knots", _pool_texture);
+}
+
+void CpuBackend::choose_plants(const FieldView &p_view) {
+	PlantCull::Kinds kinds{};
+	for (const auto &plant : _plants.get()) {
+		kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
+	}
+	_plant_cull.choose(
+			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, kinds);
+	_statistics.drawn_plants = _statistics.left_out_plants = 0;
+	for (const auto &plant : _plants.get()) {
+		const int count = std::min(_plant_cull.get_count(plant->species), Plants::ROOM);
+		show_instances(plant->instance, _plant_cull.get_instances(plant->species).first(size_t(count) * GRASS_INSTANCE_FLOATS));
+		_statistics.drawn_plants += count;
+		_statistics.left_out_plants += _plant_cull.get_count(plant->species) - count;
+	}
+}
+
+void CpuBackend::choose_tiles(const FieldView &p_view) {
+	_cull.choose(_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); });
+	_statistics.left_out_tiles = _cull.get_left_out();
+	_statistics.drawn_blades = _cull.get_blades()[0];
+	_statistics.shadow_blades = _cull.get_blades()[1];
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		show_instances(_levels[size_t(level)], _cull.get_instances(level));
+		_statistics.drawn_tiles[size_t(level)] = _cull.get_count(level);
+	}
+	if (!_plants.is_empty()) {
+		choose_plants(p_view);
+	}
+}
+
+void CpuBackend::update_pool_texture() {
+	const int rows = rows_for(_highest_slot);
+	const bool is_resized = rows != _pool_rows;
+	if (!_texels.show(_pool, rows, _share) && !is_resized) {
+		return;
+	}
+	_pool_rows = rows;
+	_statistics.mixes += _texels.is_between() ? 1 : 0;
+	const Ref<Image> image =
+			Image::create_from_data(PoolTexels::ROW_TEXELS, _pool_rows, false, Image::FORMAT_RGBAH, to_bytes(_texels.get_shown()));
+	if (is_resized) {
+		_pool_texture = ImageTexture::create_from_image(image);
+		set_uniform("pool_knots", _pool_texture);
+	} else {
+		_pool_texture->update(image);
+	}
+}
+
+void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
+	(void)p_changed; // culling reads the cover tile by tile
+	_cover = p_cover;
+	_tiles_changed = true;
+	_plant_cull.forget(); // other species may be painted now
+	_plants.set_bounds(field_bounds(_setup, _cover.get()));
+	for (FieldInstance &level : _levels) {
+		level.set_bounds(field_bounds(_setup, _cover.get()));
+	}
+}
+
+void CpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		FieldInstance &instance = _levels[size_t(level)];
+		if (!instance.is_created()) {
+			Ref<ArrayMesh> mesh;
+			mesh.instantiate();
+			add_lod_surface(mesh, level, _materials.level(level), _setup.card_size > 0.0f);
+			instance.create(mesh, FIRST_INSTANCES, Written::BY_CPU, field_bounds(_setup, _cover.get()),
+					level < GRASS_LOD_LEVELS ? Role::PICTURE : Role::SHADOWS);
+		}
+		instance.follow(p_node, p_transform);
+	}
+	_plants.follow(p_node, p_transform);
+}
+
+std::vector<SimulatedKnots> CpuBackend::find_knots(std::span<const WantedBlade> p_blades) {
+	std::vector<SimulatedKnots> found(p_blades.size());
+	for (size_t i = 0; i < found.size(); i++) {
+		const std::vector<Eigen::Vector3f> knots = _pool.get_knots(p_blades[i].slot, blade_in_tile(p_blades[i].number));
+		if (knots.size() == GRASS_KNOTS) {
+			std::ranges::copy(knots, found[i].emplace().begin());
+		}
+	}
+	return found;
+}
+
+BackendStatistics CpuBackend::get_statistics() {
+	BackendStatistics statistics = _statistics;
+	statistics.instance_updates += _plants.get_updates();
+	for (const FieldInstance &level : _levels) {
+		statistics.instance_updates += level.get_updates();
+	}
+	return statistics;
+}
+
+int64_t CpuBackend::get_shared_memory() const {
+	return int64_t(_setup.patch->texels.size()) * 4; // here and as a texture
+}
+
+int64_t CpuBackend::get_pool_memory() const {
+	return _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
+			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // what is shown is a texture, too
+}
+
+int64_t CpuBackend::get_memory_usage() const {
+	int64_t bytes = get_shared_memory() + get_pool_memory() + mesh_bytes(_setup.card_size > 0.0f);
+	for (const FieldInstance &level : _levels) {
+		bytes += int64_t(level.capacity()) * GRASS_INSTANCE_FLOATS * 4;
+	}
+	return bytes + _plants.get_memory_usage() +
+			int64_t(_cull.get_memory_usage() + _plant_cull.get_memory_usage() +
+					_slot_of_tile.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)));
+}
+
+} // namespace grass

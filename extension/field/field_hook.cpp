@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "field/field_hook.h"
+
+#include "shared/watch_resource.h"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+const char *const PREFIX = "hook/"; // of the uniforms' properties
+
+} // namespace
+
+void FieldHook::set_include(const Ref<ShaderInclude> &p_include, const Callable &p_changed) {
+	(void)watch_instead(_include, p_include, p_changed); // the field compared them
+}
+
+bool FieldHook::compile() {
+	_hook = compile_hook(_include);
+	_is_broken = _include.is_valid() && _hook.text.is_empty();
+	return !_is_broken;
+}
+
+void FieldHook::reject() {
+	_hook = SurfaceHook();
+	_is_broken = true;
+}
+
+PackedStringArray FieldHook::get_uniforms() const {
+	PackedStringArray names;
+	for (const SurfaceHook::Uniform &uniform : _hook.uniforms) {
+		names.push_back(uniform.info.name);
+	}
+	return names;
+}
+
+void FieldHook::set_value(const StringName &p_uniform, const Variant &p_value) {
+	const auto found = std::ranges::find(_values, p_uniform, &std::pair<StringName, Variant>::first);
+	if (found == _values.end()) {
+		_values.emplace_back(p_uniform, p_value);
+	} else {
+		found->second = p_value;
+	}
+}
+
+Variant FieldHook::get_value(const StringName &p_uniform) const {
+	const auto found = std::ranges::find(_values, p_uniform, &std::pair<StringName, Variant>::first);
+	if (found != _values.end() && found->second.get_type() != Variant::NIL) {
+		return found->second;
+	}
+	const SurfaceHook::Uniform *uniform = _hook.find(p_uniform);
+	return uniform != nullptr ? uniform->initial : Variant();
+}
+
+// Only the include's own: a name of ours must not reach the shaders.
+void FieldHook::hand_on(const Set &p_set) const {
+	for (const auto &[name, value] : _values) {
+		if (has(name)) {
+			p_set(name, value);
+		}
+	}
+}
+
+bool FieldHook::set_property(const StringName &p_property, const Variant &p_value) {
+	const String name = p_property;
+	if (!name.begins_with(PREFIX)) {
+		return false;
+	}
+	set_value(name.trim_prefix(PREFIX), p_value);
+	return true;
+}
+
+bool FieldHook::is_property(const StringName &p_name) {
+	return String(p_name).begins_with(PREFIX);
+}
+
+bool FieldHook::get_property(const StringName &p_property, Variant &r_value) const {
+	const String name = p_property;
+	if (!name.begins_with(PREFIX)) {
+		return false;
+	}
+	r_value = get_value(name.trim_prefix(PREFIX));
+	return true;
+}
+
+void FieldHook::list(List<PropertyInfo> *r_list) const {
+	if (_hook.uniforms.empty()) {
+		return;
+	}
+	r_list->push_back(PropertyInfo(Variant::NIL, "Surface Hook", PROPERTY_HINT_NONE, PREFIX, PROPERTY_USAGE_GROUP));
+	for (const SurfaceHook::Uniform &uniform : _hook.uniforms) {
+		PropertyInfo info = uniform.info;
+		info.name = String(PREFIX) + String(info.name);
+		r_list->push_back(info);
+	}
+}
+
+String FieldHook::get_name() const {
+	const String path = _include.is_valid() ? _include->get_path() : String();
+	return path.is_empty() ? String("the include") : path;
+}
+
+void FieldHook::warn(PackedStringArray &r_warnings) const {
+	if (_is_broken) {
+		r_warnings.push_back(vformat(
+				"`surface_hook`: %s does not compile, so the field is drawn without it. The shader error in the output says why. It must "
+				"define `void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission)`; names that "
+				"the field's shaders use are taken, so begin those of your functions and uniforms with a word of your own.",
+				get_name()));
+	}
+}
+
+} // namespace grass

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "field/field_properties.h"
+
+#include <godot_cpp/classes/rendering_server.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+bool is_compatibility() {
+	static const bool is = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+	return is;
+}
+
+namespace {
+
+// Tiles along a side whose numbers survive the 16-bit floats that the Compatibility renderer packs an instance's numbers in.
+constexpr int EXACT_TILES = 2048;
+
+} // namespace
+
+FieldProperties::FieldProperties() {
+	for (size_t i = 0; i < params.size(); i++) {
+		params[i] = FIELD_PARAMS[i].tunable.initial;
+	}
+	for (size_t i = 0; i < colors.size(); i++) {
+		colors[i] = Color(FIELD_COLORS[i].red, FIELD_COLORS[i].green, FIELD_COLORS[i].blue);
+	}
+}
+
+ClumpParams FieldProperties::clump() const {
+	ClumpParams clump{ float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
+		float(param(PARAM_CLUMP_TINT)) };
+	clump.set_origin(Eigen::Vector2d(noise_origin.x, noise_origin.y));
+	return clump;
+}
+
+LodParams FieldProperties::lod() const {
+	LodParams lod;
+	lod.far = float(param(PARAM_LOD_FAR));
+	lod.error = float(param(PARAM_LOD_ERROR));
+	lod.pixels_min = float(param(PARAM_PIXELS_MIN));
+	lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
+	return lod.sanitised();
+}
+
+SolverParams FieldProperties::solver() const {
+	SolverParams solver;
+	solver.method = method;
+	solver.friction = param(PARAM_FRICTION);
+	solver.max_speed = param(PARAM_MAX_SPEED);
+	solver.iterations = int(param(PARAM_ITERATIONS));
+	return solver;
+}
+
+FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_species) const {
+	FieldParams field;
+	field.species = solvers_of(p_species, solver());
+	field.solver = field.species.front();
+	if (species.is_plain()) {
+		field.species.clear();
+	}
+	field.sleep_mode = sleep_mode;
+	field.sleep_delay = param(PARAM_SLEEP_DELAY);
+	field.sleep_motion = param(PARAM_SLEEP_MOTION);
+	field.settle_time = param(PARAM_SETTLE_TIME);
+	return field;
+}
+
+RecoveryRates FieldProperties::recovery_rates(const std::vector<GrownSpecies> &p_species) const {
+	RecoveryRates rates;
+	rates.growth = 1e-3 * param(PARAM_REGROWTH) / 60.0;
+	for (size_t s = 0; s < p_species.size(); s++) {
+		rates.wear[s] = p_species[s].species->get_wear_recovery() / 60.0;
+	}
+	return rates;
+}
+
+void FieldProperties::warn_of_blades(PackedStringArray &r_warnings) const {
+	if (species.prepare_patches() && species.join()->is_empty()) {
+		r_warnings.push_back(vformat("No grass grows: %s", species.join()->empty_because));
+	}
+	species.warn(r_warnings, param(PARAM_DENSITY));
+}
+
+void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {
+	if (simulated && collision_mask == 0) {
+		r_warnings.push_back("`collision_mask` is empty, so no body bends the grass. Set the layers of the bodies that should, or turn "
+							 "`simulated` off.");
+	}
+	if (simulated && pool_tiles == 0) {
+		r_warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
+	}
+	const TileGrid tiles = grid();
+	if (is_compatibility() && std::max(tiles.get_tiles_x(), tiles.get_tiles_z()) > EXACT_TILES) {
+		r_warnings.push_back(
+				vformat("The Compatibility renderer tells tiles apart up to %d along a side only: beyond, tiles share their clumps, "
+						"wind and map. Lower `density` or `size`, or use several fields.",
+						EXACT_TILES));
+	}
+	if (tiles.was_limited()) {
+		r_warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "
+							 "use several fields.");
+	}
+}
+
+} // namespace grass

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What a user set of a GrassField, and what follows from it without a field. Setters are the node's.
+#pragma once
+
+#include "core/base/tile_grid.h"
+#include "core/blades/patch.h"
+#include "core/lod/lod.h"
+#include "core/field/field_params.h"
+#include "core/paint/recovery.h"
+#include "field/field_hook.h"
+#include "field/field_params.h"
+#include "field/field_species.h"
+#include "resources/grass_map.h"
+
+#include <godot_cpp/classes/texture2d.hpp>
+
+#include <array>
+
+namespace grass {
+
+bool is_compatibility(); // the renderer
+
+struct FieldProperties {
+	FieldProperties(); // defaults
+
+	double param(FieldParamId p_param) const { return params[size_t(p_param)]; }
+	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
+	ClumpParams clump() const;
+	LodParams lod() const;
+	SolverParams solver() const; // without what is a species' own
+	// Of a field that stands with these species.
+	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
+	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
+	// What is wrong with the species; with what is simulated and how many tiles there are.
+	void warn_of_blades(godot::PackedStringArray &r_warnings) const;
+	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
+
+	godot::Vector2 size{ 32, 32 };
+	// Where the field's centre lies in the noise of clumps, stands, rules and wind, metres: (0, 0) but for the plots of a world.
+	godot::Vector2i noise_origin;
+	FieldSpecies species;
+	FieldHook hook;
+	godot::Ref<GrassMap> map;
+	godot::Ref<godot::Texture2D> terrain_texture, terrain_colors; // the user's; the terrain's own, where that tells any
+	const godot::Ref<godot::Texture2D> &find_terrain_texture() const {
+		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
+	}
+	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
+	bool simulated = true, measure_time = false, has_ground = true;
+	Method method = SolverParams().method;
+	SleepMode sleep_mode = TileParams().sleep_mode;
+	bool is_on_cpu = false;
+	bool is_streamed = false; // a plot of a world: made in parts, a few a frame, from the first time on
+	int64_t debug_view = GRASS_DEBUG_OFF;
+	std::array<double, FIELD_PARAMS.size()> params;
+	std::array<godot::Color, FIELD_COLORS.size()> colors;
+};
+
+} // namespace grass

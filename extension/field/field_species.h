@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A field's species: from the list of resources to one patch, one mix, and the steps of a tick. An empty list counts as one species
+// with the defaults (docs/decisions/0023-always-a-species.md).
+#pragma once
+
+#include "core/blades/patch.h"
+#include "core/species/species.h"
+#include "core/solver/solver_params.h"
+#include "draw/drawn_plant.h"
+#include "resources/grass_species.h"
+
+#include <godot_cpp/variant/callable.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace grass {
+
+// A species of a field that stands, with the patch that it was made with.
+struct GrownSpecies {
+	godot::Ref<GrassSpecies> species;
+	std::shared_ptr<const Patch> patch;
+};
+
+// The field's solver as each species has it.
+std::vector<SolverParams> solvers_of(const std::vector<GrownSpecies> &p_species, const SolverParams &p_field);
+
+std::vector<std::shared_ptr<const Patch>> patches_of(const std::vector<GrownSpecies> &p_species);
+
+// The list that the node's property holds.
+class FieldSpecies {
+public:
+	using List = std::vector<godot::Ref<GrassSpecies>>;
+
+	// p_changed: called when one of them changes.
+	void set(const godot::TypedArray<GrassSpecies> &p_species, const godot::Callable &p_changed);
+	godot::TypedArray<GrassSpecies> get() const;
+	// One species without gradient and card: shaders and passes for several are not needed.
+	bool is_plain() const;
+
+	// Lets threads make the patches that are missing. True once none is.
+	bool prepare_patches() const;
+	// Reads the meshes that are not read yet. They may be scripts: false where one of them freed p_field, and this with it.
+	[[nodiscard]] bool read_plants(const godot::Object &p_field) const;
+	// Those that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
+	List find_used() const;
+	// The first of them, and in an empty list a new one.
+	godot::Ref<GrassSpecies> make_first(const godot::Callable &p_changed);
+	std::vector<SpeciesParams> find_mix() const;
+	std::vector<GrownSpecies> find_grown() const;
+	// Radius of the largest flower, seed head or leaf around its tip, metres; a card on a thinned tile is drawn larger.
+	float find_card_size() const;
+	float find_leaf_area() const; // of the mean blade, m^2
+	// The meshes that species have, in the order of find_used(); null: none. p_density: blades a square metre.
+	std::vector<DrawnPlant> find_plants(double p_density) const;
+	bool has_plant_meshes() const; // whether they can be drawn or not, since reading them may run scripts
+	std::vector<int> find_stems() const; // that share a root
+	bool is_joined() const; // the patch of join() is of the species as they are
+	// All species' blades as one patch, the same one until they change.
+	std::shared_ptr<const Patch> join() const;
+	void warn(godot::PackedStringArray &r_warnings, double p_density) const;
+
+private:
+	std::vector<std::shared_ptr<const Patch>> find_patches() const;
+	std::vector<double> find_shares() const;
+	void warn_of_plants(int64_t p_species, double p_density, godot::PackedStringArray &r_warnings) const;
+
+	List _list; // may hold empty ones
+	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares
+	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
+	mutable std::vector<double> _joined_shares;
+	mutable std::vector<int> _joined_stems;
+};
+
+} // namespace grass

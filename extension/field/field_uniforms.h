@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What the shaders of a field read besides textures of patch, pool and map.
+#pragma once
+
+#include "core/blades/wind.h"
+#include "core/field/field_setup.h"
+#include "core/blades/force.h"
+#include "draw/species_look.h"
+#include "field/field_properties.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class FieldUniforms {
+public:
+	using Set = std::function<void(const char *p_name, const godot::Variant &p_value)>;
+
+	// Of blades and ground.
+	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
+	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
+	// p_species: those that stand. p_set: of blades and ground; p_set_blades: of blades only.
+	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
+			const Set &p_set, const Set &p_set_blades);
+	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
+	void set_wind_clock(const Set &p_set);
+	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
+	bool keep_wind_clock(const Set &p_set);
+	void join_wind(const FieldUniforms &p_other) { _wind = p_other._wind; } // gusts go on from one field to the other
+
+	// Of blades.
+	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set);
+	// The wind, or p_has_forces, blows for p_delta seconds. False where there is none.
+	bool blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces);
+	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
+
+private:
+	static void set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set);
+	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
+
+	WindClock _wind;
+	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
+	godot::Vector4 _light;
+	Cards _cards;
+	size_t _forces = 0; // that the shaders have
+};
+
+} // namespace grass

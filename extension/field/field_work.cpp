@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "field/field_work.h"
+
+#include "shared/convert.h"
+#include "core/field/grass_at.h"
+#include "physics/ground_rays.h"
+#include "physics/ground_sheet.h"
+#include "physics/node_colliders.h"
+#include "shared/params.h"
+#include "shared/script_call.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// The map keeps wear every 0.5 m: a smaller disc can lie between all of them. Metres.
+constexpr double SMALLEST_TRAMPLE = 0.36;
+// A boot treads with 0.2 m, a giant's with some metres. Metres.
+constexpr Tunable TRAMPLE_RADIUS{ "radius", "m", 0.0, 64.0, 0.01, 0.2 };
+// Around a field that is baked as a whole: what its last blades blend with. Metres.
+constexpr double BORDER = info_of(MAP_GROUND).texel_size();
+
+} // namespace
+
+Eigen::Affine3d FieldWork::to_field() const {
+	return to_eigen(_host.field_transform()).inverse(Eigen::Isometry);
+}
+
+// p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region.
+bool FieldWork::find_region(
+		const char *p_method, const Ref<Shape3D> &p_shape, const Transform3D &p_transform, std::optional<Footprint> &r_footprint) const {
+	if (p_shape.is_null()) {
+		return true;
+	}
+	ColliderShape shape;
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, _host.message(vformat("%s() needs a transform of finite numbers.", p_method)));
+	ERR_FAIL_COND_V_MSG(!pose_shape(p_shape, to_field() * to_eigen(p_transform), shape), false,
+			_host.message(vformat("%s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", p_method,
+					p_shape->get_class())));
+	r_footprint.emplace(shape);
+	return true;
+}
+
+MowRegion FieldWork::mow_region(const std::optional<Footprint> &p_footprint) const {
+	return { p_footprint ? &*p_footprint : nullptr, field_region() };
+}
+
+CutResult FieldWork::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	std::optional<Footprint> footprint;
+	ERR_FAIL_COND_V_MSG(p_shape.is_null(), {}, _host.message("cut() needs a shape."));
+	GrassMap *map = _host.need_map("cut");
+	if (map == nullptr || !_standing.stands() || !find_region("cut", p_shape, p_transform, footprint)) {
+		return {};
+	}
+	return map->change([&](PaintMap &r_map) { return cut_grass(r_map, mow_region(footprint), kind_of(_standing.get_field())); });
+}
+
+double FieldWork::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	std::optional<Footprint> footprint;
+	if (!_host.build() || _properties.map.is_null() || !_standing.stands() ||
+			!find_region("get_mown_share", p_shape, p_transform, footprint)) {
+		return 0.0;
+	}
+	return mown_share(_properties.map->get_map(), mow_region(footprint), kind_of(_standing.get_field()));
+}
+
+void FieldWork::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
+			_host.message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
+	std::optional<Footprint> footprint;
+	if (_host.build() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
+		_properties.map.ptr()->change([&](PaintMap &r_map) {
+			return regrow_grass(r_map, mow_region(footprint), kind_of(_standing.get_field()), p_height, p_wear);
+		});
+	}
+}
+
+double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GrassMap *map = _host.need_map("paint");
+	if (map == nullptr) {
+		return 0.0;
+	}
+	const Transform3D to_field = _host.field_transform().affine_inverse();
+	const Vector3 from = to_field.xform(p_from), to = to_field.xform(p_to);
+	const Vector2 start(from.x, from.z), end(to.x, to.z);
+	const String problem = GrassMap::problem_of_stroke(p_brush, start, end);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, _host.message("paint(): " + problem));
+	return map->stroke_within(p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
+}
+
+double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {
+	ERR_FAIL_COND_V_MSG(!p_global.is_finite() || !(p_radius > 0.0), 0.0,
+			_host.message(
+					"trample() needs a position, a radius in metres above 0, and how much of the way to bare ground it goes, 0 to 1."));
+	GrassMap *map = _host.need_map("trample");
+	if (map == nullptr) {
+		return 0.0;
+	}
+	const Eigen::Vector3d place = to_field() * to_eigen(p_global);
+	const Eigen::Vector2d centre(place.x(), place.z());
+	const double radius = checked(TRAMPLE_RADIUS, p_radius, _host.label());
+	Brush brush;
+	brush.area = ground().grown(info_of(MAP_WEAR).texel_size());
+	if (!brush.area.grown(radius).contains(centre)) {
+		return 0.0;
+	}
+	brush.tool = MapTool::FLATTEN;
+	brush.strength = p_amount;
+	return map->apply(MapShape::stroke(centre, centre, std::max(radius, SMALLEST_TRAMPLE), 0.5, Falloff::SMOOTH), brush).amount;
+}
+
+bool FieldWork::wear_tracks(const VehicleWheels &p_wheels, double p_delta) {
+	const double wear = _properties.param(PARAM_WHEEL_WEAR) * p_delta;
+	const std::vector<VehicleWheels::Slip> slips = wear > 0.0 ? p_wheels.find_slips() : std::vector<VehicleWheels::Slip>();
+	for (const VehicleWheels::Slip &slip : slips) {
+		if (!outlives(_host.as_node(), [&] { trample(slip.place, slip.radius, std::min(wear * slip.share, 1.0)); })) {
+			return false;
+		}
+		if (!_host.as_node().is_inside_tree()) {
+			break;
+		}
+	}
+	return true;
+}
+
+void FieldWork::recover(double p_delta) {
+	const RecoveryRates rates = _properties.recovery_rates(_standing.get_species());
+	const Ref<GrassMap> &map = _properties.map;
+	if (map.is_null() || !map->is_readable() || rates.is_none()) {
+		return;
+	}
+	const Field &field = _standing.get_field();
+	const SharesAt shares = [&field](const Eigen::Vector2d &p_place) {
+		return field.get_setup().species->get_shares_at(p_place.cast<float>(), field.get_layers());
+	};
+	map.ptr()->change([&](PaintMap &r_map) {
+		return _recovery.step(r_map, field_region(), kind_of(field), rates, p_delta, field.get_setup().species ? shares : nullptr);
+	});
+}
+
+// Of the field, made or not.
+MapRegion FieldWork::ground() const {
+	const Eigen::Vector2d half = 0.5 * to_eigen(_properties.size);
+	return { -half, half };
+}
+
+// What of p_region lies at the field; nothing, with an error, if none of it does.
+std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
+	const MapRegion whole = ground().grown(BORDER);
+	if (!p_region.has_area()) {
+		return whole;
+	}
+	const MapRegion shared = whole.shared({ to_eigen(p_region.position), to_eigen(p_region.get_end()) });
+	ERR_FAIL_COND_V_MSG((shared.min.array() >= shared.max.array()).any(), {},
+			_host.message("the region of bake_ground() lies beside the field. It counts from the field's centre, in metres."));
+	return shared;
+}
+
+int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between) {
+	GrassMap *map = _host.need_map("bake_ground");
+	if (map == nullptr) {
+		return 0;
+	}
+	int64_t found = 0;
+	map->change([&](PaintMap &r_map) {
+		const auto counted = [&](const Eigen::Vector2d &p_place) {
+			const double height = p_height(p_place);
+			found += std::isfinite(height) ? 1 : 0;
+			return height;
+		};
+		return lay_ground(r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
+	});
+	return found;
+}
+
+int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a region of finite numbers, or an empty one."));
+	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
+	GroundRays rays(_host.as_node().get_world_3d(), _host.field_transform(), p_mask);
+	rays.stand(_host.as_node());
+	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
+			_host.message("the physics space is locked now. Where physics runs on a thread of its own, call bake_ground() in "
+						  "_physics_process()."));
+	const std::optional<MapRegion> region = bake_region(p_region);
+	const auto height = [&](const Eigen::Vector2d &p_place) {
+		return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
+	};
+	return region ? lay_ground_by(*region, height, height) : 0;
+}
+
+int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a transform of finite numbers."));
+	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
+			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
+	const MapRegion region = ground().grown(BORDER);
+	HeightSheet sheet(region);
+	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
+	return lay_ground_by(
+			region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); },
+			[&](const Eigen::Vector2d &p_place) { return sheet.between(p_place); });
+}
+
+Dictionary to_dictionary(const CutResult &p_cut) {
+	Dictionary result;
+	result["area"] = p_cut.area;
+	result["volume"] = p_cut.volume;
+	result["blades"] = int64_t(std::llround(p_cut.blades));
+	return result;
+}
+
+} // namespace grass

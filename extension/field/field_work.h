@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What is done to the grass: a game mows, mends, tramples and paints it and reads in the ground, wheels leave tracks, time mends. All
+// of that is kept in the field's map. Places are global.
+#pragma once
+
+#include "core/paint/lay_ground.h"
+#include "core/paint/mow.h"
+#include "core/paint/recovery.h"
+#include "field/field_host.h"
+#include "resources/grass_brush.h"
+#include "field/standing_field.h"
+#include "physics/vehicle_wheels.h"
+
+#include <godot_cpp/classes/shape3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+#include <optional>
+
+namespace grass {
+
+class FieldWork {
+public:
+	FieldWork(FieldHost &p_host, const StandingField &p_standing, const FieldProperties &p_properties) :
+			_host(p_host), _standing(p_standing), _properties(p_properties) {}
+
+	CutResult cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	// Without a shape: of the whole field.
+	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+	double trample(const godot::Vector3 &p_global, double p_radius, double p_amount);
+	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
+	// Wheels that slip for p_delta seconds leave tracks. False: a listener of the map freed the field.
+	[[nodiscard]] bool wear_tracks(const VehicleWheels &p_wheels, double p_delta);
+	// Grass that was worn or cut recovers for p_delta seconds.
+	void recover(double p_delta);
+	// The field has another map.
+	void forget_map() { _recovery.reset(); }
+
+	// Read the shape of the ground into the map, over a rectangle of places (field space, x and z in metres) or, where that is empty, over
+	// the whole field. At how many places, one a metre, there is ground.
+	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask);
+	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
+
+private:
+	Eigen::Affine3d to_field() const; // from the world
+	bool find_region(const char *p_method, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform,
+			std::optional<Footprint> &r_footprint) const;
+	MapRegion ground() const;
+	MapRegion field_region() const { return MapRegion::of_grid(_standing.get_field().get_grid()); }
+	MowRegion mow_region(const std::optional<Footprint> &p_footprint) const;
+	std::optional<MapRegion> bake_region(const godot::Rect2 &p_region) const;
+	int64_t lay_ground_by(const MapRegion &p_region, const HeightAt &p_height, const HeightAt &p_between);
+
+	FieldHost &_host;
+	const StandingField &_standing;
+	const FieldProperties &_properties;
+	Recovery _recovery;
+};
+
+// As GrassField.cut() returns it.
+godot::Dictionary to_dictionary(const CutResult &p_cut);
+
+} // namespace grass

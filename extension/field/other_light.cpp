@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "field/other_light.h"
+
+#include "shared/scene_watch.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/sky.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+constexpr int FRAMES_A_LOOK = 30; // at least: a look waits for the GPU
+constexpr int LOOKS = 2;
+
+bool is_shining(const DirectionalLight3D *p_sun, const Node3D *p_node) {
+	return p_sun->is_visible_in_tree() && p_sun->get_sky_mode() != DirectionalLight3D::SKY_MODE_SKY_ONLY &&
+			p_sun->get_world_3d() == p_node->get_world_3d();
+}
+} // namespace
+
+Vector4 OtherLight::find(Node3D *p_node) {
+	SceneWatch::get_singleton()->start(p_node);
+	std::vector<double> seen;
+	bool is_any = false, are_all = true;
+	for (const DirectionalLight3D *sun : SceneWatch::get_singleton()->get_suns()) {
+		if (is_shining(sun, p_node)) {
+			is_any = true;
+			are_all = are_all && sun->has_shadow();
+			const Vector3 from = sun->get_global_transform().basis.get_column(2);
+			const Color color = sun->get_color() * sun->get_param(Light3D::PARAM_ENERGY);
+			seen.insert(seen.end(), { from.x, from.y, from.z, color.r, color.g, color.b });
+		}
+	}
+	const Ref<Environment> environment = p_node->get_world_3d()->get_environment();
+	if (!is_any || !are_all || environment.is_null()) {
+		return Vector4(0, 0, 0, is_any && are_all ? 1 : 0);
+	}
+	const Ref<Sky> sky = environment->get_sky();
+	seen.push_back(sky.is_valid() ? double(sky->get_instance_id()) : 0.0);
+	_frames++;
+	if (seen != _seen) {
+		_seen = seen;
+		_looks_left = LOOKS;
+	}
+	const Color ambient = _ambient(environment);
+	return Vector4(ambient.r, ambient.g, ambient.b, 1);
+}
+
+// As the renderer makes it.
+Color OtherLight::_ambient(const Ref<Environment> &p_environment) {
+	const Environment::AmbientSource source = p_environment->get_ambient_source();
+	const Environment::BGMode background = p_environment->get_background();
+	const bool is_background = source == Environment::AMBIENT_SOURCE_BG;
+	if (is_background && (background == Environment::BG_CLEAR_COLOR || background == Environment::BG_COLOR)) {
+		const Color color = background == Environment::BG_COLOR ? p_environment->get_bg_color()
+																: RenderingServer::get_singleton()->get_default_clear_color();
+		return color.srgb_to_linear() * p_environment->get_bg_energy_multiplier();
+	}
+	const bool is_sky = source == Environment::AMBIENT_SOURCE_SKY || (is_background && background == Environment::BG_SKY);
+	const Color own = p_environment->get_ambient_light_color().srgb_to_linear() * p_environment->get_ambient_light_energy();
+	if (is_sky && p_environment->get_sky().is_valid()) {
+		return own.lerp(_of_sky(p_environment), p_environment->get_ambient_light_sky_contribution());
+	}
+	return source == Environment::AMBIENT_SOURCE_COLOR ? own : Color(0.0f, 0.0f, 0.0f);
+}
+
+// What falls on level ground.
+Color OtherLight::_of_sky(const Ref<Environment> &p_environment) {
+	if (_looks_left > 0 && _frames >= FRAMES_A_LOOK) {
+		_looks_left--;
+		_frames = 0;
+		const Ref<Image> around =
+				RenderingServer::get_singleton()->sky_bake_panorama(p_environment->get_sky()->get_rid(), 1.0, true, Vector2i(8, 8));
+		if (around.is_valid()) {
+			_sky = around->get_pixel(0, 0);
+		}
+	}
+	return _sky * p_environment->get_bg_energy_multiplier();
+}
+
+} // namespace grass

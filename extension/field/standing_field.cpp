@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include "field/standing_field.h"
+
+#include "cpu/cpu_backend.h"
+#include "draw/blade_mesh.h"
+#include "draw/field_shaders.h"
+#include "draw/frame_share.h"
+#include "gpu/device.h"
+#include "gpu/gpu_backend.h"
+#include "gpu/obstacles.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Chunks of the map (64 m) that may change without waiting for anything: less than 1 ms each. More: frames stutter when a large brush is
+// used. Less: what is painted with it comes in pieces.
+constexpr int CHUNKS_AT_ONCE = 4;
+
+} // namespace
+
+void StandingField::begin_passes() const {
+	if (!_properties.is_on_cpu) {
+		const FieldPlants plants{ _properties.species.has_plant_meshes(), _properties.map.is_valid() };
+		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method, plants);
+	}
+}
+
+void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
+	_is_crowded = false;
+	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),
+			_properties.field_params(p_wanted.species));
+	_mix = std::move(p_wanted.mix);
+	_species = std::move(p_wanted.species);
+	_plants = std::move(p_wanted.plants);
+	_map = std::move(p_wanted.map);
+	_ground.free();
+	_is_shown = false;
+	_parts_shown = _rows_shown = 0;
+	const FieldSetup &setup = _field.get_setup();
+	_is_backend_waiting = setup.patch->is_empty() || !_backend || !_backend->set_field(setup);
+	if (_is_backend_waiting && !p_in_parts) {
+		make_backend();
+	}
+}
+
+void StandingField::make_backend() {
+	_is_backend_waiting = false;
+	_backend.reset();
+	const FieldSetup &setup = _field.get_setup();
+	if (setup.patch->is_empty()) {
+		return;
+	}
+	if (wants_device() && find_obstacle(setup).is_empty()) {
+		_backend = std::make_unique<GpuBackend>(setup);
+	} else {
+		_backend = std::make_unique<CpuBackend>(setup);
+	}
+	update_measuring();
+	_builds++;
+}
+
+bool StandingField::leave_refused_device() {
+	if (!_backend || !_backend->is_refused()) {
+		return false;
+	}
+	drop_backend();
+	_is_backend_waiting = true;
+	_is_shown = false;
+	_parts_shown = _rows_shown = 0;
+	return true;
+}
+
+bool StandingField::wants_device() const {
+	return !_properties.is_on_cpu && main_device() != nullptr;
+}
+
+String StandingField::refusal_warning() const {
+	const FieldSetup &setup = _field.get_setup();
+	const bool is_refused = wants_device() && needs_refused_pass(setup);
+	return is_refused ? obstacle_warning() : String();
+}
+
+String StandingField::obstacle_warning() const {
+	const String obstacle = find_obstacle(_field.get_setup());
+	return obstacle.is_empty() ? obstacle : vformat("The CPU simulates and draws this field, which takes more time. %s", obstacle);
+}
+
+void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
+	const FieldSetup &setup = _field.get_setup();
+	if (!wants_device() || !setup.patch) {
+		return;
+	}
+	if (const String warning = obstacle_warning(); !warning.is_empty()) {
+		r_warnings.push_back(warning);
+		return;
+	}
+	FieldSetup wanted = setup;
+	wanted.pool_size = int(_properties.pool_tiles);
+	wanted.drawn_tiles_max = int(_properties.param(PARAM_DRAWN_TILES_MAX));
+	const DeviceLimits &limits = device_limits();
+	const DeviceFit fit = fit_device(limits, wanted);
+	if (wanted.pool_size > fit.pool_size) {
+		r_warnings.push_back(
+				vformat("`pool_tiles` is %d, and the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
+						"Lower it to %d.",
+						wanted.pool_size, fit.pool_size, limits.buffer_bytes >> 20, limits.texture_side, fit.pool_size));
+	}
+	if (wanted.drawn_tiles_max > fit.drawn_tiles_max) {
+		r_warnings.push_back(
+				vformat("`drawn_tiles_max` is %d, and the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
+						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
+	}
+}
+
+void StandingField::drop_backend() {
+	_backend.reset();
+	_is_backend_waiting = false;
+	_ground.free();
+	_field.rest(); // its blades went with it
+}
+
+void StandingField::clear() {
+	drop_backend();
+	_field.forget_map();
+	_map.reset();
+}
+
+void StandingField::update_params() {
+	if (_backend) { // else make() will
+		_field.set_params(_properties.field_params(_species));
+		_field.stir();
+	}
+}
+
+void StandingField::update_measuring() {
+	if (_backend) {
+		_backend->set_measure_time(_properties.measure_time || _is_measured);
+	}
+}
+
+void StandingField::measure_time() {
+	if (!_is_measured) {
+		_is_measured = true;
+		update_measuring();
+	}
+}
+
+bool StandingField::update_species() {
+	const FieldSpecies &species = _properties.species;
+	const FieldSetup &setup = _field.get_setup();
+	if (!_backend || !species.prepare_patches() || !species.is_joined() || species.find_mix() != _mix ||
+			species.is_plain() != (setup.species == nullptr) || species.find_card_size() != setup.card_size ||
+			species.find_leaf_area() != setup.leaf_area || species.find_plants(_properties.param(PARAM_DENSITY)) != _plants) {
+		return false;
+	}
+	set_species_uniforms();
+	update_params();
+	return true;
+}
+
+void StandingField::set_uniform(const StringName &p_name, const Variant &p_value) {
+	if (_backend) {
+		_backend->set_uniform(p_name, p_value);
+		_ground.set_uniform(p_name, p_value);
+	}
+}
+
+// p_ground: of the ground, too, not of the blades alone.
+FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
+	return [this, p_ground](const char *p_name, const Variant &p_value) {
+		if (p_ground) {
+			set_uniform(p_name, p_value);
+		} else {
+			_backend->set_uniform(p_name, p_value);
+		}
+	};
+}
+
+void StandingField::set_wind_clock() {
+	_uniforms.set_wind_clock(uniform_setter(true));
+}
+
+bool StandingField::update_map() {
+	if (!_backend || !_map || _map->get_waiting() == 0) {
+		return true;
+	}
+	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE, is_streamed = _properties.is_streamed;
+	std::optional<FrameShare::Turn> turn;
+	if (is_streamed || !are_few) { // else at once, and not from the share
+		turn.emplace(this);
+	}
+	const FieldMap::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
+	turn.reset();
+	if (changes.tiles.count() == 0) {
+		return true;
+	}
+	if (_is_shown) { // else show() does it, for all of the map
+		_map->set_uniforms(uniform_setter(true), false);
+		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+	}
+	_field.regrow(changes.tiles);
+	return !_field.get_layers()->is_full();
+}
+
+const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const {
+	if (_properties.map.is_null()) {
+		return nullptr;
+	}
+	if (_map && _map->get_map() == _properties.map && !_map->is_preview() && !_map->get_field().is_waiting_at(p_place)) {
+		return _field.get_layers();
+	}
+	MapLayers plain;
+	plain.reset(_field.get_setup().grid, _field.get_setup().blade_length());
+	plain.read(_properties.map->get_map(), p_place, _layers_there);
+	return &_layers_there;
+}
+
+bool StandingField::begin_tick(bool p_is_listened, double p_delta) {
+	return _field.begin_tick(*_backend, p_is_listened, p_delta);
+}
+
+bool StandingField::tick(
+		std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for) {
+	_field.set_params(_properties.field_params(_species));
+	const bool has_moved = _field.tick(*_backend, p_colliders, p_delta, p_forces, p_parallel_for);
+	if (has_moved) {
+		request_draw();
+	}
+	return has_moved;
+}
+
+void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
+	_uniforms.set_forces(p_forces, _field.get_grid(), uniform_setter(false));
+	if (_uniforms.blow(_properties, p_delta, !p_forces.empty()) && _field.is_seen()) {
+		set_wind_clock();
+		_wind_updates++;
+	}
+}
+
+void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
+	if (!_is_shown) {
+		return;
+	}
+	_backend->follow(p_node, p_transform);
+	const bool is_carried = _properties.has_ground;
+	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
+		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());
+	}
+	_ground.follow(p_node, p_transform, is_carried);
+	if (_is_carried != is_carried) {
+		_is_carried = is_carried;
+		_backend->set_uniform("ground_carries", _is_carried ? 1.0 : 0.0);
+	}
+}
+
+void StandingField::read_asked() {
+	_backend->read_asked([this](int p_tile) { return _field.get_tiles().get_slot_of(p_tile); });
+}
+
+bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
+	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
+	_field.see(p_view, p_is_visible);
+	if (_is_shown && p_view.is_watched && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
+		_backend->draw(p_view);
+		_is_crowded = _is_crowded || leaves_tiles_out();
+	}
+	if (_field.is_seen() && !was_seen && _properties.param(PARAM_WIND_SPEED) > 0.0) {
+		set_wind_clock();
+		_wind_updates++;
+	}
+	return _is_crowded && !was_crowded;
+}
+
+bool StandingField::leaves_tiles_out() const {
+	const FieldSetup &setup = _field.get_setup();
+	if (int(setup.grid.get_tile_count()) <= std::min(setup.instance_capacity(), setup.shadow_capacity())) {
+		return false; // all of them have room
+	}
+	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
+	return picture + shadows > 0;
+}
+
+String StandingField::crowded_warning() const {
+	return vformat(
+			"More tiles are in view than there is room for: %d, and %d that cast shadows. Some far ones are left out (see `left_out_tiles` "
+			"in get_statistics()). Raise `drawn_tiles_max`, lower `density` for fewer, larger tiles, or bring the camera's far plane "
+			"nearer.",
+			_field.get_setup().instance_capacity(), _field.get_setup().shadow_capacity());
+}
+
+AABB StandingField::get_bounds() const {
+	FieldSetup setup;
+	setup.grid = _properties.grid();
+	setup.patch = _backend ? _field.get_setup().patch : _properties.species.join();
+	return field_bounds(setup, _field.get_cover());
+}
+
+int64_t StandingField::get_memory_usage() const {
+	const TileBounds *bounds = _field.get_bounds();
+	const size_t tiles = _field.get_tiles().get_memory_usage() + (bounds != nullptr ? bounds->get_memory_usage() : 0);
+	return int64_t(tiles) + (_map ? _map->get_memory_usage() : 0) + _uniforms.get_cards_memory() +
+			(_backend ? _backend->get_memory_usage() : 0);
+}
+
+DrawnStatistics StandingField::count_drawn() const {
+	const BackendStatistics backend = _backend->get_statistics();
+	DrawnStatistics drawn;
+	for (int level = 0; level < GRASS_ALL_LEVELS; level++) {
+		const size_t list = level < GRASS_LOD_LEVELS ? 0 : 1;
+		const int64_t count = backend.drawn_tiles[size_t(level)];
+		drawn.tiles[list] += count;
+		drawn.triangles[list] += count * lod_blades(level) * lod_triangles_per_blade(level, _field.get_setup().card_size > 0.0f);
+	}
+	return drawn;
+}
+
+void StandingField::add_to(FieldStatistics &r_statistics) const {
+	if (_backend) {
+		r_statistics.backend = _backend->get_name();
+		r_statistics.backend_work = _backend->get_statistics();
+		r_statistics.drawn = count_drawn();
+		r_statistics.pool_tiles = _field.get_setup().pool_size;
+		r_statistics.awake_tiles = _field.get_tiles().get_statistics().awake;
+		r_statistics.is_waiting = r_statistics.is_waiting || is_look_waiting();
+	}
+	if (_map) {
+		r_statistics.bare_tiles = _map->get_field().get_cover()->get_bare_count();
+		r_statistics.map_bytes = _map->get_textures().get_uploaded_bytes();
+		r_statistics.map_waiting += _map->get_waiting();
+	}
+	r_statistics.tile_work = _field.get_tiles().get_statistics();
+	r_statistics.instance_updates = r_statistics.backend_work.instance_updates + _ground.get_updates();
+	r_statistics.builds = _builds;
+	r_statistics.unseen_ticks = _field.get_unseen_ticks();
+	r_statistics.wind_updates = _wind_updates;
+	r_statistics.tiles_ms = _field.get_tiles_ms();
+}
+
+} // namespace grass

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The field that stands: its blades, the map that it shows, its backend, its ground and what the shaders read. field/field_maker.h
+// prepares the next one. Prints nothing: returns what the node must report.
+#pragma once
+
+#include "draw/backend.h"
+#include "core/field/field.h"
+#include "core/field/field_statistics.h"
+#include "draw/ground.h"
+#include "draw/patch_texture.h"
+#include "field/field_maker.h"
+#include "field/field_properties.h"
+#include "field/field_uniforms.h"
+#include "field/shown_map.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace grass {
+
+// Bytes that a field takes.
+struct FieldMemory {
+	int64_t all = 0; // with its map
+	int64_t shared = 0; // of those, what other fields of the same patch have as well
+	int64_t pool = 0; // and its pool
+	int64_t pool_tile = 0; // that each tile of a larger pool takes, used or not
+	const void *patch = nullptr; // only to be compared; null: no field stands
+};
+
+class StandingField {
+public:
+	// p_properties: the node's. What they say may differ from this field until it is made again.
+	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
+
+	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
+	void begin_passes() const;
+	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. show() follows.
+	// p_in_parts: a new backend is made by show().
+	void make(WantedField &&p_wanted, bool p_in_parts);
+	// Whether what is drawn is not yet what the properties say: show(), in each frame.
+	bool is_look_waiting() const { return _is_backend_waiting || (_backend != nullptr && (!_is_shown || _look != find_look())); }
+	// Draws the field with the properties' hook, as soon as the shaders are there. False if they do not compile with it.
+	bool show(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// Nothing is simulated or drawn any more, until it is made again.
+	void drop_backend();
+	// The same, and forgets its map.
+	void clear();
+	// Leaves a device whose driver has refused a pass of the field: show() makes the backend of the CPU. Returns whether it did.
+	bool leave_refused_device();
+	// That the driver has refused a pass, so that the CPU has the field; empty: it has not.
+	godot::String refusal_warning() const;
+	// What keeps the field from the graphics device, or makes it smaller there than the properties say.
+	void warn_of_device(godot::PackedStringArray &r_warnings) const;
+	bool stands() const { return _backend != nullptr; }
+	bool is_shown() const { return _is_shown; } // all of it: a streamed field comes in parts while it is hidden
+
+	// What a field that goes on as it is reads from the properties.
+	void update_params();
+	void update_measuring();
+	// Before it is made for the first time, beside another field of the same blades: gusts go on from there.
+	void join(const StandingField &p_other) {
+		_uniforms.join_wind(p_other._uniforms);
+		_field.join(p_other._field);
+	}
+	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
+	// Colours and frequencies of the species. False if their change needs another field.
+	bool update_species();
+	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
+	// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.
+	void request_draw() { set_uniform("tile_size", _field.get_grid().get_tile_size()); }
+
+	// Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time. False if the
+	// map has more painted chunks under the field than it can show.
+	bool update_map();
+	ShownMap *get_map() const { return _map.get(); } // null: none
+	// What the map says about a place, as it is now, whether or not the field shows it already. Holds until the next call. Null without
+	// a map.
+	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
+
+	// A tick: begins it, then takes what the bodies do. See Field.
+	bool begin_tick(bool p_is_listened, double p_delta);
+	bool resume() { return _field.resume(); }
+	// True if blades moved.
+	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
+	// A frame of a renderer that adds light in sRGB.
+	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
+	// A frame, before drawing begins: the wind blows.
+	void blow(std::span<const Force> p_forces, double p_delta);
+	// A frame, before show_motion(). See Backend.
+	void show_between(bool p_is_between, float p_share) { _backend->show_between(p_is_between, p_share); }
+	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
+	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
+	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	void read_asked(); // what scripts want to know of blades
+	// True once after the field was made: as soon as it is known that more tiles are seen than it has room for.
+	bool draw(const FieldView &p_view, bool p_is_visible);
+	bool is_crowded() const { return _is_crowded; }
+	godot::String crowded_warning() const;
+
+	const Field &get_field() const { return _field; }
+	Backend *get_backend() const { return _backend.get(); } // null: no field stands
+	const std::vector<GrownSpecies> &get_species() const { return _species; }
+	// Before a field stands: of the one that the properties describe.
+	TileGrid get_grid() const { return stands() ? _field.get_grid() : _properties.grid(); }
+	godot::AABB get_bounds() const;
+	FieldHook::Set setter() { // of blades and ground
+		return [this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); };
+	}
+	void measure_time(); // from now on, whatever the property says
+	int64_t get_memory_usage() const; // bytes
+	DrawnStatistics count_drawn() const; // while it stands
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	bool wants_device() const; // and there is one
+	godot::String obstacle_warning() const;
+	void make_backend();
+	bool has_ledges() const { return _map != nullptr && !_map->get_field().get_layers().get_ledge_layers().empty(); }
+	Look find_look() const {
+		return { shader_features(_field.get_setup()) | (has_ledges() ? SHADER_LEDGES : 0), _properties.hook.get_text() };
+	}
+	static constexpr int PARTS = 6; // of show_part(); the cover's rows follow
+	bool show_parts(const Look &p_look, bool p_is_hidden);
+	void show_part(const Look &p_look, int p_part);
+	void set_wind_clock();
+	void set_species_uniforms() {
+		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
+	}
+	void set_plants();
+	FieldUniforms::Set uniform_setter(bool p_ground);
+	bool leaves_tiles_out() const;
+
+	const FieldProperties &_properties;
+	Field _field;
+	std::vector<SpeciesParams> _mix; // as it was made
+	std::vector<GrownSpecies> _species;
+	std::vector<DrawnPlant> _plants; // of the species
+	std::unique_ptr<ShownMap> _map;
+	mutable MapLayers _layers_there; // of layers_at(): around one place
+	std::unique_ptr<Backend> _backend;
+	Ground _ground;
+	FieldUniforms _uniforms;
+	bool _is_backend_waiting = false; // to be made
+	bool _is_shown = false; // as it is now
+	int _parts_shown = 0, _rows_shown = 0; // until it is
+	Look _look; // that it is shown with
+	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
+	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
+	bool _is_measured = false; // somebody reads the monitors of times
+	int64_t _builds = 0; // backends made
+	int64_t _wind_updates = 0; // frames in which the wind's clock went to the materials
+};
+
+} // namespace grass

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "ground/bare_answer.h"
+
+#include "shared/convert.h"
+#include "core/field/bare_cause.h"
+#include "core/field/grass_at.h"
+#include "field/field_places.h"
+
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr double FULL = 0.99; // share from which on all grass counts as there: painted codes round
+
+String rounded(double p_value, int p_decimals) {
+	return String::num(p_value, p_decimals);
+}
+
+int64_t percent(double p_share) {
+	return int64_t(std::llround(100.0 * p_share));
+}
+
+// What the whole field keeps from sight; NONE where nothing does.
+BareAnswer explain_field(
+		const GeometryInstance3D &p_node, const StandingField &p_standing, const Vector3 &p_place, const Camera3D *p_camera) {
+	if (!p_standing.stands()) {
+		return { BareReason::NOT_MADE, "No grass stands yet: the field is still to be made, or its species have no blades." };
+	}
+	if (!p_node.is_visible_in_tree()) {
+		return { BareReason::HIDDEN, "No grass is drawn: the field, or a node above it, is hidden." };
+	}
+	if (p_camera == nullptr) {
+		return {};
+	}
+	if ((int64_t(p_camera->get_cull_mask()) & int64_t(p_node.get_layer_mask())) == 0) {
+		return { BareReason::LAYERS, "No grass is drawn for this camera: `cull_mask` of the camera has none of the field's `layers`." };
+	}
+	const double distance = (p_camera->get_global_position() - p_place).length();
+	if (distance > p_camera->get_far()) {
+		return { BareReason::TOO_FAR,
+			vformat("No grass is drawn here: %s m from the camera, whose `far` is %s m.", rounded(distance, 0),
+					rounded(p_camera->get_far(), 1)) };
+	}
+	return {};
+}
+
+struct RuleWords {
+	BareReason reason;
+	String text;
+	Node3D *node = nullptr;
+};
+
+RuleWords words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller &r_filler) {
+	const auto limits = [&](FillParamId p_min, FillParamId p_max, const char *p_what) {
+		const String unit = String::utf8(FILL_PARAMS[p_min].unit);
+		return vformat("%s of %s %s (`%s` %s, `%s` %s)", p_what, rounded(p_cause.value, 1), unit, FILL_PARAMS[p_min].name,
+				rounded(p_rule.get(p_min), 1), FILL_PARAMS[p_max].name, rounded(p_rule.get(p_max), 1));
+	};
+	switch (p_cause.condition) {
+		case FillCondition::DENSITY:
+			return { BareReason::FILL_DENSITY, vformat("the rule's `density` is %s", rounded(p_rule.get(FILL_DENSITY), 2)) };
+		case FillCondition::MASK:
+			return { BareReason::FILL_MASK, "the rule's `mask`" };
+		case FillCondition::MESH:
+			return { BareReason::FILL_MESH, "the meshes of the rule's `mask_group`" };
+		case FillCondition::TEXTURE:
+			return { BareReason::FILL_TEXTURE,
+				p_cause.value < 0.0 ? String("the textures of the `terrain`, which have not been read here yet")
+									: vformat("texture %d of the `terrain` (`texture_ids` %s)", int64_t(p_cause.value),
+											  r_filler.get_rule()->get_texture_ids()) };
+		case FillCondition::SLOPE:
+			return { BareReason::FILL_SLOPE, limits(FILL_SLOPE_MIN, FILL_SLOPE_MAX, "a slope") };
+		case FillCondition::HEIGHT:
+			return { BareReason::FILL_HEIGHT, limits(FILL_HEIGHT_MIN, FILL_HEIGHT_MAX, "a height") };
+		case FillCondition::NOISE:
+			return { BareReason::FILL_NOISE, vformat("the rule's noise (`noise_cover` %s)", rounded(p_rule.get(FILL_NOISE_COVER), 2)) };
+		default:
+			break;
+	}
+	Node3D *node = r_filler.find_node(p_cause.obstacle.get());
+	const String name = node == nullptr ? String("a node that is gone") : vformat("%s '%s'", node->get_class(), node->get_name());
+	return { BareReason::FILL_NODE, name, node };
+}
+
+String standing_words(const BareAnswer &p_answer) {
+	if (p_answer.density <= 0.0) {
+		return "No grass stands here";
+	}
+	if (p_answer.density < FULL) {
+		return vformat("%d %% of the grass stands here", percent(p_answer.density));
+	}
+	return vformat("Grass of %d cm stands here", percent(p_answer.height));
+}
+
+// What the map says about the place.
+void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_filler, const FieldFiller::Place &p_fill, const PaintMap &p_map,
+		const Eigen::Vector2d &p_at) {
+	const auto rule = r_filler.gather(p_fill);
+	const GrassKind kind = kind_of(p_field);
+	const double height = kind.height_at ? kind.height_at(p_at) : kind.height;
+	const BareCause cause = find_bare_cause(p_map, rule ? &rule->rule : nullptr, rule ? rule->sources : FillSources(), p_at, height);
+	if (cause.share >= FULL) {
+		return;
+	}
+	String why;
+	switch (cause.kind) {
+		case BareKind::MAP:
+			r_answer.reason = BareReason::MAP;
+			why = vformat("the map has a density of %s (nobody painted, `base_density` is %s)", rounded(cause.share, 2),
+					rounded(p_map.get_base_density(), 2));
+			break;
+		case BareKind::PAINTED:
+			r_answer.reason = BareReason::PAINTED;
+			why = vformat("painted to a density of %s", rounded(cause.share, 2));
+			break;
+		case BareKind::WORN:
+			r_answer.reason = BareReason::WORN;
+			why = "it is trampled";
+			break;
+		case BareKind::SHORT:
+			r_answer.reason = BareReason::SHORT;
+			why = vformat("painted to %d %% of its height", percent(cause.share));
+			break;
+		case BareKind::CUT:
+			r_answer.reason = BareReason::CUT;
+			why = vformat("cut at %d cm", percent(cause.value));
+			break;
+		case BareKind::HOLE:
+			r_answer.reason = BareReason::HOLE;
+			why = "the terrain has a hole here";
+			break;
+		case BareKind::LEDGE:
+			r_answer.reason = BareReason::LEDGE;
+			why = "it is at the edge of a ledge, or on its face (`ledge_slope`)";
+			break;
+		default: {
+			const RuleWords words = words_of(cause.rule, rule->rule, r_filler);
+			r_answer.reason = words.reason;
+			r_answer.node = words.node;
+			const String left = cause.rule.share > 0.0 ? vformat("%d %%", percent(cause.rule.share)) : String("none");
+			why = vformat("`fill_rule` leaves %s because of %s", left, words.text);
+		}
+	}
+	r_answer.text = vformat("%s: %s.", standing_words(r_answer), why);
+}
+
+} // namespace
+
+BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
+		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const Vector3 &p_place, const Camera3D *p_camera) {
+	BareAnswer answer = explain_field(p_node, p_standing, p_place, p_camera);
+	if (answer.reason != BareReason::NONE) {
+		return answer;
+	}
+	const FieldPlaces places(p_standing, p_fill.transform);
+	const Vector2i tile = places.get_tile_at(p_place);
+	if (tile == Vector2i(-1, -1)) {
+		return { BareReason::OUTSIDE, "No grass stands here: the place is outside of the field (`size`)." };
+	}
+	answer.density = places.density_at(p_place);
+	answer.height = places.height_at(p_place);
+	const Field &field = p_standing.get_field();
+	if (p_properties.map.is_valid()) {
+		const Eigen::Vector3d place = to_eigen(p_fill.transform).inverse(Eigen::Isometry) * to_eigen(p_place);
+		explain_map(answer, field, r_filler, p_fill, p_properties.map->get_map(), { place.x(), place.z() });
+	}
+	if (answer.reason == BareReason::NONE && p_standing.is_crowded()) {
+		return { BareReason::NO_ROOM, p_standing.crowded_warning(), nullptr, answer.density, answer.height, answer.is_still };
+	}
+	if (answer.reason == BareReason::NONE) {
+		answer.text = standing_words(answer) + ".";
+	}
+	const TileManager &tiles = field.get_tiles();
+	const bool is_full = tiles.get_statistics().awake >= tiles.get_params().pool_size;
+	const bool is_awake = tiles.is_awake(field.get_grid().get_index(tile.x, tile.y));
+	answer.is_still = !p_properties.simulated || (is_full && !is_awake);
+	if (answer.density > 0.0 && answer.is_still) {
+		answer.text += !p_properties.simulated ? String(" Nothing bends it: `simulated` is off.")
+											   : vformat(" Nothing bends it: all %d tiles of the pool are awake elsewhere (`pool_tiles`).",
+														 int64_t(tiles.get_params().pool_size));
+	}
+	return answer;
+}
+
+Dictionary to_dictionary(const BareAnswer &p_answer) {
+	Dictionary result;
+	result["reason"] = int64_t(p_answer.reason);
+	result["text"] = p_answer.text;
+	result["node"] = p_answer.node != nullptr ? Variant(p_answer.node) : Variant();
+	result["density"] = p_answer.density;
+	result["height"] = p_answer.height;
+	result["still"] = p_answer.is_still;
+	return result;
+}
+
+} // namespace grass

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The answer to "why is there no grass here?", for scripts and the editor.
+#pragma once
+
+#include "ground/field_filler.h"
+#include "field/standing_field.h"
+
+#include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+namespace grass {
+
+enum class BareReason : int64_t {
+	NONE,
+	NOT_MADE,
+	HIDDEN,
+	OUTSIDE,
+	LAYERS,
+	TOO_FAR,
+	NO_ROOM,
+	MAP,
+	PAINTED,
+	FILL_DENSITY,
+	FILL_MASK,
+	FILL_MESH,
+	FILL_SLOPE,
+	FILL_HEIGHT,
+	FILL_NOISE,
+	FILL_NODE,
+	WORN,
+	SHORT,
+	CUT,
+	HOLE,
+	FILL_TEXTURE,
+	LEDGE,
+};
+
+struct BareAnswer {
+	BareReason reason = BareReason::NONE;
+	godot::String text; // a sentence or two
+	godot::Node3D *node = nullptr; // FILL_NODE
+	double density = 0.0, height = 0.0; // of what stands: share, metres
+	bool is_still = false; // nothing can bend it: the pool is full, or it is not simulated
+};
+
+// p_place: global. p_camera: null: nobody in particular looks.
+BareAnswer explain_place(const godot::GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
+		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const godot::Vector3 &p_place,
+		const godot::Camera3D *p_camera);
+godot::Dictionary to_dictionary(const BareAnswer &p_answer);
+
+} // namespace grass

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "ground/field_filler.h"
+
+#include "shared/parallel.h"
+#include "shared/editor_hooks.h"
+#include "resources/grass_exclusion_3d.h"
+#include "resources/grass_path_3d.h"
+#include "shared/script_call.h"
+#include "shared/watch_resource.h"
+
+#include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/core/object.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Filled in a frame, at most: 65,536 texels. More: frames stutter while a rule is changed. Fewer: a field of 1 km^2 (256 chunks) takes
+// longer to follow.
+constexpr int CHUNKS_A_FRAME = 4;
+// Nodes of the rule's groups notify nobody when they move: their places are read this often, frames.
+constexpr int FRAMES_BETWEEN_LOOKS = 15;
+
+// Changes with every node that rules follow by itself.
+uint64_t scene_revision() {
+	return GrassExclusion3D::get_revision() + GrassPath3D::get_revision();
+}
+
+FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
+	FillRule rule = r_rule.get_rule(p_place.region);
+	rule.noise_origin = p_place.noise_origin;
+	return rule;
+}
+
+} // namespace
+
+// The field's own changes to the map do not concern the rule.
+template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change) {
+	_is_filling = true;
+	if (!outlives(_node, [&] { r_result = p_map.ptr()->change(p_change); })) {
+		return false;
+	}
+	_is_filling = false;
+	_cells += r_result.cells;
+	return true;
+}
+
+// p_chunks: at most; negative: all of them.
+bool FieldFiller::work(const Ref<GrassMap> &p_map, int p_chunks) {
+	FillResult result;
+	if (!change(p_map, result, [&](PaintMap &r_map) { return _state.work(r_map, p_chunks, run_parallel); })) {
+		return false;
+	}
+	_has_finished = _state.is_set() && _state.get_waiting() == 0;
+	return true;
+}
+
+bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_changed, const Ref<GrassMap> &p_map) {
+	if (!watch_instead(_rule, p_rule, p_changed)) {
+		return true;
+	}
+	if (_rule.is_null() && p_map.is_valid() && _state.is_set()) {
+		const Ref<GrassMap> map = p_map; // NOLINT(performance-unnecessary-copy-initialization): a script may drop the field's own
+		FillResult result;
+		return change(map, result, [&](PaintMap &r_map) { return _state.remove(r_map, run_parallel); });
+	}
+	return true;
+}
+
+void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
+	_is_live = p_live;
+	if (!p_live && _state.is_set() && editor_hooks.mark_edited != nullptr) {
+		editor_hooks.mark_edited(p_map); // what is filled is saved with it from now on
+	}
+	_state = LiveFill(); // without it the map keeps what is filled
+}
+
+std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
+	if (_rule.is_null()) {
+		return {};
+	}
+	Gathered gathered{ rule_for(**_rule, p_place), _gatherer.gather(**_rule, p_place.node, p_place.transform) };
+	gathered.sources.terrain = _terrain;
+	return gathered;
+}
+
+Node3D *FieldFiller::find_node(const FillObstacle *p_obstacle) const {
+	return Object::cast_to<Node3D>(ObjectDB::get_instance(_gatherer.get_node_of(p_obstacle)));
+}
+
+void FieldFiller::look(const Place &p_place) {
+	_has_changed = false;
+	_revision = scene_revision();
+	_frames_to_look = FRAMES_BETWEEN_LOOKS;
+	const auto now = gather(p_place);
+	_state.set(now->rule, now->sources, p_place.region);
+}
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
+bool FieldFiller::start(Ref<GrassMap> p_map, const Place &p_place, bool p_at_once) {
+	look(p_place);
+	_replacements = p_map->get_replacements();
+	_base_density = p_map->get_base_density();
+	_has_finished = _state.get_waiting() == 0;
+	return !p_at_once || work(p_map, -1);
+}
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
+bool FieldFiller::update(Ref<GrassMap> p_map, const Place &p_place) {
+	if (_rule.is_null() || !_state.is_set() || p_map.is_null() || !p_map->is_readable()) {
+		return true;
+	}
+	if (_has_changed || _revision != scene_revision() || --_frames_to_look <= 0) {
+		look(p_place);
+	}
+	return _state.get_waiting() == 0 || work(p_map, CHUNKS_A_FRAME);
+}
+
+void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &p_chunks) {
+	if (_is_filling || !_state.is_set()) {
+		return;
+	}
+	std::vector<MapKey> keys;
+	for (int64_t i = 0; i < p_chunks.size(); i++) {
+		const Vector2i chunk = p_chunks[i];
+		keys.push_back({ chunk.x, chunk.y });
+	}
+	const bool is_replaced = _replacements != p_map->get_replacements();
+	_replacements = p_map->get_replacements();
+	_state.touch(p_map->get_map(), keys, is_replaced);
+	if (_base_density != p_map->get_base_density()) { // it shows in chunks that hold nothing else
+		_base_density = p_map->get_base_density();
+		_state.touch_all();
+	}
+}
+
+void FieldFiller::set_terrain(const std::shared_ptr<const TerrainIds> &p_ids) {
+	_has_changed = _has_changed || _terrain != p_ids;
+	_terrain = p_ids;
+}
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
+double FieldFiller::fill(Ref<GrassMap> p_map, const Ref<GrassFillRule> &p_rule, const Place &p_place) {
+	const FillRule rule = rule_for(**p_rule, p_place);
+	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
+	sources.terrain = _terrain;
+	FillResult result;
+	(void)change(p_map, result, [&](PaintMap &r_map) { // the last thing done
+		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel, FillRim::FILLED);
+	});
+	return result.amount;
+}
+
+void FieldFiller::warn(const Ref<GrassMap> &p_map, bool p_has_terrain, PackedStringArray &r_warnings) const {
+	if (_rule.is_null()) {
+		return;
+	}
+	if (_rule->asks_textures() && !_terrain) {
+		r_warnings.push_back(
+				"`fill_rule` asks for textures (`texture_ids`), but `terrain` names no node that tells them, so all ground counts.");
+	}
+	if (_rule->asks_ground() && !p_has_terrain && (p_map.is_null() || !p_map->get_map().uses(MAP_GROUND))) {
+		r_warnings.push_back(
+				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
+				"height. Bake the ground.");
+	}
+	r_warnings.append_array(_rule->find_warnings());
+}
+
+void FieldFiller::add_to(FieldStatistics &r_statistics) const {
+	r_statistics.fill_cells = _cells;
+	r_statistics.fill_waiting = _state.get_waiting();
+}
+
+} // namespace grass

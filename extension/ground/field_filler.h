@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Keeps a map filled by a rule: spread over frames, and only where something changed.
+#pragma once
+
+#include "core/base/tile_grid.h"
+#include "core/field/field_statistics.h"
+#include "core/fill/live_fill.h"
+#include "ground/fill_gatherer.h"
+#include "resources/grass_map.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+#include <optional>
+#include <utility>
+
+namespace grass {
+
+// Listeners of the map are scripts: see shared/script_call.h. What says so returns false where one of them freed the field, and this with
+// it.
+class FieldFiller {
+public:
+	explicit FieldFiller(const godot::Node3D &p_field) : _node(p_field) {}
+
+	// What is filled: the field's node, its transform (global, without scale), its rectangle.
+	struct Place {
+		godot::Node3D *node;
+		godot::Transform3D transform;
+		MapRegion region;
+		Eigen::Vector2d noise_origin; // metres, see FieldProperties
+	};
+
+	// p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
+	[[nodiscard]] bool set_rule(
+			const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
+	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
+	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
+	bool is_live() const { return _is_live; }
+	bool is_active() const { return _rule.is_valid() && _is_live; } // fills a map
+	bool is_set() const { return _state.is_set(); } // has begun to
+	void rule_changed() { _has_changed = true; }
+	// Another map: nothing is filled yet.
+	void forget_map() { _state = LiveFill(); }
+
+	// Looks at the rule; at once: fills all of the map by it.
+	[[nodiscard]] bool start(godot::Ref<GrassMap> p_map, const Place &p_place, bool p_at_once);
+	// Once a frame, after start().
+	[[nodiscard]] bool update(godot::Ref<GrassMap> p_map, const Place &p_place);
+	// True once after it has finished.
+	bool take_finished() { return std::exchange(_has_finished, false); }
+	// Somebody changed chunks of the map.
+	void touch(const godot::Ref<GrassMap> &p_map, const godot::TypedArray<godot::Vector2i> &p_chunks);
+	// The terrain's textures; null: there are none. Then: they are others in a region.
+	void set_terrain(const std::shared_ptr<const TerrainIds> &p_ids);
+	void touch_textures(const MapRegion &p_region) { _state.touch_textures(p_region); }
+	// Fills by any rule, once. Returns square metres of full grass that came.
+	double fill(godot::Ref<GrassMap> p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
+
+	// What the rule asks now; nothing without one.
+	struct Gathered {
+		FillRule rule;
+		FillSources sources;
+	};
+	std::optional<Gathered> gather(const Place &p_place);
+	godot::Node3D *find_node(const FillObstacle *p_obstacle) const; // that it was gathered from last; null: gone
+
+	void warn(const godot::Ref<GrassMap> &p_map, bool p_has_terrain, godot::PackedStringArray &r_warnings) const;
+
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	void look(const Place &p_place);
+	template <typename F> bool change(const godot::Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change);
+	bool work(const godot::Ref<GrassMap> &p_map, int p_chunks);
+
+	const godot::Node3D &_node; // the field
+	godot::Ref<GrassFillRule> _rule;
+	bool _is_live = true;
+	LiveFill _state; // not set: nothing filled yet
+	FillGatherer _gatherer;
+	std::shared_ptr<const TerrainIds> _terrain;
+	bool _has_changed = false; // the rule, since it was looked at
+	bool _is_filling = false; // the map changes by the field's own doing
+	uint64_t _revision = 0; // of exclusions and paths, when looked at
+	bool _has_finished = false; // since take_finished()
+	uint64_t _replacements = 0; // of the map's contents, as far as known
+	double _base_density = 0.0; // of the map, as far as known
+	int _frames_to_look = 0;
+	int64_t _cells = 0; // texels on which rules ran, in all
+};
+
+} // namespace grass

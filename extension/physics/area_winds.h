@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The wind of Area3D nodes, which Godot made for soft bodies, as forces.
+#pragma once
+
+#include "core/blades/force.h"
+
+#include <godot_cpp/classes/area3d.hpp>
+
+#include <map>
+#include <vector>
+
+namespace grass {
+
+class AreaWinds {
+public:
+	// A shape of an area comes into the field's box or leaves it, as of PhysicsServer3D.area_set_area_monitor_callback.
+	void area_changed(int64_t p_status, int64_t p_instance_id);
+	// A tick passes: winds rise while they are known.
+	void pass(double p_delta);
+	void clear() { _areas.clear(); }
+	bool is_empty() const { return _areas.empty(); }
+	// Those that blow, global.
+	std::vector<Force> get_forces() const;
+
+private:
+	struct Known {
+		int overlaps = 0;
+		double age = 0.0; // seconds since its wind blows
+	};
+	std::map<uint64_t, Known> _areas; // by id
+};
+
+} // namespace grass

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// How BodyTracker reads a body's shapes and makes colliders of them. Calls into the engine are most of what a body costs.
+#include "physics/body_tracker.h"
+
+#include "shared/convert.h"
+#include "shared/label.h"
+
+#include <godot_cpp/classes/character_body3d.hpp>
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/classes/rigid_body3d.hpp>
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/object.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
+constexpr double BLADE_FRICTION = 0.5;
+
+// Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
+// grass notices a change later.
+constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
+// Looks in a tick, about: a crowd is looked at less often, a body of 5,000 every 79 ticks. More: these calls are what a crowd costs.
+constexpr size_t LOOKS_A_TICK = 64;
+// Looks from one at everything to the next: at friction, and at which shapes are disabled. Where such a shape touches grass,
+// the server notifies, too: an overlap begins or ends.
+constexpr int LOOK_AT_ALL_EVERY = 2;
+
+// Whether its velocity moves it. Kinematic bodies have a velocity, too, but it follows from the places where they were put.
+bool is_driven_by_velocity(int64_t p_mode) {
+	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
+}
+
+// Which of a node's shapes are disabled, one bit a shape. Shapes that were added in the physics server itself have no
+// owner in the node, and are enabled.
+std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count, int64_t &r_calls) {
+	std::vector<bool> disabled(size_t(p_count), false);
+	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
+	r_calls += 1 + owners.size();
+	for (int64_t i = 0; i < owners.size(); i++) {
+		const uint32_t owner = uint32_t(owners[i]);
+		if (!p_node->is_shape_owner_disabled(owner)) {
+			continue;
+		}
+		for (int32_t k = 0; k < p_node->shape_owner_get_shape_count(owner); k++) {
+			const int32_t index = p_node->shape_owner_get_shape_index(owner, k);
+			if (index >= 0 && index < p_count) {
+				disabled[size_t(index)] = true;
+			}
+		}
+	}
+	return disabled;
+}
+
+} // namespace
+
+int BodyTracker::look_every(size_t p_bodies) {
+	return std::max(LOOK_EVERY, int((p_bodies + LOOKS_A_TICK - 1) / LOOKS_A_TICK));
+}
+
+// Checks now and then what kind of body it is. Returns whether its shapes are due for a look, too.
+bool BodyTracker::look(Body &r_body) {
+	if (r_body.next_look-- > 0) {
+		return false;
+	}
+	const int64_t mode = PhysicsServer3D::get_singleton()->body_get_mode(r_body.rid);
+	_reads.engine_calls += mode == PhysicsServer3D::BODY_MODE_KINEMATIC || mode == PhysicsServer3D::BODY_MODE_STATIC ? 2 : 1;
+	r_body.is_driven = is_driven_by_velocity(mode);
+	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
+			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
+	// A frozen RigidBody3D is no ground.
+	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
+			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
+	// Spreads the looks at bodies that came together over the ticks.
+	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % _look_every);
+	r_body.next_look = _look_every - 1 + phase;
+	return true;
+}
+
+// Nothing is asked of a body that sleeps, but now and then whether it was put elsewhere: the server does not wake it for that. When it
+// wakes its node emits a signal, as it does where its shapes change.
+void BodyTracker::follow_sleep(Body &r_body, const Transform3D &p_world, bool p_is_due) {
+	const bool has_stood = r_body.has_before && p_world == r_body.world_before;
+	if (r_body.is_asleep) {
+		r_body.is_asleep = has_stood;
+	} else if (p_is_due && has_stood && r_body.is_driven) {
+		_reads.engine_calls++;
+		if (r_body.state->is_sleeping()) {
+			watch_sleep(r_body, true);
+			r_body.is_asleep = r_body.is_watched;
+		}
+	}
+	r_body.next_read = _look_every - 1;
+}
+
+// Only nodes tell of it, not the server.
+void BodyTracker::watch_sleep(Body &r_body, bool p_watch) {
+	if (r_body.is_watched == p_watch) {
+		return;
+	}
+	RigidBody3D *node = Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id));
+	if (node == nullptr) {
+		return;
+	}
+	const Callable woke = _woke.bind(int64_t(r_body.rid.get_id()));
+	if (p_watch) {
+		node->connect("sleeping_state_changed", woke);
+	} else {
+		node->disconnect("sleeping_state_changed", woke);
+	}
+	r_body.is_watched = p_watch;
+}
+
+// Notices changes of shapes and friction.
+void BodyTracker::look_at_shapes(Body &r_body) {
+	const bool was_known = !r_body.shapes.empty();
+	const bool has_changed = read_shapes(r_body) && was_known;
+	r_body.lively_looks = has_changed ? LIVELY_LOOKS : std::max(r_body.lively_looks - 1, 0);
+	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
+}
+
+// What changes seldom, and not with the shapes themselves.
+void BodyTracker::read_traits(Body &r_body, int32_t p_count) {
+	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
+	const double friction = PhysicsServer3D::get_singleton()->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
+	_reads.engine_calls += 2;
+	r_body.friction = std::clamp(BLADE_FRICTION * friction, 0.0, 1.0);
+	r_body.disabled = node == nullptr ? std::vector<bool>(size_t(p_count), false) : find_disabled(node, p_count, _reads.engine_calls);
+}
+
+bool BodyTracker::read_shapes(Body &r_body) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	const int32_t count = int32_t(server->body_get_shape_count(r_body.rid));
+	_reads.engine_calls++;
+	bool has_changed = size_t(count) != r_body.shapes.size();
+	if (has_changed) {
+		r_body.is_written = r_body.is_written_still = false;
+	}
+	if (has_changed || r_body.next_look_at_all-- <= 0) {
+		r_body.next_look_at_all = LOOK_AT_ALL_EVERY - 1;
+		read_traits(r_body, count);
+	}
+	r_body.shapes.resize(size_t(count));
+	for (int32_t index = 0; index < count; index++) {
+		TrackedShape &shape = r_body.shapes[size_t(index)];
+		_reads.shapes++;
+		const bool is_enabled = !r_body.disabled[size_t(index)];
+		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
+		const bool was_changed = read_shape(server->body_get_shape(r_body.rid, index), shape, &_reads.engine_calls);
+		const bool was_split = split_mesh(shape);
+		const bool is_same = !was_changed && !was_split && transform == shape.transform && shape.enabled == is_enabled &&
+				shape.friction == r_body.friction;
+		_reads.engine_calls += 2;
+		if (is_same) {
+			continue;
+		}
+		if (is_enabled && shape.is_simplified) {
+			warn_of(r_body, shape);
+		}
+		has_changed = true;
+		r_body.is_written = r_body.is_written_still = false;
+		r_body.next_look_at_all = 0;
+		shape.transform = transform;
+		shape.enabled = is_enabled;
+		shape.friction = r_body.friction;
+		for (ShapePart &part : shape.parts) {
+			part.local = to_eigen(transform) * part.offset;
+			fit_part(r_body, part);
+		}
+	}
+	return has_changed;
+}
+
+// As large as the body and its shape's place in it make it, or mirrored.
+void BodyTracker::fit_part(const Body &p_body, ShapePart &r_part) {
+	r_part.has_pose = false;
+	r_part.collider = r_part.shape;
+	r_part.collider.scale(ColliderShape::scale_of(p_body.scale.asDiagonal() * r_part.local.linear()));
+	r_part.collider.friction = p_body.friction;
+}
+
+// The scale of the body itself, which its pose in every tick tells.
+void BodyTracker::fit_scale(Body &r_body, const Eigen::Affine3d &p_now) {
+	constexpr double SAME_SCALE = 1e-4;
+	const Eigen::Vector3d scale = ColliderShape::scale_of(p_now.linear());
+	if (r_body.scale.isApprox(scale, SAME_SCALE) || !scale.allFinite()) {
+		return;
+	}
+	r_body.scale = scale;
+	r_body.is_written = r_body.is_written_still = false;
+	for (TrackedShape &shape : r_body.shapes) {
+		for (ShapePart &part : shape.parts) {
+			fit_part(r_body, part);
+		}
+	}
+}
+
+// Once a field and kind: the user may expect a body that moves to bend grass, and by its own form.
+void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
+	bool &has_warned = _has_warned[p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP ? 0 : p_shape.is_bound ? 1 : 2];
+	if (has_warned) {
+		return;
+	}
+	const Node *node = Object::cast_to<Node>(ObjectDB::get_instance(p_body.instance_id));
+	const String words = why_other(p_shape, node == nullptr ? String("A body without a node") : label_of(*node));
+	if (!words.is_empty()) {
+		has_warned = true;
+		WARN_PRINT(words);
+	}
+}
+
+// All shapes that are enabled, at the places from first_collider on. Those far from the grass find no tile.
+void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
+	const bool stands_still = r_body.before.matrix() == p_now.matrix();
+	if (stands_still && r_body.is_written_still && !r_body.was_put) {
+		return;
+	}
+	size_t next = r_body.first_collider;
+	r_body.mesh_pieces = 0;
+	for (TrackedShape &shape : r_body.shapes) {
+		if (shape.enabled && !stands_still && is_odd(shape)) {
+			warn_of(r_body, shape);
+		}
+		for (ShapePart &part : shape.parts) {
+			if (!shape.enabled) {
+				part.has_pose = false;
+				continue;
+			}
+			if (next == p_following.colliders.size()) {
+				p_following.colliders.emplace_back();
+			}
+			ColliderShape &collider = p_following.colliders[next++]; // keeps the memory of what was there
+			if (!r_body.is_written) {
+				collider = part.collider;
+				collider.owner = r_body.instance_id;
+			}
+			// It usually starts where it ended in the tick before.
+			collider.before = part.has_pose && !r_body.was_put ? part.pose : ColliderShape::make_pose(r_body.before * part.local);
+			collider.now = stands_still ? collider.before : ColliderShape::make_pose(p_now * part.local);
+			collider.stamp = stands_still ? ++p_following.stamps : 0;
+			part.pose = collider.now;
+			part.has_pose = true;
+		}
+		r_body.mesh_pieces += shape.enabled && shape.is_split && !shape.is_bound ? int64_t(shape.parts.size()) : 0;
+	}
+	r_body.colliders = uint32_t(next) - r_body.first_collider;
+	r_body.is_written = true;
+	r_body.is_written_still = stands_still;
+}
+
+} // namespace grass

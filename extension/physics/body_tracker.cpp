@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "physics/body_tracker.h"
+
+#include "shared/convert.h"
+
+#include <godot_cpp/classes/physics_server3d.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/utility_functions.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// A field that goes farther in a tick jumps, and the bodies in it may follow a tick late. Metres.
+constexpr double FIELD_JUMP = 2.0;
+// The server reports bodies that overlap the watched box at the end of a tick. It reaches so far beyond the grass that every body
+// up to this speed is in it at least once on its way, however small the field. Metres per second. Slower: faster bodies
+// fly through small fields unseen. Faster: more bodies to look at.
+constexpr double FASTEST = 600.0;
+// It reaches this far at least, since bodies are reported a tick late. Metres.
+constexpr double APPROACH_MIN = 3.0;
+// For so many ticks after a jump of the field, bodies that the server reports as gone are kept: kinematic ones follow late.
+constexpr int JUMP_TICKS = 6;
+
+} // namespace
+
+void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Callable &p_area_changed, const Callable &p_woke,
+		uint32_t p_mask, std::vector<uint64_t> &&p_carriers) {
+	stop();
+	_woke = p_woke;
+	_carriers = std::move(p_carriers);
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	_mask = p_mask;
+	_box = server->box_shape_create();
+	_area = server->area_create();
+	server->area_add_shape(_area, _box);
+	server->area_set_collision_layer(_area, 0);
+	server->area_set_collision_mask(_area, p_mask);
+	server->area_set_monitorable(_area, false);
+	server->area_set_monitor_callback(_area, p_changed);
+	server->area_set_area_monitor_callback(_area, p_area_changed);
+	server->area_set_space(_area, p_space);
+}
+
+void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents, double p_delta) {
+	if (!_area.is_valid()) {
+		return;
+	}
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	// Never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
+	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
+	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
+	if (_box_extents != extents) {
+		_box_extents = extents;
+		server->shape_set_data(_box, extents);
+	}
+	if (_box_transform != p_transform) {
+		_box_transform = p_transform;
+		server->area_set_transform(_area, p_transform);
+	}
+}
+
+void BodyTracker::set_mask(uint32_t p_mask) {
+	_mask = p_mask;
+	if (_area.is_valid()) {
+		PhysicsServer3D::get_singleton()->area_set_collision_mask(_area, p_mask);
+	}
+}
+
+void BodyTracker::stop() {
+	if (_area.is_valid()) {
+		PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+		server->free_rid(_area);
+		server->free_rid(_box);
+	}
+	_area = _box = RID();
+	_box_extents = Vector3();
+	_approach = 0.0;
+	_box_transform = Transform3D();
+	_has_field_before = false;
+	for (auto &[id, body] : _bodies) {
+		watch_sleep(body, false);
+	}
+	_bodies.clear();
+	_line.clear();
+	_woke = Callable();
+}
+
+// Counts overlaps without regard to the shape: indices shift when shapes come and go, and the server reports the end of
+// an overlap under the old index.
+void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
+	const uint64_t key = uint64_t(p_body.get_id());
+	auto found = _bodies.find(key);
+	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
+		if (found == _bodies.end()) {
+			found = _bodies.emplace(key, Body()).first;
+			_line.clear();
+			found->second.rid = p_body;
+			found->second.instance_id = uint64_t(p_instance_id);
+			found->second.turn = int(key % WAITING_TICKS);
+			found->second.is_carrier = carries(uint64_t(p_instance_id));
+		}
+		found->second.overlaps++;
+	} else if (found != _bodies.end()) {
+		found->second.overlaps--;
+	}
+	if (found != _bodies.end()) {
+		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
+		found->second.is_asleep = found->second.is_at_rest = false;
+	}
+}
+
+void BodyTracker::body_woke(int64_t p_body) {
+	const auto found = _bodies.find(uint64_t(p_body));
+	if (found != _bodies.end()) {
+		found->second.is_asleep = false;
+	}
+}
+
+bool BodyTracker::carries(uint64_t p_instance_id) const {
+	return std::ranges::find(_carriers, p_instance_id) != _carriers.end();
+}
+
+int64_t BodyTracker::body_count() const {
+	return std::count_if(_bodies.begin(), _bodies.end(), [](const auto &p_entry) { return p_entry.second.overlaps > 0; });
+}
+
+// False once the body is freed: it may stay listed until the server's next report.
+bool BodyTracker::find_state(Body &r_body, BodyReads &r_reads) {
+	if (r_body.state_id == 0) {
+		r_reads.engine_calls += 3;
+		if (r_body.instance_id != 0 && !UtilityFunctions::is_instance_id_valid(int64_t(r_body.instance_id))) {
+			return false;
+		}
+		r_body.state = PhysicsServer3D::get_singleton()->body_get_direct_state(r_body.rid);
+		r_body.state_id = r_body.state == nullptr ? 0 : r_body.state->get_instance_id();
+		return r_body.state != nullptr;
+	}
+	r_reads.engine_calls++;
+	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
+}
+
+// One that moves is kept for two ticks more: it passed grass on its way out, or was reported only when it had passed all of it.
+bool BodyTracker::has_left(Body &r_body) const {
+	r_body.left_for = r_body.overlaps > 0 ? 0 : r_body.left_for + 1;
+	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
+}
+
+void BodyTracker::line_up() {
+	if (_line.size() == _bodies.size()) {
+		return;
+	}
+	_line.clear();
+	for (auto &[id, body] : _bodies) {
+		_line.push_back(&body);
+	}
+}
+
+// The next places are its own. Colliders of it that lie elsewhere must be written again.
+void BodyTracker::place(Body &r_body) const {
+	if (r_body.first_collider != _written) {
+		r_body.is_written = r_body.is_written_still = false;
+		r_body.first_collider = uint32_t(_written);
+	}
+}
+
+// A body that is where it was: whether all else is as it was, too. Its colliders then lie ready.
+bool BodyTracker::keep_at_rest(Body &r_body, const FieldPose &p_field) {
+	const bool is_kept = r_body.is_at_rest && r_body.overlaps > 0 && r_body.is_written_still && !p_field.has_moved;
+	r_body.waited = is_kept ? 0 : r_body.waited; // it went nowhere meanwhile
+	return is_kept;
+}
+
+// Where it is now, and what it did since the last tick.
+BodyTracker::FieldPose BodyTracker::pose_field(const Transform3D &p_field) {
+	FieldPose field;
+	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
+	field.from_world_before = _has_field_before ? _from_world_before : field.from_world;
+	const Eigen::Vector3d origin = to_eigen(p_field.origin);
+	field.has_jumped = (field.from_world_before * origin).norm() > FIELD_JUMP;
+	field.has_moved = field.from_world.matrix() != field.from_world_before.matrix();
+	field.has_begun = field.has_moved && !_has_field_moved;
+	_from_world_before = field.from_world;
+	_has_field_before = true;
+	_has_field_moved = field.has_moved;
+	_ticks_since_jump = field.has_jumped ? 0 : std::min(_ticks_since_jump, JUMP_TICKS) + 1;
+	return field;
+}
+
+void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles,
+		const ParallelFor &p_parallel_for, std::vector<ColliderShape> &r_colliders) {
+	const FieldPose field = pose_field(p_field);
+	MotionTick tick = p_tick;
+	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
+	_written = 0;
+	_mesh_pieces = 0;
+	_has_lost = false;
+	_tick = (_tick + 1) % WAITING_TICKS;
+	line_up();
+	_look_every = look_every(_line.size());
+	const Following following{ field, tick, r_colliders, _reads, _stamps };
+	_crowd.clear();
+	for (size_t i = 0; i < _line.size(); i++) {
+		fetch_head(i);
+		visit(*_line[i], p_tiles, following);
+	}
+	follow_crowd(following, p_parallel_for);
+	r_colliders.resize(_written);
+	if (_has_lost) {
+		std::erase_if(_bodies, [](const auto &p_entry) { return p_entry.second.is_lost; });
+		_line.clear();
+	}
+}
+
+// Gives its colliders their places, and follows it, but for a plain one, which the crowd follows.
+void BodyTracker::visit(Body &r_body, const TileManager &p_tiles, const Following &p_following) {
+	const FieldPose &field = p_following.field;
+	if (r_body.is_asleep && r_body.overlaps > 0 && !field.has_moved && r_body.next_read-- > 0) {
+		place(r_body);
+		if (!keep_at_rest(r_body, field)) {
+			follow(r_body, r_body.world_before, false, p_following);
+		}
+	} else if (!is_its_turn(r_body) && !field.has_moved && waits_for_slots(r_body, p_tiles)) {
+		place(r_body);
+		wait(r_body, p_following);
+	} else if (is_plain_now(r_body)) {
+		place(r_body);
+		join_crowd(r_body, p_following);
+	} else {
+		read(r_body, p_following);
+	}
+	_written += r_body.colliders;
+	_mesh_pieces += r_body.mesh_pieces;
+}
+
+void BodyTracker::read(Body &r_body, const Following &p_following) {
+	if (has_left(r_body) || !find_state(r_body, _reads)) {
+		watch_sleep(r_body, false);
+		_has_lost = r_body.is_lost = true;
+		r_body.colliders = 0;
+		r_body.mesh_pieces = 0;
+		return;
+	}
+	if (r_body.is_carrier) {
+		place(r_body);
+		return;
+	}
+	_reads.poses++;
+	_reads.engine_calls++;
+	const bool is_due = look(r_body);
+	const Transform3D world = r_body.state->get_transform();
+	follow_sleep(r_body, world, is_due);
+	place(r_body);
+	if (is_due || world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {
+		follow(r_body, world, is_due, p_following);
+	}
+	if (is_due || !r_body.is_plain) {
+		r_body.is_plain = is_plain(r_body);
+	}
+}
+
+void BodyTracker::follow(Body &r_body, const Transform3D &p_world, bool p_is_due, const Following &p_following) {
+	const Eigen::Affine3d now = pose_of(r_body, p_world, p_following.field);
+	const bool is_carried = r_body.has_before &&
+			((_ticks_since_jump <= 1 && (now.translation() - r_body.before.translation()).norm() < FIELD_JUMP) ||
+					(p_following.field.has_moved && rides(r_body, now)));
+	const bool ground = is_ground(r_body, p_world, is_carried);
+	const bool has_waited = r_body.waited > 0;
+	if (has_waited) {
+		catch_up(r_body, now);
+		r_body.waited = 0;
+	}
+	fit_scale(r_body, now);
+	judge_motion(r_body, now, p_following);
+	r_body.was_put = r_body.was_put || has_waited;
+	if (ground && !r_body.shapes.empty()) {
+		r_body.shapes.clear(); // unused, and a terrain's are large
+		r_body.is_written = r_body.is_written_still = false;
+	} else if (!ground && (p_is_due || r_body.shapes.empty())) {
+		look_at_shapes(r_body);
+	}
+	write_shapes(r_body, now, p_following);
+	r_body.before = now;
+	r_body.is_at_rest = r_body.is_written_still && r_body.motion.is_at_rest() && _ticks_since_jump > 1 && (ground || !r_body.is_static);
+}
+
+void BodyTracker::forget_left() {
+	const size_t before = _bodies.size();
+	for (auto entry = _bodies.begin(); entry != _bodies.end();) {
+		if (entry->second.overlaps > 0) {
+			++entry;
+		} else {
+			watch_sleep(entry->second, false);
+			entry = _bodies.erase(entry);
+		}
+	}
+	if (_bodies.size() != before) {
+		_line.clear();
+	}
+}
+
+void BodyTracker::forget_motion() {
+	_has_field_before = false;
+	for (auto &[id, body] : _bodies) {
+		body.has_before = body.is_asleep = body.is_at_rest = body.is_plain = body.is_written = body.is_written_still = false;
+		body.waited = 0;
+	}
+}
+
+} // namespace grass

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What bends a field's grass: bodies of the physics server and nodes that a game registered, as the colliders of a tick; and which of
+// them stand in the grass.
+#pragma once
+
+#include "core/field/field.h"
+#include "core/field/field_statistics.h"
+#include "core/field/visitors.h"
+#include "physics/body_tracker.h"
+#include "physics/bone_colliders.h"
+#include "physics/node_colliders.h"
+#include "physics/soft_bodies.h"
+#include "physics/vehicle_wheels.h"
+
+#include <span>
+#include <vector>
+
+namespace grass {
+
+class FieldBodies {
+public:
+	BodyTracker &get_tracker() { return _tracker; }
+	NodeColliders &get_registered() { return _registered; }
+	VehicleWheels &get_wheels() { return _wheels; }
+
+	// Poses every collider for a tick of p_delta seconds of p_field, which stands in p_world at p_transform (orthonormal).
+	void collect(const Field &p_field, const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_transform,
+			double p_teleport_speed, double p_delta);
+	// After that: what wakes tiles for the forces of the tick.
+	void add_forces(std::span<const Force> p_forces);
+	std::span<ColliderShape> get_colliders() { return _colliders; }
+	// What the rest of the tick runs on: many threads where a crowd moves.
+	ParallelFor get_parallel_for() const;
+	// Time has passed without collect(): the way from where bodies were last is no motion.
+	void forget_motion();
+
+	// After the tick. Returns who met grass now and not in the tick before, and the reverse.
+	Visitors::Change update_visitors(const TileManager &p_tiles) { return _visitors.update(p_tiles, _colliders); }
+	// The field goes. Returns the bodies that stood in its grass.
+	std::vector<uint64_t> leave() { return _visitors.leave(); }
+
+	int64_t get_count() const { return _tracker.body_count(); } // of the physics server
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	BodyTracker _tracker;
+	NodeColliders _registered;
+	VehicleWheels _wheels;
+	BoneColliders _bones;
+	SoftBodies _soft_bodies;
+	std::vector<ColliderShape> _colliders; // of this tick
+	Visitors _visitors;
+};
+
+} // namespace grass

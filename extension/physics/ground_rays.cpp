@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "physics/ground_rays.h"
+
+#include "shared/convert.h"
+
+#include <godot_cpp/classes/animatable_body3d.hpp>
+#include <godot_cpp/classes/character_body3d.hpp>
+#include <godot_cpp/classes/rigid_body3d.hpp>
+
+#include <limits>
+
+using namespace godot;
+
+namespace grass {
+
+bool moves_about(const Object *p_body) {
+	return Object::cast_to<RigidBody3D>(p_body) || Object::cast_to<CharacterBody3D>(p_body) || Object::cast_to<AnimatableBody3D>(p_body);
+}
+
+bool GroundRays::is_ground(const Object *p_body) const {
+	const Node *node = Object::cast_to<Node>(p_body);
+	return !moves_about(p_body) || (_standing != nullptr && node != nullptr && node->is_ancestor_of(const_cast<Node *>(_standing)));
+}
+
+GroundRays::GroundRays(const Ref<World3D> &p_world, const Transform3D &p_field, int64_t p_mask) :
+		_field(to_eigen(p_field).matrix()), _to_field(_field.inverse()) {
+	_space = p_world.is_valid() ? p_world->get_direct_space_state() : nullptr;
+	_query.instantiate();
+	_query->set_collision_mask(uint32_t(p_mask));
+}
+
+std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to) {
+	const Vector3 from = to_godot(Eigen::Vector3d(_field * p_from)), to = to_godot(Eigen::Vector3d(_field * p_to));
+	if (_space == nullptr || !from.is_finite() || !to.is_finite()) {
+		return {};
+	}
+	_query->set_from(from);
+	_query->set_to(to);
+	while (true) {
+		const Dictionary hit = _space->intersect_ray(_query);
+		if (hit.is_empty()) {
+			return {};
+		}
+		Object *body = hit["collider"];
+		if (is_ground(body)) {
+			return Eigen::Vector3d(_to_field * to_eigen(Vector3(hit["position"])));
+		}
+		_passed.push_back(hit["rid"]); // never met again, so the loop ends
+		_query->set_exclude(_passed);
+	}
+}
+
+double GroundRays::height_at(const Eigen::Vector2d &p_place, double p_low, double p_high) {
+	const auto hit = cast({ p_place.x(), p_high, p_place.y() }, { p_place.x(), p_low, p_place.y() });
+	return hit ? hit->y() : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace grass

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The wheels of vehicles, which are rays to the physics server, as cylinders that press the grass; and where they slip.
+#pragma once
+
+#include "physics/node_colliders.h"
+
+#include <godot_cpp/classes/vehicle_wheel3d.hpp>
+
+#include <map>
+#include <vector>
+
+namespace grass {
+
+class VehicleWheels {
+public:
+	// Where a wheel slips on the ground.
+	struct Slip {
+		godot::Vector3 place; // global
+		double radius; // of the track, metres
+		double share; // 1: it slips entirely
+	};
+
+	// A shape of a body comes into the field's box or leaves it, see BodyTracker::body_changed().
+	void body_changed(int64_t p_status, int64_t p_instance_id);
+	void clear();
+	// Appends every wheel, posed in the field's space.
+	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
+	void forget_motion() { _colliders.forget_motion(); }
+	int64_t get_count() const { return _colliders.get_count(); } // wheels near the grass
+	const BodyReads &get_reads() const { return _colliders.get_reads(); }
+	std::vector<Slip> find_slips() const;
+
+private:
+	struct Vehicle {
+		int overlaps = 0;
+		std::vector<uint64_t> wheels; // ids of VehicleWheel3D nodes
+	};
+	void add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle);
+
+	std::map<uint64_t, Vehicle> _vehicles; // by id: the order of colliders is the same in every run
+	NodeColliders _colliders;
+};
+
+} // namespace grass

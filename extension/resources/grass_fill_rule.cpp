@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "resources/grass_fill_rule.h"
+
+#include "shared/convert.h"
+#include "shared/bind_property.h"
+#include "shared/main_thread.h"
+#include "shared/params.h"
+#include "shared/watch_resource.h"
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+GrassFillRule::GrassFillRule() {
+	_groups[GROUP_EXCLUSION] = "grass_exclusion";
+}
+
+void GrassFillRule::set_seed(int64_t p_seed) {
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_rule.seed, uint32_t(checked_int("seed", p_seed, 0, UINT32_MAX, label())))) {
+		emit_changed();
+	}
+}
+
+void GrassFillRule::set_param(int64_t p_param, double p_value) {
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_INDEX(p_param, int(FILL_PARAM_COUNT));
+	if (replace(_rule.params[size_t(p_param)], checked(FILL_PARAMS[size_t(p_param)], p_value, label()))) {
+		emit_changed();
+	}
+}
+
+double GrassFillRule::get_param(int64_t p_param) const {
+	ERR_FAIL_INDEX_V(p_param, int(FILL_PARAM_COUNT), 0.0);
+	return _rule.params[size_t(p_param)];
+}
+
+PackedStringArray GrassFillRule::find_warnings() const {
+	PackedStringArray warnings;
+	for (const auto &[least, most] : { std::pair(FILL_SLOPE_MIN, FILL_SLOPE_MAX), std::pair(FILL_HEIGHT_MIN, FILL_HEIGHT_MAX) }) {
+		warn_if_reversed("`fill_rule`", FILL_PARAMS[least], get_param(least), FILL_PARAMS[most], get_param(most),
+				"it fills little or nothing", warnings);
+	}
+	return warnings;
+}
+
+void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
+	GRASS_CHANGE_GUARD(label());
+	if (watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed))) {
+		_mask_changed();
+	}
+}
+
+void GrassFillRule::_mask_changed() {
+	_picture.reset();
+	emit_changed();
+}
+
+void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, label() + String(": `mask_channel` is one of the MASK_* constants."));
+	if (replace(_mask_channel, p_channel)) {
+		_mask_changed();
+	}
+}
+
+void GrassFillRule::set_mask_invert(bool p_invert) {
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_rule.inverts_mask, p_invert)) {
+		emit_changed();
+	}
+}
+
+void GrassFillRule::set_mask_region(const Rect2 &p_region) {
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_COND_MSG(!p_region.is_finite(), label() + String(": `mask_region` must be of finite numbers."));
+	if (replace(_mask_region, p_region.abs())) {
+		emit_changed();
+	}
+}
+
+void GrassFillRule::set_group(int64_t p_group, const StringName &p_name) {
+	GRASS_CHANGE_GUARD(label());
+	ERR_FAIL_INDEX(p_group, int(GROUP_COUNT));
+	if (replace(_groups[size_t(p_group)], p_name)) {
+		emit_changed();
+	}
+}
+
+StringName GrassFillRule::get_group(int64_t p_group) const {
+	ERR_FAIL_INDEX_V(p_group, int(GROUP_COUNT), StringName());
+	return grass::value_of(_groups[size_t(p_group)]);
+}
+
+void GrassFillRule::set_texture_ids(const PackedInt32Array &p_ids) {
+	GRASS_CHANGE_GUARD(label());
+	std::vector<uint8_t> ids;
+	for (int64_t i = 0; i < p_ids.size(); i++) {
+		ERR_FAIL_COND_MSG(p_ids[i] < 0 || p_ids[i] > UINT8_MAX,
+				vformat("%s: `texture_ids` are numbers of a terrain's textures, 0 to 255. %d is none.", label(), int64_t(p_ids[i])));
+		ids.push_back(uint8_t(p_ids[i]));
+	}
+	if (replace(_rule.texture_ids, ids)) {
+		emit_changed();
+	}
+}
+
+PackedInt32Array GrassFillRule::get_texture_ids() const {
+	PackedInt32Array ids;
+	for (const uint8_t id : value_of(_rule.texture_ids)) {
+		ids.push_back(int32_t(id));
+	}
+	return ids;
+}
+
+// Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
+std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
+	Ref<Image> image = _mask->get_image();
+	if (image.is_null() || image->is_empty()) {
+		return nullptr;
+	}
+	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, nullptr,
+			vformat("%s: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.", label(),
+					_mask->get_path()));
+	image->convert(Image::FORMAT_RGBA8);
+	const PackedByteArray bytes = image->get_data();
+	FillMask mask;
+	mask.width = int(image->get_width());
+	mask.height = int(image->get_height());
+	mask.texels.resize(size_t(mask.width) * size_t(mask.height));
+	for (size_t texel = 0; texel < mask.texels.size(); texel++) { // smaller versions may follow
+		mask.texels[texel] = bytes.ptr()[texel * 4 + size_t(_mask_channel)];
+	}
+	return std::make_shared<const FillMask>(std::move(mask));
+}
+
+FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
+	FillRule rule = _rule;
+	if (_mask.is_valid()) {
+		if (!_picture) {
+			_picture = read_mask();
+		}
+		rule.has_mask = true;
+		rule.mask = _picture;
+		const bool is_everywhere = !_mask_region.has_area();
+		rule.mask_min = is_everywhere ? p_region.min : to_eigen(_mask_region.position);
+		rule.mask_max = is_everywhere ? p_region.max : to_eigen(_mask_region.get_end());
+	}
+	return rule;
+}
+
+void GrassFillRule::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassFillRule::set_param);
+	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassFillRule::get_param);
+	ClassDB::bind_method(D_METHOD("_set_group", "group", "name"), &GrassFillRule::set_group);
+	ClassDB::bind_method(D_METHOD("_get_group", "group"), &GrassFillRule::get_group);
+	const auto add_numbers = [](int p_first, int p_last) {
+		for (int param = p_first; param <= p_last; param++) {
+			ClassDB::add_property("GrassFillRule", property_of(FILL_PARAMS[size_t(param)]), "_set_param", "_get_param", param);
+		}
+	};
+	const auto add_group = [](const char *p_name, Group p_group) {
+		ClassDB::add_property("GrassFillRule", PropertyInfo(Variant::STRING_NAME, p_name), "_set_group", "_get_group", p_group);
+	};
+
+	add_numbers(FILL_DENSITY, FILL_DENSITY);
+	ADD_GROUP("Ground", "");
+	add_numbers(FILL_SLOPE_MIN, FILL_HEIGHT_FADE);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::PACKED_INT32_ARRAY, "texture_ids"), set_texture_ids, get_texture_ids);
+	ADD_GROUP("Noise", "");
+	add_numbers(FILL_NOISE_COVER, FILL_NOISE_FADE);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, "0,4294967295,1"), set_seed, get_seed);
+	ADD_GROUP("Mask", "");
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::OBJECT, "mask", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"), set_mask, get_mask);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::INT, "mask_channel", PROPERTY_HINT_ENUM, "Red,Green,Blue,Alpha"),
+			set_mask_channel, get_mask_channel);
+	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::BOOL, "mask_invert"), set_mask_invert, is_mask_inverted);
+	GRASS_BIND_PROPERTY(
+			GrassFillRule, PropertyInfo(Variant::RECT2, "mask_region", PROPERTY_HINT_NONE, "suffix:m"), set_mask_region, get_mask_region);
+	add_group("mask_group", GROUP_MASK);
+	ADD_GROUP("Distance", "");
+	add_group("distance_group", GROUP_DISTANCE);
+	add_numbers(FILL_DISTANCE, FILL_DISTANCE_FADE);
+	ADD_GROUP("Exclusion", "");
+	add_group("exclusion_group", GROUP_EXCLUSION);
+	add_numbers(FILL_EXCLUSION_HEIGHT, FILL_EXCLUSION_FADE);
+
+	BIND_ENUM_CONSTANT(MASK_RED);
+	BIND_ENUM_CONSTANT(MASK_GREEN);
+	BIND_ENUM_CONSTANT(MASK_BLUE);
+	BIND_ENUM_CONSTANT(MASK_ALPHA);
+}
+
+} // namespace grass

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "resources/grass_map_file.h"
+
+#include "shared/convert.h"
+#include "resources/grass_map.h"
+#include "resources/size_limits.h"
+
+#include <godot_cpp/classes/dir_access.hpp>
+#include <godot_cpp/classes/file_access.hpp>
+#include <godot_cpp/classes/resource_loader.hpp>
+#include <godot_cpp/classes/resource_saver.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr char EXTENSION[] = "grassmap";
+
+Ref<GrassMapLoader> loader;
+Ref<GrassMapSaver> saver;
+
+MapBytes pack(std::span<const uint8_t> p_bytes) {
+	const PackedByteArray packed = to_bytes(p_bytes).compress(FileAccess::COMPRESSION_ZSTD);
+	return MapBytes(packed.ptr(), packed.ptr() + packed.size());
+}
+
+bool unpack(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes) {
+	const PackedByteArray bytes = to_bytes(p_packed).decompress(int64_t(r_bytes.size()), FileAccess::COMPRESSION_ZSTD);
+	if (size_t(bytes.size()) != r_bytes.size()) {
+		return false;
+	}
+	std::copy_n(bytes.ptr(), r_bytes.size(), r_bytes.begin());
+	return true;
+}
+
+Error fail(Error p_error, const String &p_message) {
+	ERR_PRINT(p_message);
+	return p_error;
+}
+
+} // namespace
+
+const MapCodec &engine_codec() {
+	static const MapCodec codec{ pack, unpack };
+	return codec;
+}
+
+PackedStringArray GrassMapLoader::_get_recognized_extensions() const {
+	PackedStringArray extensions;
+	extensions.push_back(EXTENSION);
+	return extensions;
+}
+
+bool GrassMapLoader::_handles_type(const StringName &p_type) const {
+	return p_type == StringName("GrassMap") || p_type == StringName("Resource");
+}
+
+String GrassMapLoader::_get_resource_type(const String &p_path) const {
+	return p_path.get_extension().to_lower() == EXTENSION ? "GrassMap" : "";
+}
+
+Variant GrassMapLoader::_load(const String &p_path, const String &p_original_path, bool p_use_sub_threads, int32_t p_cache_mode) const {
+	(void)p_original_path; // maps are not imported
+	(void)p_use_sub_threads;
+	(void)p_cache_mode; // the engine's business
+	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::READ);
+	if (file.is_null()) {
+		return fail(ERR_FILE_CANT_OPEN, vformat("Cannot open the grass map '%s'. Look whether it is there and may be read.", p_path));
+	}
+	Ref<GrassMap> map;
+	map.instantiate();
+	const String reason = map->read(file->get_buffer(int64_t(file->get_length())));
+	if (!reason.is_empty()) {
+		return fail(ERR_FILE_CORRUPT, vformat("Cannot load the grass map '%s': the file %s.", p_path, reason));
+	}
+	return map;
+}
+
+bool GrassMapSaver::_recognize(const Ref<Resource> &p_resource) const {
+	return Object::cast_to<GrassMap>(p_resource.ptr()) != nullptr;
+}
+
+PackedStringArray GrassMapSaver::_get_recognized_extensions(const Ref<Resource> &p_resource) const {
+	PackedStringArray extensions;
+	if (_recognize(p_resource)) {
+		extensions.push_back(EXTENSION);
+	}
+	return extensions;
+}
+
+Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path, uint32_t p_flags) {
+	(void)p_flags; // a map refers to no other resource
+	const GrassMap *map = Object::cast_to<GrassMap>(p_resource.ptr());
+	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
+	const ReadLimits limits = get_read_limits();
+	if (size_t(map->get_memory_usage()) > limits.map_bytes) {
+		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, and a map that is read may take %s. It is saved, and cannot be loaded "
+						   "before that is raised%s.",
+				p_path, megabytes(size_t(map->get_memory_usage())).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
+	}
+	return write_map_file(map->get_data(), p_path);
+}
+
+Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
+	static std::mutex mutex; // two threads may write the same file
+	std::lock_guard lock(mutex);
+	const String unfinished = p_path + String(".tmp");
+	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
+	if (file.is_null()) {
+		return fail(FileAccess::get_open_error(),
+				vformat("Cannot save the grass map '%s': '%s' cannot be written. Look whether the folder is there and may be written to.",
+						p_path, unfinished));
+	}
+	const bool stored = file->store_buffer(p_data) && file->get_error() == OK;
+	file->close();
+	if (!stored || FileAccess::get_file_as_bytes(unfinished) != p_data) {
+		DirAccess::remove_absolute(unfinished);
+		return fail(ERR_FILE_CANT_WRITE,
+				vformat("Cannot save the grass map '%s': writing failed, is the disk full? What was saved before is still there.", p_path));
+	}
+	const Error renamed = DirAccess::rename_absolute(unfinished, p_path);
+	if (renamed != OK) {
+		DirAccess::remove_absolute(unfinished);
+		return fail(
+				renamed, vformat("Cannot save the grass map '%s': the file that is there cannot be replaced. It is as it was.", p_path));
+	}
+	return OK;
+}
+
+void register_map_files() {
+	loader.instantiate();
+	saver.instantiate();
+	ResourceLoader::get_singleton()->add_resource_format_loader(loader, true);
+	ResourceSaver::get_singleton()->add_resource_format_saver(saver, true);
+}
+
+void unregister_map_files() {
+	ResourceLoader::get_singleton()->remove_resource_format_loader(loader);
+	ResourceSaver::get_singleton()->remove_resource_format_saver(saver);
+	loader.unref();
+	saver.unref();
+}
+
+} // namespace grass

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// GrassSpecies: one of the kinds of plants that a GrassField mixes. Properties only.
+#pragma once
+
+#include "draw/plant_model.h"
+#include "draw/species_look.h"
+#include "resources/grass_patch.h"
+#include "shared/label.h"
+#include "shared/property_value.h"
+#include "resources/species_params.h"
+
+#include <godot_cpp/classes/gradient.hpp>
+#include <godot_cpp/classes/mesh.hpp>
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/classes/texture2d.hpp>
+
+#include <optional>
+
+namespace grass {
+
+class GrassSpecies : public godot::Resource {
+	GDCLASS(GrassSpecies, godot::Resource)
+
+public:
+	GrassSpecies();
+
+	void set_patch(const godot::Ref<GrassPatch> &p_patch); // null: the default patch
+	godot::Ref<GrassPatch> get_patch() const { return value_of(_patch); }
+	void set_gradient(const godot::Ref<godot::Gradient> &p_gradient); // null: from root_color to tip_color
+	godot::Ref<godot::Gradient> get_gradient() const { return value_of(_gradient); }
+	void set_card(const godot::Ref<godot::Texture2D> &p_card); // null: no flower or seed head
+	godot::Ref<godot::Texture2D> get_card() const { return value_of(_card); }
+	void set_leaf(const godot::Ref<godot::Texture2D> &p_leaf); // null: blades end in a tip
+	godot::Ref<godot::Texture2D> get_leaf() const { return value_of(_leaf); }
+	void set_plant_mesh(const godot::Ref<godot::Mesh> &p_mesh); // null: blades
+	godot::Ref<godot::Mesh> get_plant_mesh() const { return value_of(_plant_mesh); }
+	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
+	godot::Variant _get_param(int64_t p_param) const; // for the property: an int where it is a whole number
+	void set_color(int64_t p_index, const godot::Color &p_color);
+	godot::Color get_color(int64_t p_index) const;
+
+	std::shared_ptr<const Patch> find_patch() const;
+	bool prepare_patch() const; // whether find_patch() has it at once. If not, it is being made from now on
+	SpeciesParams get_mix() const;
+	// p_field: what is not the species' own.
+	SolverParams get_solver(const SolverParams &p_field) const;
+	SpeciesLook get_look(); // without canopies
+	SpeciesLook make_look(const std::vector<godot::Ref<godot::Image>> &p_card,
+			const godot::Ref<godot::Image> &p_leaf) const; // the same with images of read_card()
+	int get_card_pictures() const { return int(param(SPECIES_PARAM_CARD_PICTURES)); }
+	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
+	double get_card_size() const; // farthest that a card or leaf reaches from the tip, metres; 0: neither
+	double get_leaf_area(); // that leaves cover, of the mean blade, m^2
+	// Two colours, no card, no leaf, no mesh, one stem: a field of it alone is drawn by shaders that know no species.
+	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _leaf.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
+	int get_stems() const; // that share a root: a power of two
+	// The mesh as it is drawn, or null.
+	std::shared_ptr<const PlantModel> find_plant() const;
+	godot::String get_plant_problem() const; // why there is none, though a mesh is set; empty: there is one
+	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
+
+protected:
+	static void _bind_methods();
+
+private:
+	godot::String label() const { return label_of(*this); } // for messages
+	void _part_changed();
+	void read_pictures();
+	double param(SpeciesParamId p_param) const { return _params[size_t(p_param)]; }
+
+	godot::Ref<GrassPatch> _patch;
+	godot::Ref<godot::Gradient> _gradient;
+	godot::Ref<godot::Texture2D> _card;
+	godot::Ref<godot::Texture2D> _leaf;
+	std::vector<godot::Ref<godot::Image>> _card_images; // of _card, read on first use
+	godot::Ref<godot::Image> _leaf_image; // of _leaf, likewise
+	double _leaf_cover = 0.0; // of it, 0..1
+	godot::Ref<godot::Mesh> _plant_mesh;
+	mutable std::optional<PlantReading> _plant; // of it, read on first use
+	std::array<double, SPECIES_PARAM_COUNT> _params;
+	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
+};
+
+} // namespace grass

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "resources/size_limits.h"
+
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/core/object.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+struct Setting {
+	const char *path;
+	int64_t initial;
+};
+
+constexpr int64_t LEAST = 1, MOST = 1 << 20; // MB
+constexpr Setting MAP{ "grass_field/limits/map_megabytes", int64_t(ReadLimits::MAP_MEGABYTES) };
+constexpr Setting CHANGES{ "grass_field/limits/changes_megabytes", int64_t(ReadLimits::CHANGES_MEGABYTES) };
+
+size_t bytes_of(const Setting &p_setting) {
+	const int64_t megabytes = ProjectSettings::get_singleton()->get_setting(p_setting.path, p_setting.initial);
+	return size_t(std::clamp(megabytes, LEAST, MOST)) * ReadLimits::MEGABYTE;
+}
+
+std::string hint_of(const Setting &p_setting) {
+	return std::string(" (the project setting ") + p_setting.path + ")";
+}
+
+} // namespace
+
+void register_size_limits() {
+	ProjectSettings *settings = ProjectSettings::get_singleton();
+	for (const Setting &setting : { MAP, CHANGES }) {
+		if (!settings->has_setting(setting.path)) {
+			settings->set_setting(setting.path, setting.initial);
+		}
+		settings->set_initial_value(setting.path, setting.initial);
+		Dictionary info;
+		info["name"] = setting.path;
+		info["type"] = Variant::INT;
+		info["hint"] = PROPERTY_HINT_RANGE;
+		info["hint_string"] = vformat("%d,%d,1,or_greater,suffix:MB", LEAST, int64_t(16384));
+		settings->add_property_info(info);
+	}
+}
+
+ReadLimits get_read_limits() {
+	ReadLimits limits;
+	limits.map_bytes = bytes_of(MAP);
+	limits.changes_bytes = bytes_of(CHANGES);
+	limits.map_hint = hint_of(MAP);
+	limits.changes_hint = hint_of(CHANGES);
+	return limits;
+}
+
+} // namespace grass

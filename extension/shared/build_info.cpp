@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "shared/build_info.h"
+
+#include "version.gen.h"
+
+#include <godot_cpp/classes/os.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
+
+#include <optional>
+#include <string>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+std::string find_driver() {
+	if (get_device().is_empty()) {
+		return {};
+	}
+	const PackedStringArray driver = OS::get_singleton()->get_video_adapter_driver_info(); // runs programs of the system
+	const String found = driver.size() > 1 ? driver[0] + String(" ") + driver[1] : String();
+	const String shown = found.is_empty() ? RenderingServer::get_singleton()->get_video_adapter_api_version() : found;
+	return shown.utf8().get_data();
+}
+
+} // namespace
+
+String get_version() {
+	return VERSION;
+}
+
+String get_device() {
+	return RenderingServer::get_singleton()->get_video_adapter_name();
+}
+
+String get_driver() {
+	static const std::string driver = find_driver(); // no String: the engine's memory must not outlive the engine
+	return String::utf8(driver.c_str());
+}
+
+} // namespace grass

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "shared/editor_picture.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+void EditorPicture::show(const Node3D &p_node, const std::function<Ref<ArrayMesh>()> &p_make, const Color &p_color) {
+	if (!Engine::get_singleton()->is_editor_hint()) {
+		return;
+	}
+	RenderingServer *server = RenderingServer::get_singleton();
+	_mesh = p_make();
+	if (!_instance.is_valid()) {
+		_material.instantiate();
+		_material->set_shading_mode(BaseMaterial3D::SHADING_MODE_UNSHADED);
+		_material->set_albedo(p_color);
+		_instance = server->instance_create();
+		server->instance_set_scenario(_instance, p_node.get_world_3d()->get_scenario());
+		server->instance_geometry_set_cast_shadows_setting(_instance, RenderingServer::SHADOW_CASTING_SETTING_OFF);
+		server->instance_geometry_set_material_override(_instance, _material->get_rid());
+	}
+	server->instance_set_base(_instance, _mesh.is_valid() ? _mesh->get_rid() : RID());
+	follow(p_node);
+}
+
+void EditorPicture::follow(const Node3D &p_node) {
+	if (_instance.is_valid()) {
+		RenderingServer::get_singleton()->instance_set_transform(_instance, p_node.get_global_transform());
+		RenderingServer::get_singleton()->instance_set_visible(_instance, p_node.is_visible_in_tree());
+	}
+}
+
+void EditorPicture::free() {
+	if (_instance.is_valid()) {
+		RenderingServer::get_singleton()->free_rid(_instance);
+		_instance = RID();
+	}
+	_mesh.unref();
+	_material.unref();
+}
+
+} // namespace grass

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "shared/params.h"
+
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+PropertyInfo property_of(const Tunable &p_tunable) {
+	if (p_tunable.is_whole) {
+		const String hint = range_hint(int64_t(p_tunable.minimum), int64_t(p_tunable.maximum), p_tunable.unit);
+		return PropertyInfo(Variant::INT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
+	}
+	String hint = vformat("%s,%s,%s", p_tunable.minimum, p_tunable.maximum, p_tunable.step);
+	if (p_tunable.unit[0] != '\0') {
+		hint += vformat(",suffix:%s", String::utf8(p_tunable.unit));
+	}
+	return PropertyInfo(Variant::FLOAT, p_tunable.name, PROPERTY_HINT_RANGE, hint);
+}
+
+Variant property_value(const Tunable &p_tunable, double p_value) {
+	return p_tunable.is_whole ? Variant(int64_t(p_value)) : Variant(p_value);
+}
+
+double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
+	const double value = p_tunable.clamp(p_value);
+	if (value != p_tunable.whole(p_value)) {
+		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
+				p_tunable.maximum, String::utf8(p_tunable.unit), value));
+	}
+	return value;
+}
+
+String range_hint(int64_t p_min, int64_t p_max, const char *p_unit) {
+	const String range = vformat("%d,%d,1", p_min, p_max);
+	return p_unit[0] == '\0' ? range : range + vformat(",suffix:%s", p_unit);
+}
+
+int64_t checked_int(const char *p_property, int64_t p_value, int64_t p_min, int64_t p_max, const String &p_owner) {
+	const int64_t value = std::clamp(p_value, p_min, p_max);
+	if (value != p_value) {
+		WARN_PRINT(vformat("%s: `%s` cannot be %d (allowed: %d to %d); using %d.", p_owner, p_property, p_value, p_min, p_max, value));
+	}
+	return value;
+}
+
+void warn_if_reversed(const String &p_who, const Tunable &p_min, double p_least, const Tunable &p_max, double p_most, const char *p_so,
+		PackedStringArray &r_warnings) {
+	if (p_least > p_most) {
+		r_warnings.push_back(vformat(
+				"%s has `%s` above `%s`, so %s. Bring `%s` below `%s`.", p_who, p_min.name, p_max.name, p_so, p_min.name, p_max.name));
+	}
+}
+
+} // namespace grass

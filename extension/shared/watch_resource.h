@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "shared/property_value.h"
+
+#include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/callable.hpp>
+
+namespace grass {
+
+// Puts p_new, which may be null, into r_held: from now on p_changed runs when p_new emits p_signal, and no longer when the old one does.
+// False where it was there before.
+template <typename T>
+[[nodiscard]] bool watch_instead(
+		godot::Ref<T> &r_held, const godot::Ref<T> &p_new, const godot::Callable &p_changed, const char *p_signal = "changed") {
+	const godot::Ref<T> before = r_held, now = p_new;
+	if (!replace(r_held, now)) {
+		return false;
+	}
+	if (before.is_valid()) {
+		before.ptr()->disconnect(p_signal, p_changed);
+	}
+	if (now.is_valid()) {
+		now.ptr()->connect(p_signal, p_changed);
+	}
+	return true;
+}
+
+} // namespace grass

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// The node's life, its frames, and the methods that scripts call.
+#include "world/grass_world.h"
+
+#include "shared/convert.h"
+#include "core/base/cpu_clock.h"
+#include "draw/frame_share.h"
+#include "resources/grass_force_3d.h"
+#include "shared/main_thread.h"
+#include "shared/script_call.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/world3d.hpp>
+#include <godot_cpp/variant/callable_method_pointer.hpp>
+
+#include <cmath>
+
+using namespace godot;
+
+namespace grass {
+
+String GrassWorld::label() const {
+	return vformat("GrassWorld '%s'", is_inside_tree() ? String(get_path()) : String(get_name()));
+}
+
+void GrassWorld::_notification(int p_what) {
+	switch (p_what) {
+		case NOTIFICATION_ENTER_WORLD:
+			enter();
+			break;
+		case NOTIFICATION_EXIT_WORLD:
+			leave();
+			break;
+		case NOTIFICATION_INTERNAL_PROCESS:
+			if (is_main_thread()) {
+				callable_mp(this, &GrassWorld::_frame).call_deferred();
+			}
+			break;
+		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
+			if (is_main_thread()) {
+				_eyes.tick(world_transform(), Vector3(0.5f * _size.x, 4096, 0.5f * _size.y), get_physics_process_delta_time());
+			}
+			break;
+		case NOTIFICATION_PREDELETE:
+			report_loss();
+			break;
+		case NOTIFICATION_EDITOR_POST_SAVE: // of its scene, shown or not
+			if (scene_saved != nullptr) {
+				scene_saved(*this);
+			}
+			break;
+	}
+}
+
+void GrassWorld::enter() {
+	FrameShare::spare(true);
+	restart();
+	set_process_internal(true);
+	set_physics_process_internal(true);
+}
+
+void GrassWorld::leave() {
+	set_process_internal(false);
+	set_physics_process_internal(false);
+	_eyes.stop();
+	_plots.stop();
+	FrameShare::spare(false);
+}
+
+// In the tree, also when a property changed: what was changed of the plots is written first.
+void GrassWorld::restart() {
+	if (!is_inside_tree()) {
+		return;
+	}
+	const bool lives = outlives(*this, [&] { _plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders()); });
+	if (!lives || !is_inside_tree()) { // scripts of `plot_scene` run
+		return;
+	}
+	_most_frame_ms = 0.0;
+	_shortage = {};
+	_has_reported = false;
+	if (!Engine::get_singleton()->is_editor_hint()) {
+		_eyes.start(get_world_3d()->get_space(), callable_mp(this, &GrassWorld::_body_changed),
+				_plots.get_fields().get_pattern().collision_mask);
+	}
+	update_configuration_warnings();
+}
+
+// The editor knows what a level holds, not what a game made of it, and writes nothing but with the scene. Without a folder there is
+// nowhere to write to.
+WorldFolders GrassWorld::find_folders() const {
+	const bool is_editor = Engine::get_singleton()->is_editor_hint();
+	const String to = _save_folder.is_empty() || is_editor ? _folder : _save_folder;
+	return { { _folder, to, _plot_size }, label(), to.is_empty() || is_editor };
+}
+
+void GrassWorld::_frame() {
+	if (!is_inside_tree()) {
+		return;
+	}
+	CpuClock clock;
+	std::vector<WorldEye> eyes;
+	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this, _plots.find_layers())) {
+		eyes.push_back({ camera, _radius });
+	}
+	std::vector<WorldMover> movers = _eyes.find_bodies();
+	for (const WorldMover &body : movers) {
+		eyes.push_back({ body.place, _body_radius });
+	}
+	for (const GrassForce3D *force : GrassForce3D::get_blowing()) {
+		movers.push_back({ place_of(force->get_global_position()), {} });
+	}
+	if (!outlives(*this, [&] { _plots.update(eyes, movers, get_process_delta_time()); }) || !is_inside_tree()) {
+		return;
+	}
+	report();
+	_frame_ms = clock.lap();
+	_most_frame_ms = std::max(_most_frame_ms, _frame_ms);
+}
+
+Transform3D GrassWorld::world_transform() const {
+	const Transform3D transform = get_global_transform();
+	const bool is_usable = transform.is_finite() && transform.basis.determinant() != 0.0;
+	return is_usable ? transform.orthonormalized() : Transform3D(Basis(), transform.origin.is_finite() ? transform.origin : Vector3());
+}
+
+Eigen::Vector2d GrassWorld::place_of(const Vector3 &p_global_position) const {
+	const Eigen::Vector3d place = to_eigen(world_transform()).inverse(Eigen::Isometry) * to_eigen(p_global_position);
+	return { place.x(), place.z() };
+}
+
+void GrassWorld::tell(const char *p_signal, const PlotKey &p_key, GrassField *p_field) {
+	emit_signal(p_signal, Vector2i(p_key.x, p_key.z), p_field);
+}
+
+void GrassWorld::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
+	(void)p_body_shape;
+	(void)p_area_shape;
+	_eyes.body_changed(p_status, p_body, p_instance_id);
+}
+
+// Places are global, and outside of the tree nothing is.
+bool GrassWorld::is_here(const char *p_method) const {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, vformat("%s: %s() needs the world in the tree. Add it first.", label(), p_method));
+	return true;
+}
+
+Vector2i GrassWorld::get_plot_at(const Vector3 &p_global_position) const {
+	if (!is_here("get_plot_at")) {
+		return Vector2i();
+	}
+	ERR_FAIL_COND_V_MSG(!p_global_position.is_finite(), Vector2i(), vformat("%s: get_plot_at() needs a finite position.", label()));
+	const PlotKey key = grid().at(place_of(p_global_position));
+	return Vector2i(key.x, key.z);
+}
+
+String GrassWorld::get_plot_path(const Vector2i &p_plot) const {
+	return WorldFiles::path_of(find_folders().place.to, { p_plot.x, p_plot.y });
+}
+
+GrassField *GrassWorld::get_field(const Vector2i &p_plot) const {
+	return _plots.find({ p_plot.x, p_plot.y });
+}
+
+GrassField *GrassWorld::get_field_at(const Vector3 &p_global_position) const {
+	return is_inside_tree() && p_global_position.is_finite() ? _plots.find(grid().at(place_of(p_global_position))) : nullptr;
+}
+
+TypedArray<GrassField> GrassWorld::get_fields() const {
+	TypedArray<GrassField> fields;
+	for (const PlotKey &key : _plots.get_standing()) {
+		fields.push_back(_plots.find(key));
+	}
+	return fields;
+}
+
+Dictionary GrassWorld::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
+	Dictionary sum = to_dictionary(CutResult());
+	GRASS_MAIN_THREAD_ONLY_V(sum);
+	const Array names = sum.keys();
+	for (const PlotKey &key : _plots.get_standing()) {
+		GrassField *field = _plots.find(key);
+		Dictionary cut;
+		if (field != nullptr && !outlives(*this, [&] { cut = field->cut(p_shape, p_transform); })) {
+			return sum; // a listener of the map freed the world
+		}
+		for (int64_t i = 0; i < names.size(); i++) {
+			const Variant before = sum[names[i]], more = cut.get(names[i], 0);
+			sum[names[i]] =
+					before.get_type() == Variant::INT ? Variant(int64_t(before) + int64_t(more)) : Variant(double(before) + double(more));
+		}
+	}
+	return sum;
+}
+
+double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, const Vector3 &p_to) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	if (!is_here("paint")) {
+		return 0.0;
+	}
+	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
+	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite places.", label()));
+	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
+	const double reach = p_brush->get_reach() + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
+	double sum = 0.0;
+	for (const PlotKey &key : _plots.get_standing()) {
+		GrassField *field = _plots.find(key);
+		if (field != nullptr && _plots.get_grid().distance(key, from, to) <= reach) {
+			double changed = 0.0;
+			const bool lives = outlives(*this, [&] { changed = field->paint(p_brush, p_from, p_to); });
+			sum += changed;
+			if (!lives) { // a listener of the map freed the world
+				return sum;
+			}
+		}
+	}
+	return sum;
+}
+
+void GrassWorld::shift_origin(const Vector3 &p_offset) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(!p_offset.is_finite(), vformat("%s: shift_origin() needs a finite offset.", label()));
+	if (is_inside_tree()) {
+		set_global_position(get_global_position() + p_offset);
+	} else { // as it will be, below a node that is not turned
+		set_position(get_position() + p_offset);
+	}
+}
+
+int64_t GrassWorld::save() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	ERR_FAIL_COND_V_MSG(find_folders().place.to.is_empty(), 0,
+			vformat("%s: save() needs a folder. Set `%s`.", label(),
+					String(Engine::get_singleton()->is_editor_hint() ? "folder" : "save_folder")));
+	const int64_t kept = _plots.get_files().count_writable(), changed = _plots.save();
+	_plots.get_files().write_kept();
+	return kept + changed;
+}
+
+int64_t GrassWorld::carry_unsaved() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	const bool is_running = _plots.is_running();
+	_plots.stop();
+	const int64_t count = _plots.get_files().carry_kept();
+	if (outlives(*this, [&] { restart(); }) && is_running && !find_folders().keeps) {
+		_plots.get_files().write_kept();
+	}
+	return count;
+}
+
+int64_t GrassWorld::discard_unsaved() {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	_plots.get_files().wait(); // plots that left were changed, too
+	const int64_t changed = _plots.get_statistics().changed;
+	_plots.stop(true);
+	const int64_t count = changed + _plots.get_files().discard_kept();
+	restart();
+	return count;
+}
+
+void GrassWorld::discard_kept_elsewhere() {
+	_plots.get_files().discard_kept_elsewhere();
+	update_configuration_warnings();
+}
+
+bool GrassWorld::has_unsaved() const {
+	return _plots.get_files().get_statistics().kept > 0 || _plots.get_statistics().changed > 0;
+}
+
+void GrassWorld::restore_plot(const Vector2i &p_plot, const Ref<GrassMapSnapshot> &p_snapshot, const Ref<GrassMapSnapshot> &p_from) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_COND_MSG(
+			p_snapshot.is_null() || p_from.is_null(), vformat("%s: restore_plot() needs what take_snapshot() of a map returned.", label()));
+	ERR_FAIL_COND_MSG(!grid().has({ p_plot.x, p_plot.y }),
+			vformat("%s: restore_plot(): (%d, %d) is no plot of this world.", label(), p_plot.x, p_plot.y));
+	_plots.restore({ p_plot.x, p_plot.y }, p_from->map, p_snapshot->map);
+}
+
+void GrassWorld::wait_for_files() {
+	GRASS_MAIN_THREAD_ONLY();
+	_plots.get_files().wait();
+}
+
+Dictionary GrassWorld::get_statistics() const {
+	const WorldStatistics plots = _plots.get_statistics();
+	const WorldFileStatistics files = _plots.get_files().get_statistics();
+	Dictionary result;
+	result["plots"] = plots.plots;
+	result["waiting"] = plots.waiting;
+	result["changed"] = plots.changed;
+	result["spare"] = plots.spare;
+	result["memory"] = plots.memory;
+	result["reach"] = std::min(_plots.get_plan().reach, _radius);
+	result["distance_tests"] = plots.tests;
+	result["brought"] = plots.brought;
+	result["left"] = plots.left;
+	result["fields_made"] = plots.fields_made;
+	result["most_moves"] = plots.most_moves;
+	const FrameShare::Most most = FrameShare::get_most();
+	result["most_parts"] = most.parts;
+	result["most_bytes"] = most.bytes;
+	result["most_build_ms"] = plots.most_build_ms;
+	result["bodies"] = _eyes.get_body_count();
+	result["files_waiting"] = files.waiting;
+	result["files_read"] = files.read;
+	result["files_written"] = files.written;
+	result["files_refused"] = files.refused;
+	result["files_kept"] = files.kept;
+	result["files_kept_elsewhere"] = files.kept_elsewhere;
+	result["bytes_read"] = files.bytes_read;
+	result["bytes_written"] = files.bytes_written;
+	result["frame_ms"] = _frame_ms;
+	result["most_frame_ms"] = _most_frame_ms;
+	return result;
+}
+
+} // namespace grass

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "world/world_fields.h"
+
+#include "shared/script_call.h"
+
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/core/memory.hpp>
+#include <godot_cpp/core/object.hpp>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+constexpr real_t AWAY = -1e5f; // metres: where no body meets a field that waits
+
+} // namespace
+
+GrassField *field_with(uint64_t p_id) {
+	return Object::cast_to<GrassField>(ObjectDB::get_instance(p_id));
+}
+
+GrassField *WorldFields::make() {
+	const Ref<PackedScene> scene = _scene;
+	Node *made = nullptr;
+	const bool lives = outlives(_world, [&] { made = scene.is_valid() && scene->can_instantiate() ? scene->instantiate() : nullptr; });
+	if (!lives) {
+		if (made != nullptr) {
+			memdelete(made);
+		}
+		return nullptr;
+	}
+	GrassField *field = Object::cast_to<GrassField>(made);
+	_has_wrong_scene = _scene.is_valid() && field == nullptr;
+	if (field == nullptr) {
+		if (made != nullptr) {
+			memdelete(made);
+		}
+		field = memnew(GrassField);
+	}
+	field->set_size(Vector2(real_t(_side), real_t(_side)));
+	field->set_param(PARAM_BORDER_FADE, 0.0);
+	field->set_visible(false);
+	field->set_streamed();
+	field->set_warning_teller(make_teller());
+	return field;
+}
+
+// What is wrong with one plot is mostly wrong with all of them: the world says it once.
+GrassField::WarningTeller WorldFields::make_teller() const {
+	return [warned_of = _warned_of, label = _label](const String &p_warning) {
+		if (warned_of->insert(p_warning.utf8().get_data()).second) {
+			WARN_PRINT(vformat("%s: `plot_scene`: %s", label, p_warning));
+		}
+	};
+}
+
+void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const String &p_label) {
+	if (_scene != p_scene) {
+		_warned_of = std::make_shared<std::set<std::string>>();
+	}
+	_scene = p_scene;
+	_side = p_side;
+	_label = p_label;
+	_made = 0;
+	forget_first();
+	_place.reset();
+	GrassField *first = make();
+	if (first == nullptr) {
+		return;
+	}
+	forget_first(); // a script of the scene may have begun anew
+	_first = first;
+	_pattern = {};
+	_pattern.has_terrain = !first->get_terrain().is_empty();
+	_pattern.pool_tiles = first->get_pool_tiles();
+	_pattern.collision_mask = uint32_t(first->get_collision_mask());
+	_pattern.layers = first->get_layer_mask();
+	_pattern.tile_size = first->get_tile_size();
+	_pattern.map.set_base_density(1.0);
+	if (first->get_map().is_valid()) {
+		_pattern.map = first->get_map()->get_map();
+	}
+}
+
+void WorldFields::forget_first() {
+	if (_first != nullptr) {
+		memdelete(_first);
+	}
+	_first = nullptr;
+}
+
+const std::optional<ShownPlace> &WorldFields::find_place() {
+	if (!_place && _first != nullptr) {
+		_place = _first->find_shown_place();
+		if (_place) {
+			forget_first();
+		}
+	}
+	return _place;
+}
+
+void WorldFields::stop() {
+	forget_first();
+	while (!_spare.empty()) {
+		free_spare();
+	}
+}
+
+void WorldFields::forget_freed() {
+	std::erase_if(_spare, [](uint64_t p_id) { return field_with(p_id) == nullptr; });
+}
+
+GrassField *WorldFields::take() {
+	forget_freed();
+	if (!_spare.empty()) {
+		GrassField *field = field_with(_spare.back());
+		_spare.pop_back();
+		return field;
+	}
+	GrassField *field = make();
+	if (field == nullptr) {
+		return nullptr;
+	}
+	for (int32_t i = _world.get_child_count(); i < _world.get_child_count(true); i++) { // behind the user's own
+		if (const GrassField *other = Object::cast_to<GrassField>(_world.get_child(i, true))) {
+			field->join(*other);
+			break;
+		}
+	}
+	const uint64_t id = field->get_instance_id();
+	if (!outlives(_world, [&] { _world.add_child(field, false, Node::INTERNAL_MODE_BACK); })) {
+		return nullptr;
+	}
+	_made++;
+	field = field_with(id);
+	return field != nullptr && field->is_inside_tree() ? field : nullptr;
+}
+
+void WorldFields::give_back(GrassField *p_field, bool p_keeps) {
+	if (p_keeps && _spare.size() < MOST_SPARE) {
+		_spare.push_back(p_field->get_instance_id());
+		p_field->set_position(Vector3(0, AWAY, 0));
+		p_field->set_visible(false); // last: a script may hear it
+	} else {
+		p_field->queue_free();
+	}
+}
+
+void WorldFields::free_spare() {
+	if (GrassField *field = field_with(_spare.back())) {
+		field->queue_free();
+	}
+	_spare.pop_back();
+}
+
+} // namespace grass

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What the plots of a world take, what the budget holds of them, and how large their pools are.
+#include "world/world_plots.h"
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// The pool of a plot where nothing moves: enough for a blast. More: memory in every plot.
+constexpr int64_t QUIET_POOL = 32;
+// A pool is made larger before what moves is there: so many seconds and frames before, since a field is made in parts. More: pools where
+// nothing comes. Less: grass stands upright behind fast bodies.
+constexpr double LEAD = 2.0; // seconds
+constexpr double LEAD_FRAMES = 40.0;
+// What a frame counts for in the mean of the last ones.
+constexpr double FRAME_WEIGHT = 0.05;
+
+// Everything of p_memory is of one field, and even so it may be of two moments, since a device reports late.
+size_t rest_of(const FieldMemory &p_memory) {
+	return p_memory.all > 0 ? size_t(std::max<int64_t>(p_memory.all - p_memory.shared - p_memory.pool, 1)) : 0;
+}
+
+size_t pool_of(const FieldMemory &p_memory, int64_t p_tiles) {
+	return size_t(std::max(p_memory.pool, p_memory.pool_tile * p_tiles)); // the larger one, of a pool that is still being made
+}
+
+} // namespace
+
+// One a frame, in turn, and those that just came.
+void WorldPlots::measure() {
+	auto next = _plots.upper_bound(_measured);
+	if (next == _plots.end()) {
+		next = _plots.begin();
+	}
+	if (next == _plots.end()) {
+		return;
+	}
+	for (auto &[key, plot] : _plots) {
+		const GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
+		if (field != nullptr && (plot.memory.all == 0 || key == next->first)) {
+			plot.memory = field->find_memory();
+			_pool_tile = plot.memory.pool_tile;
+		}
+	}
+	_measured = next->first;
+}
+
+std::vector<LoadedPlot> WorldPlots::find_loaded() const {
+	std::vector<LoadedPlot> loaded;
+	for (const auto &[key, plot] : _plots) {
+		const GrassField *field = field_of(plot);
+		const int64_t tiles = field != nullptr ? field->get_pool_tiles() : 0;
+		loaded.push_back({ key, rest_of(plot.memory), pool_of(plot.memory, tiles), tiles });
+	}
+	return loaded;
+}
+
+PlotPools WorldPlots::find_pools() const {
+	const int64_t full = _fields.get_pattern().pool_tiles, quiet = std::min(full, QUIET_POOL);
+	return { quiet, _pool_tile ? full : quiet, size_t(_pool_tile.value_or(0)) };
+}
+
+void WorldPlots::make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta) {
+	_frame_seconds += FRAME_WEIGHT * (p_delta - _frame_seconds);
+	const BusyPlots busy = find_busy(_settings.grid, p_movers, std::max(LEAD, LEAD_FRAMES * _frame_seconds));
+	const std::vector<LoadedPlot> loaded = find_loaded();
+	_planner.learn(loaded);
+	const PlotPools pools = find_pools();
+	const size_t shared = count_shared();
+	// What a plot takes is held back, for the field that comes while another one leaves.
+	const size_t held_back = _planner.get_typical() + size_t(pools.quiet) * pools.tile_bytes;
+	_plan = _planner.plan(
+			_settings.grid, { p_eyes, busy.plots, loaded, pools, _settings.budget - std::min(_settings.budget, shared), held_back });
+	_statistics.tests = busy.tests + _plan.tests;
+}
+
+bool WorldPlots::is_under_eyes(const PlotKey &p_key) const {
+	const auto end = _plan.wanted.begin() + std::ptrdiff_t(_plan.under_eyes);
+	return std::find(_plan.wanted.begin(), end, p_key) != end;
+}
+
+int64_t WorldPlots::pool_for(const PlotKey &p_key) const {
+	const auto found = _plan.pools.find(p_key);
+	return found != _plan.pools.end() ? found->second : find_pools().quiet;
+}
+
+// One field at a time: a larger pool once the plots that the budget does not hold beside it have left; and only over grass that rests, as
+// all of it does in a field that is made again, unless the pool is one for blasts only.
+void WorldPlots::fit_pools() {
+	_pool_wanted = 0;
+	const PlotPools pools = find_pools();
+	for (auto &[key, plot] : _plots) {
+		GrassField *field = plot.state == State::STANDING ? field_of(plot) : nullptr;
+		if (field == nullptr) {
+			continue;
+		}
+		if (!field->is_made()) {
+			return;
+		}
+		const int64_t has = field->get_pool_tiles(), pool = pool_for(key);
+		if (pool == has || (has > pools.quiet && field->get_awake_tile_count() > 0)) {
+			continue;
+		}
+		const size_t more = pool > has ? size_t(pool - has) * pools.tile_bytes : 0;
+		if (more > 0 && !_plan.leaving.empty() && count_bytes() + more > _settings.budget) {
+			_pool_wanted = more;
+			continue;
+		}
+		field->set_pool_tiles(pool);
+		return;
+	}
+}
+
+size_t WorldPlots::count_shared() const {
+	std::map<const void *, size_t> patches;
+	for (const auto &[key, plot] : _plots) {
+		if (plot.memory.patch != nullptr) {
+			patches[plot.memory.patch] = size_t(std::max<int64_t>(plot.memory.shared, 0));
+		}
+	}
+	size_t bytes = 0;
+	for (const auto &[patch, shared] : patches) {
+		bytes += shared;
+	}
+	return bytes;
+}
+
+size_t WorldPlots::count_bytes() const {
+	const PlotPools pools = find_pools();
+	const size_t quiet = size_t(pools.quiet) * pools.tile_bytes;
+	size_t bytes = count_shared() + _fields.count_spare() * (_planner.get_typical() + quiet);
+	for (const auto &[key, plot] : _plots) {
+		if (const GrassField *field = field_of(plot)) {
+			bytes += plot.memory.all > 0 ? rest_of(plot.memory) + pool_of(plot.memory, field->get_pool_tiles())
+										 : _planner.expected(key) + size_t(field->get_pool_tiles()) * pools.tile_bytes;
+		} else if (plot.prepared) {
+			bytes += plot.prepared->laid.get_memory_usage();
+		}
+	}
+	return bytes;
+}
+
+} // namespace grass

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+"""`./grass bench accuracy`: run time against error of both solver methods, as one CSV and one SVG plot for each error.
+
+The CPU's rows come from the programs build/bench/accuracy_KNOTS. For the GPU's they record the steps of the same problems
+(packs), the bench scene runs them, here or on another machine, and the programs compute the errors of what came back.
+"""
+
+import csv
+import datetime
+import gzip
+import pathlib
+import platform
+import subprocess
+import tempfile
+
+from tools.bench.plot import WIDTH, Plot
+from tools.build import build
+from tools.places import BUILD, OUT, ROOT
+from tools.run import scenes
+from tools.say import Failure, progress, say
+
+KNOTS = (8, 16, 32)
+COLUMNS = ("method", "precision", "knots", "substeps", "iterations", "ms", "error", "value")
+ERRORS = {
+	"static_1": "Sag under an even load of Γ = 1, against the elastica (share)",
+	"static_5": "Sag under an even load of Γ = 5, against the elastica (share)",
+	"frequency": "First frequency at 2.5 Hz (share)",
+	"amplitude_lost": "Amplitude lost in a period, undamped (share)",
+	"transient": "Way of all knots in a second after release, against the converged rod (RMS, blade lengths)",
+	"sphere_sweep": "Way of all knots under a ball at 5 m/s, against the converged rod (RMS, blade lengths)",
+	"slow_pass": "Way of all knots beside a ball at 1 m/s, without friction, against the converged rod (RMS, blade lengths)",
+	"fast_pass": "Way of all knots beside a ball at 5 m/s, without friction, against the converged rod (RMS, blade lengths)",
+	"slow_ensemble": "Mean height of a sward under a ball at 1 m/s, against the limit (RMS over time, share)",
+	"fast_ensemble": "Share of a sward pressed by a ball at 5 m/s, against the limit (RMS over time)",
+	"plate": "How far blades stay off a plate that holds them down (mean, blade lengths)",
+	"post": "How far blades stay off a post that leans on them (mean, blade lengths)",
+	"tremble": "Farthest way of a knot in a step among blades that a plate or a post holds still (blade lengths)",
+}
+CONTACT = {"sphere_sweep", "slow_pass", "fast_pass", "slow_ensemble", "fast_ensemble", "plate", "post", "tremble"}
+COLORS = {"DIRECT": "#1b7f4b", "PBD": "#c2571a"}
+LEAST = 1e-5  # errors below this are drawn here: a logarithm knows no zero
+COMMITTED = ROOT / "docs/benchmarks/accuracy/accuracy.csv"
+
+
+def run(out, is_quick, gpu_results=None):
+	"""Rows of this machine's CPU and GPU; or `gpu_results`, a folder that another machine's GPU wrote, into the table there is."""
+	build.scons("accuracy")
+	folder = pathlib.Path(out or OUT / "bench").resolve() / "accuracy"
+	folder.mkdir(parents=True, exist_ok=True)
+	table = folder / "accuracy.csv"
+	if gpu_results:
+		notes, rows = read_table(table if table.exists() else COMMITTED)
+		gpu = read_gpu(pathlib.Path(gpu_results), is_quick)
+	else:
+		notes, rows = [f"{processor()}, one core; {when()}"], solve("Solving", is_quick)
+		gpu = play_here(folder, is_quick)
+	rows = [row for row in rows if row["precision"].startswith("CPU")]
+	compare(rows, gpu)
+	if gpu and all(row["precision"] == "GPU" for row in gpu):  # times from software rendering say nothing about a GPU
+		notes = [note for note in notes if not note.startswith("GPU")] + [f"GPU: {device(pathlib.Path(gpu_results or folder))}; {when()}"]
+		rows += gpu
+	write_table(table, notes, rows)
+	for error, title in ERRORS.items():
+		(folder / f"{error}.svg").write_text(plot(title, error in CONTACT, [row for row in rows if row["error"] == error]))
+	say(f"Tables and plots: {folder}")
+
+
+def solve(text, is_quick, *arguments):
+	"""Rows of all numbers of knots; `arguments` go to the programs."""
+	rows = []
+	for knots in KNOTS:
+		command = [str(BUILD / f"bench/accuracy_{knots}"), *map(str, arguments), *(["--quick"] if is_quick else [])]
+		with progress(f"{text} with {knots} knots", every=10):
+			result = subprocess.run(command, capture_output=True, text=True)
+		if result.returncode:
+			raise Failure(f"accuracy_{knots} ended with code {result.returncode}:\n{result.stderr}")
+		rows += [dict(zip(COLUMNS, line.split(","))) for line in result.stdout.splitlines()]
+	return rows
+
+
+def record(folder, is_quick):
+	"""Writes what a GPU is to compute to `folder`."""
+	folder.mkdir(parents=True, exist_ok=True)
+	solve("Recording", is_quick, "--record", folder)
+
+
+def play_here(folder, is_quick):
+	packs = folder / "packs"
+	record(packs, is_quick)
+	arguments = ["--only", "accuracy", "--packs", str(packs), "--spirv", str(BUILD / "bench")]
+	scenes.ready("res://bench/bench.tscn")
+	scenes.play("res://bench/bench.tscn", folder, arguments, "320x180", "forward_plus")
+	return read_gpu(folder, is_quick)
+
+
+def read_gpu(folder, is_quick):
+	"""Rows from the knots that a GPU wrote to `folder`, by the same problems that made the CPU's."""
+	with tempfile.TemporaryDirectory() as place:
+		for file in folder.glob("*.result.gz"):
+			(pathlib.Path(place) / file.stem).write_bytes(gzip.decompress(file.read_bytes()))
+		return solve("Reading the GPU's results", is_quick, "--play", place)
+
+
+def compare(rows, gpu):
+	"""Says how far the GPU's errors are from the CPU's in float: they compute the same."""
+	key = ("method", "knots", "substeps", "iterations", "error")
+	floats = {tuple(row[name] for name in key): float(row["value"]) for row in rows if row["precision"] == "CPU float"}
+	for error in ERRORS:
+		apart = [abs(float(row["value"]) - floats.get(tuple(row[name] for name in key), 1e9)) for row in gpu if row["error"] == error]
+		if apart:
+			say(f"{error}: {gpu[0]['precision']} and CPU differ by {max(apart):.2g} at most")
+
+
+def device(folder):
+	"""The GPU, as the scene names it in its table."""
+	with open(folder / "accuracy_gpu.csv", encoding="utf-8") as file:
+		return file.readline().removeprefix("#").strip()
+
+
+def processor():
+	try:
+		with open("/proc/cpuinfo", encoding="utf-8") as info:
+			return next(line.split(":", 1)[1].strip() for line in info if line.startswith("model name"))
+	except (OSError, StopIteration):
+		return platform.processor() or platform.machine()
+
+
+def commit():
+	result = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True)
+	return result.stdout.strip() or "unknown"
+
+
+def when():
+	return f"commit {commit()}; {datetime.date.today()}"
+
+
+def read_table(path):
+	"""(notes, rows)."""
+	with open(path, encoding="utf-8", newline="") as file:
+		lines = file.read().splitlines()
+	notes = [line.removeprefix("#").strip() for line in lines if line.startswith("#")]
+	return [note for note in notes if not note.startswith("ms:")], list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def write_table(path, notes, rows):
+	with open(path, "w", encoding="utf-8", newline="") as file:
+		file.write("".join(f"# {note}\n" for note in notes))
+		file.write("# ms: a frame (1/60 s) of 65,536 blades that swing; among colliders, of blades that a ball sweeps over at 5 m/s\n")
+		writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+		writer.writeheader()
+		writer.writerows(rows)
+
+
+def pareto(points):
+	"""The points that no other is both faster and (by a twentieth, since timing is noisy) truer than, by rising time."""
+	front = []
+	for point in sorted(points):
+		if not front or point[1] < 0.95 * front[-1][1]:
+			front.append(point)
+	return front
+
+
+def plot(title, is_contact, rows):
+	"""Run time to the right, error upwards, both by powers of ten; the Pareto fronts of CPU and GPU as lines."""
+	points = [(float(row["ms"]), max(float(row["value"]), LEAST), row) for row in rows]
+	across = f"ms for a frame of 65,536 blades that {'a ball sweeps over' if is_contact else 'swing'} (CPU: one core)"
+	picture = Plot(title, across, "", [p[0] for p in points], [p[1] for p in points], log_x=True, log_y=True)
+	fronts = []
+	for kind in ("CPU", "GPU"):
+		front = pareto([(ms, error, index) for index, (ms, error, row) in enumerate(points) if row["precision"].startswith(kind)])
+		picture.line([(ms, error) for ms, error, _ in front], dashes="5 4")
+		fronts.append([(*picture.at(ms, error), points[index][2]) for ms, error, index in front])
+	for ms, error, row in points:
+		radius = {8: 3, 16: 4.5, 32: 6}[int(row["knots"])]
+		picture.mark(ms, error, COLORS[row["method"]], radius, row["precision"] != "CPU double", row["precision"] == "GPU")
+	for front in fronts:
+		label(picture, front)
+	rest = (
+		"circle: CPU float, 8 lanes · hollow: CPU double · square: GPU · size: knots · dashed: Pareto fronts (steps a frame × iterations)"
+	)
+	picture.legend(COLORS.items(), rest)
+	return picture.svg()
+
+
+def label(picture, front):
+	lowest = -1e9
+	for x, y, row in front:
+		lowest = max(lowest + 15, y - 8)
+		anchor = "end" if x > WIDTH * 0.72 else "start"
+		text = f"{row['method']} {row['knots']} knots, {row['substeps']} × {row['iterations']}"
+		picture.text(x + (-9 if anchor == "end" else 9), lowest, text, anchor, 11)

@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: MIT
+"""docs/benchmarks/README.md: today's figures, made from the committed tables. `python3 -m tools.bench.bench_page` writes it.
+
+The layer `docs` fails where the page is not what the tables make, where a newer table of a benchmark is not used, and where no page
+names a table.
+"""
+
+import csv
+import re
+
+from tools.bench.paper_page import grid, number
+from tools.bench.paper_rows import pick
+from tools.pages import prose
+from tools.places import ROOT
+
+FOLDER = ROOT / "docs/benchmarks"
+PAGE = FOLDER / "README.md"
+# The newest table of each benchmark.
+TABLES = {
+	"draw": "2026-11-23-h200/forward_draw.csv",
+	"draw_mobile": "2026-11-23-h200/mobile_draw.csv",
+	"kernel": "2026-11-23-h200/kernel.csv",
+	"flops": "2026-11-23-h200/flops.csv",
+	"sleep": "2026-11-21-h100/sleep.csv",
+	"awake": "2026-11-24-h200/awake.csv",
+	"cpu": "2026-11-25-h100/cpu.csv",
+	"movers": "2026-11-23-xeon/movers.csv",
+	"change": "2026-11-21-epyc/change.csv",
+	"hitch": "2026-11-25-h100/hitch_warm.csv",
+	"hitch_cold": "2026-11-25-h100/hitch_cold.csv",
+	"limits": "2026-11-23-h200/limits.csv",
+	"rest": "2026-11-24-h200/rest.csv",
+	"crowd": "2026-11-25-epyc/crowd.csv",
+}
+FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
+LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
+# An H200: instructions and operations a second (a fused product and sum are one instruction and two operations), bytes a second.
+INSTRUCTIONS, OPERATIONS, BYTES = 33.45e12, 66.9e12, 4.8e12
+SCENES = {"0": "free", "4": "balls"}
+TITLES = {
+	"free": "nothing near",
+	"balls": "4 balls in each tile",
+	"lid": "below a lid",
+	"bodies": "bodies at rest",
+	"rolling": "bodies that turn",
+}
+
+
+def read(name):
+	"""(what the table says of its device, its rows)."""
+	lines = (FOLDER / TABLES[name]).read_text().splitlines()
+	notes = [line[2:] for line in lines if line.startswith("#")]
+	return "; ".join(notes), list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+
+def source(*names):
+	"""The line below a table: its files, and what they say of their device."""
+	files = " and ".join(f"[{TABLES[name].split('/')[1]}]({TABLES[name]})" for name in names)
+	return [f"{files}: {re.sub(LEFT_OUT, '', read(names[0])[0])}.", ""]
+
+
+def floor(row, blades):
+	"""(ms, what bounds it) of a step of `blades` that does nothing but what it has to."""
+	bounds = {"instructions": float(row["instructions"]) / INSTRUCTIONS, "operations": float(row["operations"]) / OPERATIONS}
+	bounds["bytes"] = float(row["bytes"]) / BYTES
+	bound = max(bounds, key=bounds.get)
+	return bounds[bound] * blades * 1e3, bound
+
+
+def measured(rows, method, scene, blades):
+	"""GPU ms of a step, with the pass that a field would use."""
+	near = next((key for key, name in SCENES.items() if name == scene), scene)
+	which = "simulate_free" if scene == "free" else "simulate"
+	found = pick(rows, method=method, iterations=2, awake_blades=blades, colliders_a_tile=near, **{"pass": which})
+	return float(found[0]["gpu_ms"]) if found else None
+
+
+def simulation():
+	rows, counted = read("kernel")[1], read("flops")[1]
+	lines = [
+		"## Simulating: GPU time of a step",
+		"",
+		"A step of one tick for blades of 16 knots, the simulation pass alone. The floor is the time in which the card could issue the "
+		"instructions, do the operations or move the bytes of the step, whichever takes longest.",
+	]
+	body = []
+	for row in counted:
+		for blades in (65536, 1048576):
+			time, (least, bound) = measured(rows, row["method"], row["scene"], blades), floor(row, blades)
+			body.append(
+				[
+					f"METHOD_{row['method']}",
+					TITLES[row["scene"]],
+					number(blades),
+					f"{time:.3f}",
+					f"{least:.3f} ({bound})",
+					f"{time / least:.1f}",
+				]
+			)
+	lines += grid(["method", "scene", "blades", "ms", "floor, ms", "times the floor"], body)
+	lines += source("kernel", "flops")
+	body = []
+	for scene in ("lid", "bodies", "rolling"):
+		with_edges = pick(rows, method="DIRECT", awake_blades=262144, colliders_a_tile=scene, **{"pass": "simulate_edges"})
+		body.append([TITLES[scene], f"{measured(rows, 'DIRECT', scene, 262144):.2f}", f"{float(with_edges[0]['gpu_ms']):.2f}"])
+	lines += ["262,144 blades by METHOD_DIRECT, with the pass for round shapes and the one that also meets edges:"]
+	return lines + grid(["scene", "ms", "ms with edges"], body)
+
+
+def drawing():
+	forward, mobile = read("draw")[1], read("draw_mobile")[1]
+	empty = float(pick(mobile, view="nothing")[0]["gpu_ms"])
+	lines = [
+		"## Drawing: GPU time of a frame",
+		"",
+		"1920 x 1080, from eye level (1.7 m), wind on, no MSAA. A data-centre card computes fast and rasters slowly, so the ratios say more "
+		f"than the times. Each time includes an empty frame, {empty:.1f} ms in Mobile.",
+	]
+	body = []
+	for blades in (262144, 1048576, 4194304, 16777216):
+		cells = []
+		for rows in (forward, mobile):
+			cells += [
+				f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")
+			]
+		row = pick(forward, blades=blades, view="eye", shadows="off", msaa=0)[0]
+		triangles = f"{int(row['drawn_triangles']) / 1e6:.2g} M"
+		body.append([number(blades), number(float(row["drawn_blades"])), triangles, *cells, f"{float(row['cull_ms']):.2f}"])
+	head = ["blades", "drawn", "triangles", "Forward+", "with shadows", "Mobile", "with shadows", "culling"]
+	lines += grid(head, body) + source("draw", "draw_mobile")
+	return lines + ["The paper's own tables and a comparison with MultiMeshes: [paper.md](paper.md).", ""]
+
+
+def limits():
+	rows = read("limits")[1]
+	rates = {row["stage"]: float(row["tera_operations_a_second"]) for row in rows}
+	lines = [
+		"### What the card can shade",
+		"",
+		"The same sums in fragments, in vertices and in a compute shader. This card shades on a small part of what it computes on, "
+		f"{rates['compute'] / rates['fragments']:.0f} times slower, so all times of drawing on it are times of that part.",
+	]
+	body = [[row["stage"], row["tera_operations_a_second"]] for row in rows]
+	return lines + grid(["stage", "10^12 operations a second"], body) + source("limits")
+
+
+def processor():
+	rows = read("cpu")[1]
+	lines = [
+		"## The CPU: a tick",
+		"",
+		"The most that a tick can have to do: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles yields slots "
+		"in every tick. Nothing depends on the size of the field. The aim was 0.2 ms for 128 bodies.",
+	]
+	body = []
+	for row in rows:
+		if row["tiles"] in ("19881", "16000000") and row["bodies"] in ("0", "128", "1024", "5000"):
+			parts = [float(row[name]) for name in ("gather_ms", "tiles_ms", "upload_ms")]
+			body.append(
+				[number(float(row["tiles"])), number(float(row["bodies"])), *(f"{part:.3f}" for part in parts), f"{sum(parts):.3f}"]
+			)
+	lines += grid(["tiles", "bodies", "reading bodies, ms", "choosing tiles, ms", "uploading, ms", "in all, ms"], body)
+	return lines + source("cpu")
+
+
+def movers():
+	lines = [
+		"## Movers: what one of each does in a tick",
+		"",
+		"One mover goes to and fro at 2 m/s. Shapes are what the solver meets of it, tiles the awake ones (0.25 m2 each), calls those of the "
+		"engine that read it.",
+	]
+	columns = ("colliders", "awake_tiles", "tiles_looked_at_a_tick", "engine_calls_a_tick")
+	body = [[row["mover"].replace("_", " "), *(row[name] for name in columns)] for row in read("movers")[1]]
+	return lines + grid(["mover", "shapes", "tiles", "tiles looked at", "calls"], body) + source("movers")
+
+
+def changes():
+	lines = [
+		"## Changing a standing field",
+		"",
+		"A field of 500 x 500 m (64 million blades) that changes while it is drawn: frames until the change shows, and the longest piece of "
+		"work in one of them. What takes more than 9 ms is the engine's compiling of a shader, once a process.",
+	]
+	body = [[row["change"], row["frames"], f"{float(row['build_ms']):.1f}"] for row in read("change")[1] if row["makings"] != "0"]
+	return lines + grid(["change", "frames", "longest piece, ms"], body) + source("change")
+
+
+def hitches():
+	cold = {row["change"]: row["over_ms"] for row in read("hitch_cold")[1]}
+	lines = [
+		"## The longest frame after a change",
+		"",
+		"The same field, drawn: by how much the longest frame after each change exceeds the median of the frames before, with a driver and "
+		"an engine that have seen all shaders before, and with empty caches. A bare shader is the engine's own: what a material with a "
+		"shader that does nothing takes.",
+	]
+	body = [[row["change"], row["median_ms"], row["over_ms"], cold[row["change"]]] for row in read("hitch")[1]]
+	return lines + grid(["change", "median, ms", "longest over it, ms", "with empty caches, ms"], body) + source("hitch", "hitch_cold")
+
+
+def resting():
+	lines = [
+		"## A field at rest",
+		"",
+		"64 million blades, a still camera, no wind, nothing awake: a frame, and what the field does in one (dispatches, uploads, updates, "
+		"reads of bodies, together).",
+	]
+	counters = [name for name in read("rest")[1][0] if name.endswith("_a_frame")]
+	body = [
+		[row["field"].replace("_", " "), row["wall_ms"], row["gpu_ms"], f"{sum(float(row[name]) for name in counters):g}"]
+		for row in read("rest")[1]
+	]
+	return lines + grid(["the field", "a frame, ms", "on the GPU, ms", "done in a frame"], body) + source("rest")
+
+
+def crowds():
+	lines = [
+		"## The CPU: a crowd",
+		"",
+		"The quickest of 300 ticks in which so many bodies move, or sleep, in a field with a small pool: to read them, and to choose tiles.",
+	]
+	body = [
+		[number(float(row["bodies"])), row["crowd"], row["gather_ms_min"], row["tiles_ms_min"], row["engine_calls_a_tick"]]
+		for row in read("crowd")[1]
+	]
+	return lines + grid(["bodies", "they", "reading, ms", "tiles, ms", "calls of the engine"], body) + source("crowd")
+
+
+def sleeping():
+	rows = read("sleep")[1]
+	most = max(float(row["tile_steps"]) for row in rows)
+	body = [[row["asleep"], number(float(row["tile_steps"])), f"{float(row['tile_steps']) / most:.0%}"] for row in rows]
+	lines = [
+		"## Sleeping",
+		"",
+		"Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../internals/solver.md#going-to-sleep)).",
+	]
+	return lines + grid(["asleep", "steps of tiles", "of the most"], body) + source("sleep")
+
+
+def awake():
+	rows = read("awake")[1]
+	lines = [
+		"### What of the awake moves",
+		"",
+		"128 bodies thrown among 4 million blades, seconds after the throw: tiles that are awake and simulated, those of them with a blade "
+		"more than so far from where it stands at rest, and those with one that goes more than so far in a tick. "
+		f"The paper's scene of this size keeps 23,000 blades awake, {23000 // 64} tiles of ours. We keep those awake that a body could touch, and "
+		"those that still swing by more than the eye sees, for the picture and for what a game asks of a blade.",
+	]
+	columns = ("off_0.000001_m", "off_0.01_m", "off_0.05_m", "moved_0.001_m", "moved_0.01_m", "moved_0.05_m")
+	body = [[row["asleep"], row["seconds"], row["awake"], row["simulated"], *(row[name] for name in columns)] for row in rows]
+	head = ["asleep", "s", "awake", "simulated", "1 um off", "1 cm", "5 cm", "1 mm a tick", "1 cm", "5 cm"]
+	return lines + grid(head, body) + source("awake")
+
+
+def page():
+	lines = [
+		"# Benchmarks",
+		"",
+		"Today's figures, generated from the newest committed tables (`python3 -m tools.bench.bench_page`). "
+		"[How to run them](HOWTO.md); [how the figures came about](history.md); "
+		"[what the solver holds](solver.md); [accuracy against run time](accuracy.md); "
+		"[beside the paper, and against MultiMeshes](paper.md).",
+		"",
+		*simulation(),
+		*drawing(),
+		*limits(),
+		*processor(),
+		*crowds(),
+		*movers(),
+		*changes(),
+		*hitches(),
+		*resting(),
+		*sleeping(),
+		*awake(),
+	]
+	return prose.page("\n".join(lines).rstrip() + "\n")
+
+
+def newer():
+	"""Tables of a benchmark that are newer than the one that the page uses, as texts."""
+	wrong = []
+	for name, table in TABLES.items():
+		for other in FOLDER.glob(f"*/{FAMILIES.get(name, f'{name}*.csv')}"):
+			if re.match(r"\d{4}", other.parent.name) and other.parent.name[:10] > table[:10]:
+				wrong.append(f"{other.relative_to(FOLDER)} is newer than {table}")
+	return wrong
+
+
+def unnamed():
+	"""Tables and plots that no page names, as texts: their commit keeps them."""
+	pages = "".join(path.read_text() for path in (ROOT / "docs").rglob("*.md"))
+	kept = (path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*")))
+	return [f"no page names {path}: name it, or remove it" for path in kept if str(path) not in pages]
+
+
+if __name__ == "__main__":
+	PAGE.write_text(page())

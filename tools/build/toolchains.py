@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Compilers for this machine and for other platforms, and what runs their programs here.
+
+The machine's own are taken where it has them, else those of Debian 12, fetched (packages.py). A library for Linux is
+linked against glibc 2.31, so that it loads on systems of 2020 and later.
+"""
+
+import os
+import pathlib
+import platform
+import re
+import shutil
+
+from tools.fetch import machine
+from tools.fetch.packages import CROSS, GLIBC
+from tools.places import ZIG
+
+GLIBC_MOST = (2, 31)
+HERE = (
+	{"Linux": "linux", "Windows": "windows", "Darwin": "macos"}.get(platform.system(), "linux"),
+	{"aarch64": "arm64", "AMD64": "x86_64"}.get(platform.machine(), platform.machine()),
+)
+GNU = {"x86_64": "x86_64-linux-gnu", "arm64": "aarch64-linux-gnu"}  # architectures, by the toolchains' names
+MINGW = "x86_64-w64-mingw32"
+MACOS = {"x86_64": "x86_64-macos.11.0", "arm64": "aarch64-macos.11.0"}  # the oldest that it loads on, by zig's names
+
+
+SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib"}  # of libraries
+
+
+def tool(*names):
+	"""Path of the first of `names` that the machine has, else of a fetched one. None if neither."""
+	fetched = (CROSS.place / folder / name for name in names for folder in ("usr/bin", "usr/lib/wine"))
+	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
+
+
+def compiler(system, arch):
+	"""The C++ compiler that makes programs for `system` and `arch`. None if it has yet to be fetched, or cannot be."""
+	if (system, arch) == HERE:
+		return machine.compiler()
+	if system == "windows" and arch == "x86_64":
+		found = tool(f"{MINGW}-g++-posix")  # the variant that has std::thread
+	elif system == "linux" and arch in GNU:
+		found = tool(f"{GNU[arch]}-g++")
+	elif system == "macos" and arch in MACOS and not os.environ.get("CXX"):
+		return f"{ZIG}/ziglang/zig c++ -target {MACOS[arch]}" if (ZIG / "ziglang/zig").exists() else None
+	else:
+		return os.environ.get("CXX")  # a toolchain of the user's, named by its environment
+	launcher = os.environ.get("GRASS_LAUNCHER")  # such as ccache
+	return f"{launcher} {found}" if found and launcher else found
+
+
+def is_clang(command):
+	"""Whether a compiler takes clang's flags."""
+	return bool(re.search(r"clang|/zig c\+\+", command or ""))
+
+
+def glibc(arch):
+	"""Folder of the glibc that libraries for Linux are linked against. None if it is not there."""
+	place = GLIBC[arch].place if arch in GLIBC else pathlib.Path()
+	return place if arch in GLIBC and (place / f"usr/lib/{GNU[arch]}/libc.so").exists() else None
+
+
+def can_link_old_glibc(system, arch):
+	"""The machine's own libstdc++ needs the machine's glibc, if that is newer than the one that the fetched compilers come with."""
+	if system != "linux" or arch not in GNU:
+		return False
+	if (system, arch) != HERE:
+		return True
+	library, version = platform.libc_ver()
+	is_gcc = not is_clang(machine.compiler())  # clang would look for GCC's own files beside that glibc
+	return library == "glibc" and tuple(map(int, version.split(".")[:2])) <= (2, 36) and is_gcc
+
+
+def needs(system, arch):
+	"""What machine.ensure() has to find to build for `system` and `arch`."""
+	found = []
+	packages = {
+		("windows", "x86_64"): "g++-mingw-w64-x86-64-posix",
+		("linux", "arm64"): "g++-aarch64-linux-gnu",
+		("linux", "x86_64"): "g++-x86-64-linux-gnu",
+	}
+	if (system, arch) != HERE and (system, arch) in packages:
+		found.append((lambda: compiler(system, arch), (packages[system, arch], "patchelf"), CROSS))
+	if can_link_old_glibc(system, arch) and shutil.which("apt-get"):
+		found.append((lambda: glibc(arch), ("libc6-dev", "libgcc-10-dev"), GLIBC[arch]))
+	return found
+
+
+WINE = (lambda: tool("wine64"), ("wine64", "patchelf"), CROSS)
+QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), CROSS)
+
+
+def binutil(name, system, arch):
+	"""objdump, strip and the like for files of `system` and `arch`."""
+	prefix = MINGW if system == "windows" else GNU[arch]
+	return tool(f"{prefix}-{name}", *([name] if (system, arch) == HERE else []))
+
+
+def objdump(system, arch):
+	return binutil("objdump", system, arch)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Libraries for macOS: one file for both processors, of two that zig links without Apple's SDK."""
+
+import os
+import struct
+
+from tools.build import toolchains
+from tools.fetch import pip_packages
+from tools.places import ROOT, ZIG
+
+MAGIC, ALIGNMENT = 0xCAFEBABE, 14  # of a file for several processors; 2^14 bytes are a page of arm64
+PROCESSORS = {"x86_64": (0x01000007, 3), "arm64": (0x0100000C, 0)}  # type and subtype
+
+
+def ensure():
+	"""Fetches the compiler, and the reader of what it makes."""
+	pip_packages.ensure(ROOT / "tools/build/zig_requirements.txt", ZIG, "the compiler for macOS")
+
+
+def is_ours(system, arch):
+	"""Whether a library is joined of those of both processors here: a toolchain of the user's makes it in one go."""
+	return (system, arch) == ("macos", "universal") and toolchains.HERE[0] != "macos" and not os.environ.get("CXX")
+
+
+def join(slices, path):
+	"""Writes a file for several processors: architecture -> path of its own."""
+	data = {arch: file.read_bytes() for arch, file in slices.items()}
+	head = struct.pack(">II", MAGIC, len(data))
+	start, body = 1 << ALIGNMENT, b""  # the head needs less
+	for arch, content in data.items():
+		head += struct.pack(">5I", *PROCESSORS[arch], start + len(body), len(content), ALIGNMENT)
+		body += content + bytes(-len(content) % (1 << ALIGNMENT))
+	path.parent.mkdir(parents=True, exist_ok=True)
+	path.write_bytes(head.ljust(start, b"\0") + body)
+	path.chmod(0o755)
+	return path

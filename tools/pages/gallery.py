@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""The gallery: renders its views and makes the page of them, docs/guide/gallery.md, with small pictures beside it."""
+
+import json
+import pathlib
+import subprocess
+import textwrap
+
+from tools.fetch import machine
+from tools.pages.film import FFMPEG
+from tools.places import OUT, ROOT
+from tools.run import scenes
+from tools.say import Failure, say
+
+SCENE = "res://demo/gallery.tscn"
+PAGE = ROOT / "docs/guide/gallery.md"
+PICTURES = ROOT / "docs/images/conditions"
+WIDTH, QUALITY = 960, 6  # pixels; ffmpeg's scale, 2 is best
+KINDS = {"msaa": "4x MSAA", "taa": "TAA"}
+HEAD = """\
+The same grass in many lights and from many places, each with 4x MSAA (left) and with TAA (right). `./grass gallery` made the pictures on
+{device}, in Forward+ at 1920 x 1080. The folder `godot_project/demo/gallery/` defines the views; open `gallery.tscn` beside it and step
+through them with the arrow keys. How light grass is at each distance was [measured](../benchmarks/light.md)."""
+
+
+def render(out, only):
+	"""Renders all views, or `only` one, into `out`."""
+	scenes.ready(SCENE)
+	folder = pathlib.Path(out or OUT / "gallery").resolve()
+	hardware = machine.gpu() and machine.display()
+	size = "large" if hardware else "small"
+	arguments = ["--size", size, *(["--only", only] if only else [])]
+	scenes.play(SCENE, folder, arguments, scenes.SIZES[size], "forward_plus")
+	scenes.results(folder)
+
+
+def write_page(folder):
+	"""FOLDER: what render() wrote, here or on another machine."""
+	machine.ensure(FFMPEG)
+	folder = pathlib.Path(folder).resolve()
+	if not (folder / "gallery.json").exists():
+		raise Failure(f"{folder} has no gallery.json. ./grass gallery --out writes it.", 2)
+	about = json.loads((folder / "gallery.json").read_text())
+	PICTURES.mkdir(parents=True, exist_ok=True)
+	device = "software Vulkan" if "llvmpipe" in about["device"] else f"an {about['device']}"
+	lines = ["# Gallery", "", *textwrap.wrap(HEAD.format(device=device), 100), ""]
+	for view in about["views"]:
+		for kind in KINDS:
+			shrink(folder / f"{view['name']}_{kind}.jpg", PICTURES / f"{view['name']}_{kind}.jpg")
+		lines += section(view)
+	PAGE.write_text("\n".join(lines))
+	say(f"Written: {PAGE.relative_to(ROOT)} and {PICTURES.relative_to(ROOT)}")
+
+
+def section(view):
+	pictures = [f"![{view['about']}, {words}](../images/conditions/{view['name']}_{kind}.jpg)" for kind, words in KINDS.items()]
+	return [
+		f"## {view['about']}",
+		"",
+		f"| {' | '.join(KINDS.values())} |",
+		"|---|---|",
+		f"| {' | '.join(pictures)} |",
+		"",
+		*facts(view),
+		"",
+	]
+
+
+def facts(view):
+	return [f"- {fact[0].upper()}{fact[1:]}" for fact in view["settings"]]
+
+
+def shrink(source, target):
+	command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", "-i", str(source)]
+	scale = ["-vf", f"scale={WIDTH}:-2:flags=lanczos", "-q:v", str(QUALITY)]
+	result = subprocess.run([*command, *scale, str(target)], capture_output=True, text=True)
+	if result.returncode:
+		raise Failure(f"ffmpeg could not make {target.name}:\n{result.stderr}")

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Makes the site, out/site: the pages of docs/ and the class reference, by MkDocs with Material. It works without a network."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+from tools.fetch import pip_packages
+from tools.pages import links
+from tools.pages.site import classes, mentions
+from tools.places import BUILD, OUT, PROJECT, ROOT, TOOLS
+from tools.say import Failure, progress, say
+
+HERE = ROOT / "tools/pages/site"
+SOURCE = BUILD / "site_src"
+SITE = OUT / "site"
+PACKAGES = TOOLS / "site"  # what requirements.txt names
+PYTHON_MINIMUM = (3, 11)  # Material's
+
+
+def ensure_packages():
+	"""Installs what the site is built with into .tools/pages/site."""
+	if sys.version_info < PYTHON_MINIMUM:
+		raise Failure(f"The site needs Python {'.'.join(map(str, PYTHON_MINIMUM))} or newer; this is {sys.version.split()[0]}.")
+	pip_packages.ensure(HERE / "requirements.txt", PACKAGES, "what the site is built with")
+
+
+def as_python_markdown(text):
+	"""What forges read without them: blank lines around displayed equations, before lists and before tables."""
+	parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
+	for index in range(0, len(parts), 2):
+		part = re.sub(r"^(\$\$.*?\$\$)$", r"\n\1\n", parts[index], flags=re.MULTILINE | re.DOTALL)
+		part = re.sub(r"^(?![-*|#\s]|\d+\. )(.+)\n(?=(?:- |1\. |\|))", r"\1\n\n", part, flags=re.MULTILINE)
+		parts[index] = re.sub(r"^( +)(?=(?:-|\d+\.) )", lambda match: " " * (len(match[1]) // 2 * 4), part, flags=re.MULTILINE)
+	return "".join(parts)
+
+
+def write_source():
+	"""Everything that MkDocs reads, in build/site_src."""
+	shutil.rmtree(SOURCE, ignore_errors=True)
+	shutil.copytree(ROOT / "docs", SOURCE)
+	shutil.copytree(HERE / "assets", SOURCE / "assets")
+	shutil.copy(PROJECT / "addons/grass_field/icons/grass_field.svg", SOURCE / "assets/favicon.svg")
+	reference = classes.read_all()
+	told = mentions.Mentions(reference)
+	for path in sorted(SOURCE.rglob("*.md")):
+		path.write_text(told.linked(path.relative_to(SOURCE).as_posix(), as_python_markdown(path.read_text())))
+	classes.write(reference, told, SOURCE / "classes")
+
+
+def make():
+	ensure_packages()
+	write_source()
+	shutil.rmtree(SITE, ignore_errors=True)
+	version = (ROOT / "VERSION").read_text().strip()
+	path = os.pathsep.join([str(PACKAGES), str(ROOT)])
+	environment = {**os.environ, "PYTHONPATH": path, "GRASS_VERSION": version, "NO_MKDOCS_2_WARNING": "1"}
+	command = [sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--config-file", str(HERE / "mkdocs.yml")]
+	with progress("Making the site"):
+		code = subprocess.run(command, env=environment, cwd=ROOT).returncode
+	wrong = [] if code else links.wrong_in_site(SITE)
+	if code or wrong:
+		raise Failure("\n".join(["The site has faults:", *wrong]))
+	say(f"The site: {SITE / 'index.html'}")

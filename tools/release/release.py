@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+"""Packs a release: out/release/ with the add-on, the demo, debug symbols and checksums.
+
+The same commit makes the same bytes from any folder: entries are sorted, with the commit's time and fixed permissions, and the
+libraries forget where they were built (SConstruct, symbols=yes).
+"""
+
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+import zipfile
+from dataclasses import dataclass
+
+from tools.build import build, toolchains
+from tools.fetch import machine
+from tools.places import BUILD, OUT, PROJECT, ROOT
+from tools.run import engine
+from tools.say import Failure, say
+
+SIZE_MOST = 13_000_000  # bytes of the add-on's zip
+ADDON = PROJECT / "addons/grass_field"
+EARLIEST = 315532800  # 1980, where the time of zip entries begins
+
+
+@dataclass(frozen=True)
+class Target:
+	"""A library. Of the kind `release` it ships, for both kinds of exports and the editor: the code is the same (decision 39)."""
+
+	system: str
+	arch: str
+	kind: str
+
+	def __str__(self):
+		return f"{self.system}.{self.arch}.{self.kind}"
+
+	@property
+	def library(self):
+		return f"libgrass_field.{self.system}.template_{self.kind}.{self.arch}.{toolchains.SUFFIXES[self.system]}"
+
+	@property
+	def built(self):
+		here = (self.system, self.arch) == toolchains.HERE
+		return (BUILD if here else BUILD / f"{self.system}_{self.arch}") / "symbols" / self.kind / self.library
+
+
+SHIPPED = (("linux", "x86_64"), ("linux", "arm64"), ("windows", "x86_64"), ("macos", "universal"))
+TARGETS = tuple(Target(system, arch, "release") for system, arch in SHIPPED)
+
+
+def chosen(only):
+	"""Those of TARGETS that `only` names by their beginnings, between commas: linux.x86_64, windows."""
+	parts = [part.strip() for part in only.split(",")]
+	for part in parts:
+		if not any(f"{target}.".startswith(f"{part}." if part else "") for target in TARGETS):
+			raise Failure(f"--only {part}: there is no such library; there are {', '.join(map(str, TARGETS))}.", 2)
+	return [target for target in TARGETS if any(f"{target}.".startswith(f"{part}." if part else "") for part in parts)]
+
+
+def version():
+	return (ROOT / "VERSION").read_text().strip()
+
+
+def git(*arguments):
+	"""What git says of this folder, whoever owns it. Empty where it is no repository."""
+	if not (ROOT / ".git").exists() or not shutil.which("git"):
+		return ""
+	result = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
+	if result.returncode:
+		raise Failure(f"git {arguments[0]}: {result.stderr.strip()}")
+	return result.stdout.strip()
+
+
+def commit_time():
+	"""Seconds since 1970: what SOURCE_DATE_EPOCH names, else the commit's."""
+	return max(EARLIEST, int(os.environ.get("SOURCE_DATE_EPOCH") or git("log", "-1", "--format=%ct") or EARLIEST))
+
+
+def split(target, source, folder):
+	"""Puts the library `source` without its symbols into `folder`, and these beside it, NAME.debug. Returns both paths; for macOS, where
+	the linker leaves the symbols out, None for the second."""
+	if target.system == "macos":
+		return pathlib.Path(shutil.copy(source, folder / target.library)), None
+	objcopy = toolchains.binutil("objcopy", target.system, target.arch)
+	if not objcopy:
+		raise Failure(f"There is no objcopy for {target.system} {target.arch}: it comes with the compiler, as binutils.")
+	library, symbols = folder / target.library, folder / f"{target.library}.debug"
+
+	def run(*arguments):
+		result = subprocess.run([objcopy, *map(str, arguments)], cwd=folder, capture_output=True, text=True)
+		if result.returncode:
+			raise Failure(f"{source.name}: {result.stderr.strip()}")
+
+	run("--only-keep-debug", source, symbols.name)
+	run("--strip-all", f"--add-gnu-debuglink={symbols.name}", source, library.name)
+	return library, symbols
+
+
+def gdextension(libraries):
+	"""The text of grass_field.gdextension that names `libraries`, file names, and no other; one that ships for debug, too."""
+	text, named = "", set()
+	for line in (ADDON / "grass_field.gdextension").read_text().splitlines(True):
+		match = re.search(r'"bin/(.*)"', line)
+		if match and match[1] not in libraries:
+			line = line.replace(match[1], ships := match[1].replace("template_debug", "template_release"))
+			if ships not in libraries:
+				continue
+		text += line
+		named.add(match[1] if match else "")
+	if missing := set(libraries) - named:
+		raise Failure(f"grass_field.gdextension does not name {', '.join(sorted(missing))}.")
+	return text
+
+
+def files_in(folder, *left_out):
+	"""Path in the project -> bytes, of every file in a folder of the project."""
+	found = {}
+	for path in sorted(folder.rglob("*")):
+		name = path.relative_to(PROJECT).as_posix()
+		if path.is_file() and not name.startswith(left_out) and not name.endswith(".tmp"):
+			found[name] = path.read_bytes()
+	return found
+
+
+def addon(libraries):
+	"""Path -> bytes of the add-on with `libraries`, paths of files."""
+	place = ADDON.relative_to(PROJECT).as_posix()
+	files = files_in(ADDON, f"{place}/bin/")
+	files[f"{place}/grass_field.gdextension"] = gdextension([path.name for path in libraries]).encode()
+	files[f"{place}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+	return {**files, **{f"{place}/bin/{path.name}": path.read_bytes() for path in libraries}}
+
+
+def demo():
+	"""Path -> bytes of the demo's project without the add-on: neither tests nor benchmarks."""
+	project = (PROJECT / "project.godot").read_text()
+	project = re.sub(r"^run/main_scene\.(bench|tests)=.*\n", "", project, flags=re.MULTILINE)
+	return {**files_in(PROJECT / "demo"), "project.godot": project.encode(), "LICENSE": (ROOT / "LICENSE").read_bytes()}
+
+
+def write_zip(path, files):
+	"""Writes `files` (path -> bytes) so that only they and the commit's time decide the zip's bytes."""
+	when = time.gmtime(commit_time())[:6]
+	with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as file:
+		for name in sorted(files):
+			entry = zipfile.ZipInfo(name, when)
+			entry.create_system, entry.external_attr, entry.compress_type = 3, 0o100644 << 16, zipfile.ZIP_DEFLATED
+			file.writestr(entry, files[name], compresslevel=9)
+	return path
+
+
+def pack(sources, folder):
+	"""Packs the libraries (target -> path of the file with symbols) into `folder`. Returns the paths of the zips."""
+	folder.mkdir(parents=True, exist_ok=True)
+	for old in folder.glob("grass_field-*.zip"):
+		old.unlink()
+	name = f"grass_field-{version()}.zip"
+	with tempfile.TemporaryDirectory() as parts:
+		pairs = [split(target, source, pathlib.Path(parts)) for target, source in sources.items()]
+		files = addon([library for library, _ in pairs])
+		symbols = {path.name: path.read_bytes() for _, path in pairs if path}
+	zips = [
+		write_zip(folder / name, files),
+		write_zip(folder / name.replace("field-", "field-demo-"), {**demo(), **files}),
+		write_zip(folder / name.replace("field-", "field-symbols-"), symbols),
+	]
+	sums = (f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(zips))
+	(folder / "SHA256SUMS").write_text("".join(sums))
+	if (size := zips[0].stat().st_size) > SIZE_MOST:
+		raise Failure(f"{name} has {size} bytes, {SIZE_MOST} at most: `unzip -v` says what is large.")
+	return zips
+
+
+def build_libraries(targets):
+	"""Builds each with symbols. Returns target -> path."""
+	for target in targets:
+		build.scons("extension", "symbols=yes", f"platform={target.system}", f"arch={target.arch}", f"target={target.kind}")
+	return {target: target.built for target in targets}
+
+
+def check_glibc(target, library):
+	"""Failure if a library for Linux would not load on the systems that it is for."""
+	if target.system != "linux":
+		return
+	command = [toolchains.objdump(target.system, target.arch), "-p", str(library)]
+	text = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+	newest = max(tuple(map(int, found.split("."))) for found in re.findall(r"\bGLIBC_([\d.]+)", text))
+	if newest > toolchains.GLIBC_MOST:
+		raise Failure(
+			f"{library.name} needs glibc {'.'.join(map(str, newest))}, more than {'.'.join(map(str, toolchains.GLIBC_MOST))}:"
+			" make releases with the GCC of Debian 12 (docs/internals/building.md, Other platforms)."
+		)
+
+
+def make(only="", out=None):
+	"""Builds and packs the libraries that `only` names (empty: all)."""
+	targets = chosen(only or "")
+	folder = pathlib.Path(out or OUT / "release").resolve()
+	machine.ensure(*machine.BUILDING)
+	if changed := git("status", "--porcelain"):
+		say(f"Not the commit alone: {len(changed.splitlines())} files have changed since, such as {changed.split()[1]}")
+	libraries = build_libraries(targets)
+	for target, library in libraries.items():
+		check_glibc(target, library)
+	for path in pack(libraries, folder):
+		say(f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}")
+	say(f"Packed, with SHA256SUMS: {folder}")
+
+
+def write_fixtures():
+	"""Writes files of this version, with no value at its default, which every later version has to load."""
+	folder = PROJECT / "tests/fixtures" / version()
+	build.scons("extension")
+	engine.import_project()
+	folder.mkdir(parents=True, exist_ok=True)
+	command, environment = engine.headless()
+	arguments = ["--path", str(PROJECT), "--script", "res://tests/fixtures/write_fixtures.gd", "--", version()]
+	if engine.run([*command, *arguments], environment):
+		raise Failure("The fixtures could not be written.")
+	say(f"Written: {folder.relative_to(ROOT)}")

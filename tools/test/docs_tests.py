@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: MIT
+"""The layer `docs`: code blocks run, commands parse, links lead somewhere, numbers stand once. Nothing is fetched for it."""
+
+import contextlib
+import io
+import os
+import re
+import shlex
+import shutil
+import subprocess
+
+from tools import command_line
+from tools.bench import bench_page, cost_table, drivers_page, paper, paper_page
+from tools.build import binding
+from tools.fetch import machine, settle
+from tools.pages import links, prose, snippets
+from tools.places import BUILD, PROJECT, ROOT
+from tools.run import engine
+from tools.test import formatting, one_text, rooms
+from tools.test.test_runs import Tally, in_engine, noted
+
+PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
+COMMAND = re.compile(r"`(\./grass[^`\n]*)`|^\s+(\./grass.*)$|^(\./grass.*)$", re.MULTILINE)
+EMPTY = BUILD / "snippets_project"  # an empty project that has the add-on, where shell blocks run
+SHELL_LIMIT = 300  # seconds
+EQUATION = re.compile(r"\[Eq \w+\]|\$[^$`\n]+\$|\$\$")
+DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of docs/decisions, after its status
+
+
+def wrong_command(command, layers):
+	"""What is wrong with a `./grass ...` that a page names, or "". LAYER and the like stand for what the user puts there.
+	`layers`: names of the layers of tests."""
+
+	words = shlex.split(re.sub(r"[\[\]]|\.\.\.", "", command), comments=True)[1:]
+	said = io.StringIO()
+	try:
+		with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+			options = command_line.parser().parse_args(words)
+	except SystemExit as end:
+		return "" if not end.code else f"`{command}` is no command: {said.getvalue().strip().splitlines()[-1]}"
+	unknown = [layer for layer in getattr(options, "layers", []) if layer not in layers and not layer.isupper()]
+	return f"`{command}` names no layer" if unknown else ""
+
+
+def commands(path, layers):
+	found = ["".join(groups) for groups in COMMAND.findall(path.read_text())]
+	return found, "; ".join(filter(None, (wrong_command(command, layers) for command in found)))
+
+
+def wrong_cpp(block):
+	"""Compiles a C++ block as a user's extension would, without making anything."""
+	source = snippets.MADE / f"{block.key}.cpp"
+	source.write_text(f'#include "{PRELUDES / block.key}.h"\n#line {block.line} "{block.file}"\n{block.text}')
+	includes = [f"-isystem{folder}" for folder in binding.include_folders()]
+	flags = ["-std=c++20", "-fsyntax-only", "-Wall", "-Werror", "-DGDEXTENSION", "-DLINUX_ENABLED", "-DTHREADS_ENABLED"]
+	result = subprocess.run([machine.compiler(), *flags, *includes, str(source)], capture_output=True, text=True)
+	return result.stderr.strip() if result.returncode else ""
+
+
+def wrong_shell(block):
+	"""Runs a shell block in an empty project that has the add-on. A block of `./grass` commands has been parsed with its page."""
+	if all(line.startswith("./grass") for line in block.text.split("\n") if line):
+		return ""
+	shutil.rmtree(EMPTY, ignore_errors=True)
+	shutil.copytree(PROJECT / "addons", EMPTY / "addons")
+	(EMPTY / "project.godot").write_text("config_version=5\n")
+	(EMPTY / "tests").mkdir()
+	test = next(other for other in snippets.find() if other.key == "ci_a_test")
+	(EMPTY / "tests/test_grass.gd").write_text(test.text)
+	programs = EMPTY / ".bin"
+	programs.mkdir()
+	(programs / "godot").write_text(f'#!/bin/sh\nexec {shlex.quote(machine.godot())} "$@"\n')
+	(programs / "godot").chmod(0o755)
+	everything = {**os.environ, **settle.environment(), **engine.private_home(), "PATH": f"{programs}:{os.environ['PATH']}"}
+	try:
+		command = ["sh", "-ec", block.text]
+		result = subprocess.run(command, cwd=EMPTY, env=everything, capture_output=True, text=True, timeout=SHELL_LIMIT)
+	except subprocess.TimeoutExpired:
+		return f"still running after {SHELL_LIMIT} s"
+	return f"ended with code {result.returncode}: {(result.stdout + result.stderr)[-1500:]}" if result.returncode else ""
+
+
+def wrong_main_loop(block):
+	"""Runs a script that is a main loop of its own."""
+	path = snippets.MADE / f"{block.key}.gd"
+	path.write_text(snippets.script(block))
+	command, environment = engine.headless()
+	said = []
+	code = engine.run([*command, "--path", str(PROJECT), "--fixed-fps", "60", "--script", str(path)], environment, said.append, SHELL_LIMIT)
+	return f"ended with code {code}: {' | '.join(said[-10:])}" if code else ""
+
+
+def wrong_checks(blocks):
+	"""Checks, headers and skips of blocks that are not there any more."""
+	known = {block.key for block in blocks}
+	texts = [(PROJECT / "tests/docs" / name).read_text() for name in ("guides.gd", "classes.gd")]
+	checks = [name for text in texts for name in re.findall(r"^func (\w+)\(\) -> void:", text, re.MULTILINE)]
+	headers = [path.stem for path in PRELUDES.glob("*.h")]
+	return ", ".join(f"{key} is no block" for key in (*checks, *headers, *snippets.SKIPPED) if key not in known)
+
+
+def wrong_decisions():
+	"""Decisions that lack a part, or that the index does not list with their title and status."""
+	folder, wrong = ROOT / "docs/decisions", []
+	index = (folder / "README.md").read_text()
+	for path in sorted(folder.glob("[0-9]*.md")):
+		text = path.read_text()
+		number, title = re.match(r"# (\d+)\. (.+)", text).groups()
+		headings = re.findall(r"^## (.+)", text, re.MULTILINE)
+		if headings not in (DECISION, [*DECISION, "Alternatives"]):
+			wrong.append(f"{path.name}: its parts are {', '.join(headings)}")
+		status = re.search(r"^\*\*Status\.\*\* (Accepted|Superseded by)\b(.*?)\n\n", text, re.MULTILINE | re.DOTALL)
+		row = re.search(rf"^\| {number} \| \[{re.escape(title)}\]\({path.name}\) \| (.+) \|$", index, re.MULTILINE)
+		if not status or not row:
+			wrong.append(f"{path.name}: {'it has no status' if not status else 'it is not in the index by this title'}")
+			continue
+		named = [str(int(other)) for other in re.findall(r"\((\d{4})-[\w-]+\.md\)", status[2])]
+		if not row[1].lower().startswith(status[1].lower()) or re.findall(r"\d+", row[1]) != named:
+			wrong.append(f"{path.name}: the index says {row[1]}, the page {status[1]} {', '.join(named)}")
+	return "; ".join(wrong)
+
+
+def wrong_guide():
+	"""Pages of the guide with an equation: those are for docs/internals."""
+	wrong = []
+	for path in sorted((ROOT / "docs/guide").glob("*.md")):
+		found = EQUATION.search(links.CODE.sub("", path.read_text()))
+		wrong += [f"{path.name}: {found[0]}"] if found else []
+	return "; ".join(wrong)
+
+
+def wrong_benchmarks():
+	"""Pages of figures that are not what the newest tables make, and tables that no page names."""
+	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench.bench_page`"]
+	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
+	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
+	return "; ".join([*stale, *bench_page.newer(), *bench_page.unnamed()])
+
+
+def run(only, layers):
+	"""The whole layer. `layers`: names of all layers of tests."""
+	tally, in_godot = Tally(), []
+	for name, wrong in CHECKED_PAGES.items():
+		if only in name:
+			noted(tally, name, wrong())
+	for path in snippets.pages():
+		page = path.relative_to(ROOT)
+		if only in (name := f"docs/{page} links"):
+			noted(tally, name, "; ".join(links.wrong_in_page(path)))
+		found, wrong = commands(path, layers)
+		if found and only in (name := f"docs/{page} commands"):
+			noted(tally, name, wrong)
+	for path in formatting.sources("pages"):
+		if only in (name := f"docs/{path.relative_to(ROOT)} width"):
+			wide = ", ".join(map(str, prose.too_wide(path)))
+			noted(tally, name, wide and f"lines {wide} are wider than {prose.PAGE_WIDTH}; `./grass format` wraps them")
+	if only in (name := "docs/numbers stand once"):  # as architecture.md says
+		noted(tally, name, one_text.stated_twice())
+	blocks = snippets.find()
+	if only in (name := "docs/checks"):
+		noted(tally, name, wrong_checks(blocks))
+	blocks = [block for block in blocks if only in f"docs/{block.place} {block.key}"]
+	folder = snippets.write_scripts([block for block in blocks if snippets.needs_check(block)])
+	for block in blocks:
+		name = f"docs/{block.place} {block.key}"
+		if block.key in snippets.SKIPPED:
+			tally.skipped.append(f"{name}: {snippets.SKIPPED[block.key]}")
+		elif snippets.needs_check(block):
+			in_godot.append(block)
+		elif block.language == "gdscript":
+			noted(tally, name, wrong_main_loop(block))
+		elif block.language in CHECKS:
+			noted(tally, name, CHECKS[block.language](block))
+		elif block.language != "text":
+			noted(tally, name, f"a block of {block.language or 'no language'}: write one of {', '.join(snippets.LANGUAGES)} behind its ```")
+	if in_godot:
+		environment = {"GRASS_SNIPPETS": str(folder)}
+		start = ("--fixed-fps", "60", "res://tests/docs/runner.tscn")
+		command, additions = engine.headless()
+		tally.add(in_engine("docs", command, {**additions, **environment}, only, start=start))
+	return tally
+
+
+CHECKED_PAGES = {
+	"docs/rooms": rooms.wrong,
+	"docs/decisions": wrong_decisions,
+	"docs/guide has no equation": wrong_guide,
+	"docs/benchmarks": wrong_benchmarks,
+	"docs/costs": cost_table.wrong,
+	"docs/drivers": drivers_page.wrong,
+}
+CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""The layers `drivers` and `drivers-quick`: what graphics drivers that are not here make of the compute passes.
+
+Quick: the build's rules refuse what they should, each pass becomes Metal's language, figures for one card. In full: figures
+for all cards, each pass becomes DXIL that Microsoft's validator takes, and so do the shaders that draw grass, not validated.
+"""
+
+from tools.bench import driver_figures, driver_tools
+from tools.build import embed, spirv, spirv_rules
+from tools.fetch import machine
+from tools.places import ROOT
+from tools.say import Failure
+from tools.test import drivers
+from tools.test.test_runs import Tally, noted
+
+BREAKING = ROOT / "tests/driver_compilers/rules"  # a pass for each rule
+
+
+def file_of(rule):
+	return BREAKING / f"{rule.name.lower().replace(' ', '_').replace('-', '')}.glsl"
+
+
+def refused_for(source):
+	"""Names of the rules that a pass breaks."""
+	target = "vulkan1.2" if "target vulkan1.2" in source.read_text() else "vulkan1.1"
+	made = driver_tools.FOLDER / "rules" / f"{source.stem}.spv"
+	return [
+		text.split(":")[0]
+		for text in spirv_rules.broken(spirv.read(embed.compile_shader(source, [], machine.glslang(), made, target=target)))
+	]
+
+
+def rules(tally, only):
+	"""Each rule refuses the pass that breaks it, and no other rule does; what is built breaks none."""
+	for rule in spirv_rules.RULES:
+		if only in (name := f"drivers/rules {rule.name}"):
+			found = refused_for(file_of(rule))
+			noted(tally, name, "" if found == [rule.name] else f"{file_of(rule).name} is refused for: {', '.join(found) or 'nothing'}")
+	if only in (name := "drivers/rules passes that break them"):
+		spare = sorted({file.name for file in BREAKING.iterdir()} - {file_of(rule).name for rule in spirv_rules.RULES})
+		noted(tally, name, spare and f"no rule has the name of {', '.join(spare)}")
+	for label, file in driver_figures.passes().items():
+		if only in (name := f"drivers/rules {label}"):
+			noted(tally, name, "; ".join(spirv_rules.broken(spirv.read_file(file))))
+
+
+def to_msl(tally, only):
+	for label, file in driver_figures.passes().items():
+		if only in (name := f"drivers/msl {label}"):
+			try:
+				wrong = "" if "kernel void" in driver_tools.to_msl(file) else "the translation has no kernel"
+			except Failure as failure:
+				wrong = str(failure)
+			noted(tally, name, wrong)
+
+
+def to_dxil(tally, only):
+	made = {}
+	for label, file in driver_figures.passes().items():
+		if only in (name := f"drivers/dxil {label}"):
+			try:
+				made[name] = driver_tools.to_dxil(file)
+			except Failure as failure:
+				noted(tally, name, str(failure))
+	wrong = driver_tools.wrong_dxil(made.values()) if made else {}
+	for name, file in made.items():
+		noted(tally, name, wrong[file])
+
+
+def drawing_to_dxil(tally, only):
+	"""The shaders that the renderers make for grass. The validator has no say in them: it wants the bindings and the joined signatures
+	that Godot's own driver gives them, and the translator alone does not."""
+	for method in drivers.METHODS:
+		if only not in (name := f"drivers/dxil drawing {method}"):
+			continue
+		wrong = []
+		shaders = drivers.drawing_shaders(method)
+		for file in shaders:
+			try:
+				driver_tools.to_dxil(file, file.suffixes[0].removeprefix("."))
+			except Failure as failure:
+				wrong.append(f"{file.name}: {failure}")
+		print(f"    {len(shaders)} vertex and fragment shaders")
+		noted(tally, name, "; ".join(wrong) if shaders else "the engine made no shader")
+
+
+def advice(notes, card, pipeline):
+	"""What to do about a figure that has grown."""
+	there = driver_figures.made_by(notes, card, pipeline.family()).split(";")[0] or "no compiler"
+	here = f"Mesa {driver_tools.mesa_version()}"
+	other = f" The table is of {there}, this is {here}." if there != here else ""
+	return f".{other} If it has to be: `./grass bench drivers --only {pipeline.family()} --out docs/benchmarks`"
+
+
+def figures(tally, only, chosen):
+	"""No figure of the pipelines `chosen` by card has grown by more than the margin; the table has each of them, and none that is gone."""
+	notes, known = driver_figures.read()
+	if only in (name := "drivers/table"):
+		built = {(card, *one.key()) for card in driver_figures.CARDS for one in driver_figures.of_card(card)}
+		noted(
+			tally, name, "".join(f"it has {' '.join(filter(None, key))}, which is no longer built. " for key in known if key not in built)
+		)
+	chosen = {card: [one for one in some if only in f"drivers/{card} {one.label()}"] for card, some in chosen.items()}
+	for card, made in driver_figures.compile_all({card: some for card, some in chosen.items() if some}):
+		if isinstance(made, Exception):
+			tally.failed.append(f"drivers/{card}: {made}")
+			continue
+		for pipeline, row in zip(chosen[card], made):
+			wrong = driver_figures.grown(row, known.get(driver_figures.key_of(row)))
+			noted(tally, f"drivers/{card} {pipeline.label()}", wrong and wrong + advice(notes, card, pipeline))
+
+
+def run_quick(only):
+	"""In seconds, for every change."""
+	driver_tools.ensure()
+	tally = Tally()
+	rules(tally, only)
+	to_msl(tally, only)
+	figures(tally, only, {driver_figures.QUICK: driver_figures.pipelines(with_species=False)})
+	return tally
+
+
+def run(only):
+	"""All of it."""
+	driver_tools.ensure()
+	driver_tools.ensure_mesa()
+	driver_tools.ensure_validator()
+	tally = Tally()
+	rules(tally, only)
+	to_msl(tally, only)
+	to_dxil(tally, only)
+	drawing_to_dxil(tally, only)
+	figures(tally, only, {card: driver_figures.of_card(card) for card in driver_figures.CARDS})
+	return tally

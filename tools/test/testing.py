@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: MIT
+"""Runs the layers of tests and adds them up. The last line is `N passed, N failed`, and skips if there are any."""
+
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+
+from tools.build import build
+from tools.fetch import machine
+from tools.places import BUILD, PROJECT
+from tools.run import engine
+from tools.say import Failure, say
+from tools.test import (
+	binding_tests,
+	docs_tests,
+	driver_tests,
+	drivers,
+	formatting,
+	quitting,
+	sanitize,
+	side_by_side,
+	starting,
+	testing_macos,
+	testing_platforms,
+	testing_release,
+	tidy,
+	validation,
+)
+from tools.test.test_runs import Tally, core, in_engine
+
+OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
+PICTURES = "test_picture"
+EDITED = BUILD / "editor/project"  # the copy of the project that the editor may change; its pictures lie beside it
+SOFTWARE = re.compile(r"Vulkan .* Using Device #\d+: .*(llvmpipe|lavapipe|SwiftShader)")
+
+
+def stress_in_full():
+	"""The stress tests in their full size, as they come. Returns the exit code."""
+	machine.ensure(*machine.BUILDING)
+	build.scons("stress")
+	command = [str(BUILD / "stress/stress_tests"), "--duration=true"]
+	return subprocess.run(command, env={**os.environ, "GRASS_STRESS": "full"}).returncode
+
+
+def binding(only):
+	passed, failed, skipped = binding_tests.run(only)
+	return Tally(len(passed), failed, skipped)
+
+
+def headless(only):
+	return in_engine("headless", *engine.headless(), only)
+
+
+def gpu(only, hardware):
+	where = {"size": "320x180", "software": not hardware, "hardware": hardware}
+	forbidden = [(SOFTWARE, "not on the machine's GPU")] if hardware else []
+	with engine.window(**where) as (command, environment):
+		tally = in_engine("gpu", command, environment, only, forbidden=forbidden)
+	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
+		with engine.window(method, **where) as (command, environment):
+			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
+	tally.add(quitting.layer(only, where))
+	tally.add(starting.layer(only, where))
+	if not hardware:
+		tally.add(drivers.layer(only))
+	return tally
+
+
+def copy_project(light):
+	"""The project once more, with the plugin that runs the tests in the editor. `light`: it draws what software draws in half the time;
+	else, in a larger window, its pictures are those for the docs."""
+	shutil.rmtree(EDITED, ignore_errors=True)
+	shutil.copytree(PROJECT, EDITED, symlinks=True)
+	with open(EDITED / "project.godot", "a") as file:
+		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # what the editor opens at first
+		if light:
+			file.write("\n[rendering]\n\nanti_aliasing/quality/msaa_3d=0\nlights_and_shadows/directional_shadow/size=1024\n")
+		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
+
+
+def editor(only):
+	"""Tests that look at what is drawn run in a window, all others without one, which takes a tenth of the time."""
+	copy_project(light=not only)
+	start = {"start": ("--editor",), "project": EDITED, "may_be_none": bool(only)}
+	tally = in_engine("editor", *engine.headless(), only, more=("--drawn=no",), **start)
+	with engine.window(size="1280x720" if only else "1024x600", software=True) as (command, environment):
+		tally.add(in_engine("editor", command, environment, only, more=("--drawn=yes",), **start))
+	return tally
+
+
+def on_screen(layers, hardware):
+	"""What layers that draw need."""
+	software = {"gpu", "validation", "editor", "release", "sanitize", "drivers"} & set(layers) - ({"gpu"} if hardware else set())
+	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
+	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
+
+
+@dataclass
+class Layer:
+	"""A layer of tests: `run(only, hardware)` returns its Tally; `target` is what SCons builds for it; `in_all`: whether it runs
+	where no layer is named; `minutes` of a processor, about, its building included: where several run, the longest begins."""
+
+	run: object
+	target: str = "extension"
+	in_all: bool = True
+	minutes: float = 1.0
+
+
+# In the order in which they are added up.
+LAYERS = {
+	"format": Layer(lambda only, _: formatting.layer(only, Tally()), None, minutes=0.3),
+	"tidy": Layer(lambda only, _: tidy.layer(only, Tally()), minutes=3),  # reads headers that the build makes
+	"binding": Layer(lambda only, _: binding(only), None, minutes=0.2),
+	"unit": Layer(lambda only, _: core("unit", only), "unit", minutes=9.6),  # of doctest, without the engine: a test case counts one
+	"stress": Layer(lambda only, _: core("stress", only), "stress", minutes=2.5),
+	"sanitize-short": Layer(lambda only, _: sanitize.run_short(only), None, minutes=1.6),
+	"sanitize": Layer(lambda only, _: sanitize.run(only), in_all=False),
+	"headless": Layer(lambda only, _: headless(only), minutes=2.1),
+	"docs": Layer(lambda only, _: docs_tests.run(only, LAYERS), minutes=0.2),
+	"drivers-quick": Layer(lambda only, _: driver_tests.run_quick(only), "shaders", minutes=0.3),
+	"drivers": Layer(lambda only, _: driver_tests.run(only), in_all=False),
+	"gpu": Layer(gpu, minutes=23),
+	"validation": Layer(lambda only, _: validation.layer(only, Tally()), minutes=1.4),
+	"editor": Layer(lambda only, _: editor(only), minutes=3),
+	"platforms": Layer(lambda only, _: testing_platforms.run_layer("platforms", only), minutes=5.8),
+	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
+	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
+	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
+	"macos": Layer(lambda only, _: testing_macos.run_layer(only), None, in_all=False),
+	"release": Layer(lambda only, _: testing_release.run_layer("release", only), in_all=False),
+}
+ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
+
+
+def took(before, after):
+	"""The time between two of os.times(), in words."""
+	processor = sum(after[:4]) - sum(before[:4])
+	return f"{after.elapsed - before.elapsed:.0f} s, {processor:.0f} s of a processor"
+
+
+def run_layer(layer, only, hardware):
+	"""In this process, which has built and imported the extension. Returns its Tally."""
+	say(f"Tests: {layer}")
+	before = os.times()
+	if target := {LAYERS[layer].target} - {None, "extension"}:
+		build.scons(*target)
+	testing_platforms.prepare([layer])
+	tally = LAYERS[layer].run(only, hardware)
+	say(f"{layer}: {tally.line()} ({took(before, os.times())})")
+	return tally
+
+
+def run(layers=ALL, only="", hardware=False):
+	"""Builds, runs `layers` (the gpu layer on the machine's GPU if `hardware`), prints the sum. Returns whether all went well."""
+	if side_by_side.is_part():
+		return side_by_side.hand_over(run_layer(layers[0], only, hardware))
+	if hardware and not machine.gpu():
+		raise Failure("--gpu: there is no GPU here that Vulkan can use: no card in /dev/dri or /dev/nvidia*, or no driver in vulkan/icd.d.")
+	machine.ensure(*machine.BUILDING, *on_screen(layers, hardware))
+	if "extension" in {LAYERS[layer].target for layer in layers}:
+		build.scons("extension")
+		engine.import_project()
+	total = Tally()
+	if len(layers) > 1:
+		tallies = side_by_side.run(sorted(layers, key=lambda layer: -LAYERS[layer].minutes), only, hardware)
+		for layer in layers:
+			total.add(tallies[layer])
+	else:
+		total.add(run_layer(layers[0], only, hardware))
+	if not total.count():
+		total.failed.append(f"no test has {only!r} in its name")
+	for text in total.skipped:
+		print(f"skipped: {text}")
+	for text in total.failed:
+		print(f"FAILED: {text}")
+	print(total.line(), flush=True)
+	return not total.failed

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Layers of tests for other platforms: what is built for them is checked, loaded and run here, under Wine and qemu.
+
+`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares.
+"""
+
+import os
+import re
+import subprocess
+
+from tools.build import build, toolchains
+from tools.fetch import machine
+from tools.fetch.packages import ENGINE_ARM64, GLIBC
+from tools.places import ADDON_BIN, BUILD
+from tools.run import engine
+from tools.say import Failure, progress
+from tools.test.test_runs import Tally, core, in_engine
+
+LAYERS = ("platforms", "windows", "arm64")
+WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
+ENTRY = "grass_field_library_init"
+LOAD_LIMIT, STEP_LIMIT = 300, 3600  # seconds
+# What every Windows has.
+WINDOWS_LIBRARIES = {"kernel32.dll", "msvcrt.dll", "user32.dll", "advapi32.dll", "ws2_32.dll", "bcrypt.dll", "shell32.dll", "ntdll.dll"}
+ARM64_ENGINE = (lambda: engine_arm64() if engine_arm64().exists() else None, ("godot",), ENGINE_ARM64)
+# What runs in the engine for arm64, where GDScript is some fifty times slower: growing, waking, bending, going to rest.
+ARM64_HEADLESS = ("/test_field.", "/test_bodies.", "test_nothing_moves_when_a_tile")
+
+
+def engine_arm64():
+	return ENGINE_ARM64.place / "usr/bin/godot"
+
+
+def folder(target):
+	return BUILD if target == toolchains.HERE else BUILD / "_".join(target)
+
+
+def library(target, quick):
+	suffix = ".dll" if target == WINDOWS else ".so"
+	return (folder(target) / "quick" if quick else ADDON_BIN) / f"libgrass_field.{target[0]}.template_debug.{target[1]}{suffix}"
+
+
+def program(target, name):
+	return folder(target) / (name + (".exe" if target == WINDOWS else ""))
+
+
+def runner(target):
+	"""(command prefix, environment additions) to run a program for `target` here."""
+	if target == WINDOWS:
+		quiet = {"WINEPREFIX": str(BUILD / "wine"), "WINEARCH": "win64", "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
+		return [toolchains.tool("wine64")], {**quiet, "DISPLAY": "", "WAYLAND_DISPLAY": ""}
+	if target == ARM64:
+		return [toolchains.tool("qemu-aarch64-static"), "-L", str(GLIBC["arm64"].place)], {"GRASS_EMULATED": "1"}
+	# Here: with the C library of 2020, if the library was linked against it.
+	place = toolchains.glibc(target[1])
+	if place is None or not toolchains.can_link_old_glibc(*target):
+		return [], {}
+	libraries = place / "usr/lib" / toolchains.GNU[target[1]]
+	return [str(next(libraries.glob("ld-2*.so"))), "--library-path", str(libraries)], {}
+
+
+def run(target, *arguments, limit=LOAD_LIMIT):
+	"""Runs a program for `target`. Returns what it printed; Failure if it fails."""
+	command, additions = runner(target)
+	try:
+		result = subprocess.run(
+			[*command, *map(str, arguments)], capture_output=True, timeout=limit, stdin=subprocess.DEVNULL, env={**os.environ, **additions}
+		)
+	except subprocess.TimeoutExpired:
+		raise Failure(f"still running after {limit} s") from None
+	if result.returncode:
+		words = (result.stdout[-500:] + result.stderr[-2000:]).decode(errors="replace").strip()
+		raise Failure(f"ended with code {result.returncode}: {words}")
+	return result.stdout.decode()
+
+
+def registered(target, quick=False):
+	"""What the library for `target` registers, as the host lists it. Failure where it does not load."""
+	return run(target, program(target, "host/host"), library(target, quick), ENTRY)
+
+
+def same_lines(here, there):
+	"""Failure unless both texts are the same, and long."""
+	ours, theirs = here.splitlines(True), there.splitlines(True)
+	if len(ours) < 100:
+		raise Failure(f"only {len(ours)} lines are listed: {ours}")
+	for line, (one, other) in enumerate(zip(ours, theirs), 1):
+		if one != other:
+			raise Failure(f"line {line} is {other!r}, on this machine {one!r}")
+	if len(ours) != len(theirs):
+		raise Failure(f"{len(theirs)} lines instead of {len(ours)}")
+
+
+def same_registration(target, quick):
+	same_lines(registered(toolchains.HERE), registered(target, quick))
+
+
+def same_bits(target):
+	here = subprocess.run([program(toolchains.HERE, "bits/bits")], capture_output=True, text=True, check=True).stdout
+	there = run(target, program(target, "bits/bits"), limit=STEP_LIMIT)
+	same_lines(here, there.replace("\r\n", "\n"))  # as a program for Windows ends its lines
+
+
+def dump(target, option, quick):
+	command = [toolchains.objdump(*target), option, str(library(target, quick))]
+	return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def only_windows_libraries(quick):
+	names = {name.lower() for name in re.findall(r"DLL Name: (\S+)", dump(WINDOWS, "-p", quick))}
+	if not names or names - WINDOWS_LIBRARIES:
+		raise Failure(f"imports {', '.join(sorted(names - WINDOWS_LIBRARIES)) or 'nothing'}")
+
+
+def only_old_glibc(target, quick):
+	text = dump(target, "-p", quick)
+	versions = {tuple(map(int, version.split("."))) for version in re.findall(r"\bGLIBC_([\d.]+)", text)}
+	needed = set(re.findall(r"NEEDED\s+(\S+)", text))
+	if not versions or max(versions) > toolchains.GLIBC_MOST:
+		raise Failure(f"needs glibc {'.'.join(map(str, max(versions, default=())))}")
+	if others := {name for name in needed if not re.match(r"(libc|libm|libdl|libpthread|ld-linux\S*)\.so", name)}:
+		raise Failure(f"needs {', '.join(sorted(others))}")
+
+
+def checks(target, quick):
+	"""(name, what raises Failure) of each."""
+	kind = "windows" if target == WINDOWS else target[1]
+	if target == WINDOWS:
+		yield f"{kind}: needs no library that Windows lacks", lambda: only_windows_libraries(quick)
+	else:
+		yield f"{kind}: needs glibc 2.31 at most, and no libstdc++", lambda: only_old_glibc(target, quick)
+	if target != toolchains.HERE:
+		yield f"{kind}: loads, and registers what the library for this machine does", lambda: same_registration(target, quick)
+	if target != toolchains.HERE and not quick:
+		yield f"{kind}: steps 100 random scenes to the bits that they have on this machine", lambda: same_bits(target)
+
+
+def check(tally, only, every):
+	"""Runs the checks, adds them to `tally`."""
+	for name, action in every:
+		if only not in name:
+			continue
+		try:
+			action()
+			tally.passed += 1
+			print(f"  pass {name}", flush=True)
+		except Failure as failure:
+			tally.failed.append(f"{name}: {failure}")
+			print(f"  fail {name}: {failure}", flush=True)
+
+
+def prepare(layers):
+	"""Fetches and builds what `layers` need."""
+	if not set(layers) & set(LAYERS):
+		return
+	targets = [target for name, target in (("windows", WINDOWS), ("arm64", ARM64)) if {name, "platforms"} & set(layers)]
+	machine.ensure(
+		*([toolchains.WINE] if WINDOWS in targets else []),
+		*([toolchains.QEMU] if ARM64 in targets else []),
+		*([ARM64_ENGINE] if "arm64" in layers else []),
+	)
+	build.scons("extension", "host", *(["bits"] if {"windows", "arm64"} & set(layers) else []))
+	for layer, target in (("windows", WINDOWS), ("arm64", ARM64)):
+		options = (f"platform={target[0]}", f"arch={target[1]}")
+		if "platforms" in layers:
+			build.scons("extension", "host", "quick=yes", *options)
+		if layer in layers:
+			build.scons("extension", "host", "bits", "unit", *(["stress"] if layer == "windows" else []), *options)
+
+
+def run_layer(layer, only):
+	tally = Tally()
+	if layer == "platforms":
+		if toolchains.can_link_old_glibc(*toolchains.HERE):
+			check(tally, only, checks(toolchains.HERE, False))
+		else:
+			tally.skipped.append("platforms: needs glibc 2.31 at most (this machine's compiler links against its own, newer one)")
+		for target in (WINDOWS, ARM64):
+			check(tally, only, checks(target, True))
+		return tally
+	target = WINDOWS if layer == "windows" else ARM64
+	check(tally, only, checks(target, False))
+	command, additions = runner(target)
+	for name in ("unit", "stress") if target == WINDOWS else ("unit",):
+		tally.add(
+			core(name, only, [*command, str(program(target, f"{name}/{name}_tests"))], additions, f"{layer} {name}", slow=target == ARM64)
+		)
+	if target == ARM64:
+		tally.add(in_arm64_engine(only))
+	return tally
+
+
+def in_arm64_engine(only):
+	"""A few of the headless tests, in Debian's arm64 engine."""
+	engine.import_project()
+	command = [toolchains.tool("qemu-aarch64-static"), "-L", str(ENGINE_ARM64.place), str(engine_arm64()), "--headless"]
+	with progress("Running the engine for arm64"):
+		tests = only or ",".join(ARM64_HEADLESS)
+		return in_engine("headless", command, {}, tests, bool(only), "arm64 headless", more=("--limit=1200",))

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: MIT
+"""The layers `package` and `release`: what ./grass release packs is complete, small, the same twice, and runs in an empty project.
+
+`package`, a part of every run, packs this machine's debug library as the other layers use it; `release`, by name only, builds
+what ships for this machine, here and in a second folder, and draws and exports with it.
+"""
+
+import contextlib
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import zipfile
+
+from tools.build import toolchains
+from tools.fetch import machine, settle
+from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT, TOOLS, UNPACKED
+from tools.release import export, release
+from tools.run import engine
+from tools.say import Failure, progress
+from tools.test.test_runs import Tally
+
+WORK = BUILD / "package"
+EMPTY = ROOT / "tests/release/project"  # a project with a field that knows nothing of this one
+PLACE = "addons/grass_field"
+MOST_ALONE = 2_700_000  # bytes of a zip with a single library
+RUN_LIMIT, BUILD_LIMIT = 900, 7200  # seconds
+SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "shaders", "tests", "godot_project")
+
+
+class Skip(Exception):
+	"""A check that cannot run here, and why."""
+
+
+def check(condition, text):
+	if not condition:
+		raise Failure(text)
+
+
+@contextlib.contextmanager
+def other_habits():
+	"""Another umask, time zone and locale."""
+	umask, old = os.umask(0o077), {key: os.environ.get(key) for key in ("TZ", "LC_ALL")}
+	os.environ.update(TZ="Asia/Tokyo", LC_ALL="C")
+	try:
+		yield
+	finally:
+		os.umask(umask)
+		for key, value in old.items():
+			os.environ.pop(key) if value is None else os.environ.update({key: value})
+
+
+def digests(folder):
+	return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(folder.iterdir())}
+
+
+def same_twice(sources):
+	"""Packs into two folders, the second time in other circumstances."""
+	release.pack(sources, WORK / "once")
+	with other_habits():
+		release.pack(sources, WORK / "twice")
+	check(digests(WORK / "once") == digests(WORK / "twice"), f"{digests(WORK / 'once')} is not {digests(WORK / 'twice')}")
+
+
+def names_in(kind):
+	(path,) = (WORK / "once").glob(f"grass_field-{kind}{release.version()}.zip")
+	with zipfile.ZipFile(path) as file:
+		check(file.testzip() is None, f"{path.name} is damaged")
+		return path, {name: file.read(name) for name in file.namelist()}
+
+
+def only_the_addon(sources):
+	path, files = names_in("")
+	strangers = [name for name in files if not name.startswith(f"{PLACE}/")]
+	check(not strangers, f"{strangers} are no part of the add-on")
+	for name in ("LICENSE", "README.md", "grass_field.gdextension", "grass_field.gdextension.uid"):
+		check(f"{PLACE}/{name}" in files, f"{name} is missing")
+	most = min(MOST_ALONE * sum(2 if target.arch == "universal" else 1 for target in sources), release.SIZE_MOST)
+	check(path.stat().st_size <= most, f"{path.stat().st_size} bytes with {len(sources)} libraries, at most {most}")
+
+
+def extension_names_what_is_there(sources):
+	_, files = names_in("")
+	text = files[f"{PLACE}/grass_field.gdextension"].decode()
+	for section in ("configuration", "libraries", "icons"):
+		check(f"[{section}]" in text, f"the section {section} is missing")
+	named = {f"{PLACE}/{name}" for name in re.findall(r'= "((?:bin|icons)/.*)"', text)}
+	there = {name for name in files if f"{PLACE}/bin/" in name}
+	check(len(there) == len(sources), f"{there} for {len(sources)} libraries")
+	check(there <= named, f"{there - named} is named nowhere")
+	for target in sources:
+		arch = "" if target.arch == "universal" else rf"\.{target.arch}"
+		kinds = re.findall(rf'^{target.system}\.(\w+){arch} = "bin/{target.library}"', text, re.MULTILINE)
+		check(kinds == (["debug", "release"] if target.kind == "release" else ["debug"]), f"{target.library} stands for {kinds}")
+	check(named <= set(files), f"{named - set(files)} is named, but not there")
+
+
+def no_paths_of_this_machine(sources):
+	_, files = names_in("")
+	for name, data in files.items():
+		check(str(ROOT).encode() not in data, f"{name} tells {ROOT}")
+
+
+def sums_are_right(_sources):
+	result = subprocess.run(["sha256sum", "--check", "--strict", "SHA256SUMS"], cwd=WORK / "once", capture_output=True, text=True)
+	check(result.returncode == 0 and result.stdout.count(": OK") == 3, result.stdout + result.stderr)
+
+
+def symbols_find_their_library(sources):
+	_, files = names_in("symbols-")
+	with_symbols = [target for target in sources if target.system != "macos"]
+	check(set(files) == {f"{target.library}.debug" for target in with_symbols}, f"there are {sorted(files)}")
+	_, libraries = names_in("")
+	for target in with_symbols:
+		check(
+			f"{target.library}.debug".encode() in libraries[f"{PLACE}/bin/{target.library}"], f"{target.library} names no file of symbols"
+		)
+
+
+def demo_is_whole(_sources):
+	_, files = names_in("demo-")
+	strangers = [name for name in files if name.startswith(("tests/", "bench/", ".godot/"))]
+	check(not strangers, f"{strangers} are no part of the demo")
+	texts = {name: data.decode() for name, data in files.items() if name.endswith((".gd", ".tscn", ".tres", ".godot"))}
+	for name, text in texts.items():
+		for path in re.findall(r'"res://([^"%]+\.\w+)"', text):
+			check(path in files, f"{name} names res://{path}, which is not there")
+
+
+def archive_is_the_addon(_sources):
+	"""What Godot's Asset Library would get of the repository."""
+	names = release.git("ls-files")
+	if not names:
+		raise Skip("this is no git repository")
+	ignored = release.git("-c", "core.quotePath=false", "check-attr", "export-ignore", "--", *folders_of(names.splitlines()))
+	gone = {line.rsplit(": ", 2)[0] for line in ignored.splitlines() if line.endswith(": set")}
+	kept = [name for name in names.splitlines() if not gone & set(folders_of([name]))]
+	strangers = [name for name in kept if name != "LICENSE" and not name.startswith(f"{PROJECT.name}/{PLACE}/")]
+	check(not strangers, f"{strangers} are no part of the add-on")
+	check(f"{PROJECT.name}/{PLACE}/grass_field.gdextension" in kept, "the add-on itself is left out")
+
+
+def folders_of(names):
+	"""`names` of files, and of all the folders that they lie in."""
+	return sorted({str(path) for name in names for path in (pathlib.PurePosixPath(name), *pathlib.PurePosixPath(name).parents)} - {"."})
+
+
+def run_engine(command, environment, *arguments):
+	"""Runs an engine to its end. Returns what it said; Failure if it said an error."""
+	said = []
+	code = engine.run([*map(str, command), *map(str, arguments)], environment, said.append, RUN_LIMIT)
+	words = "\n".join(said[-20:])
+	check(code == 0, f"the engine ended with code {code}: {words}")
+	check(not re.search(r"^(SCRIPT )?ERROR:", "\n".join(said), re.MULTILINE), f"the engine complains: {words}")
+	return "\n".join(said)
+
+
+def unpack(kind, project):
+	"""A fresh project that has the zip. The engine knows the extension when it starts, as docs/guide/ci.md tells."""
+	shutil.rmtree(project, ignore_errors=True)
+	if not kind:
+		shutil.copytree(EMPTY, project)
+	with zipfile.ZipFile(names_in(kind)[0]) as file:
+		file.extractall(project)
+	(project / ".godot").mkdir()
+	(project / ".godot/extension_list.cfg").write_text(f"res://{PLACE}/grass_field.gdextension\n")
+	return project
+
+
+def editor_opens(kind):
+	def action(_sources):
+		project = unpack(kind, WORK / f"project_{kind}")
+		run_engine(*engine.headless(), "--path", project, "--editor", "--quit-after", 20)
+		run_engine(*engine.headless(), "--path", project, "--import")
+
+	return action
+
+
+def bends(said, renderer):
+	found = re.search(r"^GrassField (\S+), (.*): (\d+) blades, the ball bends them by", said, re.MULTILINE)
+	check(found, f"the scene did not tell what it saw: {said[-1000:]}")
+	check(found[1] == release.version() and found[2] == renderer, f"it says {found[0]}")
+
+
+def runs_headless(_sources):
+	command, environment = engine.headless()
+	bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "no GPU")
+
+
+def runs_on_software_vulkan(_sources):
+	with engine.window(size="320x180", software=True) as (command, environment):
+		bends(run_engine(command, environment, "--path", WORK / "project_", "--fixed-fps", 60), "forward_plus")
+
+
+def fit(game):
+	"""Lets a copy of a fetched template find the libraries that were fetched with it."""
+	if not machine.program("godot-template-release").startswith(str(UNPACKED)):
+		return
+	patchelf = settle.through_loader(UNPACKED, UNPACKED / "usr/bin/patchelf")
+	libraries = UNPACKED / settle.LIBRARIES
+	search = ":".join(f"{libraries}{folder}" for folder in settle.FOLDERS)
+	settle.replace(game, [*patchelf, "--set-interpreter", f"{libraries}/{settle.LOADER}", "--force-rpath", "--set-rpath", search])
+
+
+def export_runs(kind):
+	def action(_sources):
+		out = WORK / f"export_{kind}"
+		shutil.rmtree(out, ignore_errors=True)
+		out.mkdir()
+		export.install_templates()
+		run_engine(*engine.headless(), "--path", WORK / "project_", f"--export-{kind}", "Linux", out / "game")
+		check(list(out.glob("libgrass_field.*")), f"the library is not in {sorted(path.name for path in out.iterdir())}")
+		fit(out / "game")
+		bends(run_engine([out / "game", "--headless"], {}, "--fixed-fps", 60), "no GPU")
+
+	return action
+
+
+def same_elsewhere(sources):
+	"""Builds and packs once more, from a copy of the sources in another folder, without a compiler's cache."""
+	(target,) = sources
+	release.pack(sources, WORK / "here")
+	with tempfile.TemporaryDirectory() as folder:
+		other = pathlib.Path(folder) / "another/place"
+		other.mkdir(parents=True)
+		ignored = shutil.ignore_patterns("bin", ".godot", "__pycache__")
+		for name in SOURCES:
+			copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy2
+			copy(ROOT / name, other / name, **({"ignore": ignored} if (ROOT / name).is_dir() else {}))
+		(other / TOOLS.name).symlink_to(TOOLS.resolve())
+		environment = {**os.environ, "SOURCE_DATE_EPOCH": str(release.commit_time()), "PYTHONPATH": "", "CCACHE_DISABLE": "1"}
+		command = ["./grass", "release", "--only", str(target)]
+		with progress("Building in another folder", every=30):
+			result = subprocess.run(
+				command, cwd=other, env=environment, capture_output=True, text=True, timeout=BUILD_LIMIT, stdin=subprocess.DEVNULL
+			)
+		check(result.returncode == 0, f"it does not build there: {(result.stdout + result.stderr)[-2000:]}")
+		there = digests(other / "out/release")
+		check(there == digests(WORK / "here"), f"{digests(WORK / 'here')} here, {there} there")
+
+
+PACKING = {
+	"packed twice, the same bytes": same_twice,
+	"the zip holds the add-on alone, in 13 MB": only_the_addon,
+	"the .gdextension names what is there and nothing else": extension_names_what_is_there,
+	"no path of this machine": no_paths_of_this_machine,
+	"SHA256SUMS are right": sums_are_right,
+	"each library finds its symbols": symbols_find_their_library,
+	"the demo is whole": demo_is_whole,
+	"an archive of the repository holds the add-on alone": archive_is_the_addon,
+	"the editor opens an empty project with the zip": editor_opens(""),
+	"a scene in it runs headless": runs_headless,
+}
+BY_NAME = {
+	"the editor opens the demo": editor_opens("demo-"),
+	"a scene runs on software Vulkan": runs_on_software_vulkan,
+	"an export runs, debug": export_runs("debug"),
+	"an export runs, release": export_runs("release"),
+	"built in another folder, the same bytes": same_elsewhere,
+}
+
+
+def sources_of(layer):
+	"""target -> library, not stripped."""
+	system, arch = toolchains.HERE
+	here = [target for target in release.TARGETS if (target.system, target.arch) == (system, arch)]
+	if not here:
+		raise Failure(f"No library for {system} {arch} ships.")
+	if layer == "package":
+		target = release.Target(system, arch, "debug")
+		return {target: ADDON_BIN / target.library}
+	templates = [f"godot-template-{kind}" for kind in export.KINDS]
+	machine.ensure((lambda: all(map(machine.program, templates)), tuple(templates)))
+	return release.build_libraries(here)
+
+
+def run_layer(layer, only):
+	"""All checks, in order: the first ones make what the others look at, so they always run."""
+	tally = Tally()
+	sources = sources_of(layer)
+	for name, action in {**PACKING, **(BY_NAME if layer == "release" else {})}.items():
+		if only not in name and action not in (same_twice, PACKING["the editor opens an empty project with the zip"]):
+			continue
+		try:
+			action(sources)
+			tally.passed += 1
+			print(f"  pass {layer}: {name}", flush=True)
+		except Skip as skip:
+			tally.skipped.append(f"{layer}: {name}: {skip}")
+		except Failure as failure:
+			tally.failed.append(f"{layer}: {name}: {failure}")
+			print(f"  fail {layer}: {name}: {failure}", flush=True)
+	return tally

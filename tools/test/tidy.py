@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""clang-tidy: `./grass tidy` and the layer `tidy` over the extension's rooms, `./grass tidy FILE...` over these sources.
+
+Most of clang-tidy's time goes into headers, Eigen's and the binding's: a room's sources are looked at as one, which includes them.
+"""
+
+import concurrent.futures
+import os
+import re
+import subprocess
+
+from tools.build import binding, toolchains, unity
+from tools.fetch import machine
+from tools.fetch.packages import CROSS
+from tools.places import BUILD, ROOT
+from tools.say import Failure, progress
+
+VERSION = "14"  # Debian 12's, as of clang-format
+PLACE = "build/tidy"
+APART = ("binding", "old_glibc")  # the engine's interface, in godot-cpp's ways; a few symbols for the linker
+INCLUDES_SOURCES = "-bugprone-suspicious-include"  # it does so on purpose
+
+
+def clang_tidy():
+	return toolchains.tool(f"clang-tidy-{VERSION}")
+
+
+def ensure():
+	machine.ensure(*machine.BUILDING, (clang_tidy, (f"clang-tidy-{VERSION}", f"libclang-common-{VERSION}-dev", "patchelf"), CROSS))
+	if not (BUILD / "gen/class_docs.gen.h").exists():
+		raise Failure("Build once before: `./grass build`.")
+
+
+def flags():
+	system = [machine.eigen(), machine.doctest(), *map(str, binding.include_folders())]
+	folders = ["extension", "shaders", "build/gen", "tests/unit", "tests/fuzz", "tests/stress", "tests/binding"]
+	defines = ["-DGDEXTENSION", "-DLINUX_ENABLED", "-DUNIX_ENABLED", "-DTHREADS_ENABLED"]
+	return ["-std=c++20", *(f"-I{folder}" for folder in folders), *(f"-isystem{folder}" for folder in system), *defines]
+
+
+def rooms():
+	"""Sources to look at, each with a name for it: one for each room, and what the build keeps alone."""
+	sources = (path.relative_to(ROOT) for path in (ROOT / "extension").rglob("*.cpp"))
+	files = unity.by_folder([str(path) for path in sources if path.parts[1] not in APART], PLACE)
+	return {file: re.sub(rf"^{PLACE}/|\.cpp$", "", file).replace("/", "_").removeprefix("extension_") for file in files}
+
+
+def look(file, more=()):
+	"""What clang-tidy says of a source, with paths from the project's root; or, where it found nothing but failed, why."""
+	command = [clang_tidy(), "--quiet", *more, file, "--", *flags()]
+	result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+	if result.returncode and not result.stdout:
+		return result.stderr[-2000:]
+	return re.sub(r"^(/[^:\n]+)", lambda found: os.path.relpath(found[1], ROOT), result.stdout, flags=re.MULTILINE)
+
+
+def look_at_rooms(only=""):
+	"""Yields (name, what clang-tidy says) of each room whose name contains `only`, as many at a time as there are processors."""
+	ensure()
+	chosen = {file: name for file, name in rooms().items() if only in f"tidy/{name}"}
+	with progress("Running clang-tidy"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+		running = {pool.submit(look, file, [f"--checks={INCLUDES_SOURCES}"]): name for file, name in chosen.items()}
+		for done in concurrent.futures.as_completed(running):
+			yield running[done], done.result()
+
+
+def layer(only, tally):
+	"""The layer `tidy`: a test for each room. Returns `tally`."""
+	for name, said in look_at_rooms(only):
+		print(f"{'fail' if said else 'pass':>6} tidy/{name}", flush=True)
+		if said:
+			print(said, flush=True)
+			tally.failed.append(f"tidy/{name}: {said.splitlines()[0]}")
+		else:
+			tally.passed += 1
+	return tally
+
+
+def run(files):
+	"""Returns the exit code: 1 where something was found."""
+	ensure()
+	found = [look(file) for file in files] if files else [said for _, said in look_at_rooms()]
+	print("".join(found), end="")
+	return 1 if any(found) else 0
