@@ -55,7 +55,7 @@ public:
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
 	// Sets a uniform of the shaders of blades and plants.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
-	// Draws blades with the shaders of p_look, which are there (prepare_shaders()). Before the first call nothing is drawn.
+	// Draws blades with p_look's shaders, which are ready (prepare_shaders()). Before the first call nothing is drawn.
 	virtual void set_look(const Look &p_look) = 0;
 
 	// Whether to measure BackendStatistics' times, which costs a little on the GPU.
@@ -68,13 +68,13 @@ public:
 	virtual std::vector<SimulatedKnots> find_knots(std::span<const WantedBlade> p_blades) = 0;
 	// Where they are after the last step. Waits for the GPU.
 	virtual std::vector<SimulatedKnots> wait_for_knots(std::span<const WantedBlade> p_blades) = 0;
-	// In each frame, after its ticks: asks the device for what find_knots() will tell.
+	// Once a frame, after its ticks: requests from the device what find_knots() returns later.
 	virtual void read_asked(const SlotOf &p_slot_of) { (void)p_slot_of; }
 	virtual BackendStatistics get_statistics() = 0;
 	virtual int64_t get_memory_usage() const = 0; // bytes, all of the field's own buffers and textures
 	virtual int64_t get_shared_memory() const = 0; // what of that other fields of the same patch have as well
 	virtual int64_t get_pool_memory() const = 0; // what of that is the pool, now
-	virtual int64_t get_pool_tile_memory() const = 0; // bytes that each tile of the pool takes, used or not
+	virtual int64_t get_pool_tile_memory() const = 0; // bytes a tile of the pool needs, used or not
 	virtual const char *get_name() const = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Returns whether those of the look are there; else they are being made. See prepare_shader().
+// Returns whether the look's shaders are ready; else they are being made. See prepare_shader().
 bool prepare_shaders(const Look &p_look);
 // Whether those of the look compile with its hook.
 bool are_compiled(const Look &p_look);

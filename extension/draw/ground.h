@@ -22,7 +22,7 @@ public:
 	Ground &operator=(const Ground &) = delete;
 	~Ground() { free(); }
 
-	// Returns whether the shader of p_look is there. See prepare_shader().
+	// Returns whether p_look's shader is ready. See prepare_shader().
 	static bool prepare(const Look &p_look);
 	// Whether it compiles with the look's hook.
 	static bool is_compiled(const Look &p_look);
@@ -41,7 +41,7 @@ private:
 	enum class Sheet {
 		FLAT, // two triangles
 		HILLS, // cells that share their corners
-		LEDGES, // cells that share none: each lies on its own side
+		LEDGES, // cells that share none, each on its own side
 	};
 	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, Sheet p_sheet); // metres
 	Sheet find_sheet() const { return _has_ledges ? Sheet::LEDGES : (_low == 0.0f && _high == 0.0f ? Sheet::FLAT : Sheet::HILLS); }

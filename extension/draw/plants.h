@@ -26,7 +26,7 @@ public:
 	// Plants of one species that are drawn at once, at most.
 	static constexpr int ROOM = 65536;
 
-	// Returns whether the shader of fields with p_look is there, if they need one. See prepare_shader().
+	// Returns whether the shader for fields with p_look is ready, if they need one. See prepare_shader().
 	static bool prepare(const Look &p_look);
 	// p_plants: by species. p_rooms: of their MultiMeshes. Uniforms must be set anew.
 	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,

@@ -41,8 +41,8 @@ godot::Ref<godot::Shader> shared_shader(const ShaderText &p_text);
 godot::String make_shader_code(const char *p_code, const Look &p_look);
 // Whether worker threads make shaders; else shared_shader() does, when it is called.
 bool has_shader_workers();
-// Returns whether the shader is there, and all that drawing with it needs; else has a worker thread make that beside the frames, or makes
-// it here, if this frame has time.
+// Returns whether the shader and everything that drawing with it needs are ready. If not, a worker thread makes
+// them, or this call does if the frame has time left.
 bool prepare_shader(const ShaderText &p_text);
 // Drops shaders with a hook that nothing is drawn with: hooks come and go, as the field's own features do not. Call when a field has
 // another one: what is prepared for others is made once more.

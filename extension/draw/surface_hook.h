@@ -24,7 +24,7 @@ struct SurfaceHook {
 	const Uniform *find(const godot::StringName &p_name) const;
 };
 
-// Compiles the include alone, which takes some ms; the engine reports what is wrong with it.
+// Compiles the include alone, in some ms; the engine reports errors in it.
 SurfaceHook compile_hook(const godot::Ref<godot::ShaderInclude> &p_include);
 
 // Whether a shader with a hook compiled.

@@ -46,8 +46,8 @@ public:
 	bool is_asking() const { return _why->is_pressed(); } // why there is no grass under the cursor
 	bool follows_ground() const; // bakes the ground under the brush, and where something moved
 	bool paints_neighbours() const; // all fields under the brush, see find_painted_fields()
-	void fit_to_world(bool p_is_world); // what is done to whole fields is not offered for a world, of which memory holds a part
-	void put_tool_down(); // nothing is painted or asked until another is chosen
+	void fit_to_world(bool p_is_world); // tools for whole fields are not offered for a world, since only a part of it is in memory
+	void put_tool_down(); // nothing is painted or queried until another tool is chosen
 	void show_species(const GrassField *p_field); // of the selected field, as they are now
 	void take_species(int64_t p_species); // in the hand, to plant it
 	void nudge(Number p_number, int p_notches);

@@ -222,7 +222,7 @@ void GrassEditorPlugin::_bake_pressed() {
 	});
 	if (!found) {
 		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-				"GrassField: no ground found. Give what the grass shall stand on a collision shape.", EditorToaster::SEVERITY_WARNING);
+				"GrassField: no ground found. Add a collision shape to what the grass should grow on.", EditorToaster::SEVERITY_WARNING);
 	}
 }
 

@@ -52,7 +52,7 @@ protected:
 
 private:
 	godot::Node3D *find_selected() const; // field or world, in the tree; or null
-	std::optional<PaintedFields> find_painted() const; // that the brush paints; nothing: no field stands
+	std::optional<PaintedFields> find_painted() const; // that the brush paints; empty: no field is ready
 	GrassField *find_field() const; // whose species the brush plants; or null
 	int32_t key_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);

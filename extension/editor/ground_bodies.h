@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that grass may stand on, from a scene's nodes: the place and the box of each.
+// Bodies that grass may grow on, from a scene's nodes: the place and the box of each.
 #pragma once
 
 #include <Eigen/Geometry>

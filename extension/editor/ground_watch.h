@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps baked ground up to date while a scene is edited: where a body that grass stands on was moved, resized or taken away,
+// Keeps baked ground up to date while a scene is edited: where a body below grass was moved, resized or removed,
 // or the field itself was moved, the ground is read again. This is no step of the history: undoing a motion is a motion, too,
 // and brings back the ground of before.
 #pragma once

@@ -6,7 +6,7 @@ namespace grass {
 
 class GrassWorld;
 
-// Its scene was saved just now. Returns once the files are written; tells the user of what cannot be.
+// Call it right after its scene was saved. Returns once the files are written; reports those that cannot be.
 void save_world(GrassWorld &r_world);
 
 } // namespace grass

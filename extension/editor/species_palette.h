@@ -22,7 +22,7 @@ public:
 	void show_field(const GrassField *p_field);
 	int get_count() const { return int(_entries.size()); } // of species
 	void show_species(int64_t p_species);
-	// The species to plant on this field, where the brush plants p_species so far: the first, unless the user has chosen one that is there.
+	// The species to plant on this field: p_species if the user has chosen it and the field has it, else the first.
 	int64_t fitting(int64_t p_species);
 	void set_chosen() { _is_chosen = true; }
 

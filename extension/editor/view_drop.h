@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lies over a 3D view while species are dragged, and takes them where a field is.
+// Covers a 3D view while species are dragged, and accepts a drop on a field.
 #pragma once
 
 #include <godot_cpp/classes/control.hpp>

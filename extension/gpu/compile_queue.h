@@ -19,7 +19,7 @@
 
 namespace grass {
 
-// In which order a field needs its passes: what draws it, what bends it and what scripts ask of that, then what does so faster.
+// In which order a field needs its passes: what draws it, what bends it and what scripts query, then faster variants.
 enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, MIX, FREE, EDGES, CROWDS };
 
 // What a pipeline is made of.
@@ -54,8 +54,8 @@ public:
 	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
 	// Whether the driver has compiled or refused it.
 	bool is_done(const Pipeline &p_pipeline);
-	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what takes milliseconds and cannot wait for the
-	// worker, which may be at a pass that takes seconds.
+	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what compiles in milliseconds and cannot wait for the
+	// worker, which may be compiling another pass for seconds.
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call when the library is unloaded.
 	void free_pipelines();

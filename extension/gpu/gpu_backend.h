@@ -89,7 +89,7 @@ private:
 	std::vector<Eigen::Vector3f> _bends;
 	uint64_t _steps = 0; // handed to the device so far
 	KnotWatch _watch;
-	std::shared_ptr<KnotReport> _knot_report; // of the field that stands
+	std::shared_ptr<KnotReport> _knot_report; // of the field that runs
 	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
 	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
 };

@@ -22,7 +22,7 @@ public:
 	void create(); // the driver may still compile its pass when this returns
 	// The pool's buffers: places of all knots, and which half holds those of now.
 	void bind(const godot::RID &p_knots, const godot::RID &p_halves);
-	// Where those blades are once the device has done all that was asked of it so far: r_report gets it about two frames later.
+	// Positions of those blades after all work queued so far. r_report receives them about two frames later.
 	void read_later(std::vector<WantedBlade> &&p_blades, uint64_t p_step, const std::shared_ptr<KnotReport> &r_report);
 	// The same at once: waits for the device. In the order of p_blades; empty if it fails.
 	std::vector<float> read_now(std::span<const WantedBlade> p_blades);

@@ -16,7 +16,7 @@ class ShaderCache {
 public:
 	// What RenderingDevice.shader_compile_binary_from_spirv() returned for this code on this driver. Empty if no sound file says.
 	godot::PackedByteArray read(std::span<const uint32_t> p_spirv);
-	// Keeps it, in place of what is there.
+	// Stores it, replacing what the file holds.
 	void write(std::span<const uint32_t> p_spirv, const godot::PackedByteArray &p_shader);
 
 private:

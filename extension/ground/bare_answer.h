@@ -40,7 +40,7 @@ struct BareAnswer {
 	BareReason reason = BareReason::NONE;
 	godot::String text; // a sentence or two
 	godot::Node3D *node = nullptr; // FILL_NODE
-	double density = 0.0, height = 0.0; // of what stands: share, metres
+	double density = 0.0, height = 0.0; // of the grass there: share, metres
 	bool is_still = false; // nothing can bend it: the pool is full, or it is not simulated
 };
 

@@ -56,7 +56,7 @@ public:
 	// Fills by any rule, once. Returns square metres of full grass that came.
 	double fill(godot::Ref<GrassMap> p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
-	// What the rule asks now; nothing without one.
+	// What the rule needs now; empty without one.
 	struct Gathered {
 		FillRule rule;
 		FillSources sources;

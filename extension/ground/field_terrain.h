@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field's terrain: asks it for heights, holes, textures and colours, some places a frame and the nearest to a camera first, and lays them
+// A field's terrain. Queries it for heights, holes, textures and colours, some places a frame, nearest to a camera first, and lays them
 // into the map. Notices what changes.
 #pragma once
 
@@ -36,7 +36,7 @@ public:
 	// Then: reads a frame's share, and lays what is complete into the map. p_touched: called for every region whose textures are others.
 	[[nodiscard]] bool read(godot::Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
-	// Something changed: everything (an empty area), or what lies in the area (global).
+	// Something changed: everything (an empty area), or the area (global).
 	void area_changed(const godot::AABB &p_area);
 	void anything_changed() { _is_all_changed = true; }
 	[[nodiscard]] bool cells_changed(const godot::Vector2 &p_first, const godot::Vector2 &p_count);
@@ -45,13 +45,13 @@ public:
 	// The field leaves the tree.
 	void leave();
 
-	// Null where no terrain tells textures.
+	// Null where no terrain reports textures.
 	std::shared_ptr<const TerrainIds> get_ids() const { return _ids; }
-	// The terrain's colours over the field; null where it tells none.
+	// The terrain's colours over the field; null where it reports none.
 	const godot::Ref<godot::ImageTexture> &get_colors() const { return _shown_colors; }
 	bool is_found() const { return _source != nullptr; }
 	void warn(godot::PackedStringArray &r_warnings) const;
-	// Whether warn() says something else than when last asked this.
+	// Whether warn() has changed since the last call.
 	bool has_new_warning();
 	void add_to(FieldStatistics &r_statistics) const;
 	int64_t get_memory_usage() const; // bytes
@@ -89,7 +89,7 @@ private:
 	int _frames_to_look = 0;
 	uint64_t _frame = UINT64_MAX; // the process's, in which queries were last counted
 	int64_t _last_query = 0; // of that frame
-	int64_t _queries = 0, _calls_before = 0; // places asked so far; calls of terrains before this one
+	int64_t _queries = 0, _calls_before = 0; // places queried so far; calls of terrains before this one
 };
 
 } // namespace grass

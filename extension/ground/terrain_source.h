@@ -32,14 +32,14 @@ public:
 
 	// Whether the node still has what was found.
 	bool is_alive() const;
-	// Whether p_other asks the very same objects.
+	// Whether p_other queries the very same objects.
 	bool is_same(const TerrainSource &p_other) const { return _node == p_other._node && _data == p_other._data; }
 	virtual bool has_textures() const = 0;
 	virtual bool has_colors() const = 0;
 	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive(). Methods of the
 	// terrain may remove it: then the samples mean nothing.
 	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
-	// Where the terrain stands: what is read holds as long as the field stays where it is beside this.
+	// The terrain's transform: what was read stays true as long as the field does not move relative to it.
 	virtual godot::Transform3D get_transform() const;
 
 	// What to call when something changes, and the signal of get_emitter() that does.
@@ -64,7 +64,7 @@ public:
 protected:
 	TerrainSource(godot::Node *p_node, godot::Object *p_data);
 	godot::Node *get_node() const;
-	godot::Object *get_data() const; // the object that is asked: the node itself, or its data
+	godot::Object *get_data() const; // the object to query: the node itself, or its data
 
 	// p_data: from get_data(); an earlier answer may have freed it, and then the answer is null.
 	template <typename... Arguments>
@@ -87,7 +87,7 @@ protected:
 	godot::Vector3 to_vector(const godot::Variant &p_value, const char *p_method);
 	// A number, or a vector of base, overlay and blend.
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
-	// Nothing told, and a problem, if it is none.
+	// Empty, with a problem reported, if it is none.
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
 
 private:

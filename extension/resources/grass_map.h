@@ -69,7 +69,7 @@ public:
 	double fill(const godot::Ref<GrassFillRule> &p_rule, const godot::Rect2 &p_region);
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
-	// What a server tells its clients: the changes since a snapshot, in order.
+	// What a server sends its clients: the changes since a snapshot, in order.
 	godot::PackedByteArray get_changes_since(const godot::Ref<GrassMapSnapshot> &p_snapshot) const;
 	bool apply_changes(const godot::PackedByteArray &p_changes);
 	void clear();

@@ -12,7 +12,7 @@ godot::String get_version();
 // The graphics card as the renderer names it; "" where nothing is drawn.
 godot::String get_device();
 
-// Its driver: name and version where the system tells them, else the version of the graphics interface; "" where nothing is drawn. The
+// Its driver: name and version where the system reports them, else the version of the graphics interface; "" where nothing is drawn. The
 // first call may take some milliseconds.
 godot::String get_driver();
 

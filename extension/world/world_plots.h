@@ -62,7 +62,7 @@ private:
 	enum class State { ASKED, READ, COMING, STANDING };
 	struct Plot {
 		State state = State::ASKED;
-		int64_t ask = 0; // which ask() is to be answered
+		int64_t ask = 0; // the ask() to answer
 		uint64_t field = 0; // the instance's id: a script may free it
 		PaintMap known; // as it is in its file
 		std::unique_ptr<PreparedMap> prepared;
@@ -99,7 +99,7 @@ private:
 	std::map<PlotKey, Plot> _plots;
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
-	std::optional<int64_t> _pool_tile; // bytes that a tile of a pool takes; nothing until a field stands
+	std::optional<int64_t> _pool_tile; // bytes a tile of a pool needs; empty until a field runs
 	size_t _pool_wanted = 0; // bytes that wait for other plots to leave
 	PlotKey _measured{ 1 << 30, 0 }; // last
 	double _frame_seconds = 0.0; // of a frame, lately

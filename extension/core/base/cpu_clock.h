@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time that the CPU takes for a stage of the work.
+// Processor time of a stage of the work.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@ namespace grass {
 
 class CpuClock {
 public:
-	// Milliseconds since it was made or last asked.
+	// Milliseconds since construction or the last call.
 	double lap() {
 		const auto now = std::chrono::steady_clock::now();
 		const std::chrono::duration<double, std::milli> time = now - _begin;

@@ -17,7 +17,7 @@ public:
 	bool is_owed(const void *p_user) const;
 
 private:
-	// Frames after which somebody who no longer asks is forgotten.
+	// Frames without a request after which a user is forgotten.
 	static constexpr uint64_t FORGOTTEN = 3;
 
 	struct Waiting {

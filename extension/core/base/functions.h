@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions whose last bit differs between C libraries and processors, for what decides how blades stand and move: by operations that round
+// Functions whose last bit differs between C libraries and processors, for everything that shapes and moves blades: by operations that round
 // alike everywhere.
 #pragma once
 

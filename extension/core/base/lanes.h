@@ -120,7 +120,7 @@ template <int N> GRASS_INLINE Lanes<N> select(const LaneMask<N> &p_mask, const L
 	return Lanes<N>(p_mask.bits ? p_a.values : p_b.values);
 }
 
-// Whether any lane's mask is true: what a branch may ask.
+// Whether any lane's mask is true: the condition of a branch.
 GRASS_INLINE bool any(bool p_mask) {
 	return p_mask;
 }
@@ -148,7 +148,7 @@ template <class Mask> GRASS_INLINE Mask both(const Mask &p_a, const Mask &p_b) {
 template <class Mask> GRASS_INLINE Mask either(const Mask &p_a, const Mask &p_b) {
 	return p_a | p_b;
 }
-// select() behind a branch that any true mask takes: a single blade is there only if its own is true, and has nothing to select.
+// select() inside a branch that runs if any mask is true. A single blade enters only if its own mask is true, so it selects nothing.
 template <class Mask, class Value> GRASS_INLINE Value in_lanes(const Mask &p_mask, const Value &p_a, const Value &p_b) {
 	return select(p_mask, p_a, p_b);
 }

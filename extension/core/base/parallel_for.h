@@ -10,7 +10,7 @@ namespace grass {
 // Calls p_body(i) once for every i below p_count, in any order, on any thread, and returns when all are done.
 using ParallelFor = std::function<void(int p_count, const std::function<void(int)> &p_body)>;
 
-// Bodies or colliders that a thread takes at a time. Fewer: more is spent on handing them out. More: threads end farther apart.
+// Bodies or colliders handed to a thread at a time. Fewer: more is spent on handing them out. More: threads end farther apart.
 constexpr size_t PARALLEL_BLOCK = 128;
 constexpr size_t count_blocks(size_t p_elements) {
 	return (p_elements + PARALLEL_BLOCK - 1) / PARALLEL_BLOCK;

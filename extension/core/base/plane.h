@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// Positive where p_b lies counter-clockwise of p_a.
+// Positive where p_b is counter-clockwise of p_a.
 inline double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
 	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
 }

@@ -26,10 +26,10 @@ inline constexpr size_t SHADER_KEY_BYTES_MOST = 4096;
 // Files in the folder. A driver and a version of the addon need ten.
 inline constexpr size_t SHADER_FILES_MOST = 64;
 
-// p_made_for: driver and versions, each of which may make another shader of the same code.
+// p_made_for: driver and versions; each may compile the same code to another shader.
 std::string shader_key(std::initializer_list<std::string_view> p_made_for, std::span<const uint32_t> p_spirv);
 
-// The name of its file; keys that differ hardly ever share one, and then the key in the file tells them apart.
+// The name of its file; different keys hardly ever share one; the key inside the file settles it.
 std::string shader_file_name(std::string_view p_key);
 bool is_shader_file_name(std::string_view p_name); // or that of one which is not finished
 

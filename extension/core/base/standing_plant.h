@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A blade of a tile that is drawn by its species' mesh: what chooses species tells the culling.
+// A blade of a tile that its species draws as a mesh. The choice of species passes it on to culling.
 #pragma once
 
 #include <Eigen/Core>

@@ -43,7 +43,7 @@ public:
 
 	// The grid for a field of p_size_x by p_size_z metres and p_density blades/m^2. Whole tiles only: the field is
 	// rounded to the nearest number of them, at least one. What is not finite or beyond the limits is brought
-	// within them, and was_limited() tells.
+	// within them, and was_limited() reports it.
 	static TileGrid make(double p_size_x, double p_size_z, double p_density);
 
 	double get_tile_size() const { return _tile_size; } // Metres; exact as a float.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A number that a user may set: its name, unit, range and default stand here once. The node's setter
+// A number that a user may set: its name, unit, range and default are defined here once. The node's setter
 // clamps with it, the inspector's hint and the class reference's default are made from it.
 #pragma once
 

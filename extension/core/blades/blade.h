@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a blade stands, and its shape at rest (shaders/blades/blade.inc).
+// A blade's root, and its shape at rest (shaders/blades/blade.inc).
 #pragma once
 
 #include "core/blades/clump.h"

@@ -10,7 +10,7 @@
 
 namespace grass {
 
-// A curve of length 1 that starts at the origin. The control numbers stand at equal distances along it, from
+// A curve of length 1 that starts at the origin. The control numbers are evenly spaced along it, from
 // the root (first) to the tip (last); degrees.
 struct BladeType {
 	static constexpr int CONTROLS = 6;

@@ -29,7 +29,7 @@ struct ClumpParams {
 	float tint = float(CLUMP_TINT.initial);
 	std::array<float, 4> origin{}; // see set_origin()
 
-	// Where the field's centre lies in the noise, metres. The lattices repeat, so that the rest of a division is enough: wherever that is,
+	// The field's centre in the noise, metres. The lattices repeat, so that the rest of a division is enough: wherever that is,
 	// places keep their precision.
 	void set_origin(const Eigen::Vector2d &p_metres) {
 		const double finer = double(GRASS_CLUMP_FINER);

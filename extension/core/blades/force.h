@@ -16,7 +16,7 @@ inline constexpr Tunable FORCE_SPEED{ "speed", "m/s", -100.0, 100.0, 0.1, 20.0 }
 inline constexpr Tunable FORCE_RADIUS{ "radius", "m", 0.1, 100.0, 0.05, 5.0 };
 // How long a blast blows.
 inline constexpr Tunable FORCE_DURATION{ "duration", "s", 0.05, 10.0, 0.05, 0.6 };
-// By which share the air of a force that lasts swells and ebbs. 0: blades come to stand still in it, and cost no simulation.
+// By which share the air of a force that lasts swells and ebbs. 0: blades come to rest in it, and cost no simulation.
 inline constexpr Tunable FORCE_TURBULENCE{ "turbulence", "", 0.0, 1.0, 0.01, 0.35 };
 
 enum class ForceKind {

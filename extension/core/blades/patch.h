@@ -50,7 +50,7 @@ struct Patch {
 	static constexpr int HEIGHT = GRASS_PATCH_BLADES / GRASS_PATCH_BLADES_PER_ROW;
 
 	std::vector<uint16_t> texels; // 16-bit floats, 4 a texel, WIDTH x HEIGHT row by row for each species; zeros if empty
-	int species = 1; // whose blades stand one below the other
+	int species = 1; // whose blades are stored one below the other
 	const char *empty_because = nullptr; // why there are no blades, for a warning; nullptr if there are
 	float max_length = 0.0f; // metres, along the blade
 	float max_spread = 0.0f; // metres, horizontally from the root

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a patch on a thread of its own: that takes a tenth of a second, far longer than a frame has.
+// Makes a patch on its own thread: it needs a tenth of a second, far more than a frame has.
 #pragma once
 
 #include "core/blades/patch.h"

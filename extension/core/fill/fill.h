@@ -17,7 +17,7 @@ struct FillSources {
 	std::vector<std::shared_ptr<const FillObstacle>> obstacles;
 	bool has_mesh = false; // whether a mesh says where grass grows; without one there yet, nowhere
 	std::shared_ptr<const FillMesh> mesh;
-	std::shared_ptr<const TerrainIds> terrain; // textures of the terrain; null: there is none that tells
+	std::shared_ptr<const TerrainIds> terrain; // textures of the terrain; null: no terrain reports them
 
 	double texture_share(const FillRule &p_rule, const Eigen::Vector2d &p_at) const {
 		return terrain ? p_rule.texture_share(terrain->find(p_at)) : 1.0;

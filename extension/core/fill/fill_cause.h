@@ -16,7 +16,7 @@ struct FillCause {
 	double density = 1.0; // that the whole rule gives the place
 };
 
-// As fill() writes the texel of density that p_at lies in. p_at: x, z in metres.
+// As fill() writes the texel of density at p_at. p_at: x, z in metres.
 FillCause find_fill_cause(const PaintMap &p_map, const FillRule &p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps filled grass away, or plants it: a solid shape that stands in it, an outline on the ground, a point or a line to keep a
+// What keeps filled grass away, or plants it: a solid shape in it, an outline on the ground, a point or a line to keep a
 // distance from, a mesh above it. Map space: x, z in metres from the field's centre, heights above the field.
 #pragma once
 
@@ -17,7 +17,7 @@ struct FillPlace {
 
 class FillObstacle {
 public:
-	static constexpr double MAX_POSITION = 1e6; // metres; what lies farther away is nowhere
+	static constexpr double MAX_POSITION = 1e6; // metres; anything farther away is ignored
 
 	// p_pose: from the shape's space, may scale. p_height: grass grows under what begins higher than this above the ground, metres.
 	static FillObstacle solid(const ColliderShape &p_shape, const Eigen::Affine3d &p_pose, double p_height);
@@ -34,7 +34,7 @@ public:
 	void set_planting(bool p_plants) { _plants = p_plants; }
 	bool is_planting() const { return _plants; }
 
-	// Share of the grass that stands: 0 within its distance .. 1. Where it plants, the share that it plants is what is missing to 1.
+	// Share of the grass that is left: 0 within its distance .. 1. Where it plants, the share that it plants is what is missing to 1.
 	double get_share(const FillPlace &p_place) const;
 	// Distance in metres, horizontal for all but solid shapes; 0 or less within.
 	double get_distance(const FillPlace &p_place) const;

@@ -31,7 +31,7 @@ struct FillRule {
 	bool inverts_mask = false;
 	Eigen::Vector2d mask_min = Eigen::Vector2d::Zero(), mask_max = Eigen::Vector2d::Zero(); // what it covers, metres; equal: nothing
 
-	Eigen::Vector2d noise_origin = Eigen::Vector2d::Zero(); // where the map's origin lies in the noise, metres
+	Eigen::Vector2d noise_origin = Eigen::Vector2d::Zero(); // the map's origin in the noise, metres
 	std::vector<uint8_t> texture_ids; // of the terrain, on which grass grows; none: on all
 
 	FillRule();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours that a terrain tells, as a picture that spans the field: what its blades' roots, its soil and its far grass take.
+// The terrain's colours as a picture that spans the field. Roots of blades, soil and far grass use it.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -8,9 +8,9 @@ namespace grass {
 
 struct TerrainColor {
 	uint8_t red = 255, green = 255, blue = 255; // sRGB
-	uint8_t alpha = 0; // how much it counts; 0: nothing is told, and grass keeps its own
+	uint8_t alpha = 0; // weight of this colour; 0: none reported, grass keeps its own
 
-	// 0..1 each, clamped; with one that is no number nothing is told.
+	// 0..1 each, clamped. One that is not a number counts as no colour.
 	static TerrainColor of(double p_red, double p_green, double p_blue, double p_alpha);
 	bool operator==(const TerrainColor &) const = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which textures a terrain shows, one texel a square metre, as far as they have been read: what fill rules ask.
+// Which textures a terrain shows, one texel a square metre, as far as they have been read. Fill rules query it.
 #pragma once
 
 #include "core/map/paint_map.h"
@@ -11,7 +11,7 @@ struct TerrainTexel {
 	uint8_t base = 0, overlay = 0; // numbers of textures
 	uint8_t blend = 0; // how much of the overlay shows: 0 .. FULL
 
-	// Shares and numbers as a terrain tells them: what is not finite or out of bounds becomes the nearest that is not.
+	// Shares and numbers as a terrain reports them. Values out of bounds are clamped; those that are not finite become 0.
 	static TerrainTexel of(double p_base, double p_overlay, double p_blend);
 	bool operator==(const TerrainTexel &) const = default;
 };

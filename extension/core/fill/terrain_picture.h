@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The colours that a terrain tells, to be shown with a filter.
+// The terrain's colours, ready to be sampled with a filter.
 #pragma once
 
 #include "core/fill/terrain_colors.h"
 
 namespace grass {
 
-// What is told lends its colour to texels beside it where nothing is told, else they would pale it. They still count nothing.
+// Texels without a colour copy the colour beside them, since filtering would pale it otherwise. Their weight stays 0.
 std::vector<TerrainColor> picture_of(const TerrainColors &p_colors);
 
 } // namespace grass

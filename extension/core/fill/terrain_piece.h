@@ -11,10 +11,10 @@
 
 namespace grass {
 
-// What a terrain tells of a place.
+// What a terrain reports about a place.
 struct TerrainSample {
 	double height = std::numeric_limits<double>::quiet_NaN(); // metres above the field; not finite: a hole
-	Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // field space; null: not told
+	Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // field space; zero: not reported
 	TerrainTexel texture;
 	TerrainColor color;
 };
@@ -40,7 +40,7 @@ private:
 	const TerrainSample &at(const Eigen::Vector2d &p_place) const;
 
 	MapRegion _region;
-	Eigen::Array2i _first, _size; // texels that are asked
+	Eigen::Array2i _first, _size; // texels to query
 	std::vector<TerrainSample> _samples;
 };
 

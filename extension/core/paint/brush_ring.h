@@ -19,7 +19,7 @@ std::vector<int> disc_triangles(int p_rings, int p_count);
 
 // A closed band along a loop of points, that looks p_width wide everywhere: p_width is in units of the distance from the
 // eye, so 2 * tan(fov / 2) / height makes it one pixel. Triangles, three vertices each, six a point. Where the loop
-// runs towards the eye or stands still, the band has no width.
+// runs towards the eye or does not move, the band has no width.
 std::vector<Eigen::Vector3d> ring_band(std::span<const Eigen::Vector3d> p_loop, const Eigen::Vector3d &p_eye, double p_width);
 
 } // namespace grass

@@ -18,7 +18,7 @@ struct FineWear {
 	int32_t wear() const { return parts / PARTS; }
 	int32_t rest() const { return parts % PARTS; }
 
-	// p_share of the way to a code that lies higher; one that lies lower changes nothing.
+	// Moves p_share of the way up to a higher code; a lower one changes nothing.
 	FineWear raised(int32_t p_to, double p_share) const {
 		return { parts + int32_t(std::round(std::max(p_to * PARTS - parts, 0) * p_share)) };
 	}

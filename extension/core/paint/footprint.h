@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a solid shape stands over the ground: what a mower's deck, or the region of a game's query, covers.
+// The ground below a solid shape: what a mower's deck, or the region of a game's query, covers.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -18,7 +18,7 @@ public:
 	Eigen::Vector2d get_max() const { return _max; }
 	Eigen::Vector2d get_centre() const { return 0.5 * (_min + _max); }
 
-	// Between which heights the shape stands over a place (x, z in metres), metres above the field.
+	// The lowest and the highest point of the shape above a place (x, z in metres), in metres above the field.
 	struct Span {
 		double low, high;
 	};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What hands painted lies over what rules fill, and no rule moves it (docs/decisions/0007). MAP_PAINT keeps the hand's
+// Paint by hand covers what rules fill, and no rule changes it (docs/decisions/0007). MAP_PAINT keeps the hand's
 // density h and how much of the rule it covers, c; what grows, MAP_DENSITY, is rule (1 - c) + h c.
 #pragma once
 

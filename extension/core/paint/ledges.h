@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ledges: where the ground jumps, between heights that stand a texel apart. Finds the cells (squares between the centres of four texels of
+// Ledges: where the ground jumps between heights one texel apart. Finds the cells (squares between the centres of four texels of
 // the ground) that have one, and says of each spot in such a cell which of the four heights belong to its side. [Eq M7]
 #pragma once
 
@@ -32,7 +32,7 @@ struct LedgeCell {
 
 struct Ledges {
 	std::vector<LedgeCell> cells;
-	int64_t sampled = 0; // places at which `between` was asked
+	int64_t sampled = 0; // places at which `between` was called
 };
 
 // p_skips_missing: cells at a place without a height have no ledge.
@@ -49,7 +49,7 @@ struct LedgeCorner {
 std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 		const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, double p_slope);
 
-// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places asked.
+// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places queried.
 Eigen::Vector2d slope_beside_ledge(const HeightBlock &p_heights, const LedgeSearch &p_search, int p_i, int p_j, int64_t &r_sampled);
 
 } // namespace grass

@@ -21,7 +21,7 @@ struct GrassKind {
 };
 
 struct CutResult : BrushResult {
-	double area = 0.0; // m^2 on which grass became shorter, as dense as it stands there
+	double area = 0.0; // m^2 on which grass became shorter, weighted by its density
 	double volume = 0.0; // m^3: that area times the height that fell
 	double blades = 0.0; // that became shorter
 };
@@ -32,11 +32,11 @@ struct MowRegion {
 	MapRegion rectangle{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // everything
 };
 
-// Cuts what stands in the region's shape: every blade ends at its underside. A shape that covers no texel's centre (they lie
+// Cuts the grass in the region's shape: every blade ends at its underside. A shape that covers no texel's centre (they lie
 // 0.5 m apart) cuts the texel below its middle.
 CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind &p_kind);
 
-// Share of the region's grass, weighted by density, that stands lower than it would without cuts; 0 where nothing grows.
+// Share of the region's grass, weighted by density, that is shorter than it would be without cuts; 0 where nothing grows.
 double mown_share(const PaintMap &p_map, const MowRegion &p_region, const GrassKind &p_kind);
 
 // Grows cut grass in the region by p_height metres and reduces its wear by p_wear. Drops cuts that no longer cut anything.

@@ -55,7 +55,7 @@ double moment_at(double p_taper, double p_place) {
 	return beyond * beyond * (0.5 * width - p_taper * beyond / 3.0);
 }
 
-// How far the part that the first joint stands for lets the tip sag, over what a moment of 1 in that joint would.
+// Sag of the tip from the stretch of blade that the first joint represents, divided by the sag from a moment of 1 in that joint.
 double first_length(double p_taper) {
 	constexpr double FIRST = 1.0 / GRASS_SEGMENTS, LENGTH = 1.5 * FIRST;
 	double sum = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How each blade of a field stands at rest: its species, the clump it grows in, and what a map makes of both. The CPU's
+// Each blade of a field at rest: its species, the clump it grows in, and what a map makes of both. The CPU's
 // twin of begin_point() in shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace grass {
 class FieldBlades {
 public:
 	FieldBlades() = default;
-	// p_species: null: one species. p_map: null: grass stands everywhere; else it outlives this.
+	// p_species: null: one species. p_map: null: grass everywhere; else it must outlive this.
 	FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
 			std::shared_ptr<const SpeciesMix> p_species, const FieldMap *p_map);
 
@@ -36,7 +36,7 @@ public:
 	int get_species(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Of such a blade.
 	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
-	// Whether such a blade is there: where the map thins the grass out some are not, and a species may have none.
+	// Whether such a blade exists: the map may thin the grass out there, and a species may have none.
 	bool stands(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Knot p_knot of such a blade at rest, blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;

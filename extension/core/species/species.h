@@ -71,14 +71,14 @@ struct SpeciesParams {
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
 	int32_t stems = 1; // that are chosen together
-	// Where the field's first corner lies in the noise: units in a cell, and which cell.
+	// The field's first corner in the noise: units in a cell, and which cell.
 	int32_t x = 0, z = 0, column = 0, row = 0;
 };
 
 class SpeciesMix {
 public:
 	// Species beyond GRASS_MAX_SPECIES are ignored. Where all shares are 0 the first species grows.
-	// p_origin: where the field lies in the noise, metres. Fields of one size and one p_origin apart from each other continue.
+	// p_origin: the field's place in the noise, metres. Fields of one size and one p_origin apart from each other continue.
 	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed,
 			const Eigen::Vector2d &p_origin = Eigen::Vector2d::Zero());
 

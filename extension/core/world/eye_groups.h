@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The eyes of a world, put together by the plot that each is in: a plot far from a crowd asks for the distance to the crowd, not to each
+// The eyes of a world, put together by the plot that each is in: a plot far from a crowd uses the distance to the crowd, not to each
 // of its bodies.
 #pragma once
 

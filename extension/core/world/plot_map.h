@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// p_map, without the ground where a terrain tells it anew whenever the plot comes.
+// p_map without its ground, where a terrain supplies it anew whenever the plot loads.
 inline PaintMap kept_of(PaintMap p_map, bool p_has_terrain) {
 	if (p_has_terrain) {
 		for (const MapKey &key : p_map.get_keys()) {

@@ -30,7 +30,7 @@ struct LoadedPlot {
 // The pools of plots, in tiles: where nothing moves, and where something does.
 struct PlotPools {
 	int64_t quiet = 0, busy = 0;
-	size_t tile_bytes = 0; // that a tile takes, used or not
+	size_t tile_bytes = 0; // bytes a tile needs, used or not
 };
 
 // What a plan is made from.
@@ -63,7 +63,7 @@ public:
 
 	// What plots take now. It is remembered of those that leave, so that a plan that is followed is the same plan again.
 	void learn(std::span<const LoadedPlot> p_loaded);
-	// Bytes to expect of a plot without its pool: what it took, or what the middle one of those in memory takes.
+	// Expected bytes of a plot without its pool: what it needed last, or else the median of the plots in memory.
 	size_t expected(const PlotKey &p_key) const;
 	size_t get_typical() const { return _typical; }
 
