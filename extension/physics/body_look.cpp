@@ -153,18 +153,20 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		const Transform3D transform = server->body_get_shape_transform(r_body.rid, index);
 		const bool was_changed = read_shape(server->body_get_shape(r_body.rid, index), shape, &_reads.engine_calls);
 		const bool was_split = split_mesh(shape);
-		const bool is_same = !was_changed && !was_split && transform == shape.transform && shape.enabled == is_enabled &&
-				shape.friction == r_body.friction;
+		const bool is_same =
+				!was_changed && transform == shape.transform && shape.enabled == is_enabled && shape.friction == r_body.friction;
 		_reads.engine_calls += 2;
-		if (is_same) {
+		if (is_same && !was_split) {
 			continue;
 		}
 		if (is_enabled && shape.is_simplified) {
 			warn_of(r_body, shape);
 		}
-		has_changed = true;
+		if (!is_same) { // pieces that are ready are no change of the game's
+			has_changed = true;
+			r_body.next_look_at_all = 0;
+		}
 		r_body.is_written = r_body.is_written_still = false;
-		r_body.next_look_at_all = 0;
 		shape.transform = transform;
 		shape.enabled = is_enabled;
 		shape.friction = r_body.friction;

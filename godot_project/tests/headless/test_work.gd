@@ -390,3 +390,21 @@ func test_registered_nodes_are_counted() -> void:
 	assert_eq(after.shape_reads - before.shape_reads, 2 * 80 + 80 / 8)
 	assert_eq(after.engine_calls - before.engine_calls, 3 * 80 * 3 + 2 * (2 * 80 + 80 / 8))
 	assert_eq(after.colliders, 2)
+
+
+## Its pieces, which come eight ticks after it was seen, are no change of it.
+func test_a_trimesh_is_looked_at_as_seldom_as_a_box() -> void:
+	var field := add_field()
+	var shape := ConcavePolygonShape3D.new()
+	var mesh := BoxMesh.new()
+	mesh.size = Vector3(0.4, 0.4, 0.4)
+	shape.set_faces(mesh.get_faces())
+	var body := add_held_body(shape, Vector3(0, 0.2, 0))
+	await wait_until(func() -> bool: return field.get_statistics().mesh_pieces == 1, "it is split", true)
+	var before := field.get_statistics()
+	for i in 80:
+		body.position.x = 0.1 * sin(0.1 * i)
+		await ticks(1)
+	var after := field.get_statistics()
+	assert_eq(after.body_reads - before.body_reads, 80)
+	assert_near(after.shape_reads - before.shape_reads, 80 / 8, 1)
