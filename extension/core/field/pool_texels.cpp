@@ -26,7 +26,8 @@ void PoolTexels::reset(int p_pool_size) {
 }
 
 void PoolTexels::begin_between() {
-	_moved = _settled = SlotSet();
+	_moved = SlotSet(); // each of its own: a copy would keep the memory
+	_settled = SlotSet();
 	if (_is_between) {
 		_moved.reset(_pool_size, false);
 		_settled = _changed;
@@ -41,7 +42,7 @@ void PoolTexels::set_between(bool p_is_between) {
 	_share = 1.0f;
 	begin_between();
 	_earlier = _is_between ? _now : std::vector<uint16_t>();
-	_shown = _earlier;
+	_shown = std::vector<uint16_t>(_earlier); // a copy would keep the memory
 }
 
 void PoolTexels::resize(int p_rows) {
