@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ground/field_terrain.h"
 
-#include "shared/convert.h"
-#include "core/fill/terrain_picture.h"
-#include "draw/frame_share.h"
-#include "field/field_view.h"
-#include "shared/property_value.h"
-#include "shared/script_call.h"
+#include "convert.h"
+#include "nodes/property_value.h"
 
-#include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object.hpp>
 
@@ -22,11 +16,6 @@ namespace grass {
 
 namespace {
 
-// Places read in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
-// million places, takes longer to read.
-constexpr int64_t QUERIES_A_FRAME = 16384;
-// Rows read in a frame even if it has no time left: the ground comes in the end.
-constexpr int ROWS_AT_LEAST = 2;
 // The terrain may come, go or get other data without a signal, and move: looked at this often, frames.
 constexpr int FRAMES_BETWEEN_QUERIES = 15;
 // Heights are vertical: how far a field's up may be from that, sine.
@@ -66,6 +55,8 @@ void FieldTerrain::forget() {
 	_shown_colors.unref();
 	_queue.clear();
 	_piece.reset();
+	_row.clear();
+	_row_samples.clear();
 	_areas.clear();
 	_is_all_changed = false;
 	_beside.reset();
@@ -85,16 +76,6 @@ void FieldTerrain::listen(const TerrainSource::Handlers &p_handlers) {
 			_notices.push_back(notice);
 		}
 	}
-}
-
-// Runs p_ask, which calls methods of the terrain. Until it returns, the field asks nothing more of it.
-template <typename F> bool FieldTerrain::ask(F &&p_ask) {
-	_is_asking = true;
-	if (!outlives(_node, p_ask)) {
-		return false;
-	}
-	_is_asking = false;
-	return true;
 }
 
 bool FieldTerrain::find(const TerrainSource::Handlers &p_handlers) {
@@ -168,26 +149,6 @@ void FieldTerrain::read_all(bool p_is_elsewhere) {
 	}
 }
 
-// Once all is read: a picture has mipmaps, which change as a whole.
-void FieldTerrain::show_colors() {
-	const bool is_read = _queue.get_waiting() == 0 && !_piece;
-	if (!_colors || (_shown_colors.is_valid() && !is_read && !_has_old_colors) || !_colors->take_changed()) {
-		return;
-	}
-	_has_old_colors = false;
-	const std::vector<TerrainColor> texels = picture_of(*_colors);
-	const PackedByteArray bytes = to_bytes(std::span(texels));
-	const Ref<Image> image = Image::create_from_data(_colors->get_width(), _colors->get_depth(), false, Image::FORMAT_RGBA8, bytes);
-	image->generate_mipmaps();
-	FrameShare::count_bytes(bytes.size());
-	if (_shown_colors.is_valid() && _shown_colors->get_width() == _colors->get_width() &&
-			_shown_colors->get_height() == _colors->get_depth()) {
-		_shown_colors->update(image);
-	} else {
-		_shown_colors = ImageTexture::create_from_image(image);
-	}
-}
-
 bool FieldTerrain::look(const Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers) {
 	_can_read = false;
 	if (_path.is_empty() || _is_asking) {
@@ -226,112 +187,6 @@ bool FieldTerrain::cells_changed(const Vector2 &p_first, const Vector2 &p_count)
 		}
 		if (area.is_finite()) {
 			_areas.push_back(area);
-		}
-	}
-	return true;
-}
-
-// A terrain may say where, and in the same frame that something did: then the places count.
-void FieldTerrain::take_changes() {
-	const Transform3D to_field = _field.affine_inverse();
-	for (const AABB &area : _areas) {
-		const AABB here = moved(to_field, area);
-		const MapRegion region{ { here.position.x, here.position.z }, { here.position.x + here.size.x, here.position.z + here.size.z } };
-		_queue.add(region.grown(2.0 * info_of(MAP_GROUND).texel_size())); // slopes beside it change, too
-	}
-	if (_is_all_changed && _areas.empty()) {
-		_queue.add_all();
-	}
-	_areas.clear();
-	_is_all_changed = false;
-}
-
-// False, too, where the answers are of no use any more.
-bool FieldTerrain::read_row() {
-	const std::shared_ptr<TerrainSource> source = _source;
-	const std::vector<Eigen::Vector2d> row = _piece->get_row();
-	std::vector<Vector3> places;
-	for (const Eigen::Vector2d &place : row) {
-		places.push_back(_field.xform(Vector3(real_t(place.x()), 0, real_t(place.y()))));
-	}
-	std::vector<TerrainSample> samples(row.size());
-	if (!ask([&] { source->read(places, samples); })) {
-		return false;
-	}
-	if (source != _source || !source->is_alive() || !_piece) { // a method of the terrain removed it, or changed the field
-		return true;
-	}
-	const Eigen::Matrix3d to_field = to_eigen(_field.basis).transpose();
-	for (TerrainSample &sample : samples) {
-		sample.height -= double(_field.origin.y);
-		sample.normal = to_field * sample.normal;
-	}
-	_queries += int64_t(row.size());
-	_piece->put_row(samples);
-	return true;
-}
-
-bool FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
-	const TerrainPiece piece = std::move(*_piece);
-	_piece.reset(); // a listener of the map may change the terrain
-	const bool has_new_textures = _ids && piece.put_textures(*_ids);
-	if (_colors) {
-		piece.put_colors(*_colors);
-	}
-	if (!outlives(_node, [&] { p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map, p_ledge_slope); }); })) {
-		return false;
-	}
-	if (has_new_textures) {
-		p_touched(piece.get_region());
-	}
-	return true;
-}
-
-// False where nothing waits to be read.
-bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
-	if (_piece) {
-		return true;
-	}
-	if (r_eyes.empty()) {
-		r_eyes = find_eyes(&_node, _node.get_layer_mask(), to_eigen(_field));
-	}
-	const std::optional<MapRegion> region = _queue.take(r_eyes);
-	if (region) {
-		_piece.emplace(*region);
-	}
-	return region.has_value();
-}
-
-// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
-bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
-	take_changes();
-	if (!p_map->is_readable()) {
-		return true;
-	}
-	show_colors();
-	if (!_piece && _queue.get_waiting() == 0) {
-		return true;
-	}
-	std::vector<Eigen::Vector2d> eyes;
-	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
-		_frame = frame;
-		_last_query = _queries + QUERIES_A_FRAME;
-	}
-	static uint64_t frame_of_rows = UINT64_MAX; // however many fields read: those rows are for one of them, the first
-	const int at_least = std::exchange(frame_of_rows, _frame) == _frame ? 0 : ROWS_AT_LEAST;
-	FrameShare::Turn turn(this);
-	for (int rows = 0; _queries < _last_query && (rows < at_least || turn.has_time()); rows++) {
-		if (!begin_piece(eyes)) {
-			return true;
-		}
-		if (!_piece->is_complete() && !read_row()) {
-			return false;
-		}
-		if (_piece && _piece->is_complete() && !lay(p_map, p_ledge_slope, p_touched)) {
-			return false;
-		}
-		if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed one of the two
-			return true;
 		}
 	}
 	return true;

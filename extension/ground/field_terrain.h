@@ -4,8 +4,10 @@
 #pragma once
 
 #include "core/field/field_statistics.h"
-#include "resources/grass_map.h"
-#include "ground/terrain_source.h"
+#include "draw/frame_share.h"
+#include "nodes/grass_map.h"
+#include "nodes/script_call.h"
+#include "nodes/terrain_source.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/node3d.hpp>
@@ -57,14 +59,23 @@ public:
 	int64_t get_memory_usage() const; // bytes
 
 private:
-	template <typename F> bool ask(F &&p_ask);
+	// Runs p_ask, which calls methods of the terrain. Until it returns, the field asks nothing more of it.
+	template <typename F> bool ask(F &&p_ask) {
+		_is_asking = true;
+		if (!outlives(_node, p_ask)) {
+			return false;
+		}
+		_is_asking = false;
+		return true;
+	}
 	bool find(const TerrainSource::Handlers &p_handlers);
 	void listen(const TerrainSource::Handlers &p_handlers);
 	void forget();
 	bool watch_place(const godot::Transform3D &p_transform, const MapRegion &p_region);
 	void take_changes();
 	bool begin_piece(std::vector<Eigen::Vector2d> &r_eyes);
-	bool read_row();
+	bool read_places();
+	bool may_go_on(bool p_is_first, int64_t p_begun, uint64_t p_since, FrameShare::Turn &r_turn) const;
 	void show_colors();
 	bool lay(const godot::Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
@@ -80,6 +91,8 @@ private:
 	MapRegion _region; // what the field covers
 	TerrainQueue _queue;
 	std::optional<TerrainPiece> _piece; // being read
+	std::vector<Eigen::Vector2d> _row; // of it, being read
+	std::vector<TerrainSample> _row_samples; // of the first places of _row
 	std::shared_ptr<TerrainIds> _ids;
 	std::optional<TerrainColors> _colors;
 	godot::Ref<godot::ImageTexture> _shown_colors;

@@ -39,6 +39,8 @@ public:
 	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive(). Methods of the
 	// terrain may remove it: then the samples mean nothing.
 	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
+	// How many places read() is asked at once: few where each is a call of its own, so that a slow one can be broken off.
+	virtual size_t get_places_at_once() const { return 1; }
 	// The terrain's transform: what was read stays true as long as the field does not move relative to it.
 	virtual godot::Transform3D get_transform() const;
 

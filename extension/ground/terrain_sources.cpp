@@ -22,6 +22,8 @@ namespace grass {
 namespace {
 
 constexpr double NO_GROUND = std::numeric_limits<double>::quiet_NaN();
+// Places that are asked at once where that costs some calls by itself. More: a slow terrain holds a frame for longer. Fewer: more calls.
+constexpr size_t PLACES_AT_ONCE = 16;
 
 Eigen::Vector3d to_normal(const Vector3 &p_normal) {
 	return { p_normal.x, p_normal.y, p_normal.z };
@@ -70,6 +72,12 @@ public:
 				sample.color = to_color(ask(node, _color, p_places[i]), COLOR);
 			}
 		}
+	}
+
+	// Heights come by one call for all, what else there is by one for each.
+	size_t get_places_at_once() const override {
+		const bool asks_each = _has_normals || _has_textures || _has_colors || _has_holes;
+		return !_has_heights ? 1 : (asks_each ? PLACES_AT_ONCE : std::numeric_limits<size_t>::max());
 	}
 
 	Transform3D get_transform() const override {
@@ -154,6 +162,8 @@ public:
 
 	bool has_textures() const override { return _has_images; }
 	bool has_colors() const override { return _has_images; }
+
+	size_t get_places_at_once() const override { return PLACES_AT_ONCE; } // each read asks for its pictures
 
 	void read(std::span<const Vector3> p_places, std::span<TerrainSample> r_samples) override {
 		Object *data = get_data();

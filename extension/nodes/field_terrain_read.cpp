@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// What a field reads of its terrain in a frame.
+#include "convert.h"
+#include "core/fill/terrain_picture.h"
+#include "nodes/field_terrain.h"
+#include "nodes/field_view.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/time.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// Places read in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
+// million places, takes longer to read.
+constexpr int64_t QUERIES_A_FRAME = 16384;
+// Places read in a frame even if it has no time left, so that the ground comes in the end: two rows, or as many as are read in the time
+// (microseconds) where a terrain is slow; one in any case.
+constexpr int64_t PLACES_AT_LEAST = 132;
+constexpr uint64_t LEAST_TIME = 500;
+
+} // namespace
+
+// Once all is read: a picture has mipmaps, which change as a whole.
+void FieldTerrain::show_colors() {
+	const bool is_read = _queue.get_waiting() == 0 && !_piece;
+	if (!_colors || (_shown_colors.is_valid() && !is_read && !_has_old_colors) || !_colors->take_changed()) {
+		return;
+	}
+	_has_old_colors = false;
+	const std::vector<TerrainColor> texels = picture_of(*_colors);
+	const PackedByteArray bytes = to_bytes(std::span(texels));
+	const Ref<Image> image = Image::create_from_data(_colors->get_width(), _colors->get_depth(), false, Image::FORMAT_RGBA8, bytes);
+	image->generate_mipmaps();
+	FrameShare::count_bytes(bytes.size());
+	if (_shown_colors.is_valid() && _shown_colors->get_width() == _colors->get_width() &&
+			_shown_colors->get_height() == _colors->get_depth()) {
+		_shown_colors->update(image);
+	} else {
+		_shown_colors = ImageTexture::create_from_image(image);
+	}
+}
+
+// A terrain may say where, and in the same frame that something did: then the places count.
+void FieldTerrain::take_changes() {
+	const Transform3D to_field = _field.affine_inverse();
+	for (const AABB &area : _areas) {
+		const AABB here = moved(to_field, area);
+		const MapRegion region{ { here.position.x, here.position.z }, { here.position.x + here.size.x, here.position.z + here.size.z } };
+		_queue.add(region.grown(2.0 * info_of(MAP_GROUND).texel_size())); // slopes beside it change, too
+	}
+	if (_is_all_changed && _areas.empty()) {
+		_queue.add_all();
+	}
+	_areas.clear();
+	_is_all_changed = false;
+}
+
+// The next places of the piece's row: as many as the terrain is asked at once, so that a slow one is broken off inside of a row. False,
+// too, where the answers are of no use any more.
+bool FieldTerrain::read_places() {
+	const std::shared_ptr<TerrainSource> source = _source;
+	if (_row.empty()) {
+		_row = _piece->get_row();
+		_row_samples.clear();
+	}
+	const size_t begin = _row_samples.size(), count = std::min(source->get_places_at_once(), _row.size() - begin);
+	std::vector<Vector3> places;
+	for (size_t i = begin; i < begin + count; i++) {
+		places.push_back(_field.xform(Vector3(real_t(_row[i].x()), 0, real_t(_row[i].y()))));
+	}
+	std::vector<TerrainSample> samples(count);
+	if (!ask([&] { source->read(places, samples); })) {
+		return false;
+	}
+	if (source != _source || !source->is_alive() || !_piece) { // a method of the terrain removed it, or changed the field
+		return true;
+	}
+	const Eigen::Matrix3d to_field = to_eigen(_field.basis).transpose();
+	for (TerrainSample &sample : samples) {
+		sample.height -= double(_field.origin.y);
+		sample.normal = to_field * sample.normal;
+		_row_samples.push_back(sample);
+	}
+	_queries += int64_t(count);
+	if (_row_samples.size() == _row.size()) {
+		_piece->put_row(_row_samples);
+		_row.clear();
+	}
+	return true;
+}
+
+bool FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
+	const TerrainPiece piece = std::move(*_piece);
+	_piece.reset(); // a listener of the map may change the terrain
+	const bool has_new_textures = _ids && piece.put_textures(*_ids);
+	if (_colors) {
+		piece.put_colors(*_colors);
+	}
+	if (!outlives(_node, [&] { p_map.ptr()->change([&](PaintMap &r_map) { return piece.lay(r_map, p_ledge_slope); }); })) {
+		return false;
+	}
+	if (has_new_textures) {
+		p_touched(piece.get_region());
+	}
+	return true;
+}
+
+// False where nothing waits to be read.
+bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
+	if (_piece) {
+		return true;
+	}
+	if (r_eyes.empty()) {
+		r_eyes = find_eyes(&_node, to_eigen(_field));
+	}
+	const std::optional<MapRegion> region = _queue.take(r_eyes);
+	if (region) {
+		_piece.emplace(*region);
+	}
+	return region.has_value();
+}
+
+// Whether one more place may be read in this frame. p_is_first: of all fields in this frame; it has read since query p_begun, at p_since.
+bool FieldTerrain::may_go_on(bool p_is_first, int64_t p_begun, uint64_t p_since, FrameShare::Turn &r_turn) const {
+	if (_queries >= _last_query) {
+		return false;
+	}
+	const int64_t read = _queries - p_begun;
+	const bool is_short = Time::get_singleton()->get_ticks_usec() - p_since < LEAST_TIME;
+	return (p_is_first && (read == 0 || (read < PLACES_AT_LEAST && is_short))) || r_turn.has_time();
+}
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a script that runs meanwhile may drop the field's own map
+bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched) {
+	take_changes();
+	if (!p_map->is_readable()) {
+		return true;
+	}
+	show_colors();
+	if (!_piece && _queue.get_waiting() == 0) {
+		return true;
+	}
+	std::vector<Eigen::Vector2d> eyes;
+	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
+		_frame = frame;
+		_last_query = _queries + QUERIES_A_FRAME;
+	}
+	static uint64_t frame_of_first = UINT64_MAX; // however many fields read: what is read at least is for one of them, the first
+	const bool is_first = std::exchange(frame_of_first, _frame) != _frame;
+	const int64_t begun = _queries;
+	FrameShare::Turn turn(this);
+	const uint64_t since = Time::get_singleton()->get_ticks_usec();
+	while (may_go_on(is_first, begun, since, turn)) {
+		if (!begin_piece(eyes)) {
+			return true;
+		}
+		if (!_piece->is_complete() && !read_places()) {
+			return false;
+		}
+		if (_piece && _piece->is_complete() && !lay(p_map, p_ledge_slope, p_touched)) {
+			return false;
+		}
+		if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed one of the two
+			return true;
+		}
+	}
+	return true;
+}
+
+} // namespace grass
