@@ -4,6 +4,7 @@
 
 #include "shared/parallel.h"
 #include "class_docs.gen.h"
+#include "draw/growing_arrays.h"
 #include "draw/patch_texture.h"
 #include "draw/shared_shader.h"
 #include "editor/grass_editor_plugin.h"
@@ -75,6 +76,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
 		grass::GrassPatch::free_default();
+		grass::finish_growing_arrays();
 		grass::free_shared_textures();
 		grass::free_shared_shaders();
 		grass::RenderQueue::free_singleton();

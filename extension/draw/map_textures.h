@@ -4,10 +4,11 @@
 #pragma once
 
 #include "core/map/map_layers.h"
+#include "draw/growing_arrays.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
-#include <godot_cpp/classes/texture2d_array.hpp>
 
+#include <algorithm>
 #include <functional>
 
 namespace grass {
@@ -17,40 +18,40 @@ public:
 	using SetUniform = std::function<void(const char *p_name, const godot::Variant &p_value)>;
 
 	// p_species: whether the field has any.
-	explicit MapTextures(bool p_species) : _kinds(p_species ? KINDS : int(SPECIES)) {}
+	explicit MapTextures(bool p_species) : _arrays(p_species ? KINDS : int(SPECIES), 4), _ledges(1, 1) {}
 
-	// Makes the next of the textures, with room for p_room layers. False: all are made.
-	bool make_one(const MapLayers &p_layers, int p_room);
-	bool are_made(int p_room) const; // nothing is left for make_one()
-	// Uploads the layers in p_changed, which differ from the last call.
-	void update(const MapLayers &p_layers, const std::vector<int> &p_changed);
+	// All that is there, at once: on another thread than the frames'. p_room: layers that there will be.
+	void make(const MapLayers &p_layers, int p_room);
+	// Uploads the layers in p_changed, which differ from the last call. What there is no room for shows when there is. p_room: likewise.
+	void update(const MapLayers &p_layers, const std::vector<int> &p_changed, int p_room);
+	// Whether room is being made: work() does the next piece of that, where it does not wait for a thread.
+	bool is_growing() const { return _arrays.is_growing() || _ledges.is_growing(); }
+	bool can_work() const { return _arrays.can_work() || _ledges.can_work(); }
+	void work(const MapLayers &p_layers);
+	bool are_made(int p_room) const { return _arrays.get_room() >= std::max(p_room, 1) && !is_growing(); }
 	// Whether set_uniforms() would change a uniform.
 	bool are_new() const { return _are_new; }
 	void set_uniforms(const MapLayers &p_layers, const SetUniform &p_set);
 	// Releases the textures of the last set_uniforms().
 	static void clear_uniforms(const SetUniform &p_set);
-	int64_t get_uploaded_bytes() const { return _uploaded; } // since made
+	int64_t get_uploaded_bytes() const { return _uploaded + _arrays.get_uploaded_bytes() + _ledges.get_uploaded_bytes(); } // since made
 	int64_t get_memory_usage() const; // bytes
 
 private:
 	enum Kind { GROWTH, FORM, GROUND, TINT, SPECIES, KINDS };
 
-	void update_ledges(const MapLayers &p_layers, const std::vector<int> &p_changed);
+	static godot::Ref<godot::Image> image_of(const MapLayers &p_layers, int p_kind, int p_layer);
+	static GrowingArrays::MakeImage of_layers(const MapLayers &p_layers);
+	static GrowingArrays::MakeImage of_ledges(const MapLayers &p_layers);
+	void make_room(const MapLayers &p_layers, int p_room, bool p_at_once);
 	void update_pages(const MapLayers &p_layers);
 
-	godot::Ref<godot::Image> image_of(const MapLayer *p_layer, Kind p_kind) const;
-	void make_room(int p_layers);
-	void make(const MapLayers &p_layers, Kind p_kind);
-
-	std::array<godot::Ref<godot::Texture2DArray>, KINDS> _arrays;
-	godot::Ref<godot::Texture2DArray> _ledges; // null: the map has none
-	int _ledge_room = 0; // layers in it; grows by doubling
+	GrowingArrays _arrays; // of each kind; without SPECIES, one less
+	GrowingArrays _ledges; // none where the map has none
 	godot::Ref<godot::ImageTexture> _pages;
 	std::vector<float> _uploaded_pages;
-	int _kinds; // that there are: without SPECIES, one less
-	int _room = 0; // layers in the arrays; grows by doubling
 	bool _are_new = false;
-	int64_t _uploaded = 0;
+	int64_t _uploaded = 0; // of pages
 };
 
 } // namespace grass

@@ -60,7 +60,7 @@ bool FieldMaker::prepare_map(const std::function<bool()> &p_has_time) {
 		map = std::make_unique<ShownMap>(_wanted->painted, _wanted->setup, _is_stale ? nullptr : std::move(_prepared));
 	}
 	while (map && map->has_work()) {
-		if (!p_has_time()) {
+		if (map->is_waiting_for_thread() || !p_has_time()) {
 			return false;
 		}
 		map->work();

@@ -17,10 +17,7 @@ PreparedMap::PreparedMap(const PaintMap &p_map, const ShownPlace &p_place, bool 
 	if (!p_with_textures) {
 		return;
 	}
-	const int painted = laid.field.count_painted(laid.map);
-	while (textures.make_one(laid.field.get_layers(), painted)) {
-	}
-	textures.update(laid.field.get_layers(), {});
+	textures.make(laid.field.get_layers(), laid.field.count_painted(laid.map));
 }
 
 namespace {
@@ -68,25 +65,31 @@ bool ShownMap::end_preview() {
 
 FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
 	FieldMap::Changes changes;
+	const bool was_growing = is_growing();
 	while (get_waiting() > 0 && p_go_on()) {
 		changes.add(_field.work(shown()));
 	}
 	const int64_t before = _textures.get_uploaded_bytes();
-	_textures.update(_field.get_layers(), changes.layers);
+	_textures.update(_field.get_layers(), changes.layers, 0);
+	while (was_growing && _textures.can_work() && p_go_on()) {
+		_textures.work(_field.get_layers());
+	}
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 	return changes;
 }
 
 void ShownMap::work() {
 	const int64_t before = _textures.get_uploaded_bytes();
-	if (!_textures.make_one(_field.get_layers(), _field.count_painted(shown())) && get_waiting() > 0) {
-		_textures.update(_field.get_layers(), _field.work(shown()).layers);
+	if (_textures.can_work()) {
+		_textures.work(_field.get_layers());
+	} else {
+		_textures.update(_field.get_layers(), _field.work(shown()).layers, _field.count_painted(shown()));
 	}
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 }
 
 void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set, bool p_all) {
-	if (p_all || _textures.are_new()) {
+	if (p_all || has_new_textures()) {
 		_textures.set_uniforms(_field.get_layers(), p_set);
 	}
 	p_set("map_base_density", _map->get_base_density());

@@ -50,6 +50,10 @@ public:
 	FieldMap::Changes update(const std::function<bool()> &p_go_on);
 	// A piece of that, or of making the textures: for a map that is not shown yet.
 	void work();
+	// Whether a worker thread makes textures, and nothing else is to be done before they are there.
+	bool is_waiting_for_thread() const { return get_waiting() == 0 && _textures.is_growing() && !_textures.can_work(); }
+	bool is_growing() const { return _textures.is_growing(); }
+	bool has_new_textures() const { return _textures.are_new(); } // set_uniforms() is to be called
 	bool has_work() const { return get_waiting() > 0 || !_textures.are_made(_field.count_painted(shown())); }
 
 	const FieldMap &get_field() const { return _field; }

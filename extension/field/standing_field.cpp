@@ -188,20 +188,24 @@ void StandingField::set_wind_clock() {
 }
 
 bool StandingField::update_map() {
-	if (!_backend || !_map || _map->get_waiting() == 0) {
+	if (!_backend || !_map || (_map->get_waiting() == 0 && !_map->is_growing())) {
 		return true;
 	}
-	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE, is_streamed = _properties.is_streamed;
+	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE && !_map->is_growing(), is_streamed = _properties.is_streamed;
 	std::optional<FrameShare::Turn> turn;
 	if (is_streamed || !are_few) { // else at once, and not from the share
 		turn.emplace(this);
 	}
 	const FieldMap::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
 	turn.reset();
+	if (_is_shown && _map->has_new_textures()) { // else show() does it, for all of the map
+		_map->set_uniforms(uniform_setter(true), false);
+		request_draw();
+	}
 	if (changes.tiles.count() == 0) {
 		return true;
 	}
-	if (_is_shown) { // else show() does it, for all of the map
+	if (_is_shown) { // likewise
 		_map->set_uniforms(uniform_setter(true), false);
 		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
 	}

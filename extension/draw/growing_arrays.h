@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Texture arrays of the same layers, which grow. The renderer wants all layers of an array when it makes it: small arrays are made at once;
+// for larger ones the layers are gathered, some a frame, and a worker thread makes the arrays, while the old ones show.
+#pragma once
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/classes/texture2d_array.hpp>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace grass {
+
+class GrowingArrays {
+public:
+	// The image of a layer; p_layer -1: of none.
+	using MakeImage = std::function<godot::Ref<godot::Image>(int p_array, int p_layer)>;
+
+	// p_first_room: layers, a power of two.
+	GrowingArrays(int p_arrays, int p_first_room) : _arrays(size_t(p_arrays)), _first_room(p_first_room) {}
+	int get_count() const { return int(_arrays.size()); }
+
+	// Room for p_layers, of which the first p_filled are there: at once where that is little, or where p_at_once (on another thread);
+	// else it begins, and work() goes on.
+	void want_room(int p_layers, int p_filled, bool p_at_once, const MakeImage &p_make);
+	// A layer is another than it was.
+	void change(int p_layer, const MakeImage &p_make);
+	// The next piece; p_filled: layers that are there by now.
+	void work(int p_filled, const MakeImage &p_make);
+	bool is_growing() const { return _next != nullptr; }
+	bool can_work() const; // else a thread is at work
+
+	int get_room() const { return _room; } // layers that show
+	const godot::Ref<godot::Texture2DArray> &get(int p_array) const { return _arrays[size_t(p_array)]; }
+	// Bytes that were handed to the renderer, but for those that a worker thread did.
+	int64_t get_uploaded_bytes() const { return _uploaded; }
+	// Whether the arrays are others than at the last call.
+	bool take_new() { return std::exchange(_are_new, false); }
+
+private:
+	using Arrays = std::vector<godot::Ref<godot::Texture2DArray>>;
+	struct Next; // arrays to come
+
+	void begin(int p_room);
+	void gather(int p_filled, const MakeImage &p_make);
+	void upload(const Arrays &p_arrays, int p_layer, const MakeImage &p_make);
+
+	Arrays _arrays;
+	int _first_room, _room = 0;
+	std::shared_ptr<Next> _next; // null: none
+	std::set<int> _stale; // layers that changed since they were gathered
+	bool _are_new = false;
+	int64_t _uploaded = 0;
+};
+
+// Before the engine's worker threads end.
+void finish_growing_arrays();
+
+} // namespace grass
