@@ -194,6 +194,9 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 		vertices += places.size();
 		surfaces += int(!places.is_empty());
 	}
+	if (p_mesh->is_class("PlaceholderMesh")) {
+		return { nullptr, "this export has stripped it (*Strip Visuals*). A server draws nothing, so all else is as with it." };
+	}
 	if (vertices == 0) {
 		return { nullptr, "it has no vertices. Give it a surface of triangles." };
 	}

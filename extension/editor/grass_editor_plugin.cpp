@@ -38,6 +38,8 @@ void GrassEditorPlugin::_enter_tree() {
 	_answer.create();
 	_export_check.instantiate();
 	add_export_plugin(_export_check);
+	_export_masks.instantiate();
+	add_export_plugin(_export_masks);
 	_species_preview.instantiate();
 	EditorInterface::get_singleton()->get_resource_previewer()->add_preview_generator(_species_preview);
 	_size_handles.instantiate();
@@ -60,6 +62,8 @@ void GrassEditorPlugin::_exit_tree() {
 	_answer.free();
 	remove_export_plugin(_export_check);
 	_export_check.unref();
+	remove_export_plugin(_export_masks);
+	_export_masks.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);
 	_species_preview.unref();
 	remove_node_3d_gizmo_plugin(_size_handles);

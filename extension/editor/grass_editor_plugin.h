@@ -7,6 +7,7 @@
 #include "editor/brush_preview.h"
 #include "editor/brush_toolbar.h"
 #include "editor/export_check.h"
+#include "editor/export_masks.h"
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
@@ -77,6 +78,7 @@ private:
 
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<ExportCheck> _export_check;
+	godot::Ref<ExportMasks> _export_masks;
 	godot::Ref<SpeciesPreview> _species_preview;
 	godot::Ref<SizeHandles> _size_handles;
 	uint64_t _selected_id = 0; // of the selected field or world; 0: none

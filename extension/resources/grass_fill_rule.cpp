@@ -10,9 +10,18 @@
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
+#include <utility>
+
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+// Of a mask: 8,192 x 8,192. Reading one takes five bytes a texel for a moment, and one for as long as the rule lives.
+constexpr int64_t MASK_TEXELS_MAX = int64_t(1) << 26;
+
+} // namespace
 
 GrassFillRule::GrassFillRule() {
 	_groups[GROUP_EXCLUSION] = "grass_exclusion";
@@ -56,7 +65,41 @@ void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
 
 void GrassFillRule::_mask_changed() {
 	_picture.reset();
+	_has_told_missing = false;
 	emit_changed();
+}
+
+void GrassFillRule::set_kept_mask(const Ref<Image> &p_picture) {
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_kept_mask, p_picture)) {
+		_mask_changed();
+	}
+}
+
+bool GrassFillRule::is_stripped() const {
+	return _mask.is_valid() && _mask->is_class("PlaceholderTexture2D");
+}
+
+Ref<Image> GrassFillRule::find_picture() const {
+	const Ref<Image> picture = is_stripped() ? _kept_mask : (_mask.is_valid() ? _mask->get_image() : Ref<Image>());
+	return picture.is_valid() && !picture->is_empty() ? picture : Ref<Image>();
+}
+
+GrassFillRule::MaskState GrassFillRule::get_mask_state() const {
+	if (value_of(_mask).is_null()) {
+		return MASK_NONE;
+	}
+	return find_picture().is_valid() ? MASK_READY : (is_stripped() ? MASK_MISSING : MASK_WAITING);
+}
+
+Ref<GrassFillRule> GrassFillRule::with_kept_mask() const {
+	const Ref<Image> picture = find_picture();
+	if (picture.is_null()) {
+		return {};
+	}
+	const Ref<GrassFillRule> copy = duplicate();
+	copy->set_kept_mask(picture->duplicate()); // get_image() may hand out the texture's own
+	return copy;
 }
 
 void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
@@ -118,10 +161,14 @@ PackedInt32Array GrassFillRule::get_texture_ids() const {
 
 // Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
 std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
-	Ref<Image> image = _mask->get_image();
-	if (image.is_null() || image->is_empty()) {
+	const Ref<Image> found = find_picture();
+	if (found.is_null()) {
 		return nullptr;
 	}
+	ERR_FAIL_COND_V_MSG(int64_t(found->get_width()) * found->get_height() > MASK_TEXELS_MAX, nullptr,
+			vformat("%s: the picture of `mask` has %d x %d texels; at most %d in all are read. Use a smaller one.", label(),
+					int64_t(found->get_width()), int64_t(found->get_height()), MASK_TEXELS_MAX));
+	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
 	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, nullptr,
 			vformat("%s: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.", label(),
 					_mask->get_path()));
@@ -142,6 +189,12 @@ FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
 	if (_mask.is_valid()) {
 		if (!_picture) {
 			_picture = read_mask();
+		}
+		if (!_picture && is_stripped() && !std::exchange(_has_told_missing, true)) {
+			ERR_PRINT(vformat("%s: the picture of `mask` is not in this export, so nothing grows by this rule, other than elsewhere. The "
+							  "add-on keeps pictures that an export for a server strips: enable it in the project that is exported, or "
+							  "choose *Keep* for the picture in the preset's tab *Resources*.",
+					label()));
 		}
 		rule.has_mask = true;
 		rule.mask = _picture;
@@ -180,6 +233,10 @@ void GrassFillRule::_bind_methods() {
 	GRASS_BIND_PROPERTY(GrassFillRule, PropertyInfo(Variant::BOOL, "mask_invert"), set_mask_invert, is_mask_inverted);
 	GRASS_BIND_PROPERTY(
 			GrassFillRule, PropertyInfo(Variant::RECT2, "mask_region", PROPERTY_HINT_NONE, "suffix:m"), set_mask_region, get_mask_region);
+	GRASS_BIND_PROPERTY(GrassFillRule,
+			PropertyInfo(Variant::OBJECT, "kept_mask", PROPERTY_HINT_RESOURCE_TYPE, "Image", PROPERTY_USAGE_STORAGE), set_kept_mask,
+			get_kept_mask);
+	ClassDB::bind_method(D_METHOD("get_mask_state"), &GrassFillRule::get_mask_state);
 	add_group("mask_group", GROUP_MASK);
 	ADD_GROUP("Distance", "");
 	add_group("distance_group", GROUP_DISTANCE);
@@ -192,6 +249,10 @@ void GrassFillRule::_bind_methods() {
 	BIND_ENUM_CONSTANT(MASK_GREEN);
 	BIND_ENUM_CONSTANT(MASK_BLUE);
 	BIND_ENUM_CONSTANT(MASK_ALPHA);
+	BIND_ENUM_CONSTANT(MASK_NONE);
+	BIND_ENUM_CONSTANT(MASK_READY);
+	BIND_ENUM_CONSTANT(MASK_WAITING);
+	BIND_ENUM_CONSTANT(MASK_MISSING);
 }
 
 } // namespace grass

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// An export for a dedicated server strips pictures (*Strip Visuals*), and with them the masks of rules: grass would grow elsewhere than on
+// the clients. So the rule itself keeps the picture there.
+#pragma once
+
+#include <godot_cpp/classes/editor_export_platform.hpp> // a virtual method takes one
+#include <godot_cpp/classes/editor_export_plugin.hpp>
+
+namespace grass {
+
+class ExportMasks : public godot::EditorExportPlugin {
+	GDCLASS(ExportMasks, godot::EditorExportPlugin)
+
+public:
+	godot::String _get_name() const override { return "GrassField masks"; }
+	bool _begin_customize_resources(
+			const godot::Ref<godot::EditorExportPlatform> &p_platform, const godot::PackedStringArray &p_features) const override;
+	godot::Ref<godot::Resource> _customize_resource(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path) override;
+	uint64_t _get_customization_configuration_hash() const override;
+
+protected:
+	static void _bind_methods() {}
+};
+
+} // namespace grass
