@@ -64,6 +64,21 @@ func select(node: Node) -> void:
 	await frames(3)
 
 
+## Until threads and frames have done what a field asked of them: it is made, filled, laid out, and its ground is read.
+func worked(of := field) -> void:
+	await frames(3)  # what a change asks for, it asks for in the next frames
+	var is_done := func() -> bool:
+		var now := of.get_statistics()
+		return not now.waiting and now.fill_waiting == 0 and now.map_waiting == 0 and plugin.get_statistics().watch_waiting == 0
+	await wait_until(is_done, "the field's work is done")
+
+
+## Two looks at the bodies, and the ground is read.
+func settled() -> void:
+	await frames(50)
+	await worked()
+
+
 ## Until the editor has nothing left to draw.
 func idle() -> void:
 	var drawn := -1

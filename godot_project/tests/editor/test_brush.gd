@@ -278,7 +278,7 @@ func test_a_step_touches_few_chunks_of_a_large_map() -> void:
 	flood.radius = 60.0
 	for x in range(-480, 481, 60):
 		field.map.stroke(flood, Vector2(x, -480), Vector2(x, 480))
-	await frames(5)
+	await worked()
 	await take("Erase")
 	set_number("Radius", 5.0)
 	var worst := 0.0

@@ -66,7 +66,7 @@ func test_the_button_bakes_the_whole_field() -> void:
 	assert_near(ground(-4, -7), 1.2, 0.15)
 	for child: String in ["Hill", "TiltedFloor", "Csg"]:
 		field.get_node("../" + child).free()
-	await frames(50)  # grass that stood on them comes down
+	await settled()  # grass that stood on them comes down
 	var before := heights()
 	await click(toolbar.get_node("Bake"))
 	assert_eq(heights(), before, "no ground: nothing changes")

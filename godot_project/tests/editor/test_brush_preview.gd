@@ -128,7 +128,8 @@ func test_neighbours_show_it_too() -> void:
 	right.map.base_density = 1.0
 	EditorInterface.get_edited_scene_root().add_child(right)
 	right.owner = field.owner
-	await frames(20)
+	await worked()
+	await worked(right)
 	await hover(Vector3(3, 0, -1))
 	assert_eq(plugin.get_statistics().preview, 2)
 	right.free()
@@ -138,7 +139,7 @@ func test_neighbours_show_it_too() -> void:
 
 func test_a_field_without_a_map_keeps_none() -> void:
 	field.map = null
-	await frames(20)
+	await worked()
 	await hover(NEAR)
 	assert_true(plugin.get_statistics().ring)
 	assert_eq(plugin.get_statistics().preview, 0)

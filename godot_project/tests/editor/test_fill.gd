@@ -82,8 +82,7 @@ func give_rule() -> void:
 
 
 func filled() -> void:
-	await frames(3)
-	await wait_until(func() -> bool: return field.get_counters().fill_waiting == 0, "the rule has filled what changed")
+	await worked()
 
 
 ## Share of the field that is grown.

@@ -196,11 +196,5 @@ func move_by_history(body: Node3D, to: Vector3) -> void:
 	await frames(1)
 
 
-## Two looks at the bodies, and the ground is read.
-func settled() -> void:
-	await frames(50)
-	await wait_until(func() -> bool: return plugin.get_statistics().watch_waiting == 0, "the ground is read")
-
-
 func ground(place: Vector2) -> float:
 	return field.map.sample(GrassMap.CHANNEL_GROUND, place)

@@ -19,7 +19,7 @@ func add_path(properties: Dictionary) -> GrassPath3D:
 	EditorInterface.get_edited_scene_root().add_child(path)
 	path.owner = EditorInterface.get_edited_scene_root()
 	await select(path)
-	await frames(10)
+	await worked()
 	return path
 
 
@@ -36,7 +36,7 @@ func drag_a_point(path: GrassPath3D) -> Vector3:
 	for step in 4:
 		await move(arrow + 40.0 * (step + 1) * way, MOUSE_BUTTON_MASK_LEFT)
 	await button(MOUSE_BUTTON_LEFT, false, arrow + 160.0 * way)
-	await frames(5)
+	await worked()
 	var bent := path.curve.get_point_position(0)
 	assert_greater((bent - Vector3(-3, 0, 0)).length(), 0.8, "the point was dragged")
 	return bent
@@ -50,11 +50,11 @@ func test_the_grass_follows_a_point_of_the_curve_that_is_dragged() -> void:
 	assert_near(density(-2.75, 0.25), 1.0, 0.0, "where it was")
 	assert_near(field.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(bent.x, bent.z)), 0.0, 0.3, "where it is")
 	await undo()
-	await frames(5)
+	await worked()
 	assert_near(density(-2.75, 0.25), 0.0, 0.0, "undone")
 	await select(field)
 	path.free()
-	await frames(5)
+	await worked()
 	assert_near(density(-2.75, 0.25), 1.0, 0.0, "gone")
 
 
@@ -77,6 +77,6 @@ func test_a_hedge_grows_its_species_along_the_path() -> void:
 	assert_near(hedge.map.sample(GrassMap.CHANNEL_DENSITY, here), 0.0, 0.0, "where it was")
 	assert_near(hedge.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(bent.x, bent.z)), 1.0, 0.3, "where it is")
 	await undo()
-	await frames(5)
+	await worked()
 	assert_near(hedge.map.sample(GrassMap.CHANNEL_DENSITY, here), 1.0, 0.0, "undone")
 	await select(field)

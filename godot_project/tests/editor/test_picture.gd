@@ -101,7 +101,7 @@ func test_the_grass_before_the_stroke() -> void:
 	for number: Array in [["Radius", 1.4], ["Strength", 1.0], ["Hardness", 0.4], ["CutHeight", 0.05]]:
 		(toolbar.get_node(number[0]) as Range).value = number[1]
 	field.density = 144.0
-	await frames(10)
+	await worked()
 	var painted := field.map.data
 	await move(at(on(0.8, -1.5)))
 	await frames(5)
@@ -126,12 +126,12 @@ func test_the_answer_beside_the_cursor() -> void:
 	path.fade = 0.3
 	EditorInterface.get_edited_scene_root().add_child(path)
 	path.owner = EditorInterface.get_edited_scene_root()
-	await frames(10)
+	await worked()
 	await move(at(on(0, 0)))
 	await key(KEY_V)
 	await take("Why")
 	field.density = 144.0
-	await frames(10)
+	await worked()
 	await move(at(on(1.5, 0)))
 	var panel: Control = get_tree().root.find_child("GrassAnswer", true, false)
 	assert_true(panel.get_child(0).text.contains("'Trail'"), panel.get_child(0).text)
