@@ -43,6 +43,7 @@ func test_a_file_that_unpacks_to_too_much_is_refused_by_name() -> void:
 	assert_eq(ResourceSaver.save(map, FILE), OK)
 	expect_error("the file would take 2 MB of memory, and a map may take 1 MB (the project setting %s)" % MAP_SETTING)
 	allow_error("Error loading resource")
+	allow_error("Failed loading resource")
 	assert_true(ResourceLoader.load(FILE, "", ResourceLoader.CACHE_MODE_IGNORE) == null)
 
 
