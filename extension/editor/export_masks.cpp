@@ -23,8 +23,8 @@ Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, 
 	const Ref<GrassFillRule> kept = rule->with_kept_mask();
 	if (kept.is_null()) {
 		get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_WARNING, "GrassField",
-				vformat("The mask of a GrassFillRule (%s) has no picture yet, as a NoiseTexture2D that is still being made, so on the server "
-						"nothing grows by it. Save its picture as a file and use that.",
+				vformat("The picture of the mask of a GrassFillRule (%s) is not there while the export runs, so on the server nothing grows "
+						"by it. Choose *Keep* for the picture in the preset's tab *Resources*; a NoiseTexture2D's, save as a file.",
 						p_path.is_empty() ? String("in a scene") : p_path));
 	}
 	return kept;
