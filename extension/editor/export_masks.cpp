@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/export_masks.h"
 
-#include "nodes/grass_fill_rule.h"
+#include "resources/grass_fill_rule.h"
 
 #include <godot_cpp/classes/time.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ground/field_terrain.h"
 
-#include "convert.h"
-#include "nodes/property_value.h"
+#include "shared/convert.h"
+#include "shared/property_value.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object.hpp>

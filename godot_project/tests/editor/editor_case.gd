@@ -68,7 +68,7 @@ func select(node: Node) -> void:
 func worked(of := field) -> void:
 	await frames(3)  # what a change asks for, it asks for in the next frames
 	var is_done := func() -> bool:
-		var now := of.get_statistics()
+		var now := of.get_statistics().merged(of.get_counters())
 		return not now.waiting and now.fill_waiting == 0 and now.map_waiting == 0 and plugin.get_statistics().watch_waiting == 0
 	await wait_until(is_done, "the field's work is done")
 

@@ -30,17 +30,17 @@ func test_backends_show_the_same() -> void:
 	Engine.physics_ticks_per_second = 1
 	await frames(3)
 	assert_greater(seen.size(), 0)
-	assert_greater(field.get_statistics().mixes, 0)
+	assert_greater(field.get_counters().mixes, 0)
 	field.backend = GrassField.BACKEND_CPU
 	await fields_shown()
 	Engine.physics_ticks_per_second = TICKS_A_SECOND
-	var before: int = field.get_statistics().mixes
+	var before: int = field.get_counters().mixes
 	body.position.x = -1.5
 	await ticks(2)
 	var counts := count_moving(await watch(7))
 	print("    CPU: %d of %d frames within a tick show other blades" % [counts.x, counts.y])
 	assert_greater(counts.x, 0.9 * counts.y)
-	assert_greater(field.get_statistics().mixes, before)
+	assert_greater(field.get_counters().mixes, before)
 
 
 ## In each frame between two ticks vectors are as long as the share that the frame moved on by.
@@ -70,7 +70,7 @@ func test_motion_vectors_follow_the_mix() -> void:
 		if speeds[i][0] == speeds[i - 1][0] and speeds[i][1] > 0.0:
 			pairs += 1
 			alike += int(absf(speeds[i][1] / speeds[i - 1][1] - 1.0) < 0.35)
-	print("    %d of %d pairs of frames within a tick move as their shares say; %d mixes" % [alike, pairs, field.get_statistics().mixes])
+	print("    %d of %d pairs of frames within a tick move as their shares say; %d mixes" % [alike, pairs, field.get_counters().mixes])
 	assert_greater(pairs, 5)
 	assert_greater(alike, 0.8 * pairs)
 

@@ -101,7 +101,7 @@ func test_a_camera_that_leaves_out_the_field_s_layers_does_not_count() -> void:
 	camera.cull_mask = 3
 	look(Vector3(0, 1.2, 0), Vector3(0, 0.2, -4))
 	await drawn()
-	var alone := field.get_statistics()
+	var alone := field.get_statistics().merged(field.get_counters())
 	assert_greater(alone.drawn_tiles, 0)
 	assert_greater(alone.shadow_tiles, 0)
 	other_camera.cull_mask = 1
@@ -119,10 +119,10 @@ func test_a_camera_that_leaves_out_the_field_s_layers_does_not_count() -> void:
 	camera.cull_mask = 1
 	await drawn()
 	assert_eq(field.get_statistics().drawn_tiles, 0, "no camera shows it")
-	assert_eq(field.get_statistics().shadow_tiles, 0, "no camera shows its shadow")
-	var ticks_before: int = field.get_statistics().unseen_ticks
+	assert_eq(field.get_counters().shadow_tiles, 0, "no camera shows its shadow")
+	var ticks_before: int = field.get_counters().unseen_ticks
 	await ticks(5)
-	assert_greater(field.get_statistics().unseen_ticks, ticks_before + 3, "nothing is simulated that no camera shows")
+	assert_greater(field.get_counters().unseen_ticks, ticks_before + 3, "nothing is simulated that no camera shows")
 	field.layers = 1
 	await drawn()
 	assert_greater(field.get_statistics().drawn_tiles, alone.drawn_tiles, "both show its new layers")
@@ -135,10 +135,10 @@ func test_a_sun_whose_shadows_leave_out_the_field_throws_none() -> void:
 	var field := add_seen_field({size = Vector2(6, 6), shadow_margin = 0.0, cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON})
 	look(Vector3(0, 1.4, 4.5), Vector3(0, 0, 5.0))  # all that it sees of the grass is shadow
 	await drawn()
-	assert_greater(field.get_statistics().shadow_tiles, 0)
+	assert_greater(field.get_counters().shadow_tiles, 0)
 	sun.shadow_caster_mask = 2
 	await drawn()
-	assert_eq(field.get_statistics().shadow_tiles, 0)
+	assert_eq(field.get_counters().shadow_tiles, 0)
 
 
 func test_an_orthogonal_camera_thins_by_its_pixels() -> void:

@@ -21,18 +21,18 @@ func test_one_more_chunk_uploads_about_one_chunk_a_frame() -> void:
 	await seen()
 	await grown(field)
 	assert_eq(map.get_chunks().size(), SIDE * SIDE)
-	var before: int = field.get_statistics().map_bytes
+	var before: int = field.get_counters().map_bytes
 	var memory: int = field.get_statistics().memory
 	paint_chunk(map, SIDE / 2, 0)
 	var most := 0
 	var last := before
 	for frame in 20:
 		await frames(1)
-		most = maxi(most, field.get_statistics().map_bytes - last)
-		last = field.get_statistics().map_bytes
+		most = maxi(most, field.get_counters().map_bytes - last)
+		last = field.get_counters().map_bytes
 	await wait_until(func() -> bool: return field.get_statistics().memory > memory + SIDE * SIDE * LAYER / 2, "there is room")
 	assert_less(most, 3 * LAYER, "bytes in a frame")
 	paint_chunk(map, SIDE / 2, 1)
 	await frames(3)
-	assert_less(field.get_statistics().map_bytes - before, 8 * LAYER, "and in all")
+	assert_less(field.get_counters().map_bytes - before, 8 * LAYER, "and in all")
 	assert_near(field.map.sample(GrassMap.CHANNEL_HEIGHT, Vector2(SIDE / 2 + 0.5, 0.5) * CHUNK), 0.5, 0.01)

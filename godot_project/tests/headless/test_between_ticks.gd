@@ -21,7 +21,7 @@ func roll(is_interpolated: bool) -> Dictionary:
 	var knots := PackedVector3Array()
 	for blade in BLADES:
 		knots.append_array(field.get_knots(TILE, blade))
-	var statistics := field.get_statistics()
+	var statistics := field.get_statistics().merged(field.get_counters())
 	field.free()
 	body.free()
 	await ticks(2)

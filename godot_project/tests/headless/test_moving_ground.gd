@@ -75,8 +75,8 @@ func test_a_raft_wakes_nothing() -> void:
 		assert_greater(raft.position.length(), 6.0, "%s: it sails" % kind)
 		assert_greater(field.get_body_count(), 0, "%s: it is seen" % kind)
 		assert_eq(most, 0, "%s: tiles awake at once" % kind)
-		assert_eq(field.get_statistics().woken, 0, kind)
-		assert_eq(field.get_statistics().body_reads, 0, kind)
+		assert_eq(field.get_counters().woken, 0, kind)
+		assert_eq(field.get_counters().body_reads, 0, kind)
 		raft.free()
 
 
@@ -91,7 +91,7 @@ func test_a_raft_beside_the_field_wakes_nothing() -> void:
 			sail(ship, "", i)
 			await ticks(1)
 		assert_greater(field.get_body_count(), 0, "%s: it is seen" % kind)
-		assert_eq(field.get_statistics().woken, 0, kind)
+		assert_eq(field.get_counters().woken, 0, kind)
 		ship.free()
 
 
@@ -111,7 +111,7 @@ func test_a_house_on_an_island_bends_nothing() -> void:
 		sail(island, "", i)
 		await ticks(1)
 	assert_greater(field.get_body_count(), 1, "it is seen")
-	assert_eq(field.get_statistics().woken, 0)
+	assert_eq(field.get_counters().woken, 0)
 
 
 ## The wheels of a truck that carries a lawn are part of it.
@@ -134,8 +134,8 @@ func test_a_truck_with_a_lawn_wakes_nothing() -> void:
 	truck.engine_force = 800.0
 	await ticks(90)
 	assert_greater(truck.position.length(), 1.0, "it drives")
-	assert_eq(field.get_statistics().wheels, 0)
-	assert_eq(field.get_statistics().woken, 0)
+	assert_eq(field.get_counters().wheels, 0)
+	assert_eq(field.get_counters().woken, 0)
 
 
 ## A body on board that stands, for all that is done to it, where the raft takes it.

@@ -22,8 +22,8 @@ func test_a_frame_waits_for_few_calls_and_the_ground_comes_all_the_same() -> voi
 	terrain.name = "Terrain"
 	add_child(terrain)
 	var field := add_field({size = Vector2(4, 4), map = full_map(), terrain = NodePath("../Terrain")})
-	var is_read := func() -> bool: return field.get_statistics().terrain_queries > 0 and field.get_statistics().terrain_waiting == 0
+	var is_read := func() -> bool: return field.get_counters().terrain_queries > 0 and field.get_counters().terrain_waiting == 0
 	await wait_until(is_read, "the terrain is read")
-	assert_eq(terrain.calls.values().reduce(func(sum: int, n: int) -> int: return sum + n), field.get_statistics().terrain_queries)
+	assert_eq(terrain.calls.values().reduce(func(sum: int, n: int) -> int: return sum + n), field.get_counters().terrain_queries)
 	assert_less(terrain.calls.values().max(), MOST + 1, "calls in a frame")
 	assert_near(field.map.sample(GrassMap.CHANNEL_GROUND, Vector2.ZERO), 0.5, 1e-3)

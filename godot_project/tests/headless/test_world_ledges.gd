@@ -20,7 +20,7 @@ func add_baked_world(density: float) -> GrassWorld:
 		plot.bake_ground()
 	for plot in both(world):
 		await grown(plot)
-		await wait_until(func() -> bool: return plot.get_statistics().fill_waiting == 0, "the rule has filled it")
+		await wait_until(func() -> bool: return plot.get_counters().fill_waiting == 0, "the rule has filled it")
 		assert_true(plot.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(plot.to_local(Vector3(0, 0, 20.2)).x, 0)) >= 0.0)
 	return world
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a field reads of its terrain in a frame.
-#include "convert.h"
+#include "shared/convert.h"
 #include "core/fill/terrain_picture.h"
-#include "nodes/field_terrain.h"
-#include "nodes/field_view.h"
+#include "ground/field_terrain.h"
+#include "field/field_view.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/image.hpp>
@@ -118,7 +118,7 @@ bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 		return true;
 	}
 	if (r_eyes.empty()) {
-		r_eyes = find_eyes(&_node, to_eigen(_field));
+		r_eyes = find_eyes(&_node, _node.get_layer_mask(), to_eigen(_field));
 	}
 	const std::optional<MapRegion> region = _queue.take(r_eyes);
 	if (region) {
