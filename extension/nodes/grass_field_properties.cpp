@@ -132,7 +132,7 @@ double GrassField::get_param(int64_t p_param) const {
 }
 
 Variant GrassField::_get_param(int64_t p_param) const {
-	ERR_FAIL_INDEX_V(p_param, int(FIELD_PARAMS.size()), Variant());
+	ERR_FAIL_INDEX_V(p_param, int(FIELD_PARAMS.size()), 0.0);
 	return property_value(FIELD_PARAMS[size_t(p_param)].tunable, _properties.params[size_t(p_param)]);
 }
 
