@@ -114,7 +114,7 @@ double GrassSpecies::get_param(int64_t p_param) const {
 }
 
 Variant GrassSpecies::_get_param(int64_t p_param) const {
-	ERR_FAIL_INDEX_V(p_param, int(SPECIES_PARAM_COUNT), Variant());
+	ERR_FAIL_INDEX_V(p_param, int(SPECIES_PARAM_COUNT), 0.0);
 	return property_value(SPECIES_PARAMS[size_t(p_param)], _params[size_t(p_param)]);
 }
 
