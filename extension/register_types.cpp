@@ -2,7 +2,6 @@
 // The extension's table of contents: what it registers, at which level, and where the engine enters.
 #include "register_types.h"
 
-#include "shared/parallel.h"
 #include "class_docs.gen.h"
 #include "draw/growing_arrays.h"
 #include "draw/patch_texture.h"
@@ -11,10 +10,10 @@
 #include "editor/kept_plots_dialog.h"
 #include "gpu/render_queue.h"
 #include "nodes/field_monitors.h"
+#include "nodes/grass_field.h"
 #include "resources/grass_bone_colliders_3d.h"
 #include "resources/grass_brush.h"
 #include "resources/grass_exclusion_3d.h"
-#include "nodes/grass_field.h"
 #include "resources/grass_fill_rule.h"
 #include "resources/grass_force_3d.h"
 #include "resources/grass_map.h"
@@ -22,9 +21,10 @@
 #include "resources/grass_patch.h"
 #include "resources/grass_path_3d.h"
 #include "resources/grass_species.h"
-#include "world/grass_world.h"
-#include "shared/scene_watch.h"
 #include "resources/size_limits.h"
+#include "shared/parallel.h"
+#include "shared/scene_watch.h"
+#include "world/grass_world.h"
 
 #include <gdextension_interface.h>
 #include <godot_cpp/classes/editor_plugin_registration.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cpu/cpu_backend.h"
 
-#include "shared/parallel.h"
-#include "shared/convert.h"
 #include "draw/blade_mesh.h"
+#include "shared/convert.h"
+#include "shared/parallel.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/time.hpp>

@@ -3,10 +3,10 @@
 // the CPU, and draws one MultiMesh per level of detail. Headless it simulates only: no frame is ever drawn.
 #pragma once
 
-#include "draw/backend.h"
-#include "core/lod/cull.h"
 #include "core/field/pool_texels.h"
+#include "core/lod/cull.h"
 #include "core/solver/simulate.h"
+#include "draw/backend.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/patch_texture.h"

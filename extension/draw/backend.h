@@ -3,12 +3,12 @@
 // (Forward+, Mobile) and cpu/cpu_backend.h (headless, Compatibility, and the oracle of the tests).
 #pragma once
 
-#include "core/lod/plant_cull.h"
-#include "core/lod/view.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
+#include "core/lod/plant_cull.h"
+#include "core/lod/view.h"
 #include "core/map/tile_cover.h"
 #include "draw/drawn_plant.h"
 #include "draw/shared_shader.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "draw/patch_texture.h"
 
-#include "shared/convert.h"
 #include "core/blades/leaf_pictures.h"
 #include "draw/shared_shader.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/core/object.hpp>

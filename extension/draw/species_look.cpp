@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "draw/species_look.h"
 
-#include "shared/convert.h"
 #include "core/base/half.h"
 #include "core/species/card_coverage.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/variant/typed_array.hpp>
 

@@ -23,7 +23,8 @@ Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, 
 	const Ref<GrassFillRule> kept = rule->with_kept_mask();
 	if (kept.is_null()) {
 		get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_WARNING, "GrassField",
-				vformat("The picture of the mask of a GrassFillRule (%s) is not there while the export runs, so on the server nothing grows "
+				vformat("The picture of the mask of a GrassFillRule (%s) is not there while the export runs, so on the server nothing "
+						"grows "
 						"by it. Choose *Keep* for the picture in the preset's tab *Resources*; a NoiseTexture2D's, save as a file.",
 						p_path.is_empty() ? String("in a scene") : p_path));
 	}

@@ -5,8 +5,8 @@
 #include "core/paint/stroke_path.h"
 #include "editor/ground_picker.h"
 #include "editor/map_step.h"
-#include "resources/grass_brush.h"
 #include "nodes/grass_field.h"
+#include "resources/grass_brush.h"
 #include "resources/grass_map.h"
 
 #include <optional>

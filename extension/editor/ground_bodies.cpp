@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ground_bodies.h"
 
-#include "shared/convert.h"
 #include "physics/ground_rays.h"
+#include "shared/convert.h"
 #include "shared/same_data.h"
 
 #include <godot_cpp/classes/csg_shape3d.hpp>

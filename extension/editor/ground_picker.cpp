@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ground_picker.h"
 
-#include "shared/convert.h"
 #include "physics/ground_rays.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/sub_viewport_container.hpp>
 #include <godot_cpp/classes/viewport.hpp>

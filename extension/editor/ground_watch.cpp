@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ground_watch.h"
 
-#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "core/fill/fill.h"
 #include "core/paint/lay_ground.h"
 #include "physics/ground_rays.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/variant/typed_array.hpp>

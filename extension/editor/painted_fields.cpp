@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/painted_fields.h"
 
-#include "shared/convert.h"
 #include "nodes/field_monitors.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/variant/typed_array.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/ring_view.h"
 
-#include "shared/convert.h"
 #include "core/paint/brush_ring.h"
 #include "draw/shared_shader.h"
 #include "render_shaders.gen.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/classes/mesh.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "editor/size_handles.h"
 
-#include "shared/convert.h"
 #include "core/paint/handle_drag.h"
 #include "nodes/grass_field.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/editor_interface.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/species_preview.h"
 
-#include "shared/convert.h"
 #include "core/species/species_picture.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 

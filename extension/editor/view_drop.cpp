@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/view_drop.h"
 
-#include "shared/convert.h"
 #include "editor/ground_picker.h"
 #include "editor/species_drop.h"
 #include "nodes/field_monitors.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/sub_viewport.hpp>
 #include <godot_cpp/core/class_db.hpp>

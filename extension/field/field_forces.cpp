@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_forces.h"
 
-#include "shared/convert.h"
 #include "resources/grass_force_3d.h"
+#include "shared/convert.h"
 #include "shared/params.h"
 
 #include <godot_cpp/classes/world3d.hpp>

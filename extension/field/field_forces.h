@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/blades/force.h"
-#include "physics/area_winds.h"
 #include "field/field_host.h"
+#include "physics/area_winds.h"
 
 #include <span>
 #include <vector>

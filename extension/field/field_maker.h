@@ -4,9 +4,9 @@
 // map piece by piece, as frames have time (draw/frame_share.h).
 #pragma once
 
-#include "draw/backend.h"
 #include "core/field/field.h"
 #include "core/field/field_statistics.h"
+#include "draw/backend.h"
 #include "field/field_properties.h"
 #include "field/shown_map.h"
 

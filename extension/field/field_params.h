@@ -11,9 +11,9 @@
 #include "core/lod/lod.h"
 #include "core/map/growth.h"
 #include "core/paint/ledges.h"
+#include "core/paint/recovery.h"
 #include "core/solver/solver_params.h"
 #include "core/tiles/tiles.h"
-#include "core/paint/recovery.h"
 #include "draw/look_params.h"
 
 #include <array>

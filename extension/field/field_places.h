@@ -2,8 +2,8 @@
 // What stands where in a field: from global places to tiles and grass, and back. Made for one call.
 #pragma once
 
-#include "shared/convert.h"
 #include "field/standing_field.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 

@@ -4,8 +4,8 @@
 
 #include "core/base/tile_grid.h"
 #include "core/blades/patch.h"
-#include "core/lod/lod.h"
 #include "core/field/field_params.h"
+#include "core/lod/lod.h"
 #include "core/paint/recovery.h"
 #include "field/field_hook.h"
 #include "field/field_params.h"

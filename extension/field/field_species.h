@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/blades/patch.h"
-#include "core/species/species.h"
 #include "core/solver/solver_params.h"
+#include "core/species/species.h"
 #include "draw/drawn_plant.h"
 #include "resources/grass_species.h"
 

@@ -2,9 +2,9 @@
 // What the shaders of a field read besides textures of patch, pool and map.
 #pragma once
 
+#include "core/blades/force.h"
 #include "core/blades/wind.h"
 #include "core/field/field_setup.h"
-#include "core/blades/force.h"
 #include "draw/species_look.h"
 #include "field/field_properties.h"
 

@@ -2,8 +2,8 @@
 // The cameras and lights in which a field is seen in this frame.
 #pragma once
 
-#include "core/lod/view.h"
 #include "core/field/field.h"
+#include "core/lod/view.h"
 #include "field/field_properties.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>

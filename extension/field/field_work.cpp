@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_work.h"
 
-#include "shared/convert.h"
 #include "core/field/grass_at.h"
 #include "physics/ground_rays.h"
 #include "physics/ground_sheet.h"
 #include "physics/node_colliders.h"
+#include "shared/convert.h"
 #include "shared/params.h"
 #include "shared/script_call.h"
 

@@ -7,9 +7,9 @@
 #include "core/paint/mow.h"
 #include "core/paint/recovery.h"
 #include "field/field_host.h"
-#include "resources/grass_brush.h"
 #include "field/standing_field.h"
 #include "physics/vehicle_wheels.h"
+#include "resources/grass_brush.h"
 
 #include <godot_cpp/classes/shape3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>

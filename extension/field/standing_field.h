@@ -3,9 +3,9 @@
 // prepares the next one. Prints nothing: returns what the node must report.
 #pragma once
 
-#include "draw/backend.h"
 #include "core/field/field.h"
 #include "core/field/field_statistics.h"
+#include "draw/backend.h"
 #include "draw/ground.h"
 #include "draw/patch_texture.h"
 #include "field/field_maker.h"

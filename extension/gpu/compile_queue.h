@@ -54,8 +54,8 @@ public:
 	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
 	// Whether the driver has compiled or refused it.
 	bool is_done(const Pipeline &p_pipeline);
-	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what compiles in milliseconds and cannot wait for the
-	// worker, which may be compiling another pass for seconds.
+	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what compiles in milliseconds and cannot wait
+	// for the worker, which may be compiling another pass for seconds.
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call when the library is unloaded.
 	void free_pipelines();

@@ -3,8 +3,8 @@
 // the render thread (RenderingServer.call_on_render_thread).
 #pragma once
 
-#include "shared/convert.h"
 #include "gpu/compile_queue.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/rd_uniform.hpp>
 #include <godot_cpp/classes/rendering_device.hpp>

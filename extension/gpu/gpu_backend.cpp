@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/gpu_backend.h"
 
-#include "shared/convert.h"
 #include "draw/blade_mesh.h"
 #include "draw/frame_share.h"
 #include "draw/patch_texture.h"
 #include "gpu/gpu_field.h"
 #include "gpu/render_queue.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -142,8 +142,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room) || needs_refused_pass(p_setup)) {
 		return false;
 	}
-	const bool has_other_blades = p_setup.patch != _setup.patch,
-			   has_other_passes = kind_of(p_setup) != kind_of(_setup);
+	const bool has_other_blades = p_setup.patch != _setup.patch, has_other_passes = kind_of(p_setup) != kind_of(_setup);
 	_setup = p_setup;
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's

@@ -3,8 +3,8 @@
 // whose instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
 #pragma once
 
-#include "draw/backend.h"
 #include "core/field/knot_watch.h"
+#include "draw/backend.h"
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/plants.h"

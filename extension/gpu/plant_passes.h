@@ -3,9 +3,9 @@
 // the render thread, in GpuField.
 #pragma once
 
-#include "core/lod/plant_cull.h"
 #include "core/field/backend_statistics.h"
 #include "core/field/field_setup.h"
+#include "core/lod/plant_cull.h"
 #include "core/species/species.h"
 #include "gpu/device.h"
 

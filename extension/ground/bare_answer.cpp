@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ground/bare_answer.h"
 
-#include "shared/convert.h"
 #include "core/field/bare_cause.h"
 #include "core/field/grass_at.h"
 #include "field/field_places.h"
+#include "shared/convert.h"
 
 #include <cmath>
 

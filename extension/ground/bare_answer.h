@@ -2,8 +2,8 @@
 // The answer to "why is there no grass here?", for scripts and the editor.
 #pragma once
 
-#include "ground/field_filler.h"
 #include "field/standing_field.h"
+#include "ground/field_filler.h"
 
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/geometry_instance3d.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ground/field_filler.h"
 
-#include "shared/parallel.h"
-#include "shared/editor_hooks.h"
 #include "resources/grass_exclusion_3d.h"
 #include "resources/grass_path_3d.h"
+#include "shared/editor_hooks.h"
+#include "shared/parallel.h"
 #include "shared/script_call.h"
 #include "shared/watch_resource.h"
 

@@ -5,9 +5,9 @@
 
 #include "core/field/field_statistics.h"
 #include "draw/frame_share.h"
+#include "ground/terrain_source.h"
 #include "resources/grass_map.h"
 #include "shared/script_call.h"
-#include "ground/terrain_source.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
 #include <godot_cpp/classes/node3d.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a field reads of its terrain in a frame.
-#include "shared/convert.h"
 #include "core/fill/terrain_picture.h"
-#include "ground/field_terrain.h"
 #include "field/field_view.h"
+#include "ground/field_terrain.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/image.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ground/fill_gatherer.h"
 
-#include "shared/convert.h"
 #include "resources/grass_exclusion_3d.h"
 #include "resources/grass_path_3d.h"
+#include "shared/convert.h"
 #include "shared/same_data.h"
 
 #include <godot_cpp/classes/collision_shape3d.hpp>

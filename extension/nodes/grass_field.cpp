@@ -2,11 +2,11 @@
 // The node's life, its physics ticks and its frames.
 #include "nodes/grass_field.h"
 
-#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
 #include "field/field_view.h"
+#include "shared/convert.h"
 #include "shared/main_thread.h"
 #include "shared/scene_watch.h"
 #include "shared/script_call.h"

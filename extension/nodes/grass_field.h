@@ -3,21 +3,21 @@
 // frame, properties -> maker -> standing field when they change. No maths here.
 #pragma once
 
-#include "ground/bare_answer.h"
-#include "physics/field_bodies.h"
-#include "ground/field_filler.h"
 #include "field/field_forces.h"
 #include "field/field_host.h"
 #include "field/field_maker.h"
-#include "nodes/field_monitors.h"
 #include "field/field_places.h"
 #include "field/field_properties.h"
-#include "ground/field_terrain.h"
 #include "field/field_work.h"
-#include "physics/ground_rays.h"
 #include "field/other_light.h"
-#include "shared/property_value.h"
 #include "field/standing_field.h"
+#include "ground/bare_answer.h"
+#include "ground/field_filler.h"
+#include "ground/field_terrain.h"
+#include "nodes/field_monitors.h"
+#include "physics/field_bodies.h"
+#include "physics/ground_rays.h"
+#include "shared/property_value.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 #include <godot_cpp/variant/callable.hpp>

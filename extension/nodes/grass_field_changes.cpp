@@ -2,10 +2,10 @@
 // What a change of properties, species, map or fill rule sets going.
 #include "nodes/grass_field.h"
 
-#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/frame_share.h"
 #include "gpu/obstacles.h"
+#include "shared/convert.h"
 #include "shared/editor_hooks.h"
 #include "shared/main_thread.h"
 #include "shared/property_value.h"

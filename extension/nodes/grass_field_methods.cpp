@@ -2,10 +2,10 @@
 // The methods that scripts call: each checks its arguments and passes them on.
 #include "nodes/grass_field.h"
 
-#include "shared/convert.h"
-#include "shared/build_info.h"
-#include "shared/main_thread.h"
 #include "field/statistics_dictionary.h"
+#include "shared/build_info.h"
+#include "shared/convert.h"
+#include "shared/main_thread.h"
 
 #include <godot_cpp/classes/viewport.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/area_winds.h"
 
-#include "shared/convert.h"
 #include "physics/physics_shapes.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/core/object.hpp>

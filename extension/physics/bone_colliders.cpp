@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/bone_colliders.h"
 
-#include "shared/convert.h"
 #include "resources/grass_bone_colliders_3d.h"
+#include "shared/convert.h"
 
 namespace grass {
 

@@ -2,8 +2,8 @@
 // Where a field looks for what may bend it, besides the bodies that the physics server reports.
 #pragma once
 
-#include "shared/convert.h"
 #include "core/bodies/body_shape.h"
+#include "shared/convert.h"
 
 #include <Eigen/Geometry>
 

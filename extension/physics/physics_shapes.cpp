@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/physics_shapes.h"
 
-#include "shared/convert.h"
 #include "core/bodies/hull.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_bone_colliders_3d.h"
 
-#include "shared/convert.h"
 #include "shared/bind_property.h"
+#include "shared/convert.h"
 #include "shared/params.h"
 
 #include <godot_cpp/classes/engine.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_force_3d.h"
 
-#include "shared/convert.h"
 #include "shared/bind_property.h"
+#include "shared/convert.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
 #include "shared/property_value.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_map.h"
 
-#include "shared/convert.h"
 #include "core/map/map_changes.h"
 #include "resources/grass_map_file.h"
+#include "resources/size_limits.h"
+#include "shared/convert.h"
 #include "shared/label.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
-#include "resources/size_limits.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 

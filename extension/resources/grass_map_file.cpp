@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "resources/grass_map_file.h"
 
-#include "shared/convert.h"
 #include "resources/grass_map.h"
 #include "resources/size_limits.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>

@@ -5,9 +5,9 @@
 #include "draw/plant_model.h"
 #include "draw/species_look.h"
 #include "resources/grass_patch.h"
+#include "resources/species_params.h"
 #include "shared/label.h"
 #include "shared/property_value.h"
-#include "resources/species_params.h"
 
 #include <godot_cpp/classes/gradient.hpp>
 #include <godot_cpp/classes/mesh.hpp>

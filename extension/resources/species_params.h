@@ -2,9 +2,9 @@
 // Every number and colour of a GrassSpecies that a user may set, in the inspector's order.
 #pragma once
 
-#include "core/species/species.h"
-#include "core/solver/solver_params.h"
 #include "core/paint/recovery.h"
+#include "core/solver/solver_params.h"
+#include "core/species/species.h"
 #include "draw/look_params.h"
 
 #include <array>

@@ -2,10 +2,10 @@
 // The node's life, its frames, and the methods that scripts call.
 #include "world/grass_world.h"
 
-#include "shared/convert.h"
 #include "core/base/cpu_clock.h"
 #include "draw/frame_share.h"
 #include "resources/grass_force_3d.h"
+#include "shared/convert.h"
 #include "shared/main_thread.h"
 #include "shared/script_call.h"
 

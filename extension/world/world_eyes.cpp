@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "world/world_eyes.h"
 
-#include "shared/convert.h"
 #include "field/field_view.h"
+#include "shared/convert.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/character_body3d.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "world/world_files.h"
 
-#include "shared/convert.h"
 #include "resources/grass_map_file.h"
 #include "resources/size_limits.h"
+#include "shared/convert.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/display_server.hpp>

@@ -5,8 +5,8 @@
 
 #include "core/map/read_limits.h"
 #include "core/world/world_grid.h"
-#include "world/kept_plots.h"
 #include "field/shown_map.h"
+#include "world/kept_plots.h"
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/string.hpp>

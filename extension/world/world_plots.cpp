@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "world/world_plots.h"
 
-#include "shared/convert.h"
 #include "core/world/plot_map.h"
+#include "shared/convert.h"
 #include "shared/script_call.h"
 
 #include <godot_cpp/core/memory.hpp>

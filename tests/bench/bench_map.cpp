@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a step of a brush costs on a painted map of 1 km^2, as CSV on stdout: strokes of 1 m steps across it.
 // Then what a step of recovery costs in which a chunk heals, trampled in a path of 4 m or all over.
-#include "core/species/species.h"
 #include "core/paint/recovery.h"
+#include "core/species/species.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Vulkan layer that makes a device behave as drivers do on which the tests cannot run. tools/test/drivers.py builds it and starts the engine
-// under it. It reads the environment:
+// A Vulkan layer that makes a device behave as drivers do on which the tests cannot run. tools/test/drivers.py builds it and starts the
+// engine under it. It reads the environment:
 //   GRASS_LAYER_COUNTING=zero     vertices and instances count from 0 in every draw call, as in Direct3D 12
 //   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name

@@ -2,8 +2,8 @@
 // An awake tile on a map that changes: its blades grow as the map says.
 #include "hill_map.h"
 
-#include "core/species/field_blades.h"
 #include "core/solver/simulate.h"
+#include "core/species/field_blades.h"
 
 #include <doctest/doctest.h>
 

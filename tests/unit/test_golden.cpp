@@ -10,8 +10,8 @@
 #include "blade_scene.h"
 
 #include "core/paint/brush.h"
-#include "core/species/field_blades.h"
 #include "core/solver/simulate.h"
+#include "core/species/field_blades.h"
 
 #include <doctest/doctest.h>
 

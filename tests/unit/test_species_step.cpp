@@ -3,9 +3,9 @@
 #include "species_scene.h"
 
 #include "core/base/half.h"
-#include "core/species/field_blades.h"
 #include "core/solver/simulate.h"
 #include "core/solver/solver_params.h"
+#include "core/species/field_blades.h"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,8 @@
 // A headset's two eyes: what either of them sees is chosen, as finely as the nearer one needs it.
 #include "core/lod/view.h"
 
-#include "core/lod/cull.h"
 #include "core/field/field.h"
+#include "core/lod/cull.h"
 
 #include <doctest/doctest.h>
 

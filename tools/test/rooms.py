@@ -57,7 +57,9 @@ def wrong_rows(told, real):
 		if room not in real:
 			wrong.append(f"there is no room {room}/")
 		elif said != real[room]:
-			wrong.append(f"{room}/ includes {', '.join(sorted(real[room])) or 'nothing'}, the table says {', '.join(sorted(said)) or 'nothing'}")
+			wrong.append(
+				f"{room}/ includes {', '.join(sorted(real[room])) or 'nothing'}, the table says {', '.join(sorted(said)) or 'nothing'}"
+			)
 		if up := real.get(room, set()) - below:
 			wrong.append(f"{room}/ includes {', '.join(sorted(up))}, which the table lists after it")
 		below.add(room)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions whose last bit differs between C libraries and processors, for everything that shapes and moves blades: by operations that round
-// alike everywhere.
+// Functions whose last bit differs between C libraries and processors, for everything that shapes and moves blades: by operations that
+// round alike everywhere.
 #pragma once
 
 #include <cmath>

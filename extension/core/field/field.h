@@ -3,12 +3,12 @@
 // and no engine: tests/unit/test_field.cpp runs it.
 #pragma once
 
-#include "core/lod/view.h"
+#include "core/blades/force.h"
 #include "core/field/field_params.h"
 #include "core/field/field_setup.h"
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
-#include "core/blades/force.h"
+#include "core/lod/view.h"
 #include "core/map/field_map.h"
 #include "core/species/field_blades.h"
 #include "core/tiles/tiles.h"

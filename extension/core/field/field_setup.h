@@ -7,8 +7,8 @@
 #include "core/blades/patch.h"
 #include "core/lod/cull.h"
 #include "core/map/growth.h"
-#include "core/species/species.h"
 #include "core/solver/solver_params.h"
+#include "core/species/species.h"
 
 #include <algorithm>
 #include <bit>

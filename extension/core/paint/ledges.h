@@ -49,7 +49,8 @@ struct LedgeCorner {
 std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 		const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, double p_slope);
 
-// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places queried.
+// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places
+// queried.
 Eigen::Vector2d slope_beside_ledge(const HeightBlock &p_heights, const LedgeSearch &p_search, int p_i, int p_j, int64_t &r_sampled);
 
 } // namespace grass

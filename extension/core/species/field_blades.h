@@ -6,8 +6,8 @@
 #include "core/base/standing_plant.h"
 #include "core/blades/patch.h"
 #include "core/map/field_map.h"
-#include "core/species/species.h"
 #include "core/solver/step.h"
+#include "core/species/species.h"
 
 #include <vector>
 

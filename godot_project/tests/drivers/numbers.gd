@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## Still grass in small pictures, for tools/test/drivers.py, which starts this in each renderer with the layer of tests/drivers/ and without, and
-## compares the pictures: `-- --folder=FOLDER` is where they go. Whatever is drawn by several levels of detail is here: shadows, motion
-## vectors, cards, plants, a painted map, a surface hook, several cameras.
+## Still grass in small pictures, for tools/test/drivers.py, which starts this in each renderer with the layer of tests/drivers/ and
+## without, and compares the pictures: `-- --folder=FOLDER` is where they go. Whatever is drawn by several levels of detail is here:
+## shadows, motion vectors, cards, plants, a painted map, a surface hook, several cameras.
 extends Node3D
 
 const SIZE := Vector2i(240, 136)

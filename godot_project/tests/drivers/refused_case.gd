@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A test under the layer of tests/drivers/, which refuses compute passes: those of tools/test/drivers.py from the process's beginning, and those
-## of refuse() from then on. A process compiles a pass once.
+## A test under the layer of tests/drivers/, which refuses compute passes: those of tools/test/drivers.py from the process's beginning, and
+## those of refuse() from then on. A process compiles a pass once.
 extends "res://tests/view_case.gd"
 
 const PLACE := Vector3(0, 0.25, 0)

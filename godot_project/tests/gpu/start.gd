@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Draws a small field until all of its passes are compiled, lets a box bend it and ends the game. Started by tools/test/starting.py, several
-## times with the same user folder.
+## Draws a small field until all of its passes are compiled, lets a box bend it and ends the game. Started by tools/test/starting.py,
+## several times with the same user folder.
 extends Node3D
 
 const PATIENCE := 300.0  # seconds

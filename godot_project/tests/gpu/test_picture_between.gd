@@ -6,9 +6,7 @@ extends "res://tests/between_case.gd"
 func test_blades_move_in_every_frame_as_the_bodies_do() -> void:
 	var field := await roll(true)
 	var counts := count_moving(await watch(7))
-	print(
-		"    interpolated: %d of %d frames within a tick show other blades; %d mixes" % [counts.x, counts.y, field.get_counters().mixes]
-	)
+	print("    interpolated: %d of %d frames within a tick show other blades; %d mixes" % [counts.x, counts.y, field.get_counters().mixes])
 	assert_greater(counts.y, 5, "frames lie between ticks")
 	assert_greater(counts.x, 0.9 * counts.y)
 	assert_greater(field.get_counters().mixes, 5)
