@@ -204,10 +204,10 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 		return { nullptr, vformat("it has %d vertices, more than %d. Use a simpler mesh.", vertices, PlantModel::VERTICES) };
 	}
 	if (surfaces > GRASS_PLANT_SURFACES) {
-		return { nullptr, vformat("it has %d surfaces, more than %d. Join some.", surfaces, GRASS_PLANT_SURFACES) };
+		return { nullptr, vformat("it has %d surfaces, more than %d. Join some of them.", surfaces, GRASS_PLANT_SURFACES) };
 	}
 	if (!(height > 0.0f)) {
-		return { nullptr, "nothing of it lies above y = 0, where its root is. Move its vertices up." };
+		return { nullptr, "no part of it is above y = 0, where its root is. Move its vertices up." };
 	}
 	for (int s = 0; s < p_mesh->get_surface_count(); s++) {
 		const PackedVector3Array places = p_mesh->surface_get_arrays(s)[Mesh::ARRAY_VERTEX];

@@ -87,20 +87,21 @@ void BrushToolbar::add_numbers() {
 	add_slider(this, BRUSH_RADIUS, "Radius", "Radius.\nKeys [ and ], or Ctrl + mouse wheel.", WIDE);
 	slider_of(BRUSH_RADIUS)->set_exp_ratio(true);
 	add_slider(this, BRUSH_STRENGTH, "Strength",
-			"How far one touch brings the grass to its target.\nCtrl + [ and ], or Ctrl + Shift + mouse wheel.", WIDE);
+			"How far one touch moves the grass towards its target.\nCtrl + [ and ], or Ctrl + Shift + mouse wheel.", WIDE);
 	add_slider(this, BRUSH_HARDNESS, "Hardness",
-			"Share of the radius that feels the full strength: the inner ring.\nShift + [ and ], or Shift + mouse wheel.", WIDE);
+			"Share of the radius that gets the full strength: the inner ring.\nShift + [ and ], or Shift + mouse wheel.", WIDE);
 	_stamp = memnew(Button);
 	_stamp->set_name("Stamp");
 	_stamp->set_custom_minimum_size(Vector2(1, 1) * real_t(28 * editor_scale()));
 	_stamp->set_expand_icon(true);
 	_stamp->set_focus_mode(FOCUS_NONE);
-	_stamp->set_tooltip_text("The picture that each touch leaves. Press it to take it away.\nDrop a picture on a tool to have another.");
+	_stamp->set_tooltip_text(
+			"The picture that each touch leaves. Press it to remove the picture.\nDrop another picture on a tool to change it.");
 	_stamp->connect("pressed", callable_mp(this, &BrushToolbar::_stamp_pressed));
 	add_child(_stamp);
-	add_slider(this, BRUSH_STAMP_ROTATION, "Turn", "How far the stamp is turned.", WIDE);
-	add_slider(this, BRUSH_STAMP_RANDOM, "Random", "Up to how far more each stamp is turned.", WIDE);
-	constexpr const char *TARGET_TOOLTIP = "What the tool brings the grass to.\nCtrl + Shift + [ and ].";
+	add_slider(this, BRUSH_STAMP_ROTATION, "Turn", "Rotation of the stamp.", WIDE);
+	add_slider(this, BRUSH_STAMP_RANDOM, "Random", "Maximum random rotation that is added to each stamp.", WIDE);
+	constexpr const char *TARGET_TOOLTIP = "The value to which the tool brings the grass.\nCtrl + Shift + [ and ].";
 	add_slider(this, BRUSH_TARGET, "", TARGET_TOOLTIP, WIDE);
 	add_slider(this, BRUSH_CUT_HEIGHT, "Height", TARGET_TOOLTIP, WIDE);
 	_species = memnew(SpeciesPalette);
@@ -130,7 +131,7 @@ void BrushToolbar::add_numbers() {
 	add_child(_color);
 	_channel = memnew(OptionButton);
 	_channel->set_name("Channel");
-	_channel->set_tooltip_text("What is evened out.");
+	_channel->set_tooltip_text("What the brush evens out.");
 	for (const ChannelName &smoothed : SMOOTHED) {
 		_channel->add_item(smoothed.name, smoothed.channel);
 	}
@@ -142,7 +143,7 @@ void BrushToolbar::add_limits() {
 	_limits = memnew(Button);
 	_limits->set_name("Limits");
 	_limits->set_theme_type_variation("FlatButton");
-	_limits->set_tooltip_text("Paint only ground of some slope and height.");
+	_limits->set_tooltip_text("Paint only ground within a range of slope and height.");
 	_limits->connect("pressed", callable_mp(this, &BrushToolbar::_limits_pressed));
 	add_child(_limits);
 	_limits_panel = memnew(PopupPanel);
@@ -150,8 +151,8 @@ void BrushToolbar::add_limits() {
 	GridContainer *grid = memnew(GridContainer);
 	grid->set_columns(2);
 	_limits_panel->add_child(grid);
-	add_slider(grid, BRUSH_SLOPE_MIN, "Slope from", "The least slope that is painted.", 1.5 * WIDE);
-	add_slider(grid, BRUSH_SLOPE_MAX, "to", "The greatest slope that is painted.", NARROW);
+	add_slider(grid, BRUSH_SLOPE_MIN, "Slope from", "The smallest slope that is painted.", 1.5 * WIDE);
+	add_slider(grid, BRUSH_SLOPE_MAX, "to", "The largest slope that is painted.", NARROW);
 	add_slider(grid, BRUSH_HEIGHT_MIN, "Height from", "The lowest ground that is painted, above the field's own height.", 1.5 * WIDE);
 	add_slider(grid, BRUSH_HEIGHT_MAX, "to", "The highest ground that is painted, above the field's own height.", NARROW);
 }
@@ -162,8 +163,8 @@ void BrushToolbar::add_bake() {
 	_bake->set_text("Bake Ground");
 	_bake->set_theme_type_variation("FlatButton");
 	_bake->set_focus_mode(FOCUS_NONE);
-	_bake->set_tooltip_text("Reads the ground under the whole field from collision shapes, so that the grass stands on it.\n"
-							"Painting does it under the brush, and where the ground or the field is moved it is done again.");
+	_bake->set_tooltip_text("Reads the ground under the whole field from collision shapes, so that the grass grows on it.\nPainting does "
+							"this under the brush. It is done again where the ground or the field was moved.");
 	_bake->connect("pressed", callable_mp(this, &BrushToolbar::_bake_pressed));
 	add_child(_bake);
 }
@@ -175,9 +176,9 @@ void BrushToolbar::add_menu() {
 	_menu->set_tooltip_text("The whole field.");
 	PopupMenu *popup = _menu->get_popup();
 	popup->add_item("Bare Field", MENU_BARE);
-	popup->set_item_tooltip(0, "Nothing grows but what you paint from now on.");
+	popup->set_item_tooltip(0, "Only what you paint from now on grows.");
 	popup->add_item("Full Field", MENU_FULL);
-	popup->set_item_tooltip(1, "Grass grows everywhere but where you erase from now on.");
+	popup->set_item_tooltip(1, "Grass grows everywhere except where you erase it from now on.");
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
 	popup->add_separator();
@@ -186,9 +187,9 @@ void BrushToolbar::add_menu() {
 		popup->set_item_checked(popup->get_item_index(p_item), true);
 		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
 	};
-	add_check(MENU_FOLLOW, "Bake Ground by Itself", "Under the brush, and where the ground or the field was moved.");
+	add_check(MENU_FOLLOW, "Bake Ground by Itself", "Reads the ground under the brush, and wherever the ground or the field was moved.");
 	add_check(MENU_NEIGHBOURS, "Paint Neighbours",
-			"The brush paints all fields that it reaches, each on its own map, but for locked and hidden ones.");
+			"The brush paints all fields that it reaches, each on its own map, except locked and hidden ones.");
 	popup->connect("id_pressed", callable_mp(this, &BrushToolbar::_menu_pressed));
 	add_child(_menu);
 }

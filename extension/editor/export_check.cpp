@@ -154,8 +154,8 @@ void ExportCheck::_export_file(const String &p_path, const String &p_type, const
 void ExportCheck::_export_end() {
 	if (!_has_extension && !find_extension().is_empty()) {
 		get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_ERROR, "GrassField",
-				vformat("%s is not exported, so the game will have no grass. Add '*.gdextension' to the filters for files that are no "
-						"resources (Resources tab), or export all resources.",
+				vformat("%s is not exported, so the game will have no grass. Add '*.gdextension' to the export filters for non-resource "
+						"files (Resources tab), or export all resources.",
 						EXTENSION));
 	}
 	check_plots();
@@ -170,9 +170,9 @@ void ExportCheck::check_plots() {
 			}
 			if (missing > 0) {
 				get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_WARNING, "GrassField",
-						vformat("%d plots in '%s', the `folder` of a GrassWorld in %s, are not exported: there the game will have grass as "
-								"if nothing had been painted. Add '%s' to the filters for files that are no resources (Resources tab), or "
-								"export all resources.",
+						vformat("%d plots in '%s', the `folder` of a GrassWorld in %s, are not exported, so the game's grass will look as "
+								"if nothing had been painted there. Add '%s' to the export filters for non-resource files (Resources tab), "
+								"or export all resources.",
 								missing, folder, scene, folder.trim_prefix("res://").path_join("*.grassmap")));
 			}
 		}

@@ -165,7 +165,8 @@ void GrassEditorPlugin::finish_stroke() {
 	_stroke.finish(get_undo_redo());
 	if (const PackedStringArray &names = _stroke.get_left_out(); !names.is_empty()) {
 		EditorInterface::get_singleton()->get_editor_toaster()->push_toast(
-				vformat("GrassField: not planted in %s, where this species does not grow. Select the field and drop the species on its "
+				vformat("GrassField: the species was not planted in %s, which does not grow it. Select the field and drop the species on "
+						"its "
 						"brush's Species tool, or add it to `species`.",
 						String(", ").join(names)),
 				EditorToaster::SEVERITY_WARNING);

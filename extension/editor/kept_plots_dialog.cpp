@@ -55,9 +55,9 @@ void KeptPlotsDialog::_show() {
 		return;
 	}
 	set_text(vformat("%d plots of GrassWorld '%s' were painted and not saved. They belong to another folder, or to another `plot_size`.\n\n"
-					 "Bring Over: they become plots of '%s', and take the place of its own where it has any; not those of another size.\n"
-					 "Keep: they stay in memory. With the scene they are saved to their own folder, if they have one.\n"
-					 "Discard: they are forgotten.",
+					 "Bring Over: they become plots of '%s' and replace its own plots at the same places. Plots of another size stay in "
+					 "memory.\nKeep: they stay in memory. They are saved with the scene to their own folder, if they have one.\nDiscard: "
+					 "their changes are lost.",
 			world->count_kept_elsewhere(), world->get_name(), world->get_folder()));
 	popup_centered();
 }

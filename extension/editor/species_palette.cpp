@@ -16,8 +16,8 @@ namespace {
 
 // In the editor's unscaled pixels: a picture's side, an item's width, the room between two, the room around all.
 constexpr int PICTURE = 40, COLUMN = 68, BETWEEN = 8, AROUND = 24;
-constexpr char TOOLTIP[] = "The species to plant: click one, or Ctrl + Shift + [ and ].\nDrop a GrassSpecies here, a preset for one: "
-						   "the field grows it, too.";
+constexpr char TOOLTIP[] = "The species to plant: click one, or Ctrl + Shift + [ and ].\nDrop a GrassSpecies here, for example a preset, "
+						   "and the field grows it, too.";
 constexpr char NO_SPECIES_TOOLTIP[] = "The field has no species to plant. Drop one here, or add entries to its `species`.";
 
 // A strip of each, side by side.

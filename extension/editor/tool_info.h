@@ -18,14 +18,14 @@ struct ToolInfo {
 };
 
 inline constexpr std::array<ToolInfo, 10> TOOLS = { {
-		{ GrassBrush::TOOL_PAINT, icon::PAINT, "plant grass, never less than is there. Ctrl: erase.", "Density", 0.56f, 0.94f, 0.59f },
-		{ GrassBrush::TOOL_ERASE, icon::ERASE, "take grass away. Ctrl: paint.", nullptr, 0.99f, 0.5f, 0.5f },
+		{ GrassBrush::TOOL_PAINT, icon::PAINT, "plant grass; never reduces the density. Ctrl: erase.", "Density", 0.56f, 0.94f, 0.59f },
+		{ GrassBrush::TOOL_ERASE, icon::ERASE, "remove grass. Ctrl: paint.", nullptr, 0.99f, 0.5f, 0.5f },
 		{ GrassBrush::TOOL_SMOOTH, icon::SMOOTH, "even out what was painted.", nullptr, 0.9f, 0.9f, 0.9f },
 		{ GrassBrush::TOOL_DENSITY, icon::DENSITY, "bring the density to a value. Ctrl: erase.", "Density", 0.56f, 0.94f, 0.59f },
 		{ GrassBrush::TOOL_HEIGHT, icon::HEIGHT, "bring the blades' height to a value. Ctrl: full height.", "Height", 0.55f, 0.65f, 0.95f },
 		{ GrassBrush::TOOL_SPECIES, icon::SPECIES,
-				"plant another species. Ctrl: as the field mixes them.\nDrop a GrassSpecies here, a preset for one: the field grows it, "
-				"too.",
+				"plant another species. Ctrl: as the field mixes them.\nDrop a GrassSpecies here, for example a preset, and the field "
+				"grows it, too.",
 				"Species", 1.0f, 0.8f, 0.37f },
 		{ GrassBrush::TOOL_TINT, icon::TINT, "colour the blades. Ctrl: their own colour.", "Amount", 1.0f, 1.0f, 1.0f },
 		{ GrassBrush::TOOL_COMB, icon::COMB, "lean the blades along the stroke. Ctrl: upright.", "Lean", 0.55f, 0.65f, 0.95f },

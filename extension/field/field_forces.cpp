@@ -15,7 +15,7 @@ using namespace godot;
 namespace grass {
 
 void FieldForces::blast(const Vector3 &p_place, double p_speed, double p_radius, double p_duration) {
-	ERR_FAIL_COND_MSG(!p_place.is_finite(), _host.message("blast() needs a place of finite numbers."));
+	ERR_FAIL_COND_MSG(!p_place.is_finite(), _host.message("blast() needs a finite position."));
 	Force force;
 	force.place = to_eigen(p_place);
 	push(force, p_speed, p_radius, p_duration);
@@ -23,7 +23,7 @@ void FieldForces::blast(const Vector3 &p_place, double p_speed, double p_radius,
 
 void FieldForces::push(const Vector3 &p_place, const Vector3 &p_velocity, double p_radius, double p_duration) {
 	ERR_FAIL_COND_MSG(
-			!p_place.is_finite() || !p_velocity.is_finite(), _host.message("push() needs a place and a velocity of finite numbers."));
+			!p_place.is_finite() || !p_velocity.is_finite(), _host.message("push() needs a finite position and a finite velocity."));
 	Force force;
 	force.kind = ForceKind::WIND;
 	force.place = to_eigen(p_place);

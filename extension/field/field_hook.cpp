@@ -107,9 +107,9 @@ String FieldHook::get_name() const {
 void FieldHook::warn(PackedStringArray &r_warnings) const {
 	if (_is_broken) {
 		r_warnings.push_back(vformat(
-				"`surface_hook`: %s does not compile, so the field is drawn without it. The shader error in the output says why. It must "
-				"define `void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission)`; names that "
-				"the field's shaders use are taken, so begin those of your functions and uniforms with a word of your own.",
+				"`surface_hook`: %s does not compile, so the field is drawn without it. The output shows the shader error. The include "
+				"must define `void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, inout vec3 emission)`; the "
+				"field's shaders already use some names, so begin those of your functions and uniforms with a prefix of your own.",
 				get_name()));
 	}
 }

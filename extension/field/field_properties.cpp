@@ -95,10 +95,9 @@ void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {
 	}
 	const TileGrid tiles = grid();
 	if (is_compatibility() && std::max(tiles.get_tiles_x(), tiles.get_tiles_z()) > EXACT_TILES) {
-		r_warnings.push_back(
-				vformat("The Compatibility renderer tells tiles apart up to %d along a side only: beyond, tiles share their clumps, "
-						"wind and map. Lower `density` or `size`, or use several fields.",
-						EXACT_TILES));
+		r_warnings.push_back(vformat("The Compatibility renderer distinguishes at most %d tiles along a side. Beyond that, tiles share "
+									 "their clumps, wind and map. Lower `density` or `size`, or use several fields.",
+				EXACT_TILES));
 	}
 	if (tiles.was_limited()) {
 		r_warnings.push_back("The field has more tiles than 8192 along a side, so it is smaller than `size`. Lower `density` or `size`, or "

@@ -228,8 +228,8 @@ void FieldSpecies::warn_of_plants(int64_t p_species, double p_density, PackedStr
 	const double distance = species->get_plant_distance(), near = near_plants(distance, p_density, vertices);
 	if (near < distance) {
 		r_warnings.push_back(
-				vformat("`plant_mesh` of species %d is drawn up to %.1f m, not up to its `plant_distance`: it has %d vertices, "
-						"and %.1f plants stand on a square metre. Lower `density`, the species' `share`, or its vertices.",
+				vformat("`plant_mesh` of species %d is drawn up to %.1f m, not up to its `plant_distance`: it has %d vertices, and %.1f "
+						"plants grow per square metre. Lower `density`, the species' `share`, or its vertices.",
 						p_species, near, vertices, p_density));
 	}
 }
@@ -237,7 +237,7 @@ void FieldSpecies::warn_of_plants(int64_t p_species, double p_density, PackedStr
 void FieldSpecies::warn(PackedStringArray &r_warnings, double p_density) const {
 	if (_list.size() > GRASS_MAX_SPECIES) {
 		r_warnings.push_back(
-				vformat("`species` has more than %d entries, the rest does not grow. Use a second field for them.", GRASS_MAX_SPECIES));
+				vformat("`species` has more than %d entries, and the rest do not grow. Use a second field for them.", GRASS_MAX_SPECIES));
 	}
 	for (size_t i = 0; i < std::min<size_t>(_list.size(), GRASS_MAX_SPECIES); i++) {
 		if (_list[i].is_null()) {

@@ -38,7 +38,7 @@ bool FieldWork::find_region(
 		return true;
 	}
 	ColliderShape shape;
-	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, _host.message(vformat("%s() needs a transform of finite numbers.", p_method)));
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), false, _host.message(vformat("%s() needs a finite transform.", p_method)));
 	ERR_FAIL_COND_V_MSG(!pose_shape(p_shape, to_field() * to_eigen(p_transform), shape), false,
 			_host.message(vformat("%s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", p_method,
 					p_shape->get_class())));
@@ -71,7 +71,7 @@ double FieldWork::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D 
 
 void FieldWork::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
-			_host.message("regrow() takes metres that grass grows by and wear that goes, 0 or more each."));
+			_host.message("regrow() needs a growth in metres and a reduction of wear, each 0 or more."));
 	std::optional<Footprint> footprint;
 	if (_host.build() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
 		_properties.map.ptr()->change([&](PaintMap &r_map) {
@@ -95,8 +95,7 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 
 double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amount) {
 	ERR_FAIL_COND_V_MSG(!p_global.is_finite() || !(p_radius > 0.0), 0.0,
-			_host.message(
-					"trample() needs a position, a radius in metres above 0, and how much of the way to bare ground it goes, 0 to 1."));
+			_host.message("trample() needs a finite position, a radius in metres above 0, and an amount from 0 to 1."));
 	GrassMap *map = _host.need_map("trample");
 	if (map == nullptr) {
 		return 0.0;
@@ -157,7 +156,7 @@ std::optional<MapRegion> FieldWork::bake_region(const Rect2 &p_region) const {
 	}
 	const MapRegion shared = whole.shared({ to_eigen(p_region.position), to_eigen(p_region.get_end()) });
 	ERR_FAIL_COND_V_MSG((shared.min.array() >= shared.max.array()).any(), {},
-			_host.message("the region of bake_ground() lies beside the field. It counts from the field's centre, in metres."));
+			_host.message("the region of bake_ground() is outside of the field. Give it in metres from the field's centre."));
 	return shared;
 }
 
@@ -179,12 +178,12 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 }
 
 int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
-	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a region of finite numbers, or an empty one."));
+	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a finite region, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
 	GroundRays rays(_host.as_node().get_world_3d(), _host.field_transform(), p_mask);
 	rays.stand(_host.as_node());
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
-			_host.message("the physics space is locked now. Where physics runs on a thread of its own, call bake_ground() in "
+			_host.message("the physics space is locked now. If physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));
 	const std::optional<MapRegion> region = bake_region(p_region);
 	const auto height = [&](const Eigen::Vector2d &p_place) {
@@ -195,7 +194,7 @@ int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 
 int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
-	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a transform of finite numbers."));
+	ERR_FAIL_COND_V_MSG(!p_transform.is_finite(), 0, _host.message("bake_ground_from() needs a finite transform."));
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
 	const MapRegion region = ground().grown(BORDER);

@@ -108,13 +108,13 @@ void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
 	const DeviceFit fit = fit_device(limits, wanted);
 	if (wanted.pool_size > fit.pool_size) {
 		r_warnings.push_back(
-				vformat("`pool_tiles` is %d, and the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
+				vformat("`pool_tiles` is %d, but the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
 						"Lower it to %d.",
 						wanted.pool_size, fit.pool_size, limits.buffer_bytes >> 20, limits.texture_side, fit.pool_size));
 	}
 	if (wanted.drawn_tiles_max > fit.drawn_tiles_max) {
 		r_warnings.push_back(
-				vformat("`drawn_tiles_max` is %d, and the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
+				vformat("`drawn_tiles_max` is %d, but the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
 						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
 	}
 }

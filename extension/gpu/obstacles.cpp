@@ -14,9 +14,8 @@ namespace grass {
 
 namespace {
 
-constexpr const char *ADVICE =
-		"Update the graphics driver. On Windows, `rendering/rendering_device/driver.windows` in the project settings chooses another one: "
-		"vulkan or d3d12.";
+constexpr const char *ADVICE = "Update the graphics driver. On Windows, `rendering/rendering_device/driver.windows` in the project "
+							   "settings selects another one: vulkan or d3d12.";
 
 // The engine exposes no limit of storage buffers. What Vulkan's drivers for the cards of these makers are taken to allow; nobody has read
 // it from them for this list. Of all others no more than the 128 MiB that Vulkan promises.
@@ -85,10 +84,10 @@ String find_obstacle(const FieldSetup &p_setup) {
 std::vector<Refusal> take_refusals() {
 	std::vector<Refusal> refusals;
 	for (const PassCode &code : CompileQueue::get().take_refused()) {
-		const char *instead = code.has_stand_in ? "The pass for all kinds of tiles does its work: slower, and blades meet sharp edges "
-												  "with their knots only."
-												: "Fields that need it are simulated and drawn by the CPU from now on, which takes more "
-												  "time.";
+		const char *instead = code.has_stand_in
+				? "The pass for all kinds of tiles replaces it. It is slower, and blades meet sharp edges with their knots only."
+				: "Fields that need it are simulated and drawn by the CPU from now on, which takes more "
+				  "time.";
 		refusals.push_back({ vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(),
 									 instead, ADVICE),
 				code.has_stand_in });

@@ -28,7 +28,7 @@ int64_t percent(double p_share) {
 BareAnswer explain_field(
 		const GeometryInstance3D &p_node, const StandingField &p_standing, const Vector3 &p_place, const Camera3D *p_camera) {
 	if (!p_standing.stands()) {
-		return { BareReason::NOT_MADE, "No grass stands yet: the field is still to be made, or its species have no blades." };
+		return { BareReason::NOT_MADE, "There is no grass yet: the field is not made yet, or its species have no blades." };
 	}
 	if (!p_node.is_visible_in_tree()) {
 		return { BareReason::HIDDEN, "No grass is drawn: the field, or a node above it, is hidden." };

@@ -159,12 +159,11 @@ void FieldFiller::warn(const Ref<GrassMap> &p_map, bool p_has_terrain, PackedStr
 	}
 	if (_rule->asks_textures() && !_terrain) {
 		r_warnings.push_back(
-				"`fill_rule` asks for textures (`texture_ids`), but `terrain` names no node that tells them, so all ground counts.");
+				"`fill_rule` depends on textures (`texture_ids`), but `terrain` is not a node that provides them, so all ground counts.");
 	}
 	if (_rule->asks_ground() && !p_has_terrain && (p_map.is_null() || !p_map->get_map().uses(MAP_GROUND))) {
-		r_warnings.push_back(
-				"`fill_rule` asks for slope or height, but the map knows no ground, so all of it counts as level, at the field's "
-				"height. Bake the ground.");
+		r_warnings.push_back("`fill_rule` depends on slope or height, but the map has no ground, so all ground counts as level, at the "
+							 "field's height. Bake the ground.");
 	}
 	r_warnings.append_array(_rule->find_warnings());
 }

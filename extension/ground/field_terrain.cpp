@@ -83,7 +83,8 @@ bool FieldTerrain::find(const TerrainSource::Handlers &p_handlers) {
 	const NodePath path = _path;
 	Node *node = _node.get_node_or_null(path);
 	if (node == nullptr || !node->is_inside_tree()) {
-		_problem = vformat("`terrain` names no node of the scene: '%s'. Choose the terrain again, or empty it.", String(path));
+		_problem = vformat(
+				"`terrain` is '%s', which is not a node of the scene. Choose the terrain again, or clear the property.", String(path));
 		forget();
 		return true;
 	}
@@ -162,8 +163,8 @@ bool FieldTerrain::look(const Transform3D &p_transform, const MapRegion &p_regio
 		}
 	}
 	if (_source && !is_upright(p_transform)) {
-		_problem = "`terrain` tells vertical heights, but the field is tilted, so nothing of it is laid. Turn the field about its Y axis "
-				   "only.";
+		_problem = "`terrain` provides vertical heights, but the field is tilted, so its heights are not used. Rotate the field about its "
+				   "Y axis only.";
 		return true;
 	}
 	_can_read = true;

@@ -80,7 +80,7 @@ PackedFloat32Array TerrainSource::to_numbers(const Variant &p_value, const char 
 			return numbers;
 		}
 	}
-	complain(p_value, p_method, vformat("a PackedFloat32Array of %d numbers, one a place", p_count));
+	complain(p_value, p_method, vformat("a PackedFloat32Array of %d numbers, one for each place", p_count));
 	return PackedFloat32Array();
 }
 

@@ -313,8 +313,8 @@ std::unique_ptr<TerrainSource> TerrainSource::find(Node *p_node, String &r_probl
 	const StringName name = p_node->get_name();
 	const String type = p_node->get_class();
 	if (!p_node->has_method("get_data")) {
-		r_problem = vformat("`terrain` is '%s' (%s), which has no method get_height(), nor the get_data() of Terrain3D and HTerrain. Name "
-							"another node, or give it the method (docs/guide/terrain.md).",
+		r_problem = vformat("`terrain` is '%s' (%s), which has neither a method get_height() nor the get_data() of Terrain3D and HTerrain. "
+							"Choose another node, or add the method to it (docs/guide/terrain.md).",
 				name, type);
 		return nullptr;
 	}
@@ -337,7 +337,7 @@ std::unique_ptr<TerrainSource> TerrainSource::find(Node *p_node, String &r_probl
 	}
 	r_problem =
 			vformat("get_data() of `terrain`, '%s', returned an object (%s) with neither get_height() nor get_interpolated_height_at(): "
-					"it is no terrain that a field knows (docs/guide/terrain.md).",
+					"a field cannot read this kind of terrain (docs/guide/terrain.md).",
 					name, data->get_class());
 	return nullptr;
 }

@@ -232,9 +232,9 @@ void GrassField::end_preview() {
 
 void GrassField::update_map() {
 	if (!_standing.update_map()) {
-		WARN_PRINT_ONCE(vformat(
-				"%s: `map` has more painted chunks under the field than it can show (%d, about 8 km\u00b2); the rest stays bare. Use "
-				"several smaller fields.",
+		WARN_PRINT_ONCE(vformat("%s: `map` has more painted chunks under the field than the field can show (%d, about 8 km\u00b2). The "
+								"rest stays bare. Use "
+								"several smaller fields.",
 				label(), GRASS_MAX_LAYERS));
 	}
 }
@@ -305,7 +305,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	_properties.warn_of_blades(warnings);
 	if (is_map_bare() && Engine::get_singleton()->is_editor_hint()) { // a game may begin with bare ground
-		warnings.push_back("`map` has nothing painted and `base_density` 0, so no grass grows. Paint with the brush, or set the map's "
+		warnings.push_back("`map` has no paint and a `base_density` of 0, so no grass grows. Paint with the brush, or set the map's "
 						   "`base_density` to 1.");
 	}
 	if (is_inside_tree()) {

@@ -51,7 +51,7 @@ void GrassField::show() {
 void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_value) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(!_properties.hook.has(p_name),
-			message(vformat("set_hook_parameter() knows no `%s`. The uniforms of `surface_hook` are: %s.", p_name,
+			message(vformat("set_hook_parameter(): there is no uniform `%s`. The uniforms of `surface_hook` are: %s.", p_name,
 					String(", ").join(_properties.hook.get_uniforms()))));
 	_properties.hook.set_value(p_name, p_value);
 	_standing.set_uniform(p_name, p_value);
@@ -60,7 +60,7 @@ void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_v
 Variant GrassField::get_hook_parameter(const StringName &p_name) const {
 	GRASS_MAIN_THREAD_ONLY_V(Variant());
 	ERR_FAIL_COND_V_MSG(!_properties.hook.has(p_name), Variant(),
-			message(vformat("get_hook_parameter() knows no `%s`. The uniforms of `surface_hook` are: %s.", p_name,
+			message(vformat("get_hook_parameter(): there is no uniform `%s`. The uniforms of `surface_hook` are: %s.", p_name,
 					String(", ").join(_properties.hook.get_uniforms()))));
 	return _properties.hook.get_value(p_name);
 }

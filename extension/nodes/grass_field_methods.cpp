@@ -101,7 +101,7 @@ bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
 	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	for (const int64_t blade : p_blades) {
 		ERR_FAIL_COND_V_MSG(!places().has_blade(blade), false,
-				message(vformat("there is no blade %d. find_blades() and get_tile_blades() tell the blades' numbers.", blade)));
+				message(vformat("there is no blade %d. Get the numbers of blades from find_blades() or get_tile_blades().", blade)));
 	}
 	return true;
 }
@@ -109,7 +109,7 @@ bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
 bool GrassField::has_tile(const Vector2i &p_tile) const {
 	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	ERR_FAIL_COND_V_MSG(!_standing.get_grid().has_tile(p_tile.x, p_tile.y), false,
-			message("there is no such tile. get_tiles() tells how many there are."));
+			message("there is no such tile. get_tiles() returns the number of tiles."));
 	return true;
 }
 
@@ -328,7 +328,8 @@ double GrassField::fill(const Ref<GrassFillRule> &p_rule) {
 		return 0.0;
 	}
 	if (_filler.is_set()) {
-		WARN_PRINT(message("fill() while `fill_rule` is live: that rule fills over it as soon as it changes. Turn `fill_live` off."));
+		WARN_PRINT(message("fill() was called while `fill_rule` is live: that rule will overwrite the result at its next change. Turn "
+						   "`fill_live` off."));
 	}
 	return _filler.fill(_properties.map, p_rule, fill_place());
 }
@@ -353,13 +354,13 @@ void GrassField::register_collider(Node3D *p_node, const Ref<Shape3D> &p_shape) 
 	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
 	ERR_FAIL_COND_MSG(is_polygon,
 			message(vformat(
-					"%s encloses no volume. Give it points that do, before it is registered: four at least, not all in a plane.", what)));
+					"%s encloses no volume. Before you register it, give it at least four points that are not all in one plane.", what)));
 	ERR_FAIL_MSG(message(vformat("%s bends no grass. Use a sphere, box, capsule, cylinder or convex polygon.", what)));
 }
 
 void GrassField::unregister_collider(Node3D *p_node) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs the node."));
+	ERR_FAIL_NULL_MSG(p_node, message("unregister_collider() needs a node."));
 	_bodies.get_registered().remove(p_node->get_instance_id());
 }
 

@@ -50,7 +50,7 @@ bool GrassField::update_terrain() {
 
 void GrassField::terrain_changed(const AABB &p_area) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_COND_MSG(!p_area.is_finite(), message("terrain_changed() needs an area of finite numbers, or an empty one for everything."));
+	ERR_FAIL_COND_MSG(!p_area.is_finite(), message("terrain_changed() needs a finite area, or an empty one for everything."));
 	_terrain.area_changed(p_area);
 }
 

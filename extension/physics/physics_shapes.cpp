@@ -151,18 +151,18 @@ bool split_mesh(TrackedShape &r_shape) {
 
 String why_other(const TrackedShape &p_shape, const String &p_name) {
 	if (p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP) {
-		return vformat("%s: it moves, and its HeightMapShape3D bends no grass: grass takes height maps for ground. Give it a sphere, box, "
-					   "capsule, cylinder or convex polygon as well, or keep it still.",
+		return vformat("%s: it moves, but its HeightMapShape3D bends no grass, since a height map counts as ground. Add a sphere, box, "
+					   "capsule, cylinder or convex polygon, or do not move it.",
 				p_name);
 	}
 	if (p_shape.is_bound) {
-		return vformat("%s: its ConcavePolygonShape3D moves and has more than %d faces, or one that is not finite: it is not split into "
-					   "convex pieces, and grass meets the box around it. Give it a simpler mesh, or convex shapes.",
+		return vformat("%s: its ConcavePolygonShape3D moves and has more than %d faces, or one that is not finite, so it is not split into "
+					   "convex pieces: the box around it bends the grass. Use a simpler mesh, or convex shapes.",
 				p_name, int64_t(MeshPieces::MAX_FACES));
 	}
 	if (p_shape.is_simplified) {
-		return vformat("%s: its ConvexPolygonShape3D has more than %d points or %d faces: grass meets a 26-sided bound of it. Give it a "
-					   "simpler shape.",
+		return vformat("%s: its ConvexPolygonShape3D has more than %d points or %d faces, so a bound of it with 26 sides bends the grass. "
+					   "Use a simpler shape.",
 				p_name, int64_t(Hull::MAX_POINTS), int64_t(Hull::MAX_PLANES));
 	}
 	return String();

@@ -85,8 +85,8 @@ void GrassBrush::set_species(int64_t p_species) {
 void GrassBrush::set_channel(int64_t p_channel) {
 	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), label() + String(": `channel` is one of GrassMap's CHANNEL_* constants."));
 	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, label() + String(": smooth the density instead, and the painted mask follows."));
-	ERR_FAIL_COND_MSG(
-			!info_of(MapChannel(p_channel)).blends, label() + String(": species cannot be smoothed, they are numbers without a middle."));
+	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends,
+			label() + String(": species cannot be smoothed, since there is no mean of two species."));
 	if (replace(_channel, p_channel)) {
 		emit_changed();
 	}

@@ -62,7 +62,7 @@ void GrassExclusion3D::set_shape(const Ref<Shape3D> &p_shape) {
 
 void GrassExclusion3D::set_outline(const PackedVector2Array &p_outline) {
 	for (int64_t i = 0; i < p_outline.size(); i++) {
-		ERR_FAIL_COND_MSG(!p_outline[i].is_finite(), label() + String(": `outline` must be of finite numbers."));
+		ERR_FAIL_COND_MSG(!p_outline[i].is_finite(), label() + String(": `outline` must have finite numbers only."));
 	}
 	if (replace(_outline, p_outline)) {
 		changed();
@@ -90,7 +90,8 @@ PackedStringArray GrassExclusion3D::_get_configuration_warnings() const {
 		const int64_t type = PhysicsServer3D::get_singleton()->shape_get_type(_shape->get_rid());
 		if (type == PhysicsServer3D::SHAPE_HEIGHTMAP || type == PhysicsServer3D::SHAPE_WORLD_BOUNDARY ||
 				type == PhysicsServer3D::SHAPE_SEPARATION_RAY) {
-			warnings.push_back("`shape` is ground or a ray and excludes nothing. Use a box, sphere, capsule, cylinder or polygon.");
+			warnings.push_back(
+					"`shape` is a ground shape or a ray, which excludes nothing. Use a box, sphere, capsule, cylinder or polygon.");
 		}
 		if (!is_drawable(_shape)) {
 			warnings.push_back(vformat("`shape` has points that are not finite, or farther than %d m away, so it is not drawn. Correct its "

@@ -119,7 +119,7 @@ void GrassFillRule::set_mask_invert(bool p_invert) {
 
 void GrassFillRule::set_mask_region(const Rect2 &p_region) {
 	GRASS_CHANGE_GUARD(label());
-	ERR_FAIL_COND_MSG(!p_region.is_finite(), label() + String(": `mask_region` must be of finite numbers."));
+	ERR_FAIL_COND_MSG(!p_region.is_finite(), label() + String(": `mask_region` must be finite."));
 	if (replace(_mask_region, p_region.abs())) {
 		emit_changed();
 	}
@@ -143,7 +143,8 @@ void GrassFillRule::set_texture_ids(const PackedInt32Array &p_ids) {
 	std::vector<uint8_t> ids;
 	for (int64_t i = 0; i < p_ids.size(); i++) {
 		ERR_FAIL_COND_MSG(p_ids[i] < 0 || p_ids[i] > UINT8_MAX,
-				vformat("%s: `texture_ids` are numbers of a terrain's textures, 0 to 255. %d is none.", label(), int64_t(p_ids[i])));
+				vformat("%s: `texture_ids` must be numbers of a terrain's textures, from 0 to 255, but one is %d.", label(),
+						int64_t(p_ids[i])));
 		ids.push_back(uint8_t(p_ids[i]));
 	}
 	if (replace(_rule.texture_ids, ids)) {

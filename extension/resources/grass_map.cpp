@@ -38,8 +38,8 @@ String GrassMap::find_refusal() const {
 		return thread_message(label(), "a change");
 	}
 	return _unread.is_empty() ? String()
-							  : vformat("%s: its data could not be read, so it cannot be changed; what is on disk stays as it is. Use "
-										"clear() to begin anew.",
+							  : vformat("%s: its data could not be read, so it cannot be changed; the file on disk stays as it is. Call "
+										"clear() to start again.",
 										label());
 }
 
@@ -128,7 +128,8 @@ void GrassMap::set_data(const PackedByteArray &p_data) {
 
 void GrassMap::_report_unread(const String &p_reason) {
 	ERR_FAIL_COND_MSG(!get_path().is_empty(),
-			vformat("%s: `data` %s. It counts as empty, and is saved as it is. Load a copy of the file, or use clear() to begin anew.",
+			vformat("%s: `data` %s. The map counts as empty, and the data is saved as it is. Load a copy of the file, or call clear() to "
+					"start again.",
 					label(), p_reason));
 }
 
@@ -163,8 +164,8 @@ bool GrassMap::is_region(const char *p_method, const Rect2 &p_region) const {
 	ERR_FAIL_COND_V_MSG(p_region.position.x < -REACH || p_region.position.y < -REACH || end.x > REACH || end.y > REACH ||
 					p_region.size.x * p_region.size.y > LARGEST,
 			false,
-			vformat("%s: the region of %s() must lie within 16,384 m to each side and have at most %d square kilometres, which is what a "
-					"map holds.",
+			vformat("%s: the region of %s() must lie within 16,384 m to each side and have at most %d square kilometres, the area that a "
+					"map can hold.",
 					label(), p_method, int64_t(LARGEST * 1e-6)));
 	return true;
 }
@@ -255,7 +256,7 @@ Ref<GrassMapSnapshot> GrassMap::take_snapshot() const {
 }
 
 void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
-	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs what take_snapshot() returned.", label()));
+	ERR_FAIL_COND_MSG(p_snapshot.is_null(), vformat("%s: restore_snapshot() needs a snapshot from take_snapshot().", label()));
 	PaintMap before = p_snapshot->map;
 	if (write([&] { std::swap(_map, before); })) {
 		tell_of_replacing(before);
@@ -264,7 +265,7 @@ void GrassMap::restore_snapshot(const Ref<GrassMapSnapshot> &p_snapshot) {
 
 PackedByteArray GrassMap::get_changes_since(const Ref<GrassMapSnapshot> &p_snapshot) const {
 	ERR_FAIL_COND_V_MSG(
-			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs what take_snapshot() returned.", label()));
+			p_snapshot.is_null(), PackedByteArray(), vformat("%s: get_changes_since() needs a snapshot from take_snapshot().", label()));
 	return to_bytes(std::span<const uint8_t>(write_changes(p_snapshot->map, copy(), engine_codec())));
 }
 

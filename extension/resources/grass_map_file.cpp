@@ -70,7 +70,7 @@ Variant GrassMapLoader::_load(const String &p_path, const String &p_original_pat
 	(void)p_cache_mode; // the engine's business
 	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::READ);
 	if (file.is_null()) {
-		return fail(ERR_FILE_CANT_OPEN, vformat("Cannot open the grass map '%s'. Look whether it is there and may be read.", p_path));
+		return fail(ERR_FILE_CANT_OPEN, vformat("Cannot open the grass map '%s'. Check that the file exists and can be read.", p_path));
 	}
 	Ref<GrassMap> map;
 	map.instantiate();
@@ -99,8 +99,8 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
 	const ReadLimits limits = get_read_limits();
 	if (size_t(map->get_memory_usage()) > limits.map_bytes) {
-		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, and a map that is read may take %s. It is saved, and cannot be loaded "
-						   "before that is raised%s.",
+		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, but a map that is read may take at most %s. It is saved, but it cannot "
+						   "be loaded until that limit is raised%s.",
 				p_path, megabytes(size_t(map->get_memory_usage())).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
 	}
 	return write_map_file(map->get_data(), p_path);
@@ -113,7 +113,7 @@ Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
 	if (file.is_null()) {
 		return fail(FileAccess::get_open_error(),
-				vformat("Cannot save the grass map '%s': '%s' cannot be written. Look whether the folder is there and may be written to.",
+				vformat("Cannot save the grass map '%s': '%s' cannot be written. Check that the folder exists and can be written to.",
 						p_path, unfinished));
 	}
 	const bool stored = file->store_buffer(p_data) && file->get_error() == OK;
@@ -121,13 +121,13 @@ Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
 	if (!stored || FileAccess::get_file_as_bytes(unfinished) != p_data) {
 		DirAccess::remove_absolute(unfinished);
 		return fail(ERR_FILE_CANT_WRITE,
-				vformat("Cannot save the grass map '%s': writing failed, is the disk full? What was saved before is still there.", p_path));
+				vformat("Cannot save the grass map '%s': writing failed. Check whether the disk is full. The old file is unchanged.",
+						p_path));
 	}
 	const Error renamed = DirAccess::rename_absolute(unfinished, p_path);
 	if (renamed != OK) {
 		DirAccess::remove_absolute(unfinished);
-		return fail(
-				renamed, vformat("Cannot save the grass map '%s': the file that is there cannot be replaced. It is as it was.", p_path));
+		return fail(renamed, vformat("Cannot save the grass map '%s': the old file cannot be replaced. It is unchanged.", p_path));
 	}
 	return OK;
 }

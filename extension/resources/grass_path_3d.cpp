@@ -96,7 +96,7 @@ void GrassPath3D::set_enabled(bool p_enabled) {
 PackedStringArray GrassPath3D::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (get_points().is_empty()) {
-		warnings.push_back("This node changes no grass: give its `curve` two points at least.");
+		warnings.push_back("This node changes no grass: give its `curve` at least two points.");
 	}
 	return warnings;
 }

@@ -199,7 +199,7 @@ double GrassWorld::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, 
 		return 0.0;
 	}
 	ERR_FAIL_COND_V_MSG(p_brush.is_null(), 0.0, vformat("%s: paint() needs a GrassBrush.", label()));
-	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite places.", label()));
+	ERR_FAIL_COND_V_MSG(!p_from.is_finite() || !p_to.is_finite(), 0.0, vformat("%s: paint() needs finite positions.", label()));
 	const Eigen::Vector2d from = place_of(p_from), to = place_of(p_to);
 	const double reach = p_brush->get_reach() + MapLayers::CHANGE_MARGIN; // a neighbour's edge is blended with this one's
 	double sum = 0.0;
@@ -270,9 +270,9 @@ bool GrassWorld::has_unsaved() const {
 void GrassWorld::restore_plot(const Vector2i &p_plot, const Ref<GrassMapSnapshot> &p_snapshot, const Ref<GrassMapSnapshot> &p_from) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_COND_MSG(
-			p_snapshot.is_null() || p_from.is_null(), vformat("%s: restore_plot() needs what take_snapshot() of a map returned.", label()));
+			p_snapshot.is_null() || p_from.is_null(), vformat("%s: restore_plot() needs snapshots from a map's take_snapshot().", label()));
 	ERR_FAIL_COND_MSG(!grid().has({ p_plot.x, p_plot.y }),
-			vformat("%s: restore_plot(): (%d, %d) is no plot of this world.", label(), p_plot.x, p_plot.y));
+			vformat("%s: restore_plot(): (%d, %d) is not a plot of this world.", label(), p_plot.x, p_plot.y));
 	_plots.restore({ p_plot.x, p_plot.y }, p_from->map, p_snapshot->map);
 }
 

@@ -14,7 +14,7 @@ namespace grass {
 PackedStringArray GrassWorld::find_warnings() const {
 	PackedStringArray warnings;
 	if (_plots.get_fields().has_wrong_scene()) {
-		warnings.push_back("The root of `plot_scene` is no GrassField, so plots grow with the defaults. Choose a scene whose root is one.");
+		warnings.push_back("The root of `plot_scene` is not a GrassField, so plots use the defaults. Choose a scene whose root is one.");
 	}
 	if (find_folders().place.to.is_empty() && Engine::get_singleton()->is_editor_hint()) {
 		warnings.push_back(
@@ -28,8 +28,8 @@ PackedStringArray GrassWorld::find_warnings() const {
 	const double tile_size = _plots.get_fields().get_pattern().tile_size, tiles = tile_size > 0.0 ? _plot_size / tile_size : 0.0;
 	if (std::abs(tiles - std::round(tiles)) > 1e-6) {
 		const double fitting = 64.0 * std::round(tiles) * std::round(tiles) / (_plot_size * _plot_size);
-		warnings.push_back(vformat("`density` of `plot_scene` makes tiles that do not fit `plot_size`, so plots overlap or gape by some "
-								   "decimetres. Set `density` to %.2f.",
+		warnings.push_back(vformat("`density` of `plot_scene` makes tiles that do not fit `plot_size`, so plots overlap or leave gaps of "
+								   "some decimetres. Set `density` to %.2f.",
 				fitting));
 	}
 	if (const String problem = find_folder_problem(); !problem.is_empty()) {
@@ -37,9 +37,8 @@ PackedStringArray GrassWorld::find_warnings() const {
 	}
 	if (const int64_t elsewhere = count_kept_elsewhere(); elsewhere > 0) {
 		warnings.push_back(
-				vformat("What was changed of %d plots was never written, and belongs to other folders or to another `plot_size`. "
-						"save() writes it to its own folder, where it has one; carry_unsaved() brings it here, discard_unsaved() "
-						"forgets it.",
+				vformat("Changes of %d plots were never written, and belong to other folders or to another `plot_size`. save() writes them "
+						"to their own folder, if they have one. carry_unsaved() brings them here, discard_unsaved() discards them.",
 						elsewhere));
 	}
 	return warnings;
@@ -112,10 +111,9 @@ void GrassWorld::report_loss() {
 	_plots.stop();
 	const int64_t kept = Engine::get_singleton()->is_editor_hint() ? 0 : _plots.get_files().get_statistics().kept;
 	if (kept > 0) {
-		WARN_PRINT(
-				vformat("%s: it is freed, and what was changed of %d plots is lost, since it was never written. Call save() before, with "
-						"a `save_folder` that can be written to; or discard_unsaved(), if it is not wanted.",
-						label(), kept));
+		WARN_PRINT(vformat("%s: it is freed, and changes of %d plots are lost, since they were never written. Before, call save() with a "
+						   "`save_folder` that can be written to, or discard_unsaved() if they are not wanted.",
+				label(), kept));
 	}
 }
 

@@ -208,8 +208,8 @@ String WorldFiles::find_problem() const {
 	}
 	for (const auto &[files, folders] : running) {
 		if (files != this && !_folders.place.to.is_empty() && real_path(folders.place.to) == real_path(_folders.place.to)) {
-			return vformat("%s writes its plots to '%s', too: each of the two replaces what the other one wrote. Give each world a "
-						   "`folder` and a `save_folder` of its own.",
+			return vformat("%s writes its plots to '%s', too, so each of the two worlds overwrites the files of the other. Give each world "
+						   "its own `folder` and `save_folder`.",
 					folders.label, _folders.place.to);
 		}
 	}
@@ -273,9 +273,8 @@ bool WorldFiles::read_file(const String &p_path, PaintMap &r_map) {
 	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
 	const std::string reason = read_map(std::span(bytes.ptr(), size_t(bytes.size())), engine_codec(), r_map, limits());
 	if (!reason.empty()) {
-		ERR_PRINT(vformat(
-				"%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot stands as if there were none; the file stays "
-				"as it is, under the name '%s.unread' once the plot is changed.",
+		ERR_PRINT(vformat("%s: `folder` has a map that cannot be read: the file '%s' %s. Its plot is used as if it had no file. The file "
+						  "stays as it is, and is renamed to '%s.unread' once the plot is changed.",
 				_folders.label, p_path, String(reason.c_str()), p_path.get_file()));
 	}
 	std::lock_guard lock(_mutex);

@@ -74,7 +74,7 @@ TEST_CASE("Tiles whose tables are larger than a storage buffer are not for the d
 	CHECK(fit_device({}, setup).lack.empty());
 	setup = square_of(5793);
 	CHECK(setup.grid.get_tile_count() > 33554432);
-	CHECK(fit_device({}, setup).lack.find("256 MiB, and the graphics device promises 128 MiB") != std::string::npos);
+	CHECK(fit_device({}, setup).lack.find("256 MiB, but the graphics device guarantees only 128 MiB") != std::string::npos);
 	setup = square_of(2048); // 2^22; a map takes 20 bytes each
 	setup.is_mapped = true;
 	CHECK(fit_device({}, setup).lack.empty());
@@ -90,12 +90,12 @@ TEST_CASE("A device that lacks what a pass takes is told by name") {
 	limits.buffers = 13;
 	CHECK(fit_device(limits, setup).lack.empty());
 	limits.buffers = 12;
-	CHECK(fit_device(limits, setup).lack == "The graphics device gives a compute pass 12 storage buffers, and grass needs 13.");
+	CHECK(fit_device(limits, setup).lack == "The graphics device allows a compute pass 12 storage buffers, but grass needs 13.");
 	limits = {};
 	limits.shared_bytes = 16383;
 	CHECK(fit_device(limits, setup).lack ==
-			"The graphics device gives a compute pass 16383 bytes of shared memory, and grass needs 16384.");
+			"The graphics device allows a compute pass 16383 bytes of shared memory, but grass needs 16384.");
 	limits = {};
 	limits.constant_bytes = 127;
-	CHECK(fit_device(limits, setup).lack == "The graphics device gives a compute pass 127 bytes of push constants, and grass needs 128.");
+	CHECK(fit_device(limits, setup).lack == "The graphics device allows a compute pass 127 bytes of push constants, but grass needs 128.");
 }

@@ -77,7 +77,7 @@ TEST_CASE("map_file: a file cut off anywhere is refused, and says how much is th
 			"is cut off: " + std::to_string(bytes.size() - 1) + " of " + std::to_string(bytes.size()) + " bytes are there");
 	MapBytes longer = bytes;
 	longer.push_back(0);
-	CHECK(read_map(longer, RUNS, map) == "is damaged: it goes on for 1 bytes after its end");
+	CHECK(read_map(longer, RUNS, map) == "is damaged: it has 1 extra bytes after its end");
 }
 
 TEST_CASE("map_file: a newer version and another kind of file are told apart from damage") {
@@ -88,7 +88,7 @@ TEST_CASE("map_file: a newer version and another kind of file are told apart fro
 	CHECK(read_map(bytes, RUNS, map).find("newer version") != std::string::npos);
 	check_refused(bytes, before);
 	bytes[0] = 'g';
-	CHECK(read_map(bytes, RUNS, map).find("is no grass map") != std::string::npos);
+	CHECK(read_map(bytes, RUNS, map).find("is not a grass map") != std::string::npos);
 	check_refused(bytes, before);
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("read_limits: a file that would take more than a map may is refused be
 	PaintMap map;
 	unpacked = 0;
 	const std::string reason = read_map(bytes, COUNTING, map);
-	CHECK(reason.find("would take 1449 MB of memory, and a map may take 1024 MB") == 0);
+	CHECK(reason.find("would take 1449 MB of memory, but a map may take at most 1024 MB") == 0);
 	CHECK(unpacked == 0);
 	CHECK(map.is_empty());
 	CHECK(read_map(bytes, COUNTING, map, limits_of(1000, 1000)).find("may take 1 MB (the map's limit)") != std::string::npos);
@@ -129,7 +129,7 @@ TEST_CASE("read_limits: changes are bounded by what one message may change, and 
 	PaintMap map;
 	const MapBytes message = write_changes(map, wide_map(20, ALL), COUNTING); // 169 MB
 	unpacked = 0;
-	CHECK(apply_changes(message, COUNTING, map).reason.find("would change 161 MB of the map, and one message may change 64 MB") == 0);
+	CHECK(apply_changes(message, COUNTING, map).reason.find("would change 161 MB of the map, but one message may change at most 64 MB") == 0);
 	CHECK(unpacked == 0);
 	const size_t chunk = bytes_of_chunk(ALL);
 	const MapBytes four = write_changes(map, wide_map(2, ALL), COUNTING);
@@ -157,8 +157,8 @@ TEST_CASE("read_limits: chunks beyond the ground that is shown are refused, but 
 	far.set_code(MAP_CUT, 0, 128 * 250, 3, 7);
 	PaintMap map;
 	CHECK(apply_changes(write_changes(map, far, RUNS), RUNS, map, limits).reason ==
-			"do not fit: the cut of chunk (250, 0) lies beyond every field that shows this map");
-	CHECK(read_map(write_map(far, RUNS), RUNS, map, limits) == "holds chunk (250, 0), which lies beyond the ground that it is for");
+			"do not fit: the cut of chunk (250, 0) is outside of every field that shows this map");
+	CHECK(read_map(write_map(far, RUNS), RUNS, map, limits) == "holds chunk (250, 0), which is outside of the ground that it is for");
 	CHECK(apply_changes(write_changes(map, near, RUNS), RUNS, map, limits).reason == "");
 	map = far;
 	PaintMap changed = far;

@@ -22,7 +22,7 @@ bool sanitise_pose(ColliderPose &r_pose, const char *&r_reason) {
 	}
 	const double length = r_pose.rotation.norm();
 	if (!(length > 1e-6 && length < 1e6)) {
-		r_reason = "its rotation is no rotation";
+		r_reason = "its rotation is not a valid rotation";
 		return false;
 	}
 	r_pose.rotation.coeffs() /= length;

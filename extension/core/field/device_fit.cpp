@@ -16,7 +16,7 @@ constexpr int64_t NEEDED_CONSTANT_BYTES = sizeof(GrassStep);
 constexpr int64_t INSTANCE_BYTES = GRASS_INSTANCE_FLOATS * int64_t(sizeof(float));
 
 std::string lack_of(const char *p_what, int64_t p_has, int64_t p_needed) {
-	return std::string("The graphics device gives a compute pass ") + std::to_string(p_has) + " " + p_what + ", and grass needs " +
+	return std::string("The graphics device allows a compute pass ") + std::to_string(p_has) + " " + p_what + ", but grass needs " +
 			std::to_string(p_needed) + ".";
 }
 
@@ -33,7 +33,7 @@ std::string find_lack(const DeviceLimits &p_limits, const FieldSetup &p_setup) {
 	const int64_t tile_bytes = p_setup.is_mapped ? int64_t(sizeof(TileCover::Tile)) : int64_t(sizeof(uint32_t));
 	const int64_t bytes = tile_room(int64_t(p_setup.grid.get_tile_count())) * tile_bytes;
 	if (bytes > p_limits.buffer_bytes) {
-		return "The field's tiles take a buffer of " + std::to_string(bytes >> 20) + " MiB, and the graphics device promises " +
+		return "The field's tiles need a buffer of " + std::to_string(bytes >> 20) + " MiB, but the graphics device guarantees only " +
 				std::to_string(p_limits.buffer_bytes >> 20) + " MiB. Lower `size` or `density`, or use several fields.";
 	}
 	return {};

@@ -55,12 +55,12 @@ Changes refuse(std::string p_reason) {
 // The table, with all that can be wrong about it.
 Changes read_table(std::span<const uint8_t> p_bytes) {
 	if (p_bytes.size() < CHANGE_MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), CHANGE_MAGIC, CHANGE_MAGIC_BYTES) != 0) {
-		return refuse("are no changes of a grass map: they do not begin with \"GRASSDIF\"");
+		return refuse("are not changes of a grass map: they do not begin with \"GRASSDIF\"");
 	}
 	const uint32_t version = get_u32(p_bytes, CHANGE_MAGIC_BYTES);
 	if (version != MAP_CHANGES_VERSION) {
-		return refuse("are of another version of this addon (format " + std::to_string(version) + ", this one reads " +
-				std::to_string(MAP_CHANGES_VERSION) + "). Server and clients need the same");
+		return refuse("are from another version of this addon (format " + std::to_string(version) + ", this one reads " +
+				std::to_string(MAP_CHANGES_VERSION) + "). Server and clients need the same version");
 	}
 	if (p_bytes.size() < CHANGE_HEADER_BYTES + CHANGE_CHECKSUM_BYTES) {
 		return refuse("are cut off in their header");
@@ -91,7 +91,7 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 		}
 		at += size;
 	}
-	return at == end ? changes : refuse("are damaged: they go on after their end");
+	return at == end ? changes : refuse("are damaged: they have extra bytes after their end");
 }
 
 std::string name_of(const Change &p_change) {
@@ -108,7 +108,7 @@ std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, con
 			return "do not fit: " + name_of(change) + " is out of reach";
 		}
 		if (p_map.find(change.key) == nullptr && !p_limits.allow(change.key)) {
-			return "do not fit: " + name_of(change) + " lies beyond every field that shows this map";
+			return "do not fit: " + name_of(change) + " is outside of every field that shows this map";
 		}
 		const size_t size = info_of(change.channel).chunk_bytes();
 		const bool is_new = find_texels(p_map, change.key, size_t(change.channel)) == nullptr;
@@ -117,12 +117,12 @@ std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, con
 		is_growing = is_growing || is_new;
 	}
 	if (bytes > p_limits.changes_bytes) {
-		return "would change " + megabytes(bytes) + " of the map, and one message may change " + megabytes(p_limits.changes_bytes) +
+		return "would change " + megabytes(bytes) + " of the map, but one message may change at most " + megabytes(p_limits.changes_bytes) +
 				p_limits.changes_hint;
 	}
 	return !is_growing || map_bytes <= p_limits.map_bytes ? std::string()
-														  : "would let the map take " + megabytes(map_bytes) +
-					" of memory, and it may take " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
+														  : "would make the map take " + megabytes(map_bytes) +
+					" of memory, but it may take at most " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
 }
 
 // r_map has its new base density by now.
@@ -132,7 +132,7 @@ std::string apply(const Change &p_change, const PaintMap &p_before, const MapCod
 	const uint32_t found = checksum(texels);
 	if (found != p_change.before && found != p_change.after) {
 		return "begin with another state of " + name_of(p_change) +
-				": changes before them are missing, or this map was changed otherwise. Take the whole `data` of the sender";
+				": earlier changes are missing, or this map was changed in another way. Copy the whole `data` of the sender";
 	}
 	r_has_changed = found != p_change.after;
 	if (!r_has_changed) { // came before
@@ -147,7 +147,7 @@ std::string apply(const Change &p_change, const PaintMap &p_before, const MapCod
 	const bool is_initial = texels == r_map.initial_texels(p_change.channel);
 	const bool has_room =
 			r_map.set_texels(p_change.key, p_change.channel, is_initial ? nullptr : std::make_shared<const MapTexels>(std::move(texels)));
-	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " finds no room, this map is full";
+	return has_room ? std::string() : "do not fit: " + name_of(p_change) + " has no room: this map is full";
 }
 
 } // namespace
@@ -196,7 +196,7 @@ AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p
 	applied.reason = changes.reason.empty() ? look_at_changes(changes, r_map, p_limits) : changes.reason;
 	const uint32_t base = uint32_t(r_map.initial_code(MAP_DENSITY, 0));
 	if (applied.reason.empty() && base != changes.base_before && base != changes.base_after) {
-		applied.reason = "begin with another base density. Take the whole `data` of the sender";
+		applied.reason = "begin with another base density. Copy the whole `data` of the sender";
 	}
 	if (!applied.reason.empty()) {
 		return applied;

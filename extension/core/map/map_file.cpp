@@ -121,7 +121,7 @@ struct FileTable {
 // "" and the bytes' table, or what is wrong with it.
 std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table) {
 	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
-		return "is no grass map: it does not begin with \"GRASSMAP\"";
+		return "is not a grass map: it does not begin with \"GRASSMAP\"";
 	}
 	const uint32_t version = get_u32(p_bytes, MAGIC_BYTES);
 	if (version > MAP_FILE_VERSION) {
@@ -154,7 +154,7 @@ std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table
 		return "is cut off: " + of_bytes(p_bytes.size(), at);
 	}
 	if (p_bytes.size() > at) {
-		return "is damaged: it goes on for " + std::to_string(p_bytes.size() - at) + " bytes after its end";
+		return "is damaged: it has " + std::to_string(p_bytes.size() - at) + " extra bytes after its end";
 	}
 	return {};
 }
@@ -174,13 +174,13 @@ std::string look_at_chunks(const FileTable &p_table, const ReadLimits &p_limits)
 					", makes no sense";
 		}
 		if (!p_limits.allow(chunk.key)) {
-			return "holds chunk " + place + ", which lies beyond the ground that it is for";
+			return "holds chunk " + place + ", which is outside of the ground that it is for";
 		}
 		bytes += chunk_size(chunk.channels);
 	}
-	return bytes <= p_limits.map_bytes
-			? std::string()
-			: "would take " + megabytes(bytes) + " of memory, and a map may take " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
+	return bytes <= p_limits.map_bytes ? std::string()
+									   : "would take " + megabytes(bytes) + " of memory, but a map may take at most " +
+					megabytes(p_limits.map_bytes) + p_limits.map_hint;
 }
 
 } // namespace

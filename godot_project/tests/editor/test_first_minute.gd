@@ -10,7 +10,7 @@ const DRAWN := [
 	"test_an_export_without_its_library_is_an_error"
 ]  # see runner.gd
 const EXTENSION := "res://addons/grass_field/grass_field.gdextension"
-const BARE := "`map` has nothing painted"
+const BARE := "`map` has no paint"
 
 var _updates := 0
 var _pictures: Dictionary[String, Texture2D] = {}

@@ -10,7 +10,7 @@ func test_a_pool_keeps_to_the_device_s_limit() -> void:
 	if RenderingServer.get_rendering_device().get_device_vendor_name() in LARGER:
 		skip("this device's storage buffers are larger")
 		return
-	expect_error("`pool_tiles` is %d, and the graphics device has room for %d" % [HELD + 1, HELD])
+	expect_error("`pool_tiles` is %d, but the graphics device has room for %d" % [HELD + 1, HELD])
 	var field := add_seen_field({pool_tiles = HELD})
 	await drawn()
 	assert_eq(field.get_counters().pool_tiles, HELD)

@@ -31,7 +31,7 @@ func mean(image: Image) -> Color:
 func test_compatibility_says_where_it_becomes_imprecise() -> void:
 	var is_compatibility := RenderingServer.get_current_rendering_method() == "gl_compatibility"
 	if is_compatibility:
-		expect_error("The Compatibility renderer tells tiles apart up to 2048 along a side only")
+		expect_error("The Compatibility renderer distinguishes at most 2048 tiles along a side")
 	var field := add_seen_field({size = Vector2(600, 0.5), density = 1024.0})
 	await drawn()
 	assert_eq(field.get_tiles(), Vector2i(2400, 2))

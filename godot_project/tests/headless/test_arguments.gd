@@ -160,7 +160,7 @@ func test_a_boot_of_any_size_treads_within_the_field() -> void:
 
 
 func test_ground_is_baked_where_the_field_is() -> void:
-	expect_error("GrassField 'Meadow': the region of bake_ground() lies beside the field")
+	expect_error("GrassField 'Meadow': the region of bake_ground() is outside of the field")
 	var field := add_field({map = full_map()})
 	var slab := BoxShape3D.new()
 	slab.size = Vector3(400, 1, 400)

@@ -137,7 +137,7 @@ func test_another_rule_does_not_make_the_field_anew() -> void:
 
 func test_new_ground_is_filled_anew() -> void:
 	var rule := _rule({height_max = 2.0, height_fade = 0.0})
-	expect_error("the map knows no ground")
+	expect_error("the map has no ground")
 	var field := await _add_filled(rule)
 	assert_eq(_density(field, 20, 20), 1.0)
 	var hill := Image.create_empty(8, 8, false, Image.FORMAT_RF)
@@ -164,7 +164,7 @@ func test_fill_once_does_not_follow() -> void:
 	field.fill_live = true
 	await frames(2)
 	assert_near(_density(field, 40, 0), 0.25, 0.01)
-	expect_error("fill() while `fill_rule` is live")
+	expect_error("fill() was called while `fill_rule` is live")
 	field.fill(_rule())
 
 
@@ -200,14 +200,14 @@ func test_bad_values_are_refused_or_clamped() -> void:
 	assert_eq(rule.slope_max, 90.0)
 	rule.density = NAN
 	assert_eq(rule.density, 1.0)
-	expect_error("`mask_region` must be of finite numbers")
+	expect_error("`mask_region` must be finite")
 	rule.mask_region = Rect2(NAN, 0, 1, 1)
 	assert_eq(rule.mask_region, Rect2())
 	expect_error("fill() needs a region")
 	assert_eq(GrassMap.new().fill(rule, Rect2(0, 0, INF, 4)), 0.0)
 	expect_error("fill() needs a GrassFillRule")
 	assert_eq(add_field().fill(null), 0.0)
-	expect_error("`outline` must be of finite numbers")
+	expect_error("`outline` must have finite numbers only")
 	var exclusion := GrassExclusion3D.new()
 	exclusion.outline = PackedVector2Array([Vector2(NAN, 0)])
 	assert_true(exclusion.outline.is_empty())

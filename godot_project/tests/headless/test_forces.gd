@@ -219,9 +219,9 @@ func test_no_body_enters_with_a_force() -> void:
 
 func test_bad_input_is_refused_by_name() -> void:
 	var field := add_meadow()
-	expect_error("blast() needs a place of finite numbers")
+	expect_error("blast() needs a finite position")
 	field.blast(Vector3(NAN, 0, 0))
-	expect_error("push() needs a place and a velocity of finite numbers")
+	expect_error("push() needs a finite position and a finite velocity")
 	field.push(Vector3.ZERO, Vector3(0, INF, 0))
 	expect_error("`radius`")
 	field.blast(Vector3.ZERO, 20.0, -3.0)

@@ -114,7 +114,7 @@ func test_what_is_asked_badly_is_told() -> void:
 	assert_eq(field.cut(null, Transform3D()).area, 0.0)
 	expect_error("solid shape")
 	field.cut(WorldBoundaryShape3D.new(), Transform3D())
-	expect_error("finite numbers")
+	expect_error("needs a finite transform")
 	field.cut(ball(1), at(Vector3(NAN, 0, 0)))
 	expect_error("regrow()")
 	field.regrow(-1.0)

@@ -54,8 +54,8 @@ func test_a_scene_keeps_them() -> void:
 
 
 func test_an_unknown_uniform_is_an_error() -> void:
-	expect_error("set_hook_parameter() knows no `wind`. The uniforms of `surface_hook` are: ember_glow, ember_paint.")
-	expect_error("get_hook_parameter() knows no `glew`.")
+	expect_error("set_hook_parameter(): there is no uniform `wind`. The uniforms of `surface_hook` are: ember_glow, ember_paint.")
+	expect_error("get_hook_parameter(): there is no uniform `glew`.")
 	var field := add_field({surface_hook = include(GLOW)})
 	field.set_hook_parameter("wind", Vector2(9, 9))
 	assert_eq(field.get_hook_parameter("glew"), null)

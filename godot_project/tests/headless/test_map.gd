@@ -127,7 +127,7 @@ func test_a_square_kilometre_of_painted_meadow_takes_at_most_4_megabytes() -> vo
 
 func test_a_file_that_is_no_map_is_refused_by_name() -> void:
 	_write(FILE, "not a map at all".to_utf8_buffer())
-	expect_error("'%s': the file is no grass map" % FILE)
+	expect_error("'%s': the file is not a grass map" % FILE)
 	expect_error("loading resource")
 	assert_true(_load(FILE) == null)
 
@@ -154,7 +154,7 @@ func test_broken_files_load_nothing_and_say_what_is_wrong() -> void:
 		if n % 3 == 0:
 			bytes.resize(random.randi_range(0, good.size() - 1))
 			if bytes.size() < 12:
-				expect_error("is no grass map")
+				expect_error("is not a grass map")
 		else:
 			bytes[random.randi_range(12, good.size() - 1)] ^= random.randi_range(1, 255)
 		_write(FILE, bytes)
@@ -247,7 +247,7 @@ func test_bad_values_are_refused_or_clamped() -> void:
 	expect_error("fewer components")
 	map.sample(GrassMap.CHANNEL_DENSITY, Vector2.ZERO, 1)
 	assert_eq(map.sample(GrassMap.CHANNEL_HEIGHT, Vector2(INF, 0)), 1.0)
-	expect_error("needs what take_snapshot() returned")
+	expect_error("needs a snapshot from take_snapshot()")
 	map.restore_snapshot(null)
 
 

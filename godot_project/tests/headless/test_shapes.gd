@@ -289,7 +289,7 @@ func test_a_height_map_that_moves_is_told_of() -> void:
 	var body := add_held_body(HeightMapShape3D.new(), Vector3(0, 0.3, 0))
 	body.name = "Barge"
 	await ticks(10)  # while it stands nobody complains
-	expect_error("Barge': it moves, and its HeightMapShape3D bends no grass")
+	expect_error("Barge': it moves, but its HeightMapShape3D bends no grass")
 	for i in 10:
 		body.position.x += 0.05
 		await ticks(1)

@@ -213,7 +213,7 @@ func test_meshes_that_cannot_be_drawn_are_reported() -> void:
 	low.size = Vector3.ONE
 	var sunk := SurfaceTool.new()
 	sunk.append_from(low, 0, Transform3D(Basis(), Vector3(0, -2, 0)))
-	var reasons := {ArrayMesh.new(): "it has no vertices", high: "it has 20604 vertices", sunk.commit(): "nothing of it lies above y = 0"}
+	var reasons := {ArrayMesh.new(): "it has no vertices", high: "it has 20604 vertices", sunk.commit(): "no part of it is above y = 0"}
 	for mesh: Mesh in reasons:
 		var broken := make(0.5, 0.5, {plant_mesh = mesh})
 		expect_error("'Meadow': `plant_mesh` of species 1 is not drawn: " + reasons[mesh])

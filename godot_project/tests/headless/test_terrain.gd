@@ -210,7 +210,7 @@ func test_all_is_read_again_where_a_terrain_does_not_say_where() -> void:
 	field.terrain_changed(AABB(Vector3(0, 0, 0), Vector3(2, 0, 2)))
 	await read(field)
 	assert_eq(counter(field, "terrain_queries") - queries, 100, "2 m, 2 m around them, and those around in four chunks")
-	expect_error("terrain_changed() needs an area of finite numbers")
+	expect_error("terrain_changed() needs a finite area")
 	field.terrain_changed(AABB(Vector3(NAN, 0, 0), Vector3(2, 0, 2)))
 	await frames(1)
 
@@ -291,7 +291,7 @@ func test_another_map_and_another_size_are_laid_too() -> void:
 
 
 func test_a_terrain_that_comes_late_and_goes() -> void:
-	expect_error("`terrain` names no node of the scene: '../Terrain'")
+	expect_error("`terrain` is '../Terrain', which is not a node of the scene")
 	var field := add_field({size = Vector2(40, 24), density = 10.0, terrain = NodePath("../Terrain")})
 	await frames(3)
 	var terrain: PlainTerrain = add_terrain(PlainTerrain.new())
@@ -308,7 +308,7 @@ func test_a_terrain_that_comes_late_and_goes() -> void:
 
 func test_nodes_that_are_no_terrain_are_named() -> void:
 	add_terrain(Node3D.new())
-	expect_error("`terrain` is 'Terrain' (Node3D), which has no method get_height()")
+	expect_error("`terrain` is 'Terrain' (Node3D), which has neither a method get_height()")
 	var field := add_field({terrain = NodePath("../Terrain")})
 	await frames(2)
 	get_node("Terrain").free()
@@ -325,10 +325,10 @@ func test_nodes_that_are_no_terrain_are_named() -> void:
 
 
 func test_a_rule_that_asks_for_textures_of_no_terrain() -> void:
-	expect_error("`fill_rule` asks for textures (`texture_ids`)")
+	expect_error("`fill_rule` depends on textures (`texture_ids`)")
 	var field := await _add_filled(_rule({texture_ids = PackedInt32Array([1])}))
 	assert_near(_density(field, 0, 0), 1.0, 0.0)
-	expect_error("`texture_ids` are numbers of a terrain's textures, 0 to 255. 256 is none.")
+	expect_error("`texture_ids` must be numbers of a terrain's textures, from 0 to 255, but one is 256.")
 	field.fill_rule.texture_ids = PackedInt32Array([256])
 	assert_eq(field.fill_rule.texture_ids, PackedInt32Array([1]))
 

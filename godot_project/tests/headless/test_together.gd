@@ -106,7 +106,7 @@ func test_changes_that_do_not_fit_are_refused_by_name() -> void:
 	assert_false(client.apply_changes(two), "the first is missing")
 	expect_error("these changes are damaged or cut off")
 	assert_false(client.apply_changes(both.slice(0, both.size() / 2)))
-	expect_error("these changes are no changes of a grass map")
+	expect_error("these changes are not changes of a grass map")
 	assert_false(client.apply_changes(server.data))
 	assert_true(client.is_empty() and told.is_empty(), "nothing happened to it")
 	assert_true(client.apply_changes(PackedByteArray()), "nothing changed")
@@ -115,7 +115,7 @@ func test_changes_that_do_not_fit_are_refused_by_name() -> void:
 	assert_eq(told, [server.get_chunks()])
 	assert_true(client.apply_changes(both), "again")
 	assert_eq(told.size(), 1)
-	expect_error("get_changes_since() needs what take_snapshot() returned")
+	expect_error("get_changes_since() needs a snapshot from take_snapshot()")
 	assert_true(client.get_changes_since(null).is_empty())
 
 

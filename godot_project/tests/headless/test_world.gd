@@ -198,7 +198,7 @@ func test_without_a_folder_changes_are_kept_and_told_of() -> void:
 func test_wrong_properties() -> void:
 	expect_error("`plot_size` cannot be 5")
 	expect_error("`radius` cannot be -3")
-	expect_error("is no GrassField")
+	expect_error("is not a GrassField")
 	expect_error("tiles that do not fit `plot_size`")
 	var wrong := PackedScene.new()
 	var node := Node3D.new()

@@ -49,7 +49,7 @@ func store_slot(folder: String) -> void:
 func test_an_unsaved_game_is_not_shown_in_another_slot_nor_written_there() -> void:
 	store_slot(SLOT_2)
 	expect_error("`folder` and `save_folder` are empty")
-	expect_error("was never written, and belongs to other folders")
+	expect_error("were never written, and belong to other folders")
 	var world := add_world({folder = ""})
 	await go(world, PLACE)
 	erase(world, PLACE)
@@ -75,7 +75,7 @@ func test_an_unsaved_game_is_not_shown_in_another_slot_nor_written_there() -> vo
 
 func test_an_unsaved_game_is_carried_over_when_it_is_asked_for() -> void:
 	expect_error("`folder` and `save_folder` are empty")
-	expect_error("was never written, and belongs to other folders")
+	expect_error("were never written, and belong to other folders")
 	var world := add_world({folder = ""})
 	await go(world, PLACE)
 	erase(world, PLACE)
@@ -107,7 +107,7 @@ func test_what_could_not_be_written_is_written_where_it_belongs() -> void:
 	FileAccess.open(SLOT_1, FileAccess.WRITE).store_string("in the way of a folder")
 	store_slot(SLOT_2)
 	expect_error("cannot be written")
-	expect_error("was never written, and belongs to other folders")
+	expect_error("were never written, and belong to other folders")
 	var world := add_world({save_folder = SLOT_1})
 	await go(world, PLACE)
 	erase(world, PLACE)
@@ -144,7 +144,7 @@ func test_plots_of_another_size_are_neither_shown_nor_spoiled() -> void:
 	assert_eq(density(world), 0.0, "where it was")
 	assert_eq(density(world, Vector3(200, 0, 200)), 1.0)
 	world.free()
-	expect_error("is freed, and what was changed of 1 plots is lost")
+	expect_error("is freed, and changes of 1 plots are lost")
 	world = add_world({plot_size = 256.0})  # in the next game, too
 	await go(world, PLACE)
 	assert_eq(density(world, Vector3(128, 0, 128)), 1.0)
@@ -185,7 +185,7 @@ func test_two_worlds_that_write_to_one_folder() -> void:
 
 func test_a_world_that_is_freed_says_what_is_lost() -> void:
 	expect_error("`folder` and `save_folder` are empty")
-	expect_error("is freed, and what was changed of 1 plots is lost")
+	expect_error("is freed, and changes of 1 plots are lost")
 	var world := add_world({folder = ""})
 	await go(world, PLACE)
 	erase(world, PLACE)
