@@ -19,9 +19,10 @@ public:
 	void blast(const godot::Vector3 &p_place, double p_speed, double p_radius, double p_duration);
 	void push(const godot::Vector3 &p_place, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	AreaWinds &get_areas() { return _areas; }
-	// A tick passes: pushes get older, and go.
+	// Advances pushes by a tick, and removes those that are over.
 	void pass(double p_delta);
-	// Finds those that reach a rectangle around the field's centre, p_size metres along x and z; the strongest, at most GRASS_MAX_FORCES.
+	// Finds the forces that reach a rectangle around the field's centre, p_size metres along x and z. Keeps the strongest, at most
+	// GRASS_MAX_FORCES.
 	void gather(const godot::Vector2 &p_size);
 	std::span<const Force> get() const { return _forces; } // field space
 	int get_left_out() const { return _left_out; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `surface_hook` of a field: the user's include, what it compiles to, and what its uniforms were set to.
+// The `surface_hook` of a field: the user's include, its compiled text, and the values of its uniforms.
 #pragma once
 
 #include "draw/surface_hook.h"
@@ -19,24 +19,24 @@ class FieldHook {
 public:
 	using Set = std::function<void(const godot::StringName &p_name, const godot::Variant &p_value)>;
 
-	// p_changed runs when the include changes: compile() then.
+	// p_changed runs when the include changes; call compile() then.
 	void set_include(const godot::Ref<godot::ShaderInclude> &p_include, const godot::Callable &p_changed);
 	const godot::Ref<godot::ShaderInclude> &get_include() const { return _include; }
 	// False if there is an include that does not compile; the field is drawn without it.
 	bool compile();
-	// It compiles alone, but not in the field's shaders.
+	// Marks an include that compiles alone, but not in the field's shaders.
 	void reject();
 	const godot::String &get_text() const { return _hook.text; } // SurfaceHook::text
 
 	bool has(const godot::StringName &p_uniform) const { return _hook.find(p_uniform) != nullptr; }
 	godot::PackedStringArray get_uniforms() const;
-	void set_value(const godot::StringName &p_uniform, const godot::Variant &p_value); // null: as the include has it
+	void set_value(const godot::StringName &p_uniform, const godot::Variant &p_value); // null: the include's default
 	godot::Variant get_value(const godot::StringName &p_uniform) const;
 	void hand_on(const Set &p_set) const; // all values
 
 	// The uniforms as properties, hook/NAME.
 	static bool is_property(const godot::StringName &p_name);
-	// False for another property. A scene sets them before or after the include.
+	// Returns false if the property is not a uniform. A scene sets uniforms before or after the include.
 	bool set_property(const godot::StringName &p_property, const godot::Variant &p_value);
 	bool get_property(const godot::StringName &p_property, godot::Variant &r_value) const;
 	void list(godot::List<godot::PropertyInfo> *r_list) const;

@@ -16,12 +16,14 @@ public:
 
 	virtual const godot::Node3D &as_node() const = 0;
 	virtual godot::Transform3D field_transform() const = 0; // global, without scale
-	// The same where this frame draws it: between two ticks, where the engine interpolates physics. In a tick as field_transform().
+	// The transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it equals
+	// field_transform().
 	virtual godot::Transform3D drawn_transform() = 0;
-	// Makes the field, if it waits to be made. False: a script that ran meanwhile freed the field, so touch nothing of it.
+	// Makes the field, if it waits to be made. Returns false if a script that ran meanwhile freed the field: use nothing of it then.
 	[[nodiscard]] virtual bool build() = 0;
-	// The map that a game changes: a field that has none gets one on which grass stands everywhere, as it did. Null, with an error that
-	// names p_method, outside of the tree; null, too, where a script that ran meanwhile freed the field.
+	// Returns the map that a game changes. A field without a map gets one on which grass grows everywhere, as it did before. Returns null
+	// and reports an error that names p_method if the field is outside of the tree. Also returns null if a script that ran meanwhile freed
+	// the field.
 	virtual GrassMap *need_map(const char *p_method) = 0;
 	virtual godot::String label() const = 0; // of the node, for messages
 	// Returns p_text with the node's name before it, for an error; the first time also with what a bug report needs.

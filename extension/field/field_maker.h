@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From properties to a field. One that enters the tree is made at once, so that its grass stands from the first tick on, unless it is
-// streamed. A field that stands goes on until everything slow has been made beside it: patches and passes by other threads, shaders and the
-// map piece by piece, as frames have time (draw/frame_share.h).
+// Makes a field from its properties. A field that enters the tree is made at once, so that its grass is drawn from the first tick on,
+// unless it is streamed. A field that already runs continues until everything slow has been made beside it: other threads make patches
+// and passes; shaders and the map are made piece by piece, as frames have time (draw/frame_share.h).
 #pragma once
 
 #include "core/field/field.h"
@@ -17,7 +17,7 @@
 
 namespace grass {
 
-// The field that properties describe, as far as it is prepared. The running field does not read it.
+// The field that the properties describe, as far as it is prepared. The running field does not read it.
 struct WantedField {
 	FieldSetup setup;
 	std::vector<SpeciesParams> mix;
@@ -30,22 +30,22 @@ struct WantedField {
 
 class FieldMaker {
 public:
-	// However many properties change, the field is made once, at the next tick or frame. What is being made goes on and is shown, and is
-	// made anew then: properties that change in every frame still show.
+	// Requests that the field be made at the next tick or frame, once, however many properties change. A field that is being made is
+	// finished and shown first, and then made again, so properties that change in every frame still take effect.
 	void request();
-	// The map that the field is to show, prepared by another thread; null: none.
+	// Sets the map that the field will show, prepared by another thread; null: none.
 	void offer(std::unique_ptr<PreparedMap> p_prepared) { _prepared = std::move(p_prepared); }
 	bool is_waiting() const { return _is_waiting; }
-	// Prepares it; beside a field that stands (p_backend), as far as this frame has time. True once it can be made.
+	// Prepares the field. Beside a running field (p_backend), only as far as this frame has time. Returns true once it can be made.
 	bool prepare(const FieldProperties &p_properties, const Field &p_now, Backend *p_backend);
-	// For what a map would have to be prepared; nothing while the patches are not made yet.
+	// Returns where a map would be shown, in order to prepare it, or nothing while the patches are not made yet.
 	static std::optional<ShownPlace> find_place(const FieldProperties &p_properties);
-	// The field that was prepared, to be made now.
+	// Returns the prepared field, to be made now.
 	WantedField take();
 	void forget() { drop(); }
 
 	ShownMap *get_map() const { return _wanted ? _wanted->map.get() : nullptr; } // that waits to be shown, or null
-	// Milliseconds that the making took in one frame, at most, since request().
+	// Records the milliseconds that making the field took in one frame; get_most_ms() is their maximum since request().
 	void add_time(double p_ms);
 	double get_most_ms() const { return _most_ms; }
 	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands where in a field: from global places to tiles and grass, and back. Made for one call.
+// Finds what grows where in a field: converts global places to tiles and grass, and back. Made for one call.
 #pragma once
 
 #include "field/standing_field.h"
@@ -20,19 +20,19 @@ public:
 
 	godot::Vector2i get_tile_at(const godot::Vector3 &p_global) const; // (-1, -1) outside of the field
 	godot::Vector3 get_tile_centre(const godot::Vector2i &p_tile) const; // global
-	// Of the field that stands. Knots: global, without wind, GRASS_KNOTS a blade.
+	// Reads the field as it is drawn. Knots are global, without wind, GRASS_KNOTS for each blade.
 	enum class Knots {
-		KNOWN, // what was read back last of awake blades on the GPU; at rest, while nothing was
-		EXACT, // as they are now: waits for the GPU where one of them is awake
+		KNOWN, // of awake blades on the GPU, the knots that were read back last; at rest until any were
+		EXACT, // as they are now; waits for the GPU if one of the blades is awake
 	};
 	godot::PackedVector3Array find_knots(std::span<const BladeNumber> p_blades, Knots p_knots) const;
-	// The blades of a tile that exists; those that stand up to p_radius metres from a place.
+	// Returns the blades of a tile that exists, or those that grow up to p_radius metres from a place.
 	std::vector<BladeNumber> blades_of(const godot::Vector2i &p_tile) const;
 	std::vector<BladeNumber> find_blades(const godot::Vector3 &p_global, double p_radius) const;
 	bool has_blade(BladeNumber p_blade) const { return p_blade >= 0 && p_blade < number_of(int(_standing.get_grid().get_tile_count()), 0); }
-	double density_at(const godot::Vector3 &p_global) const; // share of the blades that stand, 0..1
+	double density_at(const godot::Vector3 &p_global) const; // share of the blades that grow, 0..1
 	double height_at(const godot::Vector3 &p_global) const; // of the grass at rest, metres
-	// How far the tips around are from rest, on average: global axes, shares of the blades' lengths.
+	// Returns the mean offset of the tips around a place from rest, in global axes, as shares of the blades' lengths.
 	godot::Vector3 bend_at(const godot::Vector3 &p_global) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user set of a GrassField, and what follows from it without a field. Setters are the node's.
+// The properties of a GrassField that a user set, and what follows from them without a field. The node has the setters.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -28,10 +28,10 @@ struct FieldProperties {
 	ClumpParams clump() const;
 	LodParams lod() const;
 	SolverParams solver() const; // without what is a species' own
-	// Of a field that stands with these species.
+	// The parameters of a running field with these species.
 	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
 	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
-	// What is wrong with the species; with what is simulated and how many tiles there are.
+	// Append warnings: about the species; about simulation and the number of tiles.
 	void warn_of_blades(godot::PackedStringArray &r_warnings) const;
 	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
 
@@ -41,7 +41,7 @@ struct FieldProperties {
 	FieldSpecies species;
 	FieldHook hook;
 	godot::Ref<GrassMap> map;
-	godot::Ref<godot::Texture2D> terrain_texture, terrain_colors; // the user's; the terrain's own, where that tells any
+	godot::Ref<godot::Texture2D> terrain_texture, terrain_colors; // the user's; the terrain's own, if it provides any
 	const godot::Ref<godot::Texture2D> &find_terrain_texture() const {
 		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
 	}

@@ -18,7 +18,7 @@
 
 namespace grass {
 
-// A species of a field that stands, with the patch that it was made with.
+// A species of a running field, with the patch that it was made with.
 struct GrownSpecies {
 	godot::Ref<GrassSpecies> species;
 	std::shared_ptr<const Patch> patch;
@@ -40,25 +40,25 @@ public:
 	// One species without gradient and card: shaders and passes for several are not needed.
 	bool is_plain() const;
 
-	// Lets threads make the patches that are missing. True once none is.
+	// Makes threads prepare the missing patches. Returns true once none is missing.
 	bool prepare_patches() const;
-	// Reads the meshes that are not read yet. They may be scripts: false where one of them freed p_field, and this with it.
+	// Reads the meshes that are not read yet. Meshes may be scripts: returns false if one of them freed p_field, and this object with it.
 	[[nodiscard]] bool read_plants(const godot::Object &p_field) const;
-	// Those that count. An empty place in the list is a species of its own, so that the numbers of the others hold.
+	// Returns the species that are used. An empty place in the list counts as a species, so that the numbers of the others stay the same.
 	List find_used() const;
-	// The first of them, and in an empty list a new one.
+	// Returns the first of them, or a new one if the list is empty.
 	godot::Ref<GrassSpecies> make_first(const godot::Callable &p_changed);
 	std::vector<SpeciesParams> find_mix() const;
 	std::vector<GrownSpecies> find_grown() const;
-	// Radius of the largest flower, seed head or leaf around its tip, metres; a card on a thinned tile is drawn larger.
+	// Returns the radius of the largest flower, seed head or leaf around its tip, in metres. A card on a thinned tile is drawn larger.
 	float find_card_size() const;
 	float find_leaf_area() const; // of the mean blade, m^2
-	// The meshes that species have, in the order of find_used(); null: none. p_density: blades a square metre.
+	// Returns the meshes of the species in the order of find_used(); null: none. p_density is in blades per square metre.
 	std::vector<DrawnPlant> find_plants(double p_density) const;
 	bool has_plant_meshes() const; // whether they can be drawn or not, since reading them may run scripts
 	std::vector<int> find_stems() const; // that share a root
-	bool is_joined() const; // the patch of join() is of the species as they are
-	// All species' blades as one patch, the same one until they change.
+	bool is_joined() const; // the patch of join() matches the present species
+	// Returns all species' blades as one patch; it is the same patch until they change.
 	std::shared_ptr<const Patch> join() const;
 	void warn(godot::PackedStringArray &r_warnings, double p_density) const;
 

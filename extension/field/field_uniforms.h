@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the shaders of a field read besides textures of patch, pool and map.
+// The uniforms that a field's shaders read, besides the textures of patch, pool and map.
 #pragma once
 
 #include "core/blades/force.h"
@@ -21,18 +21,18 @@ public:
 	// Of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
-	// p_species: those that stand. p_set: of blades and ground; p_set_blades: of blades only.
+	// p_species: the running field's. p_set: for blades and ground; p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
 			const Set &p_set, const Set &p_set_blades);
 	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
 	void set_wind_clock(const Set &p_set);
-	// For motion vectors, once in each frame: what the wind's clock was in the last one. Returns whether it ran since.
+	// Sets the wind's clock of the last frame, for motion vectors. Call it once in each frame. Returns whether the clock has run since.
 	bool keep_wind_clock(const Set &p_set);
 	void join_wind(const FieldUniforms &p_other) { _wind = p_other._wind; } // gusts go on from one field to the other
 
 	// Of blades.
 	void set_forces(std::span<const Force> p_forces, const TileGrid &p_grid, const Set &p_set);
-	// The wind, or p_has_forces, blows for p_delta seconds. False where there is none.
+	// Lets the wind, or forces (p_has_forces), blow for p_delta seconds. Returns false if nothing blows.
 	bool blow(const FieldProperties &p_properties, double p_delta, bool p_has_forces);
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cameras and lights in which a field is seen in this frame.
+// The cameras and lights by which a field is seen in this frame.
 #pragma once
 
 #include "core/field/field.h"
@@ -10,12 +10,12 @@
 
 namespace grass {
 
-// All cameras whose picture this frame shows of p_node's world and layers (of the window, of each SubViewport, of a headset's eyes, of the
-// editor's views) and the suns by whose light it casts shadows, in the space of p_field, which stands at p_transform (orthonormal).
+// Returns all cameras that show p_node's world and layers in this frame (the window's, each SubViewport's, a headset's eyes, the editor's
+// views) and the suns whose light it casts shadows of, in the space of p_field, which is at p_transform (orthonormal).
 FieldView find_view(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, const FieldProperties &p_properties,
 		const Field &p_field);
 
-// Where the cameras are that see p_layers of p_node's world: x, z in metres in the space of p_field (orthonormal).
+// Returns the positions of the cameras that see p_layers of p_node's world: x, z in metres in the space of p_field (orthonormal).
 std::vector<Eigen::Vector2d> find_eyes(const godot::Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field);
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is done to the grass: a game mows, mends, tramples and paints it and reads in the ground, wheels leave tracks, time mends. All
-// of that is kept in the field's map. Places are global.
+// Changes the grass: a game mows, mends, tramples and paints it and reads in the ground, wheels leave tracks, and time mends it. The
+// field's map stores all of this. Places are global.
 #pragma once
 
 #include "core/paint/lay_ground.h"
@@ -24,20 +24,20 @@ public:
 			_host(p_host), _standing(p_standing), _properties(p_properties) {}
 
 	CutResult cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
-	// Without a shape: of the whole field.
+	// Without a shape, these act on the whole field.
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double trample(const godot::Vector3 &p_global, double p_radius, double p_amount);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
-	// Wheels that slip for p_delta seconds leave tracks. False: a listener of the map freed the field.
+	// Leaves tracks of wheels that slip for p_delta seconds. Returns false if a listener of the map freed the field.
 	[[nodiscard]] bool wear_tracks(const VehicleWheels &p_wheels, double p_delta);
-	// Grass that was worn or cut recovers for p_delta seconds.
+	// Lets worn and cut grass recover for p_delta seconds.
 	void recover(double p_delta);
-	// The field has another map.
+	// Call it when the field has another map.
 	void forget_map() { _recovery.reset(); }
 
-	// Read the shape of the ground into the map, over a rectangle of places (field space, x and z in metres) or, where that is empty, over
-	// the whole field. At how many places, one a metre, there is ground.
+	// Read the shape of the ground into the map, over a rectangle (field space, x and z in metres) or, if that is empty, over the whole
+	// field. Return the number of places with ground, one for each square metre.
 	int64_t bake_ground(const godot::Rect2 &p_region, int64_t p_mask);
 	int64_t bake_ground_from(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 
@@ -57,7 +57,7 @@ private:
 	Recovery _recovery;
 };
 
-// As GrassField.cut() returns it.
+// Converts it to what GrassField.cut() returns.
 godot::Dictionary to_dictionary(const CutResult &p_cut);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A GrassMap as a field shows it: laid out, and as textures. Lives as long as the field is built.
+// A GrassMap as a field shows it: laid out, and as textures. It lives as long as the field is built.
 #pragma once
 
 #include "core/map/laid_map.h"
@@ -13,7 +13,7 @@ namespace grass {
 
 struct FieldSetup;
 
-// What of a field decides how a map is prepared for it.
+// The properties of a field that determine how a map is prepared for it.
 struct ShownPlace {
 	MapPlace map;
 	bool has_species = false;
@@ -21,9 +21,9 @@ struct ShownPlace {
 
 ShownPlace shown_place_of(const FieldSetup &p_setup);
 
-// A map laid out and turned into textures by another thread, for a field that is yet to show it.
+// A map that another thread laid out and turned into textures, for a field that will show it.
 struct PreparedMap {
-	// p_with_textures: else the field makes them.
+	// Without p_with_textures the field makes them.
 	PreparedMap(const PaintMap &p_map, const ShownPlace &p_place, bool p_with_textures);
 
 	LaidMap laid;
@@ -33,7 +33,7 @@ struct PreparedMap {
 
 class ShownMap {
 public:
-	// p_prepared: null, or for another field: it is laid out from the beginning.
+	// If p_prepared is null, or was prepared for another field, the map is laid out from the beginning.
 	ShownMap(const godot::Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared = nullptr);
 
 	~ShownMap() { _map->hide(this); }
@@ -41,14 +41,14 @@ public:
 	ShownMap &operator=(const ShownMap &) = delete;
 
 	void touch(const MapRegion &p_region) { _field.touch(p_region); }
-	// Shows the map as p_change would make it, instead of as it is: on a copy. The next preview takes the place of this one.
+	// Shows the map as p_change would make it, on a copy, instead of the map as it is. The next preview replaces this one.
 	void preview(const std::function<BrushResult(PaintMap &)> &p_change);
-	bool end_preview(); // false: there was none
+	bool end_preview(); // returns false if there was none
 	bool is_preview() const { return _preview != nullptr; }
 	int get_waiting() const { return _field.get_waiting(); } // chunks
 	// Lays the map out chunk by chunk, as long as p_go_on returns true.
 	FieldMap::Changes update(const std::function<bool()> &p_go_on);
-	// A piece of that, or of making the textures: for a map that is not shown yet.
+	// Makes a piece of that, or of the textures, for a map that is not shown yet.
 	void work();
 	// Whether a worker thread makes textures, and nothing else is to be done before they are there.
 	bool is_waiting_for_thread() const { return get_waiting() == 0 && _textures.is_growing() && !_textures.can_work(); }
@@ -60,7 +60,7 @@ public:
 	const MapTextures &get_textures() const { return _textures; }
 	const godot::Ref<GrassMap> &get_map() const { return _map; }
 	int64_t get_memory_usage() const { return int64_t(_field.get_memory_usage()) + _textures.get_memory_usage(); } // bytes
-	// Sets the shaders' uniforms: where they changed, or all (p_all), for materials that are new.
+	// Sets the shaders' uniforms: those that changed, or all of them (p_all), for new materials.
 	void set_uniforms(const MapTextures::SetUniform &p_set, bool p_all);
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The field that stands: its blades, the map that it shows, its backend, its ground and what the shaders read. field/field_maker.h
-// prepares the next one. Prints nothing: returns what the node must report.
+// The field that runs at present: its blades, the map that it shows, its backend, its ground and the shaders' uniforms.
+// field/field_maker.h prepares the next one. This class prints nothing: it returns what the node must report.
 #pragma once
 
 #include "core/field/field.h"
@@ -19,89 +19,89 @@
 
 namespace grass {
 
-// Bytes that a field takes.
+// The memory that a field takes, in bytes.
 struct FieldMemory {
 	int64_t all = 0; // with its map
-	int64_t shared = 0; // of those, what other fields of the same patch have as well
+	int64_t shared = 0; // the part of it that fields with the same patch share
 	int64_t pool = 0; // and its pool
 	int64_t pool_tile = 0; // that each tile of a larger pool takes, used or not
-	const void *patch = nullptr; // only to be compared; null: no field stands
+	const void *patch = nullptr; // only to be compared; null: there is no field
 };
 
 class StandingField {
 public:
-	// p_properties: the node's. What they say may differ from this field until it is made again.
+	// p_properties: the node's. They may differ from this field until it is made again.
 	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
 
-	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
+	// Makes worker threads prepare the passes of a first field, while the main thread makes the rest.
 	void begin_passes() const;
-	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. show() follows.
-	// p_in_parts: a new backend is made by show().
+	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. Call show() next.
+	// With p_in_parts, show() makes a new backend.
 	void make(WantedField &&p_wanted, bool p_in_parts);
-	// Whether what is drawn is not yet what the properties say: show(), in each frame.
+	// Returns true while the drawn field does not match the properties yet; call show() in each frame then.
 	bool is_look_waiting() const { return _is_backend_waiting || (_backend != nullptr && (!_is_shown || _look != find_look())); }
-	// Draws the field with the properties' hook, as soon as the shaders are there. False if they do not compile with it.
+	// Draws the field with the properties' hook as soon as the shaders are ready. Returns false if they do not compile with it.
 	bool show(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
-	// Nothing is simulated or drawn any more, until it is made again.
+	// Stops simulating and drawing until the field is made again.
 	void drop_backend();
-	// The same, and forgets its map.
+	// Does the same, and also drops the map.
 	void clear();
 	// Leaves a device whose driver has refused a pass of the field: show() makes the backend of the CPU. Returns whether it did.
 	bool leave_refused_device();
-	// That the driver has refused a pass, so that the CPU has the field; empty: it has not.
+	// Returns the warning that the driver refused a pass, so that the CPU runs the field; empty: it refused none.
 	godot::String refusal_warning() const;
-	// What keeps the field from the graphics device, or makes it smaller there than the properties say.
+	// Appends warnings: why the field cannot use the graphics device, or is smaller there than its properties.
 	void warn_of_device(godot::PackedStringArray &r_warnings) const;
 	bool stands() const { return _backend != nullptr; }
 	bool is_shown() const { return _is_shown; } // all of it: a streamed field comes in parts while it is hidden
 
-	// What a field that goes on as it is reads from the properties.
+	// Updates what a field that is not made again reads from the properties.
 	void update_params();
 	void update_measuring();
-	// Before it is made for the first time, beside another field of the same blades: gusts go on from there.
+	// Continues the gusts of another field with the same blades. Call it before this field is made for the first time.
 	void join(const StandingField &p_other) {
 		_uniforms.join_wind(p_other._uniforms);
 		_field.join(p_other._field);
 	}
 	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
-	// Colours and frequencies of the species. False if their change needs another field.
+	// Updates the species' colours and frequencies. Returns false if the change requires making the field again.
 	bool update_species();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
 	// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.
 	void request_draw() { set_uniform("tile_size", _field.get_grid().get_tile_size()); }
 
-	// Takes over what changed in the map since the last call: a few chunks at once, more of them as frames have time. False if the
-	// map has more painted chunks under the field than it can show.
+	// Takes over the map's changes since the last call: a few chunks at once, more as frames have time. Returns false if the map has more
+	// painted chunks under the field than the field can show.
 	bool update_map();
 	ShownMap *get_map() const { return _map.get(); } // null: none
-	// What the map says about a place, as it is now, whether or not the field shows it already. Holds until the next call. Null without
-	// a map.
+	// Returns the map's present layers at a place, whether or not the field shows them already. The result is valid until the next call;
+	// null without a map.
 	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
 
-	// A tick: begins it, then takes what the bodies do. See Field.
+	// Begins a tick; tick() then applies the bodies' motion. See Field.
 	bool begin_tick(bool p_is_listened, double p_delta);
 	bool resume() { return _field.resume(); }
-	// True if blades moved.
+	// Returns true if blades moved.
 	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
-	// A frame of a renderer that adds light in sRGB.
+	// Call it in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
-	// A frame, before drawing begins: the wind blows.
+	// Moves the wind on. Call it in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
-	// A frame, before show_motion(). See Backend.
+	// Call it in each frame before show_motion(). See Backend.
 	void show_between(bool p_is_between, float p_share) { _backend->show_between(p_is_between, p_share); }
-	// A frame, once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is.
+	// Call it in each frame once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is visible.
 	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
-	void read_asked(); // what scripts want to know of blades
-	// True once after the field was made: as soon as it is known that more tiles are seen than it has room for.
+	void read_asked(); // reads the blades that scripts query
+	// Returns true once after the field was made, as soon as more tiles are in view than it has room for.
 	bool draw(const FieldView &p_view, bool p_is_visible);
 	bool is_crowded() const { return _is_crowded; }
 	godot::String crowded_warning() const;
 
 	const Field &get_field() const { return _field; }
-	Backend *get_backend() const { return _backend.get(); } // null: no field stands
+	Backend *get_backend() const { return _backend.get(); } // null: there is no field
 	const std::vector<GrownSpecies> &get_species() const { return _species; }
-	// Before a field stands: of the one that the properties describe.
+	// Before there is a field, returns the value of the one that the properties describe.
 	TileGrid get_grid() const { return stands() ? _field.get_grid() : _properties.grid(); }
 	godot::AABB get_bounds() const;
 	FieldHook::Set setter() { // of blades and ground
@@ -109,7 +109,7 @@ public:
 	}
 	void measure_time(); // from now on, whatever the property says
 	int64_t get_memory_usage() const; // bytes
-	DrawnStatistics count_drawn() const; // while it stands
+	DrawnStatistics count_drawn() const; // only while there is a field
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:

@@ -7,9 +7,9 @@
 
 namespace grass {
 
-// As get_statistics() returns them: what users read, with version, device and driver.
+// Returns the result of get_statistics(): the values that users read, with version, device and driver.
 godot::Dictionary statistics_dictionary(const FieldStatistics &p_statistics);
-// As get_counters() returns them: the rest, for tests and benchmarks.
+// Returns the result of get_counters(): the rest, for tests and benchmarks.
 godot::Dictionary counters_dictionary(const FieldStatistics &p_statistics);
 
 } // namespace grass

@@ -13,13 +13,13 @@ namespace grass {
 
 class AreaWinds {
 public:
-	// A shape of an area comes into the field's box or leaves it, as of PhysicsServer3D.area_set_area_monitor_callback.
+	// Call it when a shape of an area enters or leaves the field's box, as PhysicsServer3D.area_set_area_monitor_callback reports it.
 	void area_changed(int64_t p_status, int64_t p_instance_id);
-	// A tick passes: winds rise while they are known.
+	// Advances by a tick: winds rise while they are known.
 	void pass(double p_delta);
 	void clear() { _areas.clear(); }
 	bool is_empty() const { return _areas.empty(); }
-	// Those that blow, global.
+	// Returns the winds that blow, in global space.
 	std::vector<Force> get_forces() const;
 
 private:

@@ -29,8 +29,8 @@ public:
 	~BodyTracker() { stop(); }
 
 	// Watches a box, see set_box(). p_changed is called with the five arguments of
-	// PhysicsServer3D.area_set_monitor_callback, and must hand the first three to body_changed(). p_woke is called with the id of a
-	// body's RID, and must hand it to body_woke().
+	// PhysicsServer3D.area_set_monitor_callback, and must pass the first three to body_changed(). p_woke is called with the id of a
+	// body's RID, and must pass it to body_woke().
 	// p_area_changed: of areas, with the arguments of area_set_area_monitor_callback.
 	// p_carriers: instance ids of nodes that carry the field. Their bodies are its ground.
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_area_changed,
@@ -39,51 +39,51 @@ public:
 	// p_delta: seconds of a tick.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);
 	void set_mask(uint32_t p_mask);
-	// Whether a node carries the field.
+	// Returns true if a node carries the field.
 	bool carries(uint64_t p_instance_id) const;
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// A body that sleeps, as the physics server has it, falls asleep or wakes up.
+	// Call it when the physics server puts a body to sleep or wakes it.
 	void body_woke(int64_t p_body);
-	// Makes of r_colliders every shape that may touch grass in this tick, posed in the field's space. It must be what the last call
-	// left: of bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
-	// p_tick.watched itself. p_tiles: those of the field, as they took these colliders in the tick before. Crowds are read by
-	// p_parallel_for, with the same result. Its threads
-	// call the physics server.
+	// Fills r_colliders with every shape that may touch grass in this tick, posed in the field's space. Pass the r_colliders of the last
+	// call unchanged: for bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
+	// p_tick.watched itself. p_tiles: the field's tiles, as they received these colliders in the tick before. p_parallel_for reads
+	// crowds, with the same result; its threads call the physics server.
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, const ParallelFor &p_parallel_for,
 			std::vector<ColliderShape> &r_colliders);
-	// Time has passed without collect(): the way from where bodies were last is no motion.
+	// Call it when time has passed without collect(): the way from the bodies' last positions is not motion then.
 	void forget_motion();
 
-	// Instead of collect(), in ticks that are left out: drops bodies that left.
+	// Drops bodies that left. Call it instead of collect() in ticks that are skipped.
 	void forget_left();
 
-	// Whether so many bodies moved in this tick that threads pay.
+	// Returns true if so many bodies moved in this tick that threads are worth their cost.
 	bool is_crowded() const;
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
 	uint32_t get_mask() const { return _mask; }
-	// Convex pieces that trimeshes of moving bodies were handed on as in the last tick.
+	// Returns the number of convex pieces of moving bodies' trimeshes in the last tick.
 	int64_t get_mesh_pieces() const { return _mesh_pieces; }
 
 private:
-	// From one read to the next of a body that waits for slots. More: it is seen late once there are some. Fewer: crowds cost more.
+	// Ticks from one read to the next of a body that waits for slots. More: it is noticed later once slots are free. Fewer: crowds cost
+	// more.
 	static constexpr int WAITING_TICKS = 8;
 
 	struct Body {
-		// First what a tick reads of a body that stands still.
-		bool is_asleep = false; // the server says so, and nothing is asked of it until its node tells of a change
-		bool is_at_rest = false; // asleep or not: its next tick is as its last one, if it is where it was
+		// First the members that a tick reads of a body that stands still.
+		bool is_asleep = false; // the server says so; it is not queried until its node reports a change
+		bool is_at_rest = false; // asleep or not: its next tick equals its last one, if it is where it was
 		bool is_lost = false; // has left, or was freed
 		bool is_carrier = false; // of the field, and thus its ground, however it moves
-		bool is_plain = false; // until the next look it needs nothing but its pose, and nothing that it shares with others
+		bool is_plain = false; // until the next look only its pose is needed, and nothing that it shares with others
 		bool is_written = false, is_written_still = false; // its colliders lie at first_collider; with one pose
-		int next_read = 0; // ticks to the next look whether it was put elsewhere in its sleep
+		int next_read = 0; // ticks until the next check whether it was moved in its sleep
 		int waited = 0; // ticks since it was last read, while the pool has no slot for a tile below it
-		int turn = 0; // in which ticks it is read meanwhile
+		int turn = 0; // the ticks in which it is read meanwhile
 		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
-		int left_for = 0; // ticks since no shape of it overlaps the area
+		int left_for = 0; // ticks since its last shape left the area
 		int64_t overlaps = 0; // shapes of it that do
 		uint32_t first_collider = 0, colliders = 0; // where they lie, how many
 		int64_t mesh_pieces = 0; // of these
@@ -91,8 +91,8 @@ private:
 		godot::PhysicsDirectBodyState3D *state = nullptr;
 		godot::Transform3D world_before; // in the last tick, in the world, for a field may move over ground that does not
 
-		// What it reads of one that moves.
-		std::vector<TrackedShape> shapes; // as they were last looked at; none while it is ground
+		// The members that a tick reads of a body that moves.
+		std::vector<TrackedShape> shapes; // as of the last look; none while it is ground
 		Motion motion; // in field space
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space, in the last tick
 		Eigen::Vector3d scale = Eigen::Vector3d::Ones(); // its own, that its shapes have; negative where it mirrors
@@ -108,7 +108,7 @@ private:
 		int next_look_at_all = 0; // looks to the next one at everything
 		double friction = 0.0; // of blades along it
 		std::vector<bool> disabled; // by shape
-		bool is_watched = false; // its node tells when it wakes
+		bool is_watched = false; // its node reports when it wakes
 	};
 	// The field's pose in this tick, and in the one before.
 	struct FieldPose {
@@ -118,7 +118,7 @@ private:
 		bool has_begun = false; // it has, and stood still before
 	};
 
-	// What following a body reads besides it, and writes.
+	// The data that following a body reads and writes, besides the body.
 	struct Following {
 		const FieldPose &field;
 		const MotionTick &tick;

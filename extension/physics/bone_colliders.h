@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bones of all GrassBoneColliders3D of a world as colliders of a field.
+// Makes colliders of a field from the bones of all GrassBoneColliders3D of a world.
 #pragma once
 
 #include "core/bodies/body_reads.h"

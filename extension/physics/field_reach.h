@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a field looks for what may bend it, besides the bodies that the physics server reports.
+// The box in which a field looks for objects that may bend it, besides the bodies that the physics server reports.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -13,14 +13,14 @@
 namespace grass {
 
 struct FieldReach {
-	// Around the grass: what comes is read some ticks before it touches a blade. Metres.
+	// Margin around the grass, in metres, so that an object is read some ticks before it touches a blade.
 	static constexpr double APPROACH = 3.0;
 
 	FieldReach(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, const godot::Vector3 &p_half_extents,
 			uint32_t p_mask) :
 			world(p_world), from_world(to_eigen(p_field).inverse(Eigen::Isometry)), half_extents(to_eigen(p_half_extents)), mask(p_mask) {}
 
-	// False if the box is not finite. In field space:
+	// Return true if a box is near the grass, false also if the box is not finite. In field space:
 	bool is_near(const Bounds &p_bounds) const { return is_near(0.5 * (p_bounds.min + p_bounds.max), 0.5 * (p_bounds.max - p_bounds.min)); }
 	bool is_near_global(const Eigen::AlignedBox3d &p_box) const {
 		return is_near(from_world * Eigen::Vector3d(p_box.center()), from_world.linear().cwiseAbs() * (0.5 * p_box.sizes()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ground by the physics server: rays that hit what stands still.
+// Finds the ground by rays of the physics server, which hit what stands still.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@
 
 namespace grass {
 
-// Rigid bodies, characters and animated bodies: not what grass stands on.
+// Returns true for rigid bodies, characters and animated bodies, which grass does not grow on.
 bool moves_about(const godot::Object *p_body);
 
 class GroundRays {
@@ -27,12 +27,12 @@ public:
 	// p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
 
-	// A node that stands on the ground: bodies that carry it are ground, however they move.
+	// Sets a node that is on the ground: bodies that carry it are ground, however they move.
 	void stand(const godot::Node &p_node) { _standing = &p_node; }
 	bool is_usable() const { return _space != nullptr; }
-	// The first body on the way that does not move about; field space, metres.
+	// Returns where the ray first hits a body that does not move about; field space, metres.
 	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
-	// Height of the highest ground at a place between two heights; NaN where there is none. Metres above the field.
+	// Returns the height of the highest ground at a place between two heights, in metres above the field; NaN if there is none.
 	double height_at(const Eigen::Vector2d &p_place, double p_low, double p_high);
 
 private:

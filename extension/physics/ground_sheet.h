@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes that ground is made of, as heights.
+// Converts shapes that ground is made of to heights.
 #pragma once
 
 #include "core/map/height_sheet.h"
@@ -10,7 +10,7 @@
 
 namespace grass {
 
-// Height maps and trimeshes.
+// Returns true for height maps and trimeshes.
 bool is_ground_shape(const godot::Ref<godot::Shape3D> &p_shape);
 // p_to_field: from the shape's space.
 void add_ground_shape(HeightSheet &r_sheet, const godot::Ref<godot::Shape3D> &p_shape, const Eigen::Affine3d &p_to_field);

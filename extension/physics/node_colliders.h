@@ -14,7 +14,8 @@ namespace grass {
 
 class NodeColliders {
 public:
-	// False, and adds nothing, if the shape cannot bend grass. p_local: of the shape in the node; p_owner: whose it is, 0: the node's.
+	// Adds a shape. Returns false, and adds nothing, if the shape cannot bend grass. p_local: the shape's transform in the node; p_owner:
+	// id of its owner, 0: the node.
 	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape,
 			const Eigen::Affine3d &p_local = Eigen::Affine3d::Identity(), uint64_t p_owner = 0);
 	void remove(uint64_t p_node_id); // with all its shapes
@@ -46,8 +47,7 @@ private:
 	BodyReads _reads;
 };
 
-// A shape as the solver reads it, at a place in the field's space (scale counts, shear does not). False if it cannot bend
-// grass.
+// Converts a shape at a place in the field's space (scale counts, shear does not) to the solver's. Returns false if it cannot bend grass.
 bool pose_shape(const godot::Ref<godot::Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves without physics, from tick to tick: only its places show how.
+// The motion, from tick to tick, of a node without physics: only its positions show it.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -14,7 +14,7 @@ public:
 	// The friction of an ordinary body, as the tracker scales it.
 	static constexpr double FRICTION = 0.5;
 
-	// It stands at p_now, field space, in this tick: sets both poses of r_collider.
+	// Sets both poses of r_collider, which is at p_now, field space, in this tick.
 	void pose(const Eigen::Affine3d &p_now, const MotionTick &p_tick, ColliderShape &r_collider);
 	void forget() { _has_before = false; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the physics server's shapes to the solver's.
+// Converts the physics server's shapes to the solver's.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -18,7 +18,7 @@ namespace grass {
 
 // One shape of the solver.
 struct ShapePart {
-	// First what a tick reads of a body that moves.
+	// First the members that a tick reads of a body that moves.
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
 	ColliderPose pose; // in field space, as it was handed on in the last tick
 	bool has_pose = false; // it was handed on
@@ -31,11 +31,11 @@ struct ShapePart {
 
 // A physics shape as the solver reads it, and what it was made from (to detect changes).
 struct TrackedShape {
-	std::vector<ShapePart> parts; // one, but for a trimesh; none: it bends no grass
+	std::vector<ShapePart> parts; // one, except for a trimesh; none: it bends no grass
 	int64_t type = -1; // PhysicsServer3D.ShapeType
 	bool enabled = false;
 	bool is_split = false; // a trimesh, and its pieces were due
-	bool is_bound = false; // it has none: its box stays
+	bool is_bound = false; // it has no pieces: its box stays
 	bool is_simplified = false; // a convex polygon of too many points or faces
 
 	godot::RID rid;
@@ -46,14 +46,13 @@ struct TrackedShape {
 	double friction = 0.0;
 };
 
-// Reads shape p_shape of the physics server. Returns whether it changed. Planes, rays and height maps have no parts; a trimesh has
-// the box around it.
-// r_calls: counts calls of the server, if given.
+// Reads shape p_shape of the physics server. Returns whether it changed. Planes, rays and height maps have no parts; a trimesh has the box
+// around it. r_calls, if given, counts calls of the server.
 bool read_shape(const godot::RID &p_shape, TrackedShape &r_shape, int64_t *r_calls = nullptr);
-// To be called with a trimesh that moves, after each read: a thread splits it into convex pieces, which take the place of its box a fixed
-// number of ticks later. Whether they do now. Waits for the thread then, so that every replay sees the same.
+// Makes a thread split a trimesh into convex pieces, which replace its box a fixed number of ticks later. Returns true if they replace it
+// now; it waits for the thread then, so that every replay is the same. Call it with a trimesh that moves, after each read.
 bool split_mesh(TrackedShape &r_shape);
-// Words of a warning where grass meets another form than the shape has, or nothing; empty where it does not. p_name: whose shape it is.
+// Returns a warning if grass meets a form that differs from the shape, or meets nothing; empty otherwise. p_name: the shape's owner.
 godot::String why_other(const TrackedShape &p_shape, const godot::String &p_name);
 
 } // namespace grass

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The soft bodies of a world as colliders of a field. The physics server's areas do not report them, so each is looked at in every tick.
+// Makes colliders of a field from the soft bodies of a world. The physics server's areas do not report them, so each is checked in every
+// tick.
 #pragma once
 
 #include "core/bodies/body_reads.h"
@@ -35,14 +36,14 @@ private:
 		std::vector<NodeMotion> motions; // of parts
 	};
 
-	// A node hands its mesh to the server when it is drawn.
+	// A node passes its mesh to the server when it is drawn.
 	struct Shown {
 		uint64_t mesh = 0; // its id
 		uint64_t frame = 0; // of the engine, in which the node was first seen with it
-		bool has_points = false; // then: the server looks at a mesh once
+		bool has_points = false; // in that frame: the server reads a mesh once
 	};
 
-	// Whether its points can be read in this tick.
+	// Returns true if its points can be read in this tick.
 	bool is_ready(const godot::SoftBody3D *p_node);
 	void read_mesh(const godot::Ref<godot::Mesh> &p_mesh, Body &r_body);
 	void read_points(const godot::RID &p_body, const godot::AABB &p_bounds, Body &r_body);

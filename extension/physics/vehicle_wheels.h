@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wheels of vehicles, which are rays to the physics server, as cylinders that press the grass; and where they slip.
+// Makes cylinders that press the grass from the wheels of vehicles, which are rays in the physics server. Also finds where they slip.
 #pragma once
 
 #include "physics/node_colliders.h"
@@ -13,14 +13,14 @@ namespace grass {
 
 class VehicleWheels {
 public:
-	// Where a wheel slips on the ground.
+	// A place where a wheel slips on the ground.
 	struct Slip {
 		godot::Vector3 place; // global
 		double radius; // of the track, metres
 		double share; // 1: it slips entirely
 	};
 
-	// A shape of a body comes into the field's box or leaves it, see BodyTracker::body_changed().
+	// Call it when a shape of a body enters or leaves the field's box, see BodyTracker::body_changed().
 	void body_changed(int64_t p_status, int64_t p_instance_id);
 	void clear();
 	// Appends every wheel, posed in the field's space.
