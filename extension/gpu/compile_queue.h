@@ -19,10 +19,10 @@
 
 namespace grass {
 
-// In which order a field needs its passes: what draws it, what bends it and what scripts query, then faster variants.
+// The order in which a field needs its passes: those that draw it, those that bend it and that scripts query, then faster variants.
 enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, MIX, FREE, EDGES, CROWDS };
 
-// What a pipeline is made of.
+// The parts that a pipeline is made of.
 struct PassCode {
 	static constexpr int NO_METHOD = -1;
 
@@ -31,7 +31,7 @@ struct PassCode {
 	PassOrder order;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
 	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
-	bool has_stand_in = false; // another pass does its work where it is refused
+	bool has_stand_in = false; // another pass replaces it if it is refused
 };
 
 // A singleton, get(). Its functions run on the render thread unless they name another.
@@ -50,21 +50,22 @@ public:
 
 	static CompileQueue &get();
 
-	// The pipeline of p_code. The first call queues it for a worker thread, which compiles one after the other, what fields wait for first.
+	// Returns the pipeline of p_code. The first call queues it for a worker thread, which compiles one pipeline after the other, beginning
+	// with those that fields wait for.
 	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Whether the driver has compiled or refused it.
+	// Returns true once the driver has compiled or refused it.
 	bool is_done(const Pipeline &p_pipeline);
-	// Returns when it is done: compiles it here, unless the worker thread has begun it. For what compiles in milliseconds and cannot wait
-	// for the worker, which may be compiling another pass for seconds.
+	// Returns when the pipeline is done: compiles it here, unless the worker thread has begun it. Use it for passes that compile in
+	// milliseconds and cannot wait for the worker, which may be compiling another pass for seconds.
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call when the library is unloaded.
 	void free_pipelines();
-	// Pipelines that are not done yet. From any thread.
+	// Returns the number of pipelines that are not done yet. From any thread.
 	int count_compiling() const { return _compiling; }
-	// Whether the driver has refused the pipeline; any at all. From any thread.
+	// Return true if the driver has refused the pipeline; any pipeline at all. From any thread.
 	bool is_refused(const PassCode &p_code);
 	bool has_refused() const { return _refused_count > 0; }
-	// Those refused since the last call. From any thread.
+	// Returns the passes refused since the last call. From any thread.
 	std::vector<PassCode> take_refused();
 
 private:

@@ -18,7 +18,7 @@
 
 namespace grass {
 
-// The device that the engine draws with; null in Compatibility and headless.
+// Returns the device that the engine draws with; null in Compatibility and headless.
 godot::RenderingDevice *main_device();
 
 // A storage buffer that grows with what is uploaded, and skips an upload of what it already holds.
@@ -26,14 +26,14 @@ class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
 
-	// Allocates p_bytes, all zero, for the device to write: nothing is uploaded. Frees the old buffer.
+	// Allocates p_bytes, all zero, for the device to write, without an upload. Frees the old buffer.
 	void allocate(int64_t p_bytes);
-	// Allocates them if it has another size.
+	// Allocates p_bytes if the buffer has another size.
 	void resize(int64_t p_bytes);
 	void clear(); // to zeros
-	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the bytes that travelled.
+	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the uploaded bytes.
 	template <typename T> int64_t upload(std::span<const T> p_records) { return upload_bytes(std::as_bytes(p_records)); }
-	// Writes records at p_offset bytes into what was allocated. Returns the bytes that travelled.
+	// Writes records into the allocated buffer at p_offset bytes. Returns the uploaded bytes.
 	template <typename T> int64_t write(int64_t p_offset, std::span<const T> p_records) { return write(p_offset, to_bytes(p_records)); }
 	int64_t write(int64_t p_offset, const godot::PackedByteArray &p_bytes);
 	void free();
@@ -60,9 +60,9 @@ public:
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
 	// Queues p_code, once. Returns whether its pipeline is done.
 	static bool prepare(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// The name of p_code where the driver has refused it, else null. From any thread.
+	// Returns the name of p_code if the driver has refused it, else null. From any thread.
 	static const char *find_refused(const PassCode &p_code) { return CompileQueue::get().is_refused(p_code) ? p_code.name : nullptr; }
-	// What the pass binds at p_binding of set 0; a change is noticed by dispatch().
+	// Sets what the pass binds at p_binding of set 0. dispatch() notices a change.
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);
 	void bind_sampled(int p_binding, const godot::RID &p_sampler, const godot::RID &p_texture);
@@ -72,9 +72,9 @@ public:
 	void free();
 	bool is_created() const { return _source != nullptr; }
 	bool is_ready();
-	// Returns when it is, or the driver has refused it.
+	// Returns when the pass is ready, or the driver has refused it.
 	void finish() { CompileQueue::get().finish(*_source); }
-	// Whether its bindings changed since its last dispatch.
+	// Returns true if its bindings changed since its last dispatch.
 	bool has_changed() const { return _changed; }
 
 private:

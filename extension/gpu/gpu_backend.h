@@ -27,7 +27,7 @@ public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
-	// Lets worker threads make the passes of a first field, while the main thread makes the rest.
+	// Makes worker threads prepare the passes of a first field, while the main thread makes the rest.
 	static void begin_passes(bool p_species, Method p_method, const FieldPlants &p_plants);
 
 	bool prepare(const FieldSetup &p_setup) override;
@@ -68,7 +68,7 @@ private:
 	FieldSetup _setup;
 	bool _measure = false;
 	bool _can_simulate = false;
-	godot::Ref<godot::ImageTexture> _patch_texture; // lives longer than the materials that read it
+	godot::Ref<godot::ImageTexture> _patch_texture; // outlives the materials that read it
 	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;
 	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second one for motion vectors
@@ -81,13 +81,13 @@ private:
 	bool _has_motion = false; // somebody reads motion vectors
 	bool _is_flipped = false; // the picture's instance, see show_motion()
 	bool _has_stepped = false; // since the last frame
-	bool _is_between = false; // frames show what is between two steps
+	bool _is_between = false; // frames show a mix of two steps
 	float _share = 1.0f; // of the last step, in the last frame
 	std::shared_ptr<GpuReport> _report;
-	uint64_t _energy_step = 0; // after which `_energy` and `_bends` were read
+	uint64_t _energy_step = 0; // the step after which `_energy` and `_bends` were read
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
-	uint64_t _steps = 0; // handed to the device so far
+	uint64_t _steps = 0; // passed to the device so far
 	KnotWatch _watch;
 	std::shared_ptr<KnotReport> _knot_report; // of the field that runs
 	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics

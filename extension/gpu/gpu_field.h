@@ -34,7 +34,7 @@ struct StepRecords {
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
 
-	// p_energies: as choose_passes() takes them.
+	// p_energies: see choose_passes().
 	StepRecords(const StepInput &p_input, std::span<const float> p_energies);
 };
 
@@ -45,13 +45,13 @@ struct ViewRecords {
 	PaintedSpecies painted; // of fields with plants and a map
 };
 
-// The MultiMeshes that a field is drawn by.
+// The MultiMeshes that draw a field.
 struct FieldMultiMeshes {
 	godot::RID picture, shadows;
 	uint32_t picture_capacity, shadow_capacity; // instances
 };
 
-// What the simulation passes of a field are compiled for.
+// The properties of a field for which its simulation passes are compiled.
 struct PassKind {
 	bool species = false; // whether it has any
 	Method method = Method::DIRECT;
@@ -64,7 +64,7 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 	return { p_setup.species != nullptr, p_setup.method };
 }
 
-// What the render thread reports to the main thread.
+// The results that the render thread reports to the main thread.
 struct GpuReport {
 	std::mutex mutex;
 	BackendStatistics statistics;
@@ -79,36 +79,36 @@ struct GpuReport {
 class GpuField {
 public:
 	explicit GpuField(std::shared_ptr<GpuReport> p_report) : _report(std::move(p_report)) {}
-	// Bytes of each tile of the pool, used or not, with a map, several species and motion vectors; p_is_between: see
+	// Returns the bytes of each tile of the pool, used or not, with a map, several species and motion vectors. p_is_between: see
 	// set_between().
 	static int64_t find_pool_tile_bytes(bool p_is_between);
 
 	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
-	// Lets worker threads make the first passes of a field that enters the tree.
+	// Makes worker threads prepare the first passes of a field that enters the tree.
 	static void begin_passes(const PassKind &p_kind, const FieldPlants &p_plants);
-	// The name of a pass that such a field cannot do without and that the driver has refused; null: none so far. From any thread.
+	// Returns the name of a pass that such a field needs and that the driver has refused; null: none so far. From any thread.
 	static const char *find_refused(const PassKind &p_kind);
 	// Updates in GpuReport whether the simulation pass is ready.
 	void look_for_passes();
-	// Lets worker threads make the passes that such a field needs; GpuReport shows when they are ready.
+	// Makes worker threads prepare the passes that such a field needs; GpuReport shows when they are ready.
 	void prepare(const PassKind &p_kind);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
-	// One tick: uploads the records, simulates their tiles, requests their energy.
+	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
-	// One frame: writes the instances and commands of p_multimeshes.
+	// Runs one frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
-	// The MultiMeshes of plants. Frees the command buffers of those before, which must still be there.
+	// Sets the MultiMeshes of plants. Frees the command buffers of the former ones, which must still exist.
 	void set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	// p_before: gets a texture of where the last drawn frame showed the pool's blades; null: nobody reads motion vectors.
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
-	// Whether frames between two ticks show what is between their steps: mix() then.
+	// Sets whether frames between two ticks show a mix of their steps; if so, call mix().
 	void set_between(bool p_is_between);
-	// Before draw(): p_share of the last step, the rest of the one before.
+	// Mixes p_share of the last step with the rest of the one before. Call it before draw().
 	void mix(float p_share);
-	// The cover of consecutive tiles from p_first on: TileCover::Tile[].
+	// Sets the cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
 	KnotReader &get_reader() { return _reader; }
 	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
@@ -129,7 +129,7 @@ private:
 	void rest_before(std::span<const GrassSlot> p_slots);
 	void make_simulate();
 	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
-	// Begins to compile their pass at the first call.
+	// The first call begins to compile their pass.
 	bool can_simulate_crowds();
 	void bind_simulate();
 	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
@@ -153,8 +153,8 @@ private:
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
-	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles
-	// stand, read by cull. Fields without a map have none (16 bytes).
+	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles are,
+	// read by cull. Fields without a map have none (16 bytes).
 	GpuBuffer _growth, _cover;
 	bool _is_mapped = false;
 	// The same for fields with species: which species the blades of each slot are; and, every step, each species' step.

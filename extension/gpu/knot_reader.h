@@ -10,7 +10,7 @@
 
 namespace grass {
 
-// What the render thread hands to the main thread.
+// The knots that the render thread passes to the main thread.
 struct KnotReport {
 	std::mutex mutex;
 	KnotWatch::Answer answer;
@@ -18,13 +18,13 @@ struct KnotReport {
 
 class KnotReader {
 public:
-	static const char *find_refused(); // the name of its pass where the driver has refused it, else null; from any thread
+	static const char *find_refused(); // the name of its pass if the driver has refused it, else null; from any thread
 	void create(); // the driver may still compile its pass when this returns
-	// The pool's buffers: places of all knots, and which half holds those of now.
+	// Sets the pool's buffers: positions of all knots, and the half that holds the present ones.
 	void bind(const godot::RID &p_knots, const godot::RID &p_halves);
-	// Positions of those blades after all work queued so far. r_report receives them about two frames later.
+	// Requests the positions of those blades after all work queued so far. r_report receives them about two frames later.
 	void read_later(std::vector<WantedBlade> &&p_blades, uint64_t p_step, const std::shared_ptr<KnotReport> &r_report);
-	// The same at once: waits for the device. In the order of p_blades; empty if it fails.
+	// Waits for the device, and returns the positions in the order of p_blades; empty if it fails.
 	std::vector<float> read_now(std::span<const WantedBlade> p_blades);
 	void free();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why the graphics device cannot simulate or draw a field. Main thread.
+// Finds out why the graphics device cannot simulate or draw a field. Main thread.
 #pragma once
 
 #include "core/field/device_fit.h"
@@ -11,13 +11,13 @@
 
 namespace grass {
 
-// As the engine and its driver say, found once; where there is no device, the defaults.
+// Returns the limits that the engine and its driver report, read once, or the defaults if there is no device.
 const DeviceLimits &device_limits();
-// Why it cannot, as a sentence: what it lacks, or a pass that its driver has refused so far. Empty: nothing is known.
+// Returns the reason as a sentence: what the device lacks, or a pass that its driver has refused so far. Empty: no reason is known.
 godot::String find_obstacle(const FieldSetup &p_setup);
-// Whether find_obstacle() finds a refused pass, and fast where there has been none in this process.
+// Returns true if find_obstacle() finds a refused pass. Fast if no pass was refused in this process.
 bool needs_refused_pass(const FieldSetup &p_setup);
-// What to say of passes refused since the last call, one text each.
+// Returns a message for each pass refused since the last call.
 struct Refusal {
 	godot::String text;
 	bool has_stand_in;

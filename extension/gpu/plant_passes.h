@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The passes of a frame that choose the plants to draw by a mesh (shaders/species/plants.glsl), one for each species that has one. Lives on
-// the render thread, in GpuField.
+// The passes of a frame that select the plants to draw by a mesh (shaders/species/plants.glsl), one for each species with a mesh. They live
+// on the render thread, in GpuField.
 #pragma once
 
 #include "core/field/backend_statistics.h"
@@ -18,7 +18,7 @@
 
 namespace grass {
 
-// Where species are painted: what the shaders of a field's map read.
+// The textures of a field's map that show where species are painted.
 struct PaintedSpecies {
 	godot::Ref<godot::Texture2D> pages;
 	godot::Ref<godot::Texture2DArray> painted;
@@ -32,33 +32,33 @@ struct PlantTarget {
 	PlantKind kind;
 };
 
-// What of a field decides which pass it needs for plants.
+// The properties of a field that determine which pass it needs for plants.
 struct FieldPlants {
 	bool has_meshes = false, is_mapped = false;
 };
 
 class PlantPasses {
 public:
-	// Lets worker threads make the pass of such a field. Returns whether it is ready.
+	// Makes worker threads prepare the pass of such a field. Returns whether it is ready.
 	static bool prepare(bool p_is_mapped, Need p_need = Need::PREPARED);
-	// The name of that pass where the driver has refused it, else null. From any thread.
+	// Returns the name of that pass if the driver has refused it, else null. From any thread.
 	static const char *find_refused(bool p_is_mapped);
-	// p_setup: of several species; where there are no targets nothing of it is read.
+	// p_setup: of several species; it is not read if there are no targets.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }
-	// Buffers that cull.glsl reads, too, and the patch's texture.
+	// Sets the buffers that cull.glsl reads, too, and the patch's texture.
 	struct Shared {
 		godot::RID view, cameras, table, cover, patch, sampler;
 	};
-	// Binds what has changed. False if the MultiMeshes are not there yet.
+	// Binds what has changed. Returns false if the MultiMeshes are not ready yet.
 	bool bind(const Shared &p_shared, const PaintedSpecies &p_painted);
-	// Whether a binding has changed since the last dispatch.
+	// Returns true if a binding has changed since the last dispatch.
 	bool has_changed() const;
 	void dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &p_painted);
 	void clear_counts();
 	godot::RID counts() const { return _counts.rid(); }
 	std::vector<PlantTarget> get_targets() const;
-	// How many of these counts have room, and how many have not.
+	// Returns how many of these counts have room, and how many do not.
 	static void tell(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
 	int64_t get_memory_usage() const { return _mix.size() + _counts.size(); }
 	// Frees the MultiMeshes' command buffers, too: the engine never does (seen in 4.6).

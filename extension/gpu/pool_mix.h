@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame between two ticks shows of the pool: the offsets of the last two steps, mixed (docs/decisions/0060). Made where the engine
-// interpolates physics; elsewhere it has no texture and no pass. On the render thread.
+// The pool as a frame between two ticks shows it: a mix of the offsets of the last two steps (docs/decisions/0060). It is made if the
+// engine interpolates physics; otherwise it has no texture and no pass. On the render thread.
 #pragma once
 
 #include "gpu/device.h"
@@ -13,15 +13,15 @@ class PoolMix {
 public:
 	~PoolMix() { free(); }
 
-	// p_pool: of p_slots rows. It begins with the pool as it is.
+	// p_pool has p_slots rows. The mix begins as a copy of the pool.
 	void create(const godot::RID &p_pool, const godot::RID &p_sampler, int64_t p_slots);
 	void free();
 	bool is_created() const { return _earlier.is_valid(); }
-	// Whether get_shown() is what is drawn; until the driver has compiled the pass the pool itself is.
+	// Returns true if get_shown() is drawn. Until the driver has compiled the pass, the pool itself is drawn.
 	bool is_showing() const { return _is_showing; }
-	// Before a step: p_pool, of which p_rows are in use, is what the step before left.
+	// Call it before a step: p_pool, of which p_rows are in use, is the result of the step before.
 	void keep(const godot::RID &p_pool, int p_rows);
-	// p_share of the last step. Returns whether it did anything.
+	// Mixes p_share of the last step with the rest of the one before. Returns whether it did anything.
 	bool mix(float p_share, int p_rows);
 
 	const godot::RID &get_earlier() const { return _earlier; }

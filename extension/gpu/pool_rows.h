@@ -16,21 +16,21 @@ inline constexpr int64_t POOL_ROW_BYTES = POOL_TEXTURE_WIDTH * 8;
 
 using TextureUsage = godot::BitField<godot::RenderingDevice::TextureUsageBits>;
 
-// p_data: its texels; without any, its contents are undefined.
+// p_data: the texels; without any, the contents are undefined.
 godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
 		const godot::TypedArray<godot::PackedByteArray> &p_data = {});
-// Without p_is_resting nobody knows what is in the rows, with it blades at rest.
+// With p_is_resting the rows are blades at rest; without it their contents are undefined.
 godot::RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting = false);
 void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
-// Shows p_new in place of p_old, which is freed.
+// Shows p_new instead of p_old, and frees p_old.
 void replace_texture(const godot::Ref<godot::Texture2DRD> &p_shown, const godot::RID &p_old, const godot::RID &p_new);
 
-// A few rows of blades at rest, for those of tiles that wake: other tiles left theirs there.
+// A few rows of blades at rest, for the slots of tiles that wake, since these still hold the blades of other tiles.
 class RestingRows {
 public:
 	static constexpr int COUNT = 16;
 
-	// Of the fresh slots among p_slots, into p_to.
+	// Copies rows at rest into p_to for the fresh slots among p_slots.
 	void copy_to(const godot::RID &p_to, std::span<const GrassSlot> p_slots);
 	void free();
 	int64_t get_memory_usage() const { return _rows.is_valid() ? COUNT * POOL_ROW_BYTES : 0; }

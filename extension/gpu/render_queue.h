@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the main thread to the render thread and back, in both of the engine's thread models: in the default one post()
-// runs the job at once, in the separate one the render thread runs it later, in order.
+// Passes jobs from the main thread to the render thread, and results back, in both of the engine's thread models: in the default one
+// post() runs the job at once, in the separate one the render thread runs it later, in order.
 #pragma once
 
 #include <godot_cpp/classes/object.hpp>
@@ -25,9 +25,9 @@ public:
 	static RenderQueue *get_singleton();
 	static void free_singleton();
 
-	// From any thread. What the job needs must be captured by value or by shared_ptr.
+	// Queues a job; from any thread. Capture what the job needs by value or by shared_ptr.
 	void post(Job p_job);
-	// Render thread only: reads a buffer without a stall; p_receiver runs on the render thread, about two frames later.
+	// Reads a buffer without a stall; render thread only. p_receiver runs on the render thread, about two frames later.
 	void read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);
 
 protected:

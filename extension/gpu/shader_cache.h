@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files with what the engine made of compute passes in earlier runs (core/base/shader_file.h), beside the engine's own cache of shaders.
-// Where the folder cannot be written, or the project has shader caches off, nothing is kept and nothing is said.
+// Files with the compute passes that the engine compiled in earlier runs (core/base/shader_file.h), beside the engine's own shader cache.
+// If the folder cannot be written, or the project has shader caches off, nothing is kept and nothing is reported.
 #pragma once
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -14,9 +14,9 @@ namespace grass {
 // Belongs to the worker thread that compiles: files may be slow.
 class ShaderCache {
 public:
-	// What RenderingDevice.shader_compile_binary_from_spirv() returned for this code on this driver. Empty if no sound file says.
+	// Returns the result of RenderingDevice.shader_compile_binary_from_spirv() for this code on this driver; empty if no valid file has it.
 	godot::PackedByteArray read(std::span<const uint32_t> p_spirv);
-	// Stores it, replacing what the file holds.
+	// Stores it, and replaces the file's contents.
 	void write(std::span<const uint32_t> p_spirv, const godot::PackedByteArray &p_shader);
 
 private:
