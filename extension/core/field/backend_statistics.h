@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// What a backend did; counts since it was made, unless said otherwise.
+// The work of a backend, counted since it was made unless a comment says otherwise.
 struct BackendStatistics {
 	int64_t steps = 0; // simulation dispatches (GPU) or passes over the awake tiles (CPU)
 	int64_t simulated_blades = 0; // blades stepped
@@ -17,9 +17,9 @@ struct BackendStatistics {
 	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares
 	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
 						   // free tiles by whole solves
-	int64_t uploaded_bytes = 0; // GPU: travelled to the device
+	int64_t uploaded_bytes = 0; // GPU: bytes sent to the device
 	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
-	int64_t pool_bytes = 0; // now: of those, what a larger pool has more of
+	int64_t pool_bytes = 0; // now: the part of them that grows with the pool
 	int64_t culls = 0; // culling passes
 	int64_t mixes = 0; // frames for which the offsets of two steps were mixed
 	int64_t instance_updates = 0; // changes of the node that went to the renderer: place, world, visibility, layers
@@ -30,7 +30,7 @@ struct BackendStatistics {
 	int64_t drawn_plants = 0, left_out_plants = 0; // in the newest frame known: drawn by a mesh; without room
 	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, one a blade and read
 	int64_t knot_waits = 0; // GPU: times that the main thread waited for knots
-	int64_t knots_age = 0; // GPU, now: by how many steps what is known of knots is behind; 0 where nobody asks
+	int64_t knots_age = 0; // GPU, now: steps by which the known knots lag behind; 0 if nobody queries them
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };

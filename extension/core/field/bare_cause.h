@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a place of a field's map is bare, or has less grass than it could have: what leaves the least there.
+// Finds why a place of a field's map is bare, or has less grass than it could have: the cause that leaves the least grass.
 #pragma once
 
 #include "core/fill/fill_cause.h"
@@ -9,15 +9,15 @@
 namespace grass {
 
 enum class BareKind {
-	GRASS, // nothing takes grass away
-	MAP, // the map has none here, and neither a hand nor the rule says why
+	GRASS, // nothing reduces the grass
+	MAP, // the map has no grass here, neither by hand paint nor by the rule
 	PAINTED, // a hand
 	RULE, // see BareCause::rule
 	WORN,
 	SHORT, // painted low
 	CUT,
 	HOLE, // of the terrain
-	LEDGE, // on no side of one
+	LEDGE, // the place is on no side of a ledge
 };
 
 struct BareCause {

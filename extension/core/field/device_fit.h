@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of a field fits on a graphics device, and what else keeps the field from it (docs/decisions/0050-a-refused-pass-means-the-cpu.md).
+// Finds how much of a field fits on a graphics device, and what else the device lacks for it
+// (docs/decisions/0050-a-refused-pass-means-the-cpu.md).
 #pragma once
 
 #include "core/field/field_setup.h"
@@ -10,18 +11,18 @@
 
 namespace grass {
 
-// Of a device; by default the least that Vulkan promises.
+// The limits of a device; the defaults are the least that Vulkan guarantees.
 struct DeviceLimits {
 	int64_t buffer_bytes = 128 << 20; // of a storage buffer
 	int64_t texture_side = 4096; // texels
-	int64_t buffers = 16; // that a compute pass may read or write; Vulkan promises 4, and graphics cards have many
+	int64_t buffers = 16; // that a compute pass may read or write; Vulkan guarantees 4, and graphics cards have many
 	int64_t shared_bytes = 16384; // of a workgroup
 	int64_t constant_bytes = 128; // pushed to a pass
 };
 
 struct DeviceFit {
 	int pool_size = 0, drawn_tiles_max = 0; // of the setup, no larger than fits
-	std::string lack; // why the device cannot have the field at all, as a sentence; empty: it can
+	std::string lack; // why the device cannot run the field at all, as a sentence; empty: it can
 };
 
 // Bytes of a tile's slot in the largest buffer of the pool: its knots, now and a step before.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The field that runs: its setup, its awake tiles, its clock, what is seen of it. A tick goes from bodies to tiles to a simulator. No node
-// and no engine: tests/unit/test_field.cpp runs it.
+// The field that runs: its setup, its awake tiles, its clock, and its views. A tick goes from bodies to tiles to a simulator. It needs no
+// node and no engine: tests/unit/test_field.cpp runs it.
 #pragma once
 
 #include "core/blades/force.h"
@@ -29,7 +29,7 @@ public:
 	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map, const SpeciesPatches &p_species,
 			const FieldParams &p_params);
 	void forget_map();
-	// Before set(): what blades of the same patch need, another field has found already.
+	// Takes over from another field what blades of the same patch need. Call it before set().
 	void join(const Field &p_other) {
 		_setup = p_other._setup;
 		_bounds = p_other._bounds;
@@ -37,24 +37,24 @@ public:
 	// Puts every blade to rest at once.
 	void rest() { _tiles.reset(); }
 
-	// For the next step. Their method is not read: the field keeps the one that it was made with.
+	// Sets the params for the next step. Their method is not read: the field keeps the one that it was made with.
 	void set_params(const FieldParams &p_params);
-	// Tiles follow the params, and what stands still may move.
+	// Applies the params to the tiles; blades that stand still may move.
 	void stir();
-	// The map has changed under these tiles.
+	// Call it when the map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
 
-	// What the cameras of a frame see of it. Where no picture of its world is shown, a visible node's field counts as seen: scripts and
-	// tests look at such a world in ways that are not known here.
+	// Sets the views of a frame's cameras. If no picture of its world is shown, a visible node's field counts as seen: scripts and tests
+	// observe such a world in ways that are not known here.
 	void see(const FieldView &p_view, bool p_is_visible);
 	bool is_seen() const { return _is_seen; } // or a shadow of it
 
-	// Begins a tick of p_delta seconds. False: nobody would notice what happens in it, so the rest of it is left out.
+	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
-	// True once after ticks that were left out: bodies have moved meanwhile, and must not sweep grass on the way.
+	// Returns true once after skipped ticks: bodies have moved meanwhile, and must not sweep the grass on their way.
 	bool resume();
-	// Wakes tiles, moves blades, puts tiles to sleep. True if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are among
-	// the colliders.
+	// Wakes tiles, moves blades, puts tiles to sleep. Returns true if blades moved. p_forces: at most GRASS_MAX_FORCES, whose shapes are
+	// among the colliders.
 	bool tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, double p_delta, std::span<const Force> p_forces = {},
 			const ParallelFor &p_parallel_for = serial_for);
 
@@ -72,11 +72,11 @@ public:
 	int64_t get_unseen_ticks() const { return _unseen_ticks; } // left out so far
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick
 
-	// The boxes of the tiles of a field that follows this one.
+	// Returns the boxes of the tiles of a field that follows this one.
 	std::shared_ptr<TileBounds> bounds_of(const FieldSetup &p_next) const;
-	// Knots of a blade, field space. p_simulated: as Backend::find_knots() has them; without any, at rest.
+	// Returns the knots of a blade in field space. p_simulated: from Backend::find_knots(); without any, the blade is at rest.
 	KnotsOf<double> find_knots(BladeNumber p_blade, const SimulatedKnots &p_simulated) const;
-	// The blades that stand up to p_radius metres from a place, rising.
+	// Returns the blades that grow up to p_radius metres from a place, in ascending order.
 	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What may change while a field goes on: how its blades move, and when they sleep.
+// The parameters that may change while a field runs: how its blades move, and when they sleep.
 #pragma once
 
 #include "core/solver/solver_params.h"
@@ -17,9 +17,9 @@ struct FieldParams {
 	double sleep_motion = SLEEP_MOTION.initial; // mm
 	double settle_time = SETTLE_TIME.initial; // seconds
 
-	// Of the species that swings longest, seconds.
+	// The time in which a swing dies down, of the species that swings longest, in seconds.
 	double calm_time() const;
-	// Up to here the blades of every species are calm, J/kg.
+	// The energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;
 };
 

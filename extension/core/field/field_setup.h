@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field is made of, for the code that simulates and draws it.
+// The parts that a field is made of, for the code that simulates and draws it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -24,9 +24,9 @@ struct FieldSetup {
 	int pool_size = 0; // tiles that may be awake at once
 	int drawn_tiles_max = int(DRAWN_TILES_MAX.initial);
 	uint32_t seed = 0;
-	bool is_mapped = false; // a map says what grows where
+	bool is_mapped = false; // a map determines what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
-	std::shared_ptr<const SpeciesMix> species; // null: one, and nothing that has to do with species costs anything
+	std::shared_ptr<const SpeciesMix> species; // null: one species, which adds no cost
 
 	Method method = Method::DIRECT; // that its blades are solved by
 
@@ -36,15 +36,15 @@ struct FieldSetup {
 	bool has_plants = false; // a species has a mesh, or several stems to a root
 	float plant_size = 0.0f; // farthest that a mesh reaches from its blade, metres; 0: no species has one
 
-	// Whether the meshes of one field fit the other, provided that the MultiMeshes are large enough.
+	// Returns true if the meshes of one field fit the other, provided that the MultiMeshes are large enough.
 	bool has_meshes_of(const FieldSetup &p_other) const {
 		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
 	}
-	// Tiles that the MultiMeshes of picture and shadows have room for: powers of two, so that a field that grows mostly finds room.
+	// Return how many tiles the MultiMeshes of picture and shadows have room for: powers of two, so that a growing field mostly fits.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
-	// Of the longest blade at rest, grown by its clump: length, height above the root, horizontal spread; the latter two with its card or
-	// mesh. Metres.
+	// Return, of the longest blade at rest, enlarged by its clump: length, height above the root, horizontal spread; the last two include
+	// its card or mesh. Metres.
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
 	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that is counted and measured of a field, for scripts and tests. The simulation does not read it.
+// All counts and measurements of a field, for scripts and tests. The simulation does not read them.
 #pragma once
 
 #include "core/bodies/body_reads.h"
@@ -21,7 +21,7 @@ struct FieldStatistics {
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of trimeshes that move
 	BodyReads reads;
-	int64_t forces = 0, forces_left_out = 0; // that blow over it; that it has no room for
+	int64_t forces = 0, forces_left_out = 0; // that blow over it; for which it has no room
 	TileStatistics tile_work;
 	BackendStatistics backend_work;
 	DrawnStatistics drawn;
@@ -30,7 +30,7 @@ struct FieldStatistics {
 	int64_t map_waiting = 0; // chunks
 	int64_t fill_cells = 0; // texels on which rules ran
 	int64_t fill_waiting = 0; // chunks
-	int64_t terrain_queries = 0, terrain_calls = 0, terrain_waiting = 0; // places asked so far; calls for it; chunks
+	int64_t terrain_queries = 0, terrain_calls = 0, terrain_waiting = 0; // places queried so far; calls for them; chunks
 	bool is_waiting = false; // to be made again
 	int64_t builds = 0, makings = 0; // backends made; times that the field was made
 	int64_t unseen_ticks = 0; // ticks left out

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Single blades of a field, and where their knots are.
+// Single blades of a field, and the positions of their knots.
 #pragma once
 
 #include "core/base/layout.h"
@@ -28,10 +28,10 @@ constexpr int blade_in_tile(BladeNumber p_blade) {
 
 // From root to tip, metres.
 template <typename T> using KnotsOf = std::array<Eigen::Vector3<T>, GRASS_KNOTS>;
-// Of an awake blade, blade space: those that move; the clamped ones are never read. Nothing: it is not known where they are.
+// The knots of an awake blade that move, in blade space; the clamped ones are never read. Empty: their positions are not known.
 using SimulatedKnots = std::optional<KnotsOf<float>>;
 
-// As a device reports them: the free knots only, one after the other.
+// The knots as a device reports them: the free ones only, one after the other.
 inline constexpr int KNOT_NUMBERS = 3 * GRASS_FREE_KNOTS;
 inline KnotsOf<float> unpack_knots(const float *p_numbers) {
 	KnotsOf<float> knots;
@@ -45,7 +45,7 @@ inline KnotsOf<float> unpack_knots(const float *p_numbers) {
 	return knots;
 }
 
-// A blade whose knots somebody wants.
+// A blade whose knots are queried.
 struct WantedBlade {
 	BladeNumber number = 0;
 	int slot = GRASS_NO_SLOT; // of its tile; without one it is at rest

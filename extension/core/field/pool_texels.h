@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pool's texture as the CPU makes it: a row for each slot, 4 halves for each knot of each blade. Between two ticks it shows the offsets
-// of the last two steps, mixed (docs/decisions/0060); where nobody asks for that, only those of the last step are kept. Twin of
+// of the last two steps, mixed (docs/decisions/0060); if that is not needed, only those of the last step are kept. Twin of
 // shaders/solver/mix.glsl.
 #pragma once
 
@@ -17,17 +17,17 @@ class PoolTexels {
 public:
 	static constexpr int ROW_TEXELS = GRASS_KNOTS * GRASS_POOL_BLADES_PER_ROW;
 
-	// Slots that may be awake; none is.
+	// Sets the number of slots that may be awake; none is awake.
 	void reset(int p_pool_size);
-	// Whether there is anything between two steps. It begins with the last one.
+	// Sets whether frames show a mix of two steps. It begins with the last one.
 	void set_between(bool p_is_between);
 	bool is_between() const { return _is_between; }
 
-	// Around a step: what p_pool holds before it, and the slots that it moves.
+	// Call them before and after a step: what p_pool holds before it, and the slots that it moves.
 	void begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_slots);
 	void end_step(std::span<const GrassSlot> p_slots);
 
-	// Makes the texels of a texture of p_rows, with p_share of the last step, 0..1. Returns whether they are others than before.
+	// Makes the texels of a texture of p_rows, with p_share of the last step, 0..1. Returns whether they have changed.
 	bool show(const CpuPool &p_pool, int p_rows, float p_share);
 	std::span<const uint16_t> get_shown() const { return _is_between ? _shown : _now; }
 	int get_rows() const { return _rows; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a field's ticks need of the code that moves its blades: a backend, or a test.
+// The functions that a field's ticks need of the code that moves its blades: a backend, or a test.
 #pragma once
 
 #include "core/solver/solver_params.h"
@@ -11,15 +11,15 @@ class Simulator {
 public:
 	virtual ~Simulator() = default;
 
-	// Whether step() can do its work: the driver may still compile the pass. Until then all blades stand at rest, and step() is not called.
+	// Returns true once step() can work: the driver may still compile the pass. Until then all blades are at rest, and nobody calls step().
 	virtual bool can_simulate() { return true; }
-	// Whether no pass stands in for one that is still being compiled, so that results no longer change with it.
+	// Returns true if no pass replaces one that is still being compiled, so that results no longer depend on it.
 	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
-	// Runs in every tick, with or without a step: frees memory that nothing has needed for a while.
+	// Frees memory that was not needed for a while. Call it in every tick, with or without a step.
 	virtual void tidy() {}
-	// The newest that is known, without waiting; holds until the next call.
+	// Returns the newest known report without waiting; it is valid until the next call.
 	virtual EnergyReport read_energy() = 0;
 };
 

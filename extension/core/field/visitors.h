@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies stand in the grass, from tick to tick.
+// Finds which bodies are in the grass, from tick to tick.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -20,7 +20,8 @@ public:
 		std::vector<uint64_t> exited, entered; // owners, rising
 	};
 
-	// After a tick of p_tiles with p_colliders: returns who met grass now and not in the tick before, and the reverse.
+	// Returns the owners of colliders that entered grass in this tick, and of those that left it. Call it after a tick of p_tiles with
+	// p_colliders.
 	Change update(const TileManager &p_tiles, std::span<const ColliderShape> p_colliders) {
 		std::vector<uint64_t> now;
 		for (size_t i = 0; i < p_colliders.size(); i++) {
@@ -36,7 +37,7 @@ public:
 		_in_grass.swap(now);
 		return change;
 	}
-	// The grass goes. Returns who stood in it.
+	// Call it when the grass is removed. Returns the owners that were in it.
 	std::vector<uint64_t> leave() { return std::exchange(_in_grass, {}); }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which squares of tiles may hold one that waits for a slot: a bit for those that do, which others may share.
+// Finds which squares of tiles may hold a tile that waits for a slot: these set a bit, which other squares may share.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tile -> its slot of the pool, for a bounded count of tiles whatever the field's size. Squares of 4 x 4 tiles lie in a line
-// of the cache each and are found by open addressing: a collider looks up a few squares, not each of its tiles.
+// Maps a tile to its slot of the pool, for a bounded number of tiles whatever the field's size. Each square of 4 x 4 tiles is in one cache
+// line and is found by open addressing: a collider looks up a few squares, not each of its tiles.
 #pragma once
 
 #include "core/base/hash.h"
@@ -42,10 +42,10 @@ public:
 		_count = 0;
 	}
 
-	// Whether none of its tiles has a slot.
+	// Returns true if none of its tiles has a slot.
 	static bool is_empty(const Square *p_square) { return p_square == &NO_SLOTS; }
 
-	// The square of a tile, none of negative numbers; one without slots if none of its tiles has one.
+	// Returns the square of a tile (no negative numbers); a square without slots if none of its tiles has one.
 	const Square &find_square(int p_x, int p_z) const {
 		const Entry &entry = _entries[seek(key_of(p_x, p_z))];
 		const Square &square = entry.key == NO_KEY ? NO_SLOTS : _squares[entry.square];
@@ -74,7 +74,7 @@ public:
 		_squares[_entries[place].square].slots[Square::place(p_x, p_z)] = p_slot;
 	}
 
-	// Nothing if the tile is not in the map.
+	// Does nothing if the tile is not in the map.
 	void erase(int p_x, int p_z) {
 		const uint32_t place = seek(key_of(p_x, p_z));
 		if (_entries[place].key == NO_KEY) {
@@ -114,7 +114,7 @@ private:
 		return grass_hash(p_key) & _mask;
 	}
 
-	// Where the square's entry is, or the free place where it belongs.
+	// Returns the index of the square's entry, or of the free place where it belongs.
 	uint32_t seek(uint32_t p_key) const {
 		uint32_t i = home_of(p_key);
 		while (_entries[i].key != p_key && _entries[i].key != NO_KEY) {

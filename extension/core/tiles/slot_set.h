@@ -57,7 +57,7 @@ public:
 		_first = 0;
 	}
 
-	// Of a set of the same size.
+	// Adds the slots of a set of the same size.
 	void insert_all(const SlotSet &p_others) {
 		for (size_t i = 0; i < _words.size(); i++) {
 			_words[i] |= p_others._words[i];

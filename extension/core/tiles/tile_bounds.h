@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The box around a tile's blades at rest: what Algorithm 1 tests a body's box against. Much tighter than the longest
-// overhang on all sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
+// The box around a tile's blades at rest, against which Algorithm 1 tests a body's box. It is much tighter than the longest overhang on all
+// sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
 #pragma once
 
 #include "core/blades/clump.h"
@@ -16,23 +16,23 @@ namespace grass {
 
 class TileBounds {
 public:
-	// Without blades: no tile is ever met.
+	// Without blades, no body ever meets a tile.
 	TileBounds() = default;
 	TileBounds(const Patch &p_patch, const TileGrid &p_grid, const ClumpParams &p_clump, uint32_t p_seed);
-	// The same blades on another grid: much less work.
+	// Uses the same blades on another grid, which is much less work.
 	TileBounds(const TileBounds &p_other, const TileGrid &p_grid);
 
-	// What rises no higher above the ground bends nothing: a deck that a field stands on, as rounding leaves it. Metres.
+	// A body that rises no higher above the ground bends nothing: a deck under a field, with its rounding. Metres.
 	static constexpr double LEAST_RISE = 1e-3;
 
 	// A tile's place in the grid.
 	struct Tile {
 		uint16_t x = 0, z = 0;
 	};
-	// Whether p_bounds (field space, metres) meets the box around the blades of tile x, z.
+	// Returns true if p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
-	// Drops those of p_count tiles (anything with x and z) that are not met. Returns how many stay, in their order. Branch-free: whether a
-	// tile is met is unpredictable.
+	// Drops those of p_count tiles (anything with x and z) that are not met. Returns the number of tiles that stay, in their order.
+	// Branch-free, since it is unpredictable whether a tile is met.
 	template <typename T> int keep_met(T *r_tiles, int p_count, const Bounds &p_bounds) const {
 		if (_boxes.empty()) {
 			return 0;
@@ -57,13 +57,13 @@ public:
 		}
 		return kept;
 	}
-	// The ground that the tiles stand on, and those that are bare; null: all stand on level ground. p_lean: metres by which
-	// blades lean farther on slopes.
+	// Sets the ground below the tiles, and the bare ones; null: the ground is level everywhere. p_lean: metres by which blades lean
+	// farther on slopes.
 	void set_cover(std::shared_ptr<const TileCover> p_cover, double p_lean) {
 		_cover = std::move(p_cover);
 		_lean = p_lean;
 	}
-	// Of all tiles: how far the blades lean out over the tile's square; their lowest ground and their highest tip. Metres.
+	// Return, over all tiles: how far blades lean out over their tile's square; the lowest ground and the highest tip. Metres.
 	double get_overhang() const { return _overhang + _lean; }
 	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
 	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }

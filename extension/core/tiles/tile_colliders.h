@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colliders of a step as the passes read them.
+// The colliders of a step, in the form that the passes read.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -12,7 +12,7 @@ namespace grass {
 class TileColliders {
 public:
 	void clear();
-	// p_segment: metres, of the longest blade, see is_sharp(). Returns the collider's number.
+	// Adds a collider and returns its number. p_segment: metres, of the longest blade, see is_sharp().
 	uint32_t add(const ColliderShape &p_collider, const TileGrid &p_grid, double p_segment);
 
 	std::span<const GrassCollider> get() const { return _colliders; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of the many tiles below a large body bend blades that can be seen to move: those around its outline in the grass, not those that
-// lie wholly under it.
+// Finds which of the many tiles below a large body have blades whose motion can be seen: those around its outline in the grass, not those
+// wholly under it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -24,11 +24,11 @@ public:
 	// p_swept: the box around the collider's way.
 	TileFootprint(const ColliderShape &p_collider, const Bounds &p_swept, const TileGrid &p_grid, const TileParams &p_params);
 
-	// Of a row, within p_limits: the tiles whose blades it may meet, some that it does not among them.
+	// Returns, of a row within p_limits, the tiles whose blades it may meet, including some that it does not meet.
 	Span find_reached(int p_z, const Span &p_limits) const { return clip(_outer, p_z, p_limits); }
-	// Those that lie wholly under it, at the start of the step and at its end.
+	// Returns the tiles that are wholly under it, at the start of the step and at its end.
 	Span find_covered(int p_z, const Span &p_limits) const { return clip(_inner, p_z, p_limits); }
-	// It is taller than the grass: nobody sees what is under it.
+	// Returns true if it is taller than the grass, so that nobody sees what is under it.
 	bool is_tall() const { return _is_tall; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tile index -> number, by open addressing. As small as its contents so far allow, so that it stays in the caches.
+// Maps a tile's index to a number, by open addressing. It is as small as its contents so far allow, so that it stays in the caches.
 #pragma once
 
 #include "core/base/hash.h"
@@ -29,7 +29,7 @@ public:
 		_places[seek(p_tile)] = { p_tile, p_value };
 	}
 
-	// Nothing if p_tile is not in the map.
+	// Does nothing if p_tile is not in the map.
 	void erase(int p_tile) {
 		uint32_t hole = seek(p_tile);
 		if (_places[hole].tile == NONE) {
@@ -60,7 +60,7 @@ private:
 	// Eight neighbours in a row share a line of the cache: colliders meet tiles row by row.
 	uint32_t home_of(int p_tile) const { return (grass_hash(uint32_t(p_tile) / ROW) * ROW + uint32_t(p_tile) % ROW) & mask(); }
 
-	// Where the tile is, or the empty place where it belongs.
+	// Returns the place of the tile, or the empty place where it belongs.
 	uint32_t seek(int p_tile) const {
 		uint32_t i = home_of(p_tile);
 		while (_places[i].tile != p_tile && _places[i].tile != NONE) {

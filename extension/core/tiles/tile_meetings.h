@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles colliders meet: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
+// Finds which tiles colliders meet: lines 1 to 9 of Algorithm 1 of Fan et al. 2015.
 #pragma once
 
 #include "core/base/parallel_for.h"
@@ -22,7 +22,7 @@ namespace grass {
 
 class TileMeetings {
 public:
-	// What it reads of the tiles, and where it notes slots that are met and what it counts.
+	// The data of the tiles that it reads, and the places where it records met slots and counts.
 	struct Tiles {
 		const TileGrid &grid;
 		const TileParams &params;
@@ -33,24 +33,24 @@ public:
 		TileStatistics &statistics;
 	};
 
-	// A collider whose box meets that of a tile's blades. A tile that sleeps goes by its place in get_wanted() until it has a slot.
+	// A collider whose box meets that of a tile's blades. A sleeping tile is identified by its place in get_wanted() until it has a slot.
 	struct Meeting {
 		int slot; // ~place until the tile has one
 		uint32_t collider;
 	};
 
 	void reset();
-	// What is known of colliders that stand still holds no longer: the tiles' boxes or limits are other ones.
+	// Drops what is known about colliders that stand still, since the tiles' boxes or limits have changed.
 	void forget() { _known.clear(); }
-	// Mends p_colliders, see ColliderShape::sanitise(). However many threads there are, the result is the same, in the same order.
+	// Repairs p_colliders, see ColliderShape::sanitise(). The result and its order are the same with any number of threads.
 	void find(const Tiles &p_tiles, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for);
 
 	std::vector<Meeting> &get() { return _meetings; } // rising by collider
-	// Tiles that are met and sleep, as many as can get a slot. The paper's ToActivateTileList without the tiles already active.
+	// Returns the sleeping tiles that are met, as many as can get a slot: the paper's ToActivateTileList without the active tiles.
 	const std::vector<int> &get_wanted() const { return _wanted; }
-	// Whether collider p_collider met grass: the box around the blades of a tile on which some stand.
+	// Returns true if collider p_collider met grass: the box around the blades of a tile on which some grow.
 	bool has_met_grass(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] != MET_NOTHING; }
-	// Whether one of these tiles has a slot, or gets one in this step.
+	// Returns true if one of these tiles has a slot, or gets one in this step.
 	bool has_met_awake(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] == MET_AWAKE; }
 	size_t get_memory_usage() const; // bytes
 
@@ -71,7 +71,7 @@ private:
 	};
 	// What a collider has met.
 	enum Met : uint8_t { MET_NOTHING, MET_GRASS, MET_AWAKE };
-	// Of a collider of the last step with a stamp: what follows from it.
+	// The results for a collider of the last step with a stamp.
 	struct Known {
 		uint64_t stamp = 0; // 0: nothing is known
 		Bounds swept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the choice of awake tiles goes by, and what it counts.
+// The parameters by which awake tiles are chosen, and the counts of that choice.
 #pragma once
 
 #include "core/solver/solver_params.h"
@@ -10,12 +10,12 @@
 namespace grass {
 
 // SleepMode::TIMER: time from the last meeting to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
-// rest; above 5 s tiles are simulated that nothing moves in.
+// rest; above 5 s tiles are simulated in which nothing moves.
 inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
 // SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
 // stop; below 0.1 mm tiles are simulated that nobody sees move.
 inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1.0 };
-// Time on the way from wherever a blade is to rest. Usual 0.2 to 1. 0: it jumps there.
+// Time that a blade takes to return to rest. Usual 0.2 to 1. 0: it jumps there.
 inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
 
 // When a tile that no collider meets goes to sleep.
@@ -42,7 +42,7 @@ struct TileParams {
 	double segment = 0.0; // Metres, of the longest blade. Too short: its edges meet no sharp bodies, see is_sharp().
 	bool is_mapped = false; // StepInput::growth says how the blades grow.
 
-	// The same within limits; NaN becomes the default.
+	// Returns the same params within limits; NaN becomes the default.
 	TileParams sanitised() const;
 	// Never more pairs of a tile and a collider than this, for buffers made once.
 	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles somebody sees: those within one of some frustums (field space), or near it.
+// Finds which tiles are seen: those within one of some frustums (field space), or near it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -19,9 +19,9 @@ public:
 	// p_margin widens every frustum, metres. Before the first call, and after see_all(), everything is seen.
 	void see(std::span<const Frustum> p_frustums, float p_margin);
 	void see_all() { _sees_all = true; }
-	// Any tile of the field, or what stands on it.
+	// Returns true if any tile of the field, or its grass, is seen.
 	bool sees_field(const TileGrid &p_grid, const TileParams &p_params) const;
-	// Before a step in which sees() is called.
+	// Call it before a step in which sees() is called.
 	void prepare(const TileGrid &p_grid, const TileParams &p_params);
 	bool sees(int p_x, int p_z) const;
 

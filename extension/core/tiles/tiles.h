@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps and the preallocated pool
-// of section 5.2. Sees colliders and awake tiles only, never the field's other tiles.
+// Chooses which tiles are simulated: Algorithm 1 of Fan et al. 2015 (section 4.1) with the timestamps and the preallocated pool of section
+// 5.2. It visits colliders and awake tiles only, never the field's other tiles.
 #pragma once
 
 #include "core/solver/step.h"
@@ -24,7 +24,7 @@ public:
 	// A new grid, another pool size or another seed puts every tile to rest at once, as reset() does.
 	void set_grid(const TileGrid &p_grid);
 	void set_params(const TileParams &p_params);
-	// The boxes around the tiles' blades; without them a tile's box is its square grown by TileParams' overhang and height.
+	// Sets the boxes around the tiles' blades; without them a tile's box is its square, enlarged by TileParams' overhang and height.
 	void set_bounds(std::shared_ptr<const TileBounds> p_bounds) {
 		_bounds = std::move(p_bounds);
 		_meetings.forget();
@@ -35,19 +35,19 @@ public:
 	// Forgets all awake tiles and counts, without records: the backend empties its tile table too.
 	void reset();
 
-	// What is seen of the field. Out of view a tile is simulated only while something moves in it; it goes on where it stopped, or is at
-	// rest by then.
+	// Sets the views of the field. Out of view, a tile is simulated only while something moves in it. In view again, it continues where it
+	// stopped, or is at rest by then.
 	TileView &get_view() { return _view; }
 	bool is_field_seen() const { return _view.sees_field(_grid, _params); }
-	// The ground changed under these tiles: the next step moves those that are awake, even out of view.
+	// Call it when the ground changed under these tiles: the next step moves those that are awake, even out of view.
 	void stir(const TileRange &p_tiles);
-	// p_delta seconds have passed in which nobody saw any of it and update() was not called.
+	// Call it when p_delta seconds have passed in which nobody saw any of the field and update() was not called.
 	void pass_unseen(double p_delta);
 
-	// One step of p_delta seconds (not finite or negative: 0). Mends p_colliders, see ColliderShape::sanitise(). The
-	// same calls make the same records, bit for bit, however many threads help. What the getters below return holds until the next call.
+	// Takes one step of p_delta seconds (not finite or negative: 0). Repairs p_colliders, see ColliderShape::sanitise(). The same calls
+	// make the same records, bit for bit, with any number of threads. The results of the getters below are valid until the next call.
 	void update(double p_delta, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for = serial_for);
-	// Of the last update, 0 before the first; never falls, not even by reset().
+	// Returns the number of the last update, 0 before the first. It never falls, not even by reset().
 	uint64_t get_step_number() const { return _step_number; }
 
 	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
@@ -61,15 +61,15 @@ public:
 	// Never more entries than this in get_collider_list(), for buffers made once.
 	int get_list_capacity() const { return _params.list_capacity(); }
 
-	// Decides who is calm: goes to sleep, or gives way in a full pool. Left out: what is not finite, and what was measured
-	// before the tile was last met, thus also the energies of slots that were other tiles' then.
+	// Determines which tiles are calm: these go to sleep, or give way in a full pool. Ignores values that are not finite, and those
+	// measured before the tile was last met, which includes the energies of slots that other tiles had then.
 	void report_energy(const EnergyReport &p_report);
 
-	// [Eq M5] Of an awake tile, as reported; zero of one at rest, and while nothing is known.
+	// [Eq M5] Returns the reported bend of an awake tile; zero for a tile at rest, and while nothing is known.
 	Eigen::Vector3f get_bend(int p_tile) const;
-	// Whether collider p_collider of the last update met grass: the box around the blades of a tile on which some stand.
+	// Returns true if collider p_collider of the last update met grass: the box around the blades of a tile on which some grow.
 	bool has_met_grass(size_t p_collider) const { return _meetings.has_met_grass(p_collider); }
-	// Whether one of these tiles is awake now.
+	// Returns true if one of these tiles is awake now.
 	bool has_met_awake(size_t p_collider) const { return _meetings.has_met_awake(p_collider); }
 
 	int get_slot_of(int p_tile) const; // GRASS_NO_SLOT if it has none.
