@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A map laid out on a field: its layers, and the cover of each tile. Works chunk by chunk, so that a large change can be spread over
-// frames.
+// A map laid out on a field: its layers, and the cover of each tile. It is updated chunk by chunk, so that a large change can be spread
+// over frames.
 #pragma once
 
 #include "core/map/tile_cover.h"
@@ -12,7 +12,7 @@ namespace grass {
 
 class FieldMap {
 public:
-	// p_tallest: metres, of the longest blade; p_follow: FOLLOW_SLOPE. The whole map waits to be laid out.
+	// Makes the whole map wait to be laid out. p_tallest: metres, of the longest blade; p_follow: FOLLOW_SLOPE.
 	FieldMap(const TileGrid &p_grid, double p_tallest, float p_follow);
 
 	// Queues a region whose texels changed.
@@ -22,9 +22,9 @@ public:
 		TileRange tiles; // that may have changed
 		void add(const Changes &p_changes);
 	};
-	// Lays out one of the chunks that wait, if any.
+	// Lays out one of the waiting chunks, if any.
 	Changes work(const PaintMap &p_map);
-	// Lays out a region, and all that waits, at once.
+	// Lays out a region, and all waiting chunks, at once.
 	Changes update(const PaintMap &p_map, const MapRegion &p_region);
 
 	int get_waiting() const { return int(_waiting.size()); } // chunks
@@ -42,7 +42,7 @@ private:
 	float _follow;
 	MapLayers _layers;
 	std::shared_ptr<TileCover> _cover = std::make_shared<TileCover>();
-	std::map<std::pair<int, int>, MapRegion> _waiting; // by chunk, row by row (z, x): what of it, and a little around
+	std::map<std::pair<int, int>, MapRegion> _waiting; // by chunk, row by row (z, x): the waiting part of it, and a little around
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the map makes of the grass at one place. shaders/map/growth.inc as C++.
+// The effect of the map on the grass at one place. shaders/map/growth.inc as C++.
 #pragma once
 
 #include "core/blades/clump.h"
@@ -18,10 +18,10 @@ static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GR
 static_assert(info_of(MAP_LEDGE).side == GRASS_LEDGE_TEXELS && info_of(MAP_LEDGE).initial[0] == GRASS_LEDGE_NONE);
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
 
-// How far blades follow the ground's slope. 0: they stand upright, like grass; 1: at a right angle to it, like hair.
+// How far blades follow the ground's slope. 0: they grow upright, like grass; 1: at a right angle to it, like hair.
 inline constexpr Tunable FOLLOW_SLOPE{ "follow_slope", "", 0.0, 1.0, 0.01, 0.25 };
 
-// The farthest that following the slope moves the tip of a blade of 1 m, on ground of up to 60 degrees. Metres.
+// Returns how far following the slope can move the tip of a blade of 1 m, on ground of up to 60 degrees, in metres.
 inline float slope_lean(float p_follow) {
 	const float tilt = glsl::grass_ground_tilt(glsl::vec2(0.8660254f, 0.0f), p_follow).x; // tangent of half the angle
 	return 2.0f * tilt / std::sqrt(1.0f + tilt * tilt);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heights of a triangle mesh at the centres of the texels of a map's ground: what lay_ground() reads where the terrain's
-// triangles are known.
+// Heights of a triangle mesh at the centres of the texels of a map's ground. lay_ground() reads them if the terrain's triangles are known.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -14,13 +13,14 @@ public:
 	// For lay_ground() over p_region.
 	explicit HeightSheet(const MapRegion &p_region);
 
-	// Corners in field space, metres. Where triangles overlap, the highest counts. Those that are vertical or not finite add
-	// nothing.
+	// Adds a triangle with its corners in field space, metres. Where triangles overlap, the highest counts. Triangles that are vertical or
+	// not finite add nothing.
 	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
 
-	// Metres above the field; NaN where no triangle lies, and outside of the region. At the centre of the texel that holds p_place.
+	// Returns the height at the centre of the texel that holds p_place, in metres above the field; NaN where no triangle is, and outside of
+	// the region.
 	double at(const Eigen::Vector2d &p_place) const;
-	// At p_place itself.
+	// Returns the height at p_place itself.
 	double between(const Eigen::Vector2d &p_place) const;
 
 private:
@@ -30,13 +30,13 @@ private:
 	struct Triangle {
 		Eigen::Array2d a, b, c; // corners as texel_at() has them
 		Eigen::Array3d heights;
-		// Its height at a place; NaN beside it.
+		// Returns its height at a place; NaN outside of it.
 		double at(const Eigen::Array2d &p_texel) const;
 	};
 
 	int _width = 0, _depth = 0;
 	std::vector<Triangle> _triangles;
-	std::vector<std::vector<uint32_t>> _above; // by texel: the triangles that lie over the square around its centre
+	std::vector<std::vector<uint32_t>> _above; // by texel: the triangles above the square around its centre
 	std::vector<double> _heights; // row by row along x
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the map's file and its changes are written with.
+// The functions that write the map's file and its changes.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -7,7 +7,7 @@
 
 namespace grass {
 
-// Whether the channel may hold these.
+// Returns true if these are valid codes of the channel.
 bool are_codes(const MapTexels &p_texels, const MapChannelInfo &p_info);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What changed between two states of a map, as bytes: for a server that tells its clients, in order. All numbers are little-endian.
+// The changes between two states of a map, as bytes: for a server that sends them to its clients, in order. All numbers are little-endian.
 //
 //   0  8 bytes  "GRASSDIF"
 //   8  u32      version, MAP_CHANGES_VERSION
@@ -10,8 +10,8 @@
 //      n times  the bytes: texels before ^ after, packed by the codec
 //      u32      checksum of all above
 //
-// A change fits a map whose texels there have the checksum before. So changes of other places may come in any order, those of the same
-// place in theirs, and one that comes twice does nothing.
+// A change fits a map whose texels there have the checksum before. So changes of different places may come in any order, those of the same
+// place must keep their order, and a change that comes twice has no effect.
 #pragma once
 
 #include "core/map/map_file.h"
@@ -22,16 +22,16 @@ namespace grass {
 
 inline constexpr uint32_t MAP_CHANGES_VERSION = 1;
 
-// Nothing where the maps are the same.
+// Returns no bytes if the maps are the same.
 MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const MapCodec &p_codec);
 
 struct AppliedChanges {
-	std::string reason; // why not, as the end of a sentence; "": all of them are in the map
+	std::string reason; // why they were refused, as the end of a sentence; "": all of them are in the map
 	std::vector<MapKey> changed; // chunks
 	bool has_base_changed = false;
 };
 
-// Changes r_map, or leaves it as it was. A chunk that r_map has may change wherever it lies; new ones are within the limits.
+// Changes r_map, or leaves it as it was. A chunk that r_map has may change wherever it is; new ones must be within the limits.
 AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});
 
 } // namespace grass

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a painted map stores for each place: its channels, and the resolution and codes of each. May include
-// Eigen, never Godot.
+// The channels that a painted map stores for each place, and the resolution and codes of each. May include Eigen, never Godot.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@ namespace grass {
 
 // Files hold these numbers: new channels go to the end.
 enum MapChannel {
-	MAP_DENSITY, // share of the field's blades that stand here, 0..1
+	MAP_DENSITY, // share of the field's blades that grow here, 0..1
 	MAP_HEIGHT, // share of the blades' own length, 0..1
 	MAP_SPECIES, // number of the species
 	MAP_TINT, // colour (red, green, blue, 0..1) and how much of it shows (0..1)
@@ -19,18 +18,18 @@ enum MapChannel {
 	MAP_GROUND, // height of the ground, metres above the field
 	MAP_NORMAL, // x and z of the ground's unit normal
 	MAP_WEAR, // 0 untouched .. 1 trampled bare; lasts
-	MAP_CUT, // blades end here, metres above the ground; MAP_UNCUT: nobody cut them
-	MAP_PAINT, // density painted by hand, and how much of what rules fill it covers, 0..1 each (core/paint/hand_paint.h)
-	MAP_WEAR_REST, // what a code of wear is too coarse for: 1/256 of a code (core/paint/fine_wear.h)
+	MAP_CUT, // height at which cut blades end, metres above the ground; MAP_UNCUT: they are not cut
+	MAP_PAINT, // density painted by hand, and how much of the rules' filling it covers, 0..1 each (core/paint/hand_paint.h)
+	MAP_WEAR_REST, // the remainder of wear below a code: 1/256 of a code (core/paint/fine_wear.h)
 	MAP_HOLE, // 1: a terrain has no ground here, so nothing grows, whatever is painted
 	MAP_LEDGE, // which of the four heights around count here, a bit each [Eq M7]; 0: none, so nothing grows (core/paint/lay_ledges.h)
 	MAP_CHANNELS,
 };
 
-// A chunk is a square of this many metres; chunk (0, 0) begins at the map's origin and lies on its +x, +z side.
+// Side of a chunk, a square, in metres. Chunk (0, 0) begins at the map's origin and extends to its +x, +z side.
 inline constexpr double MAP_CHUNK_SIZE = 64.0;
 
-// A value is kept as a whole number, its code: value = (code - zero) * unit.
+// A value is stored as a whole number, its code: value = (code - zero) * unit.
 struct MapChannelInfo {
 	const char *name;
 	int side; // texels along a chunk
@@ -39,13 +38,13 @@ struct MapChannelInfo {
 	int32_t lowest, highest; // codes
 	int32_t zero;
 	double unit;
-	std::array<int32_t, 4> initial; // codes where nobody painted
+	std::array<int32_t, 4> initial; // codes where nothing was painted
 	bool blends; // between texels; else the nearest one counts
 
 	constexpr double texel_size() const { return MAP_CHUNK_SIZE / side; } // metres
 	constexpr size_t chunk_bytes() const { return size_t(side) * size_t(side) * size_t(components) * size_t(bytes); }
 	constexpr double value(int32_t p_code) const { return (double(p_code) - zero) * unit; }
-	// The nearest code; NaN gives `zero`.
+	// Returns the nearest code; NaN gives `zero`.
 	int32_t code(double p_value) const {
 		const double code = std::isnan(p_value) ? double(zero) : std::round(p_value / unit) + zero;
 		return int32_t(code < lowest ? double(lowest) : (code > highest ? double(highest) : code));

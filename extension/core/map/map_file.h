@@ -21,7 +21,7 @@
 
 namespace grass {
 
-// Older versions are readable. Whatever an older reader cannot read needs a new version: a channel, a code that was out of range.
+// Older versions are readable. A change that an older reader cannot read needs a new version: a channel, a code that was out of range.
 inline constexpr uint32_t MAP_FILE_VERSION = 2; // 1: the same, or without MAP_PAINT
 
 using MapBytes = std::vector<uint8_t>;
@@ -29,16 +29,16 @@ using MapBytes = std::vector<uint8_t>;
 // Compresses a chunk's bytes; in the extension by the engine's compression.
 struct MapCodec {
 	std::function<MapBytes(std::span<const uint8_t> p_bytes)> pack;
-	// Fills r_bytes, whose size is that of the unpacked bytes. False if they do not fit it.
+	// Fills r_bytes, which has the size of the unpacked bytes. Returns false if they do not fit.
 	std::function<bool(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes)> unpack;
 };
 
-// The same bytes for the same map.
+// Returns the same bytes for the same map.
 MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
 
-// Replaces r_map by what the bytes hold and returns "". If anything is wrong, or more than p_limits allow, leaves r_map as it was and
-// returns what, as the end of a sentence that begins with the file's name. What the file would take is known from its table: nothing is
-// unpacked before.
+// Replaces r_map by the map in the bytes and returns "". If anything is wrong, or exceeds p_limits, leaves r_map as it was and returns the
+// reason, as the end of a sentence that begins with the file's name. The file's table shows how much memory the map would take: nothing is
+// unpacked before that is checked.
 std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});
 
 } // namespace grass

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The map as a field shows it: for each chunk one layer of texels that say what grows there, put together from all
-// channels, with a border of one texel so that a layer is sampled by itself. What is drawn are textures of these bytes;
-// the simulation samples the very same ones.
+// The map as a field shows it: for each chunk, one layer of texels that determine what grows there, combined from all channels, with a
+// border of one texel so that a layer can be sampled by itself. The shaders read textures of these bytes; the simulation samples the same
+// bytes.
 #pragma once
 
 #include "core/map/growth.h"
@@ -16,12 +16,12 @@ public:
 	// The chunks under a field, all without a layer. p_tallest: metres, of its longest blade. Uncut grass counts as cut at
 	// this length: what is blended between it and a cut beside it then changes where blades are.
 	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
-	// Brings a chunk's layer up to date in p_region. Returns it if it changed, else GRASS_NO_LAYER. Chunks get layers as they come.
+	// Updates a chunk's layer in p_region. Returns the layer if it changed, else GRASS_NO_LAYER. Chunks get layers in order of arrival.
 	int update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
 	// Updates all layers in p_region. Returns those that changed, rising.
 	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
-	// Makes r_there the same field's layers as p_map has them now, but around p_place only: field-space x, z in metres. Its memory is
-	// used again.
+	// Makes r_there the same field's layers of p_map as it is now, but around p_place only: field-space x, z in metres. The memory of
+	// r_there is used again.
 	void read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapLayers &r_there) const;
 
 	int get_count() const { return int(_layers.size()); }
@@ -40,12 +40,12 @@ public:
 	bool has_chunk(const MapKey &p_key) const; // under the field
 	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
 	std::vector<MapKey> get_chunks(const MapRegion &p_region) const; // under the field, in which a change of p_region shows; row by row
-	// A change shows this much farther out: in the borders of layers, and where coarse texels blend into finer ones. Metres.
+	// How much farther out a change shows, in metres: in the borders of layers, and where coarse texels blend into finer ones.
 	static constexpr double CHANGE_MARGIN = 2.0 * info_of(MAP_HEIGHT).texel_size();
 
-	// What grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
+	// Returns what grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
 	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
-	// What was painted into a texel, counted from the map's origin: 0 nothing, n: species n - 1.
+	// Returns the species painted into a texel, counted from the map's origin: 0: none, n: species n - 1.
 	int get_species(int p_texel_x, int p_texel_z) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a brush or a game's tool acts on the map: a convex shape on the ground, with a soft border.
+// The area where a brush or a game's tool acts on the map: a convex shape on the ground, with a soft border.
 #pragma once
 
 #include "core/map/map_stamp.h"
@@ -26,24 +26,24 @@ class MapShape {
 public:
 	static constexpr double MAX_EXTENT = 4096.0; // metres from one end to the other
 
-	MapShape() = default; // nowhere
+	MapShape() = default; // empty
 	// p_softness: metres inside of the border in which the effect fades; 0: a hard border. Values that are not finite,
-	// negative or too large make a shape that is nowhere.
+	// negative or too large make an empty shape.
 	MapShape(std::span<const Eigen::Vector2d> p_points, double p_radius, double p_softness = 0.0, Falloff p_falloff = Falloff::SMOOTH);
-	// p_hardness: share of the radius that feels the full effect, 0..1.
+	// p_hardness: share of the radius that gets the full effect, 0..1.
 	static MapShape stroke(
 			const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_radius, double p_hardness, Falloff p_falloff);
 
-	// A square of 2 * p_radius metres around p_middle, in which p_stamp says how strong the effect is. p_turn: radians, from x towards z.
+	// Makes a square of 2 * p_radius metres around p_middle; p_stamp holds the strength of the effect. p_turn: radians, from x towards z.
 	static MapShape stamped(
 			const Eigen::Vector2d &p_middle, double p_radius, double p_turn, const std::shared_ptr<const MapStamp> &p_stamp);
 
 	bool is_empty() const { return _corners.empty(); }
-	// Metres to the border, negative inside.
+	// Returns the metres to the border, negative inside.
 	double get_distance(const Eigen::Vector2d &p_place) const;
-	// 0 outside .. 1 where the full effect is.
+	// Returns the strength of the effect, from 0 outside to 1.
 	double get_weight(const Eigen::Vector2d &p_place) const;
-	// The most that any place has in a square of 2 * p_half metres around p_centre.
+	// Returns the greatest strength in a square of 2 * p_half metres around p_centre.
 	double get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const;
 	Eigen::Vector2d get_min() const { return _min; }
 	Eigen::Vector2d get_max() const { return _max; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture that a brush leaves on the map: how strong its effect is from place to place.
+// A picture that a brush leaves on the map: the strength of its effect at each place.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@ class MapStamp {
 public:
 	static constexpr int MOST = 512; // texels along a side
 
-	MapStamp() = default; // nowhere
-	// p_weights: rows from the top, 0..1; values beyond are clamped, NaN is 0. Another number of them than p_width * p_height, or more
-	// texels along a side than MOST, make a stamp that is nowhere.
+	MapStamp() = default; // empty
+	// p_weights: rows from the top, 0..1; values beyond are clamped, NaN is 0. If their number is not p_width * p_height, or a side has
+	// more texels than MOST, the stamp is empty.
 	MapStamp(int p_width, int p_height, std::vector<float> p_weights);
 
 	bool is_empty() const { return _weights.empty(); }
-	// Between the middles of texels. p_place: 0..1 across and down; outside 0.
+	// Returns the weight, interpolated between the middles of texels. p_place: 0..1 across and down; outside, the weight is 0.
 	double get_weight(const Eigen::Vector2d &p_place) const;
 
 private:

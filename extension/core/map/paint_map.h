@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The painted map: what grows where, and what happened to it. Places are x, z in metres from the map's origin, the field's
-// centre. Sparse: only chunks that hold something unusual use memory. Copies share their texels until one of them
-// changes, so a snapshot for undo costs a pointer a channel.
+// The painted map: what grows where, and what happened to it. Places are x, z in metres from the map's origin, the field's centre. It is
+// sparse: only chunks that differ from the initial codes use memory. Copies share their texels until one of them changes, so a snapshot
+// for undo costs a pointer per channel.
 #pragma once
 
 #include "core/map/map_channels.h"
@@ -39,7 +39,7 @@ public:
 	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted
 	static bool is_in_reach(const MapKey &p_key) { return p_key.x >= -REACH && p_key.z >= -REACH && p_key.x < REACH && p_key.z < REACH; }
 
-	// The density where nobody painted, 0..1: 0 by default, nothing grows there.
+	// The density where nothing was painted, 0..1. It is 0 by default: nothing grows there.
 	void set_base_density(double p_density);
 	double get_base_density() const;
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
@@ -47,19 +47,19 @@ public:
 
 	const std::map<MapKey, MapChunk> &get_chunks() const { return _chunks; }
 	std::vector<MapKey> get_keys() const;
-	const MapChunk *find(const MapKey &p_key) const; // null: nothing unusual there
-	bool uses(MapChannel p_channel) const; // whether any chunk holds it
+	const MapChunk *find(const MapKey &p_key) const; // null: the chunk has the initial codes
+	bool uses(MapChannel p_channel) const; // true if any chunk has it
 
 	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z.
 	int32_t get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const;
-	// Codes beyond the channel's limits are clamped. False, and nothing is changed, outside of the map's reach or if it is full.
+	// Clamps codes to the channel's limits. Returns false, and changes nothing, outside of the map's reach or if the map is full.
 	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
 
-	// The channel's value at a place (metres), blended between the centres of the four nearest texels where the channel
-	// blends, and never across a ledge of the ground. Places that are not finite or out of reach: the initial value.
+	// Returns the channel's value at a place (metres), interpolated between the centres of the four nearest texels if the channel blends,
+	// but never across a ledge of the ground. Returns the initial value for a place that is not finite or out of reach.
 	double sample(MapChannel p_channel, int p_component, const Eigen::Vector2d &p_place) const;
 
-	// Chunks in which the two differ.
+	// Returns the chunks in which the two differ.
 	std::vector<MapKey> compare(const PaintMap &p_other) const;
 	// Frees texels that all have the initial codes again, and chunks without texels.
 	void compact();
@@ -68,7 +68,7 @@ public:
 	bool is_empty() const { return _chunks.empty(); }
 	size_t get_memory_usage() const; // bytes; texels that snapshots share count in full
 
-	// Replaces a channel of a chunk; null empties it. False where the key is out of reach, the map full or the size wrong.
+	// Replaces a channel of a chunk; null empties it. Returns false if the key is out of reach, the map full or the size wrong.
 	bool set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels);
 
 private:
@@ -87,7 +87,7 @@ inline int32_t read_code(const uint8_t *p_texels, const MapChannelInfo &p_info, 
 	return code;
 }
 
-// Reads texels of one channel; quick where consecutive ones lie in the same chunk. Holds until the map changes.
+// Reads texels of one channel; fast if consecutive ones are in the same chunk. Valid until the map changes.
 class MapReader {
 public:
 	MapReader(const PaintMap &p_map, MapChannel p_channel);
@@ -118,7 +118,7 @@ private:
 	MapKey _key{ PaintMap::REACH, PaintMap::REACH }; // of _texels; none yet
 	const uint8_t *_texels = nullptr;
 	MapKey _ledge_key{ PaintMap::REACH, PaintMap::REACH }; // of _ledges; none yet
-	const uint8_t *_ledges = nullptr; // what says on which side of a ledge a place is; null: there is none
+	const uint8_t *_ledges = nullptr; // the codes of ledges at a place; null: there is no ledge
 };
 
 // The chunk that holds texel p_i, p_j of a channel.

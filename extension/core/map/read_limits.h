@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bytes from elsewhere may make of a map. Texels pack a thousand times smaller: a file or a message of a megabyte could take
+// The limits for a map that is read from outside bytes. Texels pack a thousand times smaller: a file or a message of a megabyte could take
 // gigabytes.
 #pragma once
 
@@ -18,7 +18,7 @@ struct ReadLimits {
 	size_t map_bytes = MAP_MEGABYTES * MEGABYTE; // texels of the whole map
 	size_t changes_bytes = CHANGES_MEGABYTES * MEGABYTE; // texels that one message changes
 	std::vector<MapRegion> regions; // chunks must meet one of them; none: the map's whole reach
-	std::string map_hint, changes_hint; // what these limits are called where they can be raised: ends a sentence
+	std::string map_hint, changes_hint; // names the setting that raises a limit; ends a sentence
 
 	bool allow(const MapKey &p_key) const;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The map for whole tiles: whether anything stands on a tile, how much, and between which heights its ground lies. Culling and
-// the waking of tiles read it; only fields with a map have one.
+// The map for whole tiles: whether anything grows on a tile, how much, and the lowest and highest ground. Culling and the waking of tiles
+// read it; only fields with a map have one.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -10,17 +10,17 @@ namespace grass {
 class TileCover {
 public:
 	struct Tile {
-		float low = 1.0f, high = -1.0f; // The ground under it, metres above the field. Bare: nothing stands there; low > high.
-		float grown = 0.0f; // Mean share of what a field without a map grows: density times height, 0..1.
-		float cut = 0.0f; // Metres above the ground: its grass is at most so high.
+		float low = 1.0f, high = -1.0f; // The ground under it, metres above the field. Bare: nothing grows there; low > high.
+		float grown = 0.0f; // Mean share of the grass of a field without a map: density times height, 0..1.
+		float cut = 0.0f; // Greatest height of its grass, metres above the ground.
 		float slope = 0.0f; // Of the ground, from end to end: rise over run.
 		bool is_bare() const { return low > high; }
 		bool operator==(const Tile &) const = default;
 	};
-	// Level, full of grass that nobody cut: of a field without a map.
+	// A level tile full of uncut grass, as in a field without a map.
 	static constexpr Tile FULL = { 0.0f, 0.0f, 1.0f, float(GRASS_UNCUT), 0.0f };
 
-	// All tiles, bare.
+	// Makes all tiles bare.
 	void reset(const TileGrid &p_grid);
 	// Updates the tiles that p_region concerns from the layers. Returns these tiles.
 	TileRange update(const MapLayers &p_layers, const MapRegion &p_region);
@@ -33,8 +33,8 @@ public:
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
 private:
-	// Along one axis: the chunks that a row or column of tiles lies in, and in each of them the texels of its layer that
-	// contribute to samples within these tiles.
+	// Along one axis: the chunks that contain a row or column of tiles, and in each of them the texels of its layer that contribute to
+	// samples within these tiles.
 	struct Stretch {
 		struct Texels {
 			int first = 0, last = 0;
