@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT: what lies beyond a joint, as the sweep from tip to root sees it, and what knots, edges, surfaces and joints add to it.
-// Twin of shaders/solver/beyond.inc.
+// METHOD_DIRECT: the part of a blade beyond a joint, as the sweep from tip to root models it, and the contributions of knots, edges,
+// surfaces and joints. Twin of shaders/solver/beyond.inc.
 #pragma once
 
 #include "core/base/matrix.h"
@@ -9,19 +9,19 @@
 
 namespace grass {
 
-// What one solve found of the surfaces.
+// The results of one solve about surfaces.
 template <class T> struct Touches {
 	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
 	T deepest; // of the touches of colliders, skins
-	T grip; // most that friction at colliders takes of the blade's motion, metres times the inertia that a mean knot has without drag
-	T blow; // of the deepest touch that the solve had to leave out, metres; 0: there was none
+	T grip; // limit of the blade's motion that friction at colliders can remove, metres times the inertia of a mean knot without drag
+	T blow; // depth of the deepest touch that the solve had to leave out, metres; 0: there was none
 };
 
-// An implicit step of `span` seconds from a base place; the step's target is where the knots would go alone.
+// An implicit step of `span` seconds from a base position; the target is where the knots would go without springs and contact.
 template <class T> struct Stage {
 	T span; // seconds
-	bool is_part; // one of those that a step among what moves far is taken in
-	T most_depth; // of a contact that a solve can take back, metres; what is deeper is a blow
+	bool is_part; // one of the parts of a step among far-moving colliders
+	T most_depth; // of a contact that a solve can undo, metres; a deeper one is a blow
 	MaskOf<T> is_buried; // [Eq 46] a blow would not free it
 	T caution; // resistance of the joints to one solve, shares of their stiffness
 	T weight; // of a knot's inertia: 1 + drag; of a free blade divided by the weight of its step's end, since its forces are taken at a
@@ -30,7 +30,7 @@ template <class T> struct Stage {
 	Vec3<T> target[GRASS_KNOTS]; // metres
 };
 
-// What does not change during a step.
+// The terms that do not change during a step.
 template <class T> struct ChainTerms {
 	T bending; // EI / (density area mean length) at the root, m^3/s^2
 	T mean_length;
@@ -48,9 +48,8 @@ template <class T> struct Beyond {
 	Touches<T> touches;
 };
 
-// [Eq 31] What a surface does to a point that stands p_lever (metres) beyond the end that the model is a function of, which a turn of
-// the lever moves along. p_weight: the knot's inertia, p_own: the share of the push that is this point's. Returns the most that friction
-// pulls with.
+// [Eq 31] Adds the effect of a surface on a point at p_lever (metres) beyond the end that the model is a function of; a turn of the lever
+// moves the point along. p_weight: the knot's inertia, p_own: this point's share of the push. Returns the greatest pull of friction.
 template <class T>
 GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Stage<T> &p_stage, const Vec3<T> &p_lever, const T &p_length,
 		const T &p_weight, const T &p_bending, const T &p_own) {
@@ -82,13 +81,13 @@ GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Sta
 	return friction;
 }
 
-// [Eq 36] Keeps what a collider's touch, with such a friction, says of how the blade is held.
+// [Eq 36] Records how a collider's touch, with this friction, holds the blade.
 template <class T> GRASS_INLINE void keep_hold(Touches<T> &r_touches, const Touch<T> &p_touch, const T &p_length, const T &p_friction) {
 	r_touches.grip = r_touches.grip + p_friction;
 	r_touches.deepest = maximum(r_touches.deepest, p_touch.depth / maximum(p_length * T(SKIN), T(1e-12f)));
 }
 
-// [Eq 26] A knot's inertia, and what touches it. p_touch: of the colliders.
+// [Eq 26] Adds a knot's inertia, and its touches. p_touch: of the colliders.
 template <class T>
 GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
 		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_touch, const T &p_bending) {
@@ -111,8 +110,8 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 			add_touch(r_beyond, p_touch, p_stage, Vec3<T>{}, length, weight, p_bending * T(root_contact(p_knot)), T(1.0f)));
 }
 
-// What touches the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: what touches these
-// knots; what they feel of the edge's surface it does not feel again.
+// Adds the touches of the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: the touches of
+// these knots; the edge does not count again what they feel of its surface.
 template <class T>
 GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
 		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_first, const Touch<T> &p_second, const T &p_bending) {

@@ -19,19 +19,19 @@ template <class T> GRASS_INLINE T knot_mass(const Blade<T> &p_blade, int p_knot,
 	return even * section_at(float(p_knot), p_chain.thins);
 }
 
-// [Eq 23], [Eq 44] Of a joint that resists by p_bending.
+// [Eq 23], [Eq 44] Returns the stiffness of a joint that resists by p_bending.
 template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p_joint, const ChainTerms<T> &p_chain, const T &p_bending) {
 	const T stands_for = joint_length(p_joint, p_blade.blade_length, p_blade.lengths[p_joint - 1], p_blade.lengths[p_joint]);
 	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
-// [Eq 24] Where the knots would go without springs and contact: p_way from p_base.
+// [Eq 24] Sets where the knots would go without springs and contact: p_way from p_base.
 template <class T> GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_way) {
 	r_stage.base[p_knot] = p_base;
 	r_stage.target[p_knot] = p_base + p_way;
 }
 
-// [Eq 17] The first guess: the targets, drawn root to tip to their segments' lengths. p_lacks: what it leaves out of them, metres.
+// [Eq 17] Makes the first guess: the targets, moved from root to tip to their segments' lengths. p_lacks: the rest of the way, metres.
 template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage, const Vec3<T> &p_lacks) {
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -42,13 +42,13 @@ template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Sta
 	}
 }
 
-// [Eq 45] The normal of a segment's face.
+// [Eq 45] Returns the normal of a segment's face.
 template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Vec3<T> &p_e) {
 	const Vec3<T> normal = cross(p_width, p_e);
 	return normal * (T(1.0f) / square_root(maximum(dot(normal, normal), T(TINY_SQUARED))));
 }
 
-// [Eq 5] How far every joint is from its shape at rest: bent as its segments show, and twisted. [Eq 45] And what it is stiffer about.
+// [Eq 5] Finds how far every joint is from its shape at rest, bent and twisted, [Eq 45] and the axis about which it is stiffer.
 template <class T>
 GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
@@ -66,7 +66,7 @@ GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p
 	}
 }
 
-// [Eq 30] One solve: tip to root, then root to tip. p_active: which lanes' blades move.
+// [Eq 30] Does one solve: tip to root, then root to tip. p_active: the lanes whose blades move.
 template <class T, class Mask>
 GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {

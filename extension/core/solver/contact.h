@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What colliders and the ground do to a blade: the deepest correction bends it, finish() leaves no knot inside. Twin of
+// The effect of colliders and the ground on a blade: the deepest correction bends it, and finish() leaves no knot inside. Twin of
 // shaders/solver/contact.inc.
 #pragma once
 
@@ -16,14 +16,14 @@ namespace grass {
 
 #include "core/base/lane_words_end.h"
 
-// The deepest contact of a blade: of knot `knot` (a number, since lanes differ), with the knot's place.
+// The deepest contact of a blade, at knot `knot` (a number, since lanes differ), with the knot's position.
 template <class T> struct DeepestCorrection {
 	Correction<T> correction{};
 	Vec3<T> place{};
 	T knot = T(0.0f);
 };
 
-// The correction of the edge that ends at knot p_knot, if it is between its knots; r_share: where.
+// Returns the correction of the edge that ends at knot p_knot, if it is between its knots. r_share: its place on the edge.
 template <class T>
 GRASS_INLINE Correction<T> find_edge_correction(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
@@ -76,14 +76,14 @@ template <class T> GRASS_INLINE DeepestCorrection<T> find_deepest_correction(con
 	return deepest;
 }
 
-// What a force along the correction turns at hinge p_knot: its moment there; none beyond the corrected place.
+// Returns the moment at hinge p_knot of a force along the correction; none beyond the corrected place.
 template <class T> GRASS_INLINE Vec3<T> moment(const DeepestCorrection<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
 	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.correction.direction);
 	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
 }
 
-// [Eq 13] A correction bends the blade as a force there would: every hinge below it turns by the force's moment about that
-// hinge, so much in all that the knot comes out. Lengths stay; what is above that place turns along.
+// [Eq 13] Bends the blade by a correction as a force there would: every hinge below it turns by the force's moment about that hinge, so
+// much in all that the knot comes out. Lengths stay; the part above that place turns along.
 template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrection<T> &p_deepest) {
 	T stiffness(0.0f);
 	Vec3<T> sum{};
@@ -137,14 +137,14 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 	return segment;
 }
 
-// Blades that surfaces push nowhere at the end of a step.
+// Blades that no surface pushes at the end of a step.
 template <class Mask> struct Spared {
-	Mask is_held; // [Eq 36] they stay as they are: in a wedge surfaces would turn them on and on
+	Mask is_held; // [Eq 36] they stay as they are: in a wedge, surfaces would turn them again and again
 	Mask is_laid; // [Eq 47] a body rests on their roots
 };
 
-// [Eq 16], [Eq 17] Root to tip: every knot at its segment's length from the knot before it, outside of the
-// colliders and above the ground. What the pass leaves is what it found where that was so already, bit for bit.
+// [Eq 16], [Eq 17] Moves every knot, root to tip, to its segment's length from the knot before it, outside of the colliders and above the
+// ground. Knots for which that holds already stay the same, bit for bit.
 template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Spared<Mask> &p_spared) {
 	const T zero(0.0f);
 	Vec3<T> carry{};

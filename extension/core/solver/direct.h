@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT over time: one implicit step of a chain, of the second order where nothing is near. Twin of shaders/solver/direct.inc.
+// METHOD_DIRECT over time: one implicit step of a chain, of the second order if nothing is near. Twin of shaders/solver/direct.inc.
 #pragma once
 
 #include "core/solver/free.h"
@@ -9,13 +9,13 @@
 
 namespace grass {
 
-// [Eq 36] What rubbing leaves of a speed.
+// [Eq 36] Returns the share of a speed that rubbing leaves.
 template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
 	return T(1.0f) / (T(1.0f) + T(RUB) * p_seconds);
 }
 
-// [Eq 32] What is too deep in a collider for a linear model is hit out of it: the deepest correction bends the blade as METHOD_PBD's
-// does, and its inertia comes along.
+// [Eq 32] Knocks out of a collider a blade that is too deep in it for a linear model: the deepest correction bends the blade as
+// METHOD_PBD's does, and its inertia follows.
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
@@ -38,7 +38,7 @@ GRASS_INLINE void take_blows(
 	}
 }
 
-// [Eq 36] Whether no shared collider that may touch the blade is faster than CARRY_FROM.
+// [Eq 36] Returns true if no shared collider that may touch the blade is faster than CARRY_FROM.
 template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	const T most = p_blade.blade_length * (p_terms.seconds * T(CARRY_FROM));
 	auto is_fast = T(0.0f) > T(1.0f);
@@ -49,7 +49,7 @@ template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const
 	return !is_fast;
 }
 
-// [Eq 36] Whether no collider that may touch the blade moves in this step; not known where there are more than the shared ones.
+// [Eq 36] Returns true if no collider that may touch the blade moves in this step; unknown if there are more than the shared ones.
 template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
@@ -60,16 +60,16 @@ template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, co
 	return !is_moved;
 }
 
-// [Eq 36] Which blades may stick in a step, and which do.
+// [Eq 36] The blades that may stick in a step, and those that do.
 template <class Mask> struct Hold {
 	Mask may_stick; // slow and near something
-	Mask may_be_held; // and slower, near nothing but what stands still
+	Mask may_be_held; // slower ones, near nothing that moves
 	Mask sticks; // where it was at the start of the step
-	Mask is_held; // of those, the ones which nothing may push, either
+	Mask is_held; // those of them that nothing may push, either
 };
 
-// [Eq 36] After the first solve of slow blades: those that touch nothing get back the speed that rubbing took, those that touch something
-// and stick go back to where they were. p_is_slow: of r_hold.may_stick, the ones that nothing has hit.
+// [Eq 36] After the first solve of slow blades: gives those that touch nothing the speed back that rubbing took, and moves those that touch
+// something and stick back to where they were. p_is_slow: those of r_hold.may_stick that nothing has hit.
 template <class T, class Mask>
 GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
 		const Mask &p_touches, const Touches<T> &p_found, Hold<Mask> &r_hold) {
@@ -98,14 +98,14 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 }
 
-// Which blades take the i-th solve of a step: those that something is near `iterations`, others one.
+// Returns the blades that take the i-th solve of a step: blades with something near take `iterations` solves, others one.
 template <class T, class Mask> GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_near) {
 	const Mask is_first = T(float(p_i)) < T(1.0f);
 	return p_i < p_terms.iterations ? p_is_near | is_first : (!p_is_near) & is_first;
 }
 
-// [Eq 30] The solves of a step, or a part of it, of p_takes_part. Blades that the first one shows to be hit go on from the blow, with one
-// solve at least.
+// [Eq 30] Does the solves of a step, or of a part of it, for the blades in p_takes_part. Blades that the first solve shows to be hit
+// continue from the blow, with at least one solve.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_near, Hold<Mask> &r_hold) {
@@ -147,8 +147,8 @@ GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, co
 	}
 }
 
-// [Eq 24] The targets and the first guess of the part of the step that starts at the knots as they are. p_most_move: as far as their speed
-// may carry them in a part, metres; p_share: of the step.
+// [Eq 24] Sets the targets and the first guess of the part of the step that starts at the present knots. p_most_move: the farthest that
+// their speed may carry them in a part, metres; p_share: of the step.
 template <class T>
 GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const Vec3<T> &p_load, const T &p_most_move, const T &p_share,
 		bool p_is_first, Start<T> &r_part, Stage<T> &r_stage) {
@@ -164,8 +164,8 @@ GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const V
 	follow_targets(r_blade, r_stage, Vec3<T>{});
 }
 
-// [Eq 43] Steps of blades that something moves far beside: in parts of one solve each, with the colliders where they are meanwhile.
-// r_blade is at the start of the step, and those that take no part stay there. p_parts: of each blade; p_thin: see Near.
+// [Eq 43] Steps blades beside far-moving colliders: in parts of one solve each, with the colliders at their positions of that time. r_blade
+// is at the start of the step, and blades that take no part stay there. p_parts: of each blade; p_thin: see Near.
 template <class T>
 GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		const T &p_parts, const T &p_thin, const MaskOf<T> &p_is_buried) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where an edge, the segment between two knots, stands to a collider: what slips between knots is met here. Twin of
+// The position of an edge, the segment between two knots, relative to a collider: finds colliders that slip between knots. Twin of
 // shaders/solver/edge.inc.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace grass {
 
-// Whether an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
+// Returns true if an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
 template <class T>
 GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
 		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_skin) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT: the step of a blade that nothing is near, of the second order with one solve. Twin of shaders/solver/free.inc.
+// METHOD_DIRECT: the step of a blade with nothing near it, of the second order with one solve. Twin of shaders/solver/free.inc.
 // docs/internals/solver.md derives it.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// A blade's places at the start of the step, and how far its speed then carries it in the step.
+// A blade's positions at the start of the step, and how far its speed then carries it in the step.
 template <class T> struct Start {
 	Vec3<T> place[GRASS_KNOTS]; // metres
 	Vec3<T> moved[GRASS_KNOTS]; // metres
@@ -48,7 +48,7 @@ template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_bla
 	return free_step(lively, p_terms.wild_move * p_terms.wild_move, p_terms.drag * p_terms.seconds);
 }
 
-// Where a free blade's forces are asked for, and where its step would end without them.
+// The positions at which a free blade's forces are computed, and where its step would end without them.
 template <class T> struct Middle {
 	Vec3<T> guess[GRASS_KNOTS]; // where the step would end without forces, metres
 	Vec3<T> place[GRASS_KNOTS]; // the mean of it and the places now and before, metres

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of ask_near(),
+// Finds which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of ask_near(),
 // find_burial() and count_parts() in shaders/solver/near.inc.
 #pragma once
 
@@ -18,12 +18,12 @@ namespace grass {
 
 template <class T> using MaskOf = decltype(T() < T());
 
-// What is near a blade.
+// The colliders near a blade.
 template <class T> struct Near {
-	MaskOf<T> is_reached; // a collider could be touched, however the blade stood
+	MaskOf<T> is_reached; // a collider could be touched in any pose of the blade
 	MaskOf<T> is_near; // one may be touched in this step
-	T moved; // how far the step takes such a one, at most, metres
-	T thin; // least thickness of such a one, metres
+	T moved; // the farthest that such a collider moves in the step, metres
+	T thin; // least thickness of such a collider, metres
 };
 
 // [Eq 37] By where the blade's speed would carry its segments in this step.
@@ -63,7 +63,7 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
-// Whether colliders stand on the root of a blade, at the end of this step: its clamp, which cannot get out, is inside.
+// Whether colliders are on the root of a blade at the end of this step: its clamp, which cannot get out, is inside.
 template <class T> struct Burial {
 	MaskOf<T> is_buried; // [Eq 46] and it lies
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
@@ -88,8 +88,8 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 	return { is_buried, !is_fast, is_laid };
 }
 
-// [Eq 43] In how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far the step takes its fastest knot,
-// metres.
+// [Eq 43] Returns in how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far its fastest knot moves in the
+// step, metres.
 template <class T>
 GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest) {
 	const MaskOf<T> is_asked = p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move));

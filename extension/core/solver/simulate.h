@@ -22,27 +22,27 @@ public:
 	CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size);
 	~CpuPool();
 
-	// Other blades, another number of slots. Tiles that are awake must wake anew.
+	// Sets other blades and another number of slots. Tiles that are awake must wake again.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
 	void set_pool_size(int p_pool_size);
 
-	// One step of every tile in p_input; the result does not depend on p_parallel_for. Records of slots that do not exist
-	// and of blades beyond the patch are left out. p_step: one of those in tile_step.h; step_scalar_double() is the oracle: slow, state
-	// kept as float.
+	// Takes one step of every tile in p_input; the result does not depend on p_parallel_for. Ignores records of slots that do not exist and
+	// of blades beyond the patch. p_step: one of those in tile_step.h; step_scalar_double() is the oracle: slow, with its state kept as
+	// float.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
-	// Knots of a blade, blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or there is no such blade.
+	// Returns the knots of a blade, in blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or has no such blade.
 	std::vector<Eigen::Vector3f> get_knots(int p_slot, int p_blade) const;
-	// The slot's row of the pool texture: 4 halves for each knot of each blade, xyz how far it is from its place at rest
-	// (blade space, metres), w unused. Zeros if never awake.
+	// Writes the slot's row of the pool texture: 4 halves for each knot of each blade; xyz is its offset from rest (blade space, metres),
+	// w is unused. Zeros if the slot was never awake.
 	// r_texels: GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4 values.
 	void pack_row(int p_slot, std::span<uint16_t> r_texels) const;
-	// [Eq 19] Of every slot, J/kg: its liveliest blade. 0 if never awake.
+	// [Eq 19] Returns the energy of every slot's liveliest blade, J/kg; 0 if the slot was never awake.
 	std::span<const float> get_energy() const { return _energy; }
-	// [Eq M5] Of every slot: how far the tips of its blades are from rest, on average, as shares of the blades' lengths.
+	// [Eq M5] Returns, for every slot, the mean offset of its blades' tips from rest, as shares of the blades' lengths.
 	std::span<const Eigen::Vector3f> get_bends() const { return _bends; }
 
-	// Gives back the memory of slots from p_slots on, none of which may be awake; it comes again when they are used.
+	// Frees the memory of slots from p_slots on, none of which may be awake; it is allocated again when they are used.
 	void trim(int p_slots);
 
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since made

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pass of the GPU simulates which slot (docs/decisions/0019-dispatches-without-barriers.md).
+// Determines which pass of the GPU simulates which slot (docs/decisions/0019-dispatches-without-barriers.md).
 #pragma once
 
 #include "core/solver/step.h"
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// Slots that a pass of their own simulates.
+// The number of slots that each separate pass simulates.
 struct SlotPasses {
 	int edges = 0, free = 0, crowds = 0;
 };

@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// [Eq 18] Moves the blade a share of the way to rest, standing still there; a share of 1 arrives exactly.
+// [Eq 18] Moves the blade a share of the way to rest, where it stands still; a share of 1 arrives exactly.
 template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const auto arrives = p_terms.blend >= T(1.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -36,7 +36,7 @@ template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	}
 }
 
-// [Eq 19] Half the speed squared and the pull to rest at the start of a step, the mean of the free knots: J per kg of blade.
+// [Eq 19] Returns half the speed squared plus the pull to rest at the start of a step, the mean over the free knots: J per kg of blade.
 template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -48,7 +48,7 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }
 
-// Whether the blade stands at rest with no load on it and nothing can touch it there: a step would not change a bit of it.
+// Returns true if the blade is at rest without a load and nothing can touch it there: a step would not change a bit of it.
 template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum = sum_of(p_terms.load);
 	T longest(0.0f);
@@ -71,7 +71,7 @@ template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const Step
 	return is_resting;
 }
 
-// Leaves idle blades as they were, whatever rounding did to them beside others that move.
+// Restores idle blades, whatever rounding did to them beside moving ones.
 template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, const Mask &p_is_idle) {
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.knots[k] = select(p_is_idle, r_blade.rest[k], r_blade.knots[k]);
@@ -100,7 +100,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, co
 	return { T(0.0f) > T(1.0f), is_laid };
 }
 
-// The whole step. Afterwards lengths are right, knots are finite, and outside of the colliders where that is possible.
+// Takes the whole step. Afterwards lengths are right, and knots are finite and, where that is possible, outside of the colliders.
 template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	if (p_terms.iterations == 0) {
 		return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user sets of the solver, in physical units, and how a step's coefficients follow from it, the time step and
-// the number of iterations. docs/internals/solver.md, [Eq 8] and [Eq 9].
+// The solver's parameters that a user sets, in physical units, and how a step's coefficients follow from them, the time step and the
+// number of iterations. docs/internals/solver.md, [Eq 8] and [Eq 9].
 #pragma once
 
 #include "core/base/layout.h"
@@ -8,12 +8,12 @@
 
 namespace grass {
 
-// Swings per second of a bent blade without damping: what it is made of, its section and its length in one number.
+// Swings per second of a bent blade without damping: its material, section and length in one number.
 // Below 0.3 grass stays down for seconds, above 5 it snaps back.
 inline constexpr Tunable NATURAL_FREQUENCY{ "natural_frequency", "Hz", 0.1, 10.0, 0.05, 1.2 };
-// How fast a swing dies down: 0 never, 1 without swinging over. Below 0.1 grass nods for seconds, above 1.5 it creeps.
+// How fast a swing dies down: 0 never, 1 without overshooting. Below 0.1 grass nods for seconds, above 1.5 it returns slowly.
 inline constexpr Tunable DAMPING_RATIO{ "damping_ratio", "", 0.0, 3.0, 0.01, 0.5 };
-// Share of a blade's width at the root that it has lost at its tip, where it is as much softer and lighter. 0: even. Higher: the tip bends
+// Share of its width that a blade loses from root to tip; the tip is as much softer and lighter. 0: even. Higher: the tip bends
 // more and the root less.
 inline constexpr Tunable TAPER{ "taper", "", 0.0, 0.9, 0.01, 0.3 };
 // How many times wider than thick a blade is at its root: its square is how many times stiffer it is in its plane than across it. 1: a
@@ -25,10 +25,10 @@ inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1
 inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
 // Factor on the friction of bodies. 0: blades slide freely.
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
-// METHOD_DIRECT: solves in one step of a blade that something is near, 1 lets it tremble; others take one. METHOD_PBD: rounds of local
+// METHOD_DIRECT: solves in one step of a blade with something near it, 1 lets it tremble; others take one. METHOD_PBD: rounds of local
 // shape and contact; the paper found two or three enough, 1 lets knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
-// Fastest that a knot swings on by itself, blade lengths per second. Below 5 grass looks sticky.
+// Greatest speed of a knot that swings by itself, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 
 // How a blade is solved. docs/internals/solver.md compares them.
@@ -52,7 +52,7 @@ struct SolverParams {
 	double energy_within(double p_distance) const;
 	// [Eq S2] Seconds in which a swing dies down to a hundredth, 1 to 10.
 	double calm_time() const;
-	// The same within the tunables' ranges; what is not a number becomes the default.
+	// Returns the same parameters within the tunables' ranges; a value that is not a number becomes the default.
 	SolverParams sanitised() const;
 };
 
@@ -63,13 +63,13 @@ inline constexpr double MAX_STEP = 0.1;
 // Gap between a free knot and the ground, segment lengths.
 inline constexpr double GROUND_GAP = 0.02;
 
-// Turns parameters and the seconds that passed into a step's coefficients. Remembers the step before, since Verlet's
+// Converts parameters and the seconds that passed to a step's coefficients. Remembers the step before, since Verlet's
 // displacement was made in that time. `field` and `clump` of the result are left to the caller.
 class StepClock {
 public:
 	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
 	GrassStep advance(const SolverParams &p_params, double p_delta);
-	// The step of the last advance(), for blades with other parameters.
+	// Returns the step of the last advance() for blades with other parameters.
 	GrassStep repeat(const SolverParams &p_params) const;
 	void reset() { *this = StepClock(); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one simulation step reads, the same for the GPU and the CPU backend.
+// The input of one simulation step, the same for the GPU and the CPU backend.
 #pragma once
 
 #include "core/base/layout.h"
@@ -11,15 +11,15 @@
 
 namespace grass {
 
-// How the blades of an awake tile grow, where a map or a mix of species decides it. Made when the tile wakes, and when the map
-// changes below it.
+// How the blades of an awake tile grow, if a map or a mix of species determines it. Made when the tile wakes, and when the map changes
+// below it.
 struct SlotGrowth {
 	int slot = GRASS_NO_SLOT;
 	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
 	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // which blades of the patch they are
 };
 
-// Views only: the arrays belong to TileManager and hold until its next update().
+// Views only: TileManager owns the arrays, which are valid until its next update().
 struct StepInput {
 	std::span<const GrassSlot> slots; // Retired tiles first, then live ones by rising slot.
 	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
@@ -33,8 +33,8 @@ struct StepInput {
 	std::span<const uint8_t> sharp = {}; // Of the colliders: not 0 where a segment of a blade may lie across one, see is_sharp().
 };
 
-// What the blades of each slot still moved by after a step, as the backend reports it, late as it may be: energies are measured as the next
-// step begins, bends as it ends.
+// The remaining motion of each slot's blades after a step, as the backend reports it, perhaps late: energies are measured when the next
+// step begins, bends when it ends.
 struct EnergyReport {
 	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
 	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg

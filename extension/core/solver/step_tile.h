@@ -24,7 +24,7 @@ template <class T> GRASS_INLINE T load(const float *p_from) {
 	}
 }
 
-// A zero has no sign here: that depends on whether a branch that adds nothing was taken, for the sake of another lane.
+// Stores values and removes the sign of a zero, which depends on whether a branch that adds nothing was taken for another lane.
 GRASS_INLINE void store(float p_value, float *r_to) {
 	*r_to = p_value + 0.0f;
 }
@@ -60,7 +60,7 @@ template <class T> GRASS_INLINE float largest(const T &p_value) {
 	return most;
 }
 
-// One number of each lane's own species. p_species: of the first lane's blade.
+// Returns one number of each lane's own species. p_species: of the first lane's blade.
 template <class T>
 GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
 	alignas(64) float own[LANE_COUNT<T>];
@@ -70,7 +70,7 @@ GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_s
 	return load<T>(own);
 }
 
-// What species differ in.
+// Sets the terms in which species differ.
 template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::span<const GrassStep> p_steps, const uint8_t *p_species) {
 	const auto own = [&](vec4 GrassStep::*p_of, float vec4::*p_part) { return own_number<T>(p_steps, p_species, p_part, p_of); };
 	r_terms.keep = own(&GrassStep::pbd_motion, &vec4::x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The blades of one awake tile on the CPU. Written by simulate.cpp and by the step, nowhere else.
+// The blades of one awake tile on the CPU. Only simulate.cpp and the step write it.
 #pragma once
 
 #include "core/base/layout.h"
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// What forces do to the blades of a tile in a step, [Eq W6]: acceleration, m/s^2, and drag, 1/s. Lives for one step.
+// The effect of forces on the blades of a tile in a step, [Eq W6]: acceleration, m/s^2, and drag, 1/s. Lives for one step.
 struct alignas(64) AirLoad {
 	float load[3][GRASS_BLADES_PER_TILE];
 	float drag[GRASS_BLADES_PER_TILE];

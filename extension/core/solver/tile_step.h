@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step of one awake tile on the CPU, for those who only call it.
+// The step of one awake tile on the CPU, for callers.
 #pragma once
 
 #include "core/base/layout.h"
@@ -11,17 +11,17 @@ namespace grass {
 struct TileCollider;
 struct TileState;
 
-// One step of all blades of a tile; the energy of the liveliest, [Eq 19]. p_steps: one for all blades, or one for each species.
-// The colliders are those of this tile.
+// Takes one step of all blades of a tile. Returns the energy of the liveliest, [Eq 19]. p_steps: one for all blades, or one for each
+// species. The colliders are those of this tile.
 using TileStep = float (*)(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 float step_lanes(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 float step_scalar_float(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 float step_scalar_double(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 
-// The versions of step_lanes() that this machine can run, the fastest last. It takes that one; all compute the same bits.
+// Returns the versions of step_lanes() that this machine can run, the fastest last. step_lanes() uses that one; all compute the same bits.
 std::span<const TileStep> get_lane_steps();
-// Sixteen blades at a time, for AVX-512 only; null where the build has none.
+// Steps sixteen blades at a time, for AVX-512 only; null if the build has none.
 extern const TileStep STEP_LANES_16;
 
 } // namespace grass

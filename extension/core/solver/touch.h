@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What METHOD_DIRECT's solve knows of a surface: the deepest touch of a knot. Twin of shaders/solver/touch.inc.
+// The surface that METHOD_DIRECT's solve considers: the deepest touch of a knot. Twin of shaders/solver/touch.inc.
 #pragma once
 
 #include "core/solver/edge.h"
@@ -34,8 +34,8 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 	return deepest;
 }
 
-// [Eq 33] The deepest touch of the edge from knot p_knot - 1 to p_knot, where that is between them; r_share: where. The edge's knots
-// were at p_from_a and p_from_b at the start of the step.
+// [Eq 33] Returns the deepest touch of the edge from knot p_knot - 1 to p_knot, if it is between them; r_share: its place on the edge. The
+// edge's knots were at p_from_a and p_from_b at the start of the step.
 template <class T>
 GRASS_INLINE Touch<T> find_edge_touch(
 		const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b, int p_knot, T &r_share) {
