@@ -129,7 +129,8 @@ TEST_CASE("read_limits: changes are bounded by what one message may change, and 
 	PaintMap map;
 	const MapBytes message = write_changes(map, wide_map(20, ALL), COUNTING); // 169 MB
 	unpacked = 0;
-	CHECK(apply_changes(message, COUNTING, map).reason.find("would change 161 MB of the map, but one message may change at most 64 MB") == 0);
+	CHECK(apply_changes(message, COUNTING, map).reason.find("would change 161 MB of the map, but one message may change at most 64 MB") ==
+			0);
 	CHECK(unpacked == 0);
 	const size_t chunk = bytes_of_chunk(ALL);
 	const MapBytes four = write_changes(map, wide_map(2, ALL), COUNTING);

@@ -24,8 +24,7 @@ template <class T> struct Stage {
 	T most_depth; // of a contact that a solve can undo, metres; a deeper one is a blow
 	MaskOf<T> is_buried; // [Eq 46] a blow would not free it
 	T caution; // resistance of the joints to one solve, shares of their stiffness
-	T weight; // of a knot's inertia: 1 + drag; of a free blade divided by the weight of its step's end, since its forces are taken at a
-			  // mean
+	T weight; // of a knot's inertia: 1 + drag; of a free blade divided by the weight of its step's end, as its forces are taken at a mean
 	Vec3<T> base[GRASS_KNOTS]; // metres
 	Vec3<T> target[GRASS_KNOTS]; // metres
 };
