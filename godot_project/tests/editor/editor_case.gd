@@ -64,12 +64,14 @@ func select(node: Node) -> void:
 	await frames(3)
 
 
-## Until threads and frames have done what a field asked of them: it is made, filled, laid out, and its ground is read.
+## Until threads and frames have done what a field asked of them: it is made, filled, laid out, and its ground is read. Without a window
+## the editor draws no frame once it is idle, and a map is laid out right before one.
 func worked(of := field) -> void:
 	await frames(3)  # what a change asks for, it asks for in the next frames
 	var is_done := func() -> bool:
 		var now := of.get_statistics().merged(of.get_counters())
-		return not now.waiting and now.fill_waiting == 0 and now.map_waiting == 0 and plugin.get_statistics().watch_waiting == 0
+		var is_laid_out: bool = now.map_waiting == 0 or DisplayServer.get_name() == "headless"
+		return not now.waiting and now.fill_waiting == 0 and is_laid_out and plugin.get_statistics().watch_waiting == 0
 	await wait_until(is_done, "the field's work is done")
 
 
