@@ -255,8 +255,8 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	_report->statistics.uploaded_bytes += uploaded;
 }
 
-std::array<GpuBuffer *, 17> GpuField::buffers() {
-	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
+std::array<GpuBuffer *, 18> GpuField::buffers() {
+	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_work, &_energy, &_table, &_growth,
 		&_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
 }
 

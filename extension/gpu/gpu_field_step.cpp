@@ -6,6 +6,7 @@
 #include "gpu/render_queue.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 using namespace godot;
@@ -41,6 +42,13 @@ void GpuField::bind_simulate() {
 		}
 	}
 	_reader.bind(_knots.rid(), _halves.rid());
+}
+
+void GpuField::make_room_to_work(uint32_t p_slots) {
+	const int64_t bytes = int64_t(std::min<uint32_t>(std::bit_ceil(p_slots), GRASS_WORKING_TILES)) * WORK_BYTES_PER_TILE;
+	if (bytes > _work.size()) {
+		_work.allocate(bytes);
+	}
 }
 
 int64_t GpuField::upload_slots(const StepRecords &p_records, uint32_t p_left) {
@@ -91,7 +99,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
+	make_room_to_work(slots);
 	for (GpuPass *pass : simulate_passes()) {
+		pass->bind_buffer(GRASS_BINDING_WORK, _work.rid());
 		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
@@ -102,19 +112,27 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
-		const PackedByteArray constants = to_bytes(std::span(&p_records.step, 1));
-		// What takes longest begins first, so that little is left to do when the last of it ends.
-		if (crowds > 0) {
-			_simulate_crowds.dispatch(list, constants, slots);
-		}
-		if (sharp > 0) {
-			_simulate_edges.dispatch(list, constants, slots);
-		}
-		if (crowds + sharp + free < slots) {
-			_simulate.dispatch(list, constants, slots);
-		}
-		if (free > 0) {
-			_simulate_free.dispatch(list, constants, slots);
+		GrassStep step = p_records.step;
+		for (uint32_t first = 0; first < slots; first += GRASS_WORKING_TILES) {
+			if (first > 0) {
+				device->compute_list_add_barrier(list); // the next ones work where these did
+			}
+			step.contact.w = float(first);
+			const PackedByteArray constants = to_bytes(std::span<const GrassStep>(&step, 1));
+			const uint32_t count = std::min<uint32_t>(slots - first, GRASS_WORKING_TILES);
+			// What takes longest begins first, so that little is left to do when the last of it ends.
+			if (crowds > 0) {
+				_simulate_crowds.dispatch(list, constants, count);
+			}
+			if (sharp > 0) {
+				_simulate_edges.dispatch(list, constants, count);
+			}
+			if (crowds + sharp + free < slots) {
+				_simulate.dispatch(list, constants, count);
+			}
+			if (free > 0) {
+				_simulate_free.dispatch(list, constants, count);
+			}
 		}
 		device->compute_list_end();
 	}

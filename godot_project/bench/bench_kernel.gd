@@ -105,9 +105,7 @@ func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: in
 	_device.compute_list_bind_compute_pipeline(list, _pipeline)
 	for step in p_steps:
 		_device.compute_list_bind_uniform_set(list, p_sets[step % p_sets.size()], 0)
-		_device.compute_list_set_push_constant(list, p_push, p_push.size())
-		_device.compute_list_dispatch(list, p_tiles, 1, 1)
-		_device.compute_list_add_barrier(list)
+		SimulatePass.dispatch(_device, list, p_push, p_tiles)
 	_device.compute_list_end()
 	_device.capture_timestamp("to")
 	_device.submit()
@@ -115,7 +113,7 @@ func _run(p_sets: Array[RID], p_push: PackedByteArray, p_tiles: int, p_steps: in
 
 
 ## Slots (all fresh), knots now and before, which half is which, patch, its sampler, pool texture, energy and bend, tile table, growth (no
-## tile has a map), twists.
+## tile has a map), twists, room to work.
 func _shared_resources(p_tiles: int) -> Array[RID]:
 	var pool := p_tiles * 2 * 3 * FREE_KNOTS * BLADES * 4
 	var patch := RDTextureFormat.new()
@@ -140,6 +138,7 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 			_device.storage_buffer_create(p_tiles * 4),
 			_device.storage_buffer_create(16),
 			_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
+			_device.storage_buffer_create(mini(p_tiles, SimulatePass.WORKING_TILES) * (KNOTS - 1) * SimulatePass.WORK_BYTES),
 		]
 	)
 
@@ -200,8 +199,8 @@ func _uniform_set(p_shared: Array[RID], p_tiles: int, p_scene: String, p_collide
 		uniforms.append(_uniform(binding, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [buffers[binding]]))
 	uniforms.append(_uniform(6, RenderingDevice.UNIFORM_TYPE_SAMPLER_WITH_TEXTURE, [p_shared[4], p_shared[3]]))
 	uniforms.append(_uniform(7, RenderingDevice.UNIFORM_TYPE_IMAGE, [p_shared[5]]))
-	for i in 4:
-		uniforms.append(_uniform([8, 9, 10, 13][i], RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
+	for i in 5:
+		uniforms.append(_uniform([8, 9, 10, 13, 15][i], RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [p_shared[6 + i]]))
 	uniforms.append(_uniform(14, RenderingDevice.UNIFORM_TYPE_STORAGE_BUFFER, [own[2]]))  # no force blows
 	return _device.uniform_set_create(uniforms, _shader, 0)
 

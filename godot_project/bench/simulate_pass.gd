@@ -7,7 +7,9 @@ const BLADES := 64  # a tile
 const FRESH := 1  # bit of a slot
 const FREQUENCY := 1.2  # Hz
 const METHODS := 2
-const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w
+const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w, which step() replaces by the dispatch's first slot
+const WORKING_TILES := 1024  # that a dispatch has room for
+const WORK_BYTES := 7 * 16 * BLADES  # of a tile, for each segment of a blade
 const SHARED := 32  # colliders that a workgroup shares, at most; more in any tile: the pipeline for crowds
 const SLOT_BYTES := 48
 const COUNT_BYTE := 24  # of a slot: how many colliders it has
@@ -99,6 +101,7 @@ func set_up(
 	var energy := _buffer(p_tiles * 16)  # and bends
 	var table := _buffer(p_tiles * 4)
 	var growth := _buffer(16)  # no tile has a map
+	var work := _buffer(mini(p_tiles, WORKING_TILES) * (p_knots - 1) * WORK_BYTES)
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
@@ -117,7 +120,8 @@ func set_up(
 		[],
 		[],
 		[twists],
-		[planes]  # no force blows
+		[planes],  # no force blows
+		[work]
 	]
 	for binding in bound.size():
 		if bound[binding].is_empty():
@@ -139,10 +143,18 @@ func step(p_push: PackedByteArray, p_tiles: int) -> void:
 		device.compute_list_bind_compute_pipeline(_list, _pipelines[int(p_push.decode_float(METHOD_BYTE)) + (METHODS if _is_crowd else 0)])
 		device.compute_list_bind_uniform_set(_list, _set, 0)
 		_pushed = PackedByteArray()
-	device.compute_list_set_push_constant(_list, p_push, p_push.size())
-	device.compute_list_dispatch(_list, p_tiles, 1, 1)
-	device.compute_list_add_barrier(_list)
+	dispatch(device, _list, p_push, p_tiles)
 	_steps += 1
+
+
+## Adds a step of the first p_tiles slots to an open list, as GpuField::step() does.
+static func dispatch(p_device: RenderingDevice, p_list: int, p_push: PackedByteArray, p_tiles: int) -> void:
+	var push := p_push.duplicate()
+	for first in range(0, p_tiles, WORKING_TILES):
+		push.encode_float(METHOD_BYTE, first)
+		p_device.compute_list_set_push_constant(p_list, push, push.size())
+		p_device.compute_list_dispatch(p_list, mini(p_tiles - first, WORKING_TILES), 1, 1)
+		p_device.compute_list_add_barrier(p_list)
 
 
 ## Which half of a tile's knots holds the places now, after steps that all took time.

@@ -42,14 +42,10 @@ layout(push_constant, std430) uniform StepBlock {
 GrassStep step; // this thread's: as its blade's species takes it
 #endif
 
-#ifdef GRASS_FREE
-#define KNOT_COUNT GRASS_KNOTS
-#else
 // GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
 // and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
 // colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
 #define KNOT_COUNT int(step.field.w)
-#endif
 // The same for any number of rounds.
 #define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
 
@@ -91,6 +87,11 @@ layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuf
 	float pool_twists[];
 };
 
+// Lives for a step; only the thread reads that wrote.
+layout(set = 0, binding = GRASS_BINDING_WORK, std430) restrict buffer WorkBuffer {
+	uvec4 work[];
+};
+
 // Written once, when the field is made.
 layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
 // Written here, read by the blade shader: a knot's offset from rest, metres. w: twist of the joint below it, radians.
@@ -120,21 +121,29 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 };
 #endif
 
-// This thread's blade.
-GrassSlot slot;
-uint half_now; // that holds the slot's places now
-ivec2 texel; // of its knot 0 in the patch
+GrassSlot slot; // of this workgroup's tile
+uint half_now; // that holds its places now
+// This thread's blade. What is kept here takes registers from beginning to end: what follows from it is found again where it is wanted.
+uint blade; // number in the tile
+#ifdef GRASS_SPECIES
+uint species;
+#endif
 GrassClump clump;
-uint pool_start, pool_before; // of knot 2's x in either half
-uint twist_index; // of the first joint
-vec3 width; // where the blade's width points at the root
-int pool_column; // of knot 0 in the pool texture
+
+// Of its knot p_knot in the patch.
+ivec2 patch_texel(int p_knot) {
+	uint place = slot.list.x + blade;
+#ifdef GRASS_SPECIES
+	place += uint(GRASS_PATCH_BLADES) * species;
+#endif
+	return ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot + int(place % GRASS_PATCH_BLADES_PER_ROW), place / GRASS_PATCH_BLADES_PER_ROW);
+}
 
 #include "solver/pool.inc"
 
 // grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
 vec3 rest_of(int p_knot) {
-	vec3 place = texelFetch(patch_texture, texel + ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot, 0), 0).xyz;
+	vec3 place = texelFetch(patch_texture, patch_texel(p_knot), 0).xyz;
 	precise vec3 knot = place * clump.height;
 	float x = clump.lean.x, z = clump.lean.y;
 	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
@@ -142,6 +151,13 @@ vec3 rest_of(int p_knot) {
 	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
 	return rest;
 }
+// Where the blade's width points at the root.
+vec3 width_at_root() {
+	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
+	return vec3(cos(azimuth), 0.0, sin(azimuth));
+}
+
+#include "solver/work.inc"
 
 #include "base/lanes.inc"
 #include "base/vector.inc"
@@ -177,16 +193,15 @@ const float BEND_UNITS = 65536.0;
 
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
-int find_species(uint p_blade) {
-	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + p_blade;
-	uint species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
+void find_species() {
+	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade;
+	species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
 	GrassStep own = species_steps[species];
 	step.pbd_motion = own.pbd_motion;
 	step.free_motion = own.free_motion;
 	step.load = own.load;
 	step.chain = own.chain;
 	step.energy = own.energy;
-	return int(species);
 }
 #endif
 
@@ -208,23 +223,14 @@ void find_air_load() {
 }
 
 void find_blade(uint p_blade) {
-	int blade = int(slot.list.x + p_blade);
+	blade = p_blade;
 #ifdef GRASS_SPECIES
-	blade += GRASS_PATCH_BLADES * find_species(p_blade);
+	find_species();
 #endif
-	texel = ivec2(blade % GRASS_PATCH_BLADES_PER_ROW, blade / GRASS_PATCH_BLADES_PER_ROW);
-	pool_column = int(p_blade);
-	const uint places = 3u * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE; // in a half
-	uint first = 2u * places * uint(slot.tile.w) + p_blade;
-	pool_start = first + half_now * places;
-	pool_before = first + (1u - half_now) * places;
-	twist_index = uint(slot.tile.w) * ((GRASS_FREE_KNOTS + 1u) * GRASS_BLADES_PER_TILE) + p_blade;
-	vec3 start = texelFetch(patch_texture, texel, 0).xyz;
-	vec2 place = start.xy;
-	width = vec3(cos(start.z), 0.0, sin(start.z));
+	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
 	float ground = 0.0;
 	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
-		vec4 growth = blade_growth[slot.tile.w * GRASS_BLADES_PER_TILE + int(p_blade)];
+		vec4 growth = blade_growth[uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade];
 		clump = GrassClump(growth.x, growth.yz, 0.0);
 		ground = growth.w;
 	} else {
@@ -245,12 +251,11 @@ vec3 measure_bend() {
 	return clamp((start_of(tip) - rest_of(tip)) / size, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }
 
-void main() {
-#ifdef GRASS_SPECIES
-	step = field_step;
-#endif
-	slot = slots[gl_WorkGroupID.x];
-#ifndef GRASS_EVERY_SLOT
+// Whether the slot's tile is for this pass.
+bool is_own() {
+#ifdef GRASS_EVERY_SLOT
+	return true;
+#else
 #if defined(GRASS_EDGES)
 	const uint own = GRASS_SLOT_EDGES;
 #elif defined(GRASS_FREE)
@@ -259,21 +264,16 @@ void main() {
 	const uint own = 0u;
 #endif
 	const uint kinds = CROWD ? GRASS_SLOT_CROWD : GRASS_SLOT_EDGES | GRASS_SLOT_FREE | GRASS_SLOT_CROWD;
-	if ((slot.list.w & kinds) != (CROWD ? GRASS_SLOT_CROWD : own)) {
-		return; // another pass's
-	}
+	return (slot.list.w & kinds) == (CROWD ? GRASS_SLOT_CROWD : own);
 #endif
+}
+
+// One step of the slot's tile. All threads of the workgroup call it together.
+void step_tile() {
 	if (!CROWD) { // also where the pass for crowds is still compiled
 		slot.list.z = min(slot.list.z, uint(GRASS_SHARED_COLLIDERS));
 	}
 	uint thread = gl_LocalInvocationID.x;
-	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
-	if (thread == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
-		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
-	}
-	if (is_retired) {
-		return;
-	}
 	if (thread == 0u) {
 		liveliest = 0u;
 		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
@@ -299,6 +299,7 @@ void main() {
 	}
 	if (step.contact.x >= 1.0) { // else no time passes
 		step_blade(takes_step, slot.list.z);
+		half_now = 1u - half_now; // the step's places, which stand where those before it stood, are where the next one starts
 	}
 	if (takes_step) {
 		atomicMax(liveliest, floatBitsToUint(measured_energy()));
@@ -309,9 +310,26 @@ void main() {
 	}
 	barrier();
 	if (thread == 0u) {
-		bool takes_time = step.contact.x >= 1.0;
-		pool_half[slot.tile.w] = (takes_time ? 1u - half_now : half_now) | ((max(unasked, 1u) - 1u) << 1u);
+		pool_half[slot.tile.w] = half_now | ((max(unasked, 1u) - 1u) << 1u);
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
 		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
+	}
+}
+
+void main() {
+#ifdef GRASS_SPECIES
+	step = field_step;
+#endif
+	work_start = gl_WorkGroupID.x * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + gl_LocalInvocationID.x;
+	slot = slots[uint(step.contact.w) + gl_WorkGroupID.x];
+	if (!is_own()) {
+		return; // another pass's
+	}
+	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
+	if (gl_LocalInvocationID.x == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
+		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
+	}
+	if (!is_retired) {
+		step_tile();
 	}
 }

@@ -31,7 +31,7 @@ FALSE_ALARM = {
 	"hazard_type": "WRITE_AFTER_WRITE", "command": "vkCmdDispatch", "prior_command": "vkCmdDispatch", "write_barriers": "0",
 	"prior_access": "VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT(VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT)",
 }  # fmt: skip
-OWN_SLOTS = ("4", "5", "7", "8", "9", "13")
+OWN_SLOTS = ("4", "5", "7", "8", "9", "13", "15")
 
 
 def is_false_alarm(message):
