@@ -187,7 +187,6 @@ vec3 width_at_root() {
 #include "solver/direct.inc"
 #include "solver/solve.inc"
 
-shared uint liveliest; // the bits of a float that is not negative order as the float does
 shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
 
@@ -207,19 +206,17 @@ void find_species() {
 
 // [Eq W6] What forces do to the blade, by the air at its root. Called in one place: each copy costs registers.
 void find_air_load() {
-	air_load = vec3(0.0);
-	air_drag = 0.0;
 	vec3 air = vec3(0.0);
+	vec3 root = root_of_blade();
 	for (uint left = slot.list.w >> GRASS_SLOT_FORCES; left != 0u; left &= left - 1u) {
 		GrassForce force = forces[findLSB(left)];
 		vec2 tiles = vec2(slot.tile.xy - force.anchor.xy) * step.field.x;
 		vec3 from = root + vec3(tiles.x, 0.0, tiles.y) - force.place.xyz;
 		air += grass_force_air(force.place.w, force.blow, force.ring, force.beat, from);
 	}
-	if (air != vec3(0.0)) {
-		air_drag = grass_force_drag(length(air));
-		air_load = air * (air_drag * (METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0));
-	}
+	float drag = air != vec3(0.0) ? grass_force_drag(length(air)) : 0.0;
+	float pbd = METHOD == GRASS_METHOD_PBD ? step.free_motion.x * step.free_motion.x : 1.0;
+	keep_of_blade(BLADE_AIR, vec4(air * (drag * pbd), drag));
 }
 
 void find_blade(uint p_blade) {
@@ -237,8 +234,7 @@ void find_blade(uint p_blade) {
 		// A field elsewhere in the noise hands its clumps on, as one with a map.
 		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
 	}
-	root = vec3((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x);
-	energy = 0.0;
+	keep_of_blade(BLADE_ROOT, vec4((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x, 0.0));
 	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
@@ -302,7 +298,6 @@ void step_tile() {
 		half_now = 1u - half_now; // the step's places, which stand where those before it stood, are where the next one starts
 	}
 	if (takes_step) {
-		atomicMax(liveliest, floatBitsToUint(measured_energy()));
 		vec3 bend = measure_bend() * BEND_UNITS;
 		for (int c = 0; c < 3; c++) {
 			atomicAdd(bend_sum[c], int(round(bend[c])));
