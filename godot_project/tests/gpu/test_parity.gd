@@ -54,6 +54,33 @@ func test_six_hundred_steps_without_contact() -> void:
 	assert_less(gpu.get_counters().free_tile_steps * BLADES, gpu.get_counters().simulated_blades, "but not those that the body was on")
 
 
+# 1,089 tiles of 1 m; simulate has room for 1,024 at once.
+func test_a_step_of_more_tiles_than_there_is_room_for() -> void:
+	var size := Vector2(33, 33)
+	if not await add_pair({size = size, density = 64.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
+		return
+	var rest := tile_knots(gpu, Vector2i.ZERO)
+	var force := GrassForce3D.new()
+	force.kind = GrassForce3D.KIND_DOWNWASH
+	force.speed = 8.0
+	force.radius = 60.0
+	force.position.y = 1.0
+	add_child(force)
+	for i in 60:  # the force rises
+		if gpu.get_awake_tile_count() == 33 * 33:
+			break
+		await ticks(1)
+	await ticks(16)
+	assert_eq(gpu.get_awake_tile_count(), 33 * 33)
+	var blades := PackedInt64Array()
+	for tile in awake_tiles(gpu):
+		blades.append_array(gpu.get_tile_blades(tile))
+	var off := farthest(gpu.wait_for_knots(blades), cpu.wait_for_knots(blades))
+	print("    parity of 1,089 tiles: %s m" % String.num_scientific(off))
+	assert_less(off, MANY_STEPS)
+	assert_greater(farthest(tile_knots(gpu, Vector2i.ZERO), rest), 1e-3, "metres: the force reaches all tiles")
+
+
 func test_after_a_change_of_method_blades_meet_bodies_alike() -> void:
 	if not await add_pair({method = GrassField.METHOD_PBD, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}):
 		return
