@@ -31,6 +31,7 @@ TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p
 	if (p_code.method != PassCode::NO_METHOD) {
 		add(GRASS_CONSTANT_METHOD, p_code.method);
 		add(GRASS_CONSTANT_CROWD, p_code.crowd);
+		add(GRASS_CONSTANT_OWN_WORK, p_code.own_work);
 	}
 	return constants;
 }

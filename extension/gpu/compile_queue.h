@@ -32,6 +32,7 @@ struct PassCode {
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
 	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
 	bool has_stand_in = false; // another pass replaces it if it is refused
+	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, of passes with a method; the same for the whole process
 };
 
 // A singleton, get(). Its functions run on the render thread unless they name another.

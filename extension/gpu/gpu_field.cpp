@@ -5,6 +5,7 @@
 #include "compute_shaders.gen.h"
 #include "draw/shared_shader.h"
 #include "gpu/gpu_times.h"
+#include "gpu/obstacles.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -37,8 +38,8 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 	};
 	const Variant &variant = variants[p_tiles];
 	const bool crowd = p_tiles == TILES_WITH_CROWDS;
-	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd,
-		p_tiles != TILES_ALL };
+	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd, p_tiles != TILES_ALL,
+		device_limits().has_quick_arrays };
 }
 
 } // namespace

@@ -116,7 +116,6 @@ public:
 
 private:
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
-	static constexpr int64_t WORK_BYTES_PER_TILE = int64_t(GRASS_WORK_PARTS) * 16 * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE;
 	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
@@ -133,8 +132,8 @@ private:
 	// The first call begins to compile their pass.
 	bool can_simulate_crowds();
 	void bind_simulate();
-	// For a step of p_slots.
-	void make_room_to_work(uint32_t p_slots);
+	// For a step of p_slots, of which one dispatch takes p_most: 0, none.
+	void make_room_to_work(uint32_t p_slots, uint32_t p_most);
 	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_plants(const ViewRecords &p_records);
@@ -154,7 +153,7 @@ private:
 	// Written and read by simulate, as long as the field: knots of awake tiles, now and a step before in two halves; which half is which;
 	// twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
-	// Written and read by simulate, one step: what its threads keep of their blades' joints.
+	// Written and read by simulate, one dispatch: what its threads keep of their blades' joints, unless each has an array for it.
 	GpuBuffer _work;
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;

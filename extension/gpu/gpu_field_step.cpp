@@ -3,6 +3,7 @@
 #include "core/base/cpu_clock.h"
 #include "gpu/gpu_field.h"
 #include "gpu/gpu_times.h"
+#include "gpu/obstacles.h"
 #include "gpu/render_queue.h"
 
 #include <algorithm>
@@ -44,9 +45,9 @@ void GpuField::bind_simulate() {
 	_reader.bind(_knots.rid(), _halves.rid());
 }
 
-void GpuField::make_room_to_work(uint32_t p_slots) {
-	const int64_t bytes = int64_t(std::min<uint32_t>(std::bit_ceil(p_slots), GRASS_WORKING_TILES)) * WORK_BYTES_PER_TILE;
-	if (bytes > _work.size()) {
+void GpuField::make_room_to_work(uint32_t p_slots, uint32_t p_most) {
+	const int64_t bytes = int64_t(std::min(std::bit_ceil(p_slots), p_most)) * WORK_BYTES;
+	if (!_work.rid().is_valid() || bytes > _work.size()) {
 		_work.allocate(bytes);
 	}
 }
@@ -99,7 +100,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
-	make_room_to_work(slots);
+	const uint32_t room = uint32_t(count_working_tiles(device_limits()));
+	const uint32_t most = room > 0 ? room : slots; // that one dispatch takes
+	make_room_to_work(slots, room);
 	for (GpuPass *pass : simulate_passes()) {
 		pass->bind_buffer(GRASS_BINDING_WORK, _work.rid());
 		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
@@ -113,13 +116,13 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		RenderingDevice *device = main_device();
 		const int64_t list = device->compute_list_begin();
 		GrassStep step = p_records.step;
-		for (uint32_t first = 0; first < slots; first += GRASS_WORKING_TILES) {
+		for (uint32_t first = 0; first < slots; first += most) {
 			if (first > 0) {
 				device->compute_list_add_barrier(list); // the next ones work where these did
 			}
 			step.contact.w = float(first);
 			const PackedByteArray constants = to_bytes(std::span<const GrassStep>(&step, 1));
-			const uint32_t count = std::min<uint32_t>(slots - first, GRASS_WORKING_TILES);
+			const uint32_t count = std::min(slots - first, most);
 			// What takes longest begins first, so that little is left to do when the last of it ends.
 			if (crowds > 0) {
 				_simulate_crowds.dispatch(list, constants, count);

@@ -22,8 +22,9 @@ constexpr const char *ADVICE = "Update the graphics driver. On Windows, `renderi
 struct Maker {
 	const char *name;
 	int64_t buffer_bytes;
+	bool has_quick_arrays;
 };
-constexpr Maker MAKERS[] = { { "NVIDIA", UINT32_MAX }, { "AMD", UINT32_MAX }, { "Intel", int64_t(1) << 30 } };
+constexpr Maker MAKERS[] = { { "NVIDIA", UINT32_MAX, true }, { "AMD", UINT32_MAX, false }, { "Intel", int64_t(1) << 30, false } };
 
 DeviceLimits read_limits(RenderingDevice *p_device) {
 	DeviceLimits limits;
@@ -40,10 +41,12 @@ DeviceLimits read_limits(RenderingDevice *p_device) {
 	read(RenderingDevice::LIMIT_MAX_STORAGE_BUFFERS_PER_SHADER_STAGE, limits.buffers);
 	read(RenderingDevice::LIMIT_MAX_COMPUTE_SHARED_MEMORY_SIZE, limits.shared_bytes);
 	read(RenderingDevice::LIMIT_MAX_PUSH_CONSTANT_SIZE, limits.constant_bytes);
-	if (RenderingServer::get_singleton()->get_current_rendering_driver_name() == String("vulkan")) {
-		const String vendor = p_device->get_device_vendor_name();
-		for (const Maker &maker : MAKERS) {
-			limits.buffer_bytes = vendor == String(maker.name) ? maker.buffer_bytes : limits.buffer_bytes;
+	const bool is_vulkan = RenderingServer::get_singleton()->get_current_rendering_driver_name() == String("vulkan");
+	const String vendor = p_device->get_device_vendor_name();
+	for (const Maker &maker : MAKERS) {
+		if (vendor == String(maker.name)) {
+			limits.buffer_bytes = is_vulkan ? maker.buffer_bytes : limits.buffer_bytes;
+			limits.has_quick_arrays = maker.has_quick_arrays;
 		}
 	}
 	return limits;

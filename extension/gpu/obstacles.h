@@ -11,7 +11,7 @@
 
 namespace grass {
 
-// Returns the limits that the engine and its driver report, read once, or the defaults if there is no device.
+// Returns the limits that the engine and its driver report, read once, or the defaults if there is no device. On any thread.
 const DeviceLimits &device_limits();
 // Returns the reason as a sentence: what the device lacks, or a pass that its driver has refused so far. Empty: no reason is known.
 godot::String find_obstacle(const FieldSetup &p_setup);

@@ -47,7 +47,7 @@ func run(p_spirv: String, p_software: bool) -> Array[PackedStringArray]:
 				"simulate%s, %s: %d ms to compile, unless the driver has kept it" % [variant, NAMES[method], Time.get_ticks_msec() - start]
 			)
 			# The largest first, so that the clock has risen before the short ones.
-			for tiles: int in [64] if p_software else [16384, 4096, 1024]:
+			for tiles: int in [64] if p_software else [16384, 4096, 1024, 64]:
 				for scene in KernelScenes.ALL if variant != "_free" else ["0"]:
 					if scene.length() > 1 and (method == PBD or tiles > MOST_TILES):
 						continue
@@ -138,7 +138,7 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 			_device.storage_buffer_create(p_tiles * 4),
 			_device.storage_buffer_create(16),
 			_device.storage_buffer_create(p_tiles * (FREE_KNOTS + 1) * BLADES * 4),
-			_device.storage_buffer_create(mini(p_tiles, SimulatePass.WORKING_TILES) * (KNOTS - 1) * SimulatePass.WORK_BYTES),
+			_device.storage_buffer_create(SimulatePass.work_bytes(_device, p_tiles, KNOTS)),
 		]
 	)
 

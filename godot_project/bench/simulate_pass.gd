@@ -8,7 +8,8 @@ const FRESH := 1  # bit of a slot
 const FREQUENCY := 1.2  # Hz
 const METHODS := 2
 const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w, which step() replaces by the dispatch's first slot
-const WORKING_TILES := 1024  # that a dispatch has room for
+const QUICK_ARRAYS := "NVIDIA"  # whose threads keep joints in arrays of their own, and not in a buffer
+const LARGE_BUFFERS := ["AMD", "Intel"]
 const WORK_BYTES := 7 * 16 * BLADES  # of a tile, for each segment of a blade
 const SHARED := 32  # colliders that a workgroup shares, at most; more in any tile: the pipeline for crowds
 const SLOT_BYTES := 48
@@ -60,7 +61,21 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 	var crowd := RDPipelineSpecializationConstant.new()
 	crowd.constant_id = 1
 	crowd.value = p_crowd
-	return p_device.compute_pipeline_create(p_shader, [method, crowd])
+	var own_work := RDPipelineSpecializationConstant.new()
+	own_work.constant_id = 2
+	own_work.value = working_tiles(p_device) == 0
+	return p_device.compute_pipeline_create(p_shader, [method, crowd, own_work])
+
+
+## Tiles that the buffer of joints has room for, at most; 0: there is none. As count_working_tiles() has it.
+static func working_tiles(p_device: RenderingDevice) -> int:
+	var vendor := p_device.get_device_vendor_name()
+	return 0 if vendor == QUICK_ARRAYS else 2048 if vendor in LARGE_BUFFERS else 1024
+
+
+## Bytes of that buffer for p_tiles.
+static func work_bytes(p_device: RenderingDevice, p_tiles: int, p_knots: int) -> int:
+	return maxi(mini(p_tiles, working_tiles(p_device)) * (p_knots - 1) * WORK_BYTES, 16)
 
 
 ## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
@@ -101,7 +116,7 @@ func set_up(
 	var energy := _buffer(p_tiles * 16)  # and bends
 	var table := _buffer(p_tiles * 4)
 	var growth := _buffer(16)  # no tile has a map
-	var work := _buffer(mini(p_tiles, WORKING_TILES) * (p_knots - 1) * WORK_BYTES)
+	var work := _buffer(work_bytes(device, p_tiles, p_knots))
 	if _made.has(RID()):
 		return false
 	var uniforms: Array[RDUniform] = []
@@ -150,10 +165,12 @@ func step(p_push: PackedByteArray, p_tiles: int) -> void:
 ## Adds a step of the first p_tiles slots to an open list, as GpuField::step() does.
 static func dispatch(p_device: RenderingDevice, p_list: int, p_push: PackedByteArray, p_tiles: int) -> void:
 	var push := p_push.duplicate()
-	for first in range(0, p_tiles, WORKING_TILES):
+	var room := working_tiles(p_device)
+	var most := room if room > 0 else p_tiles
+	for first in range(0, p_tiles, most):
 		push.encode_float(METHOD_BYTE, first)
 		p_device.compute_list_set_push_constant(p_list, push, push.size())
-		p_device.compute_list_dispatch(p_list, mini(p_tiles - first, WORKING_TILES), 1, 1)
+		p_device.compute_list_dispatch(p_list, mini(p_tiles - first, most), 1, 1)
 		p_device.compute_list_add_barrier(p_list)
 
 

@@ -31,6 +31,9 @@ layout(constant_id = GRASS_CONSTANT_METHOD) const uint METHOD = uint(GRASS_METHO
 // of the time where there are none.
 layout(constant_id = GRASS_CONSTANT_CROWD) const bool CROWD = false;
 
+// Whether threads keep what they know of joints in arrays of their own, not in a buffer (solver/work.inc).
+layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
+
 layout(push_constant, std430) uniform StepBlock {
 #ifdef GRASS_SPECIES
 	GrassStep field_step;
@@ -45,7 +48,11 @@ GrassStep step; // this thread's: as its blade's species takes it
 // GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
 // and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
 // colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
+#ifdef GRASS_FREE // small enough to be unrolled by NVIDIA's, the only one that OWN_WORK is for
+#define KNOT_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
+#else
 #define KNOT_COUNT int(step.field.w)
+#endif
 // The same for any number of rounds.
 #define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
 
@@ -87,7 +94,7 @@ layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuf
 	float pool_twists[];
 };
 
-// Lives for a step; only the thread reads that wrote.
+// Lives for a dispatch; only the thread reads that wrote. Nobody asks for it where OWN_WORK is true.
 layout(set = 0, binding = GRASS_BINDING_WORK, std430) restrict buffer WorkBuffer {
 	uvec4 work[];
 };

@@ -5,6 +5,7 @@
 //   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
 //                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_CROWD is true
+//   GRASS_LAYER_VENDOR=NUMBER     the device says that it is of this maker
 //   GRASS_LAYER_PASSES=FOLDER     of the passes' SPIR-V
 //   GRASS_LAYER_SHADERS=FOLDER    gets the vertex and fragment shaders that are made from now on: NUMBER.vertex.spv, NUMBER.fragment.spv
 #include "base/constants.inc"
@@ -143,6 +144,14 @@ VkResult create_instance(const Structure *p_info, const void *p_allocator, void 
 	return result;
 }
 
+void get_device_properties(void *p_physical, DeviceProperties *r_properties) {
+	const char *name = "vkGetPhysicalDeviceProperties";
+	GetDeviceProperties(next_of_instance(last_instance, name))(p_physical, r_properties);
+	if (const std::string vendor = environment("GRASS_LAYER_VENDOR"); !vendor.empty()) {
+		r_properties->vendor = uint32_t(std::stoul(vendor, nullptr, 0));
+	}
+}
+
 // Rewritten shaders read the bases of a draw call, which is a feature to be asked for. Returns whether the engine has a structure for it.
 bool ask_for_draw_parameters(const Structure *p_chain) {
 	bool has_any = false;
@@ -180,6 +189,7 @@ Function own_function(const std::string &p_name) {
 	static const std::map<std::string, Function> own{
 		{ "vkCreateInstance", Function(create_instance) },
 		{ "vkCreateDevice", Function(create_device) },
+		{ "vkGetPhysicalDeviceProperties", Function(get_device_properties) },
 		{ "vkCreateShaderModule", Function(create_shader_module) },
 		{ "vkCreateComputePipelines", Function(create_compute_pipelines) },
 		{ "vkGetInstanceProcAddr", Function(get_instance_function) },

@@ -61,6 +61,10 @@ struct DrawParametersFeatures {
 	uint32_t has_draw_parameters;
 };
 
+struct DeviceProperties { // more follows
+	uint32_t api_version, driver_version, vendor;
+};
+
 struct ShaderModuleCreateInfo {
 	Structure head;
 	uint32_t flags;
@@ -97,6 +101,7 @@ struct ComputePipelineCreateInfo {
 };
 
 using CreateInstance = VkResult (*)(const Structure *p_info, const void *p_allocator, void **r_instance);
+using GetDeviceProperties = void (*)(void *p_physical, DeviceProperties *r_properties);
 using CreateDevice = VkResult (*)(void *p_physical, const Structure *p_info, const void *p_allocator, void **r_device);
 using CreateShaderModule = VkResult (*)(void *p_device, const ShaderModuleCreateInfo *p_info, const void *p_allocator, uint64_t *r_module);
 using CreateComputePipelines = VkResult (*)(void *p_device, uint64_t p_cache, uint32_t p_count, const ComputePipelineCreateInfo *p_infos,

@@ -87,10 +87,10 @@ TEST_CASE("Tiles whose tables are larger than a storage buffer are not for the d
 TEST_CASE("A device that lacks what a pass takes is told by name") {
 	const FieldSetup setup = setup_of(10.0, 256.0, 64);
 	DeviceLimits limits;
-	limits.buffers = 13;
+	limits.buffers = 14;
 	CHECK(fit_device(limits, setup).lack.empty());
-	limits.buffers = 12;
-	CHECK(fit_device(limits, setup).lack == "The graphics device allows a compute pass 12 storage buffers, but grass needs 13.");
+	limits.buffers = 13;
+	CHECK(fit_device(limits, setup).lack == "The graphics device allows a compute pass 13 storage buffers, but grass needs 14.");
 	limits = {};
 	limits.shared_bytes = 16383;
 	CHECK(fit_device(limits, setup).lack ==
@@ -98,4 +98,16 @@ TEST_CASE("A device that lacks what a pass takes is told by name") {
 	limits = {};
 	limits.constant_bytes = 127;
 	CHECK(fit_device(limits, setup).lack == "The graphics device allows a compute pass 127 bytes of push constants, but grass needs 128.");
+}
+
+TEST_CASE("A dispatch takes as many tiles as a buffer has room for, or all where it needs none") {
+	DeviceLimits limits;
+	CHECK(count_working_tiles(limits) == 1024);
+	CHECK(1024 * WORK_BYTES == 110100480);
+	limits.buffer_bytes = int64_t(1) << 30;
+	CHECK(count_working_tiles(limits) == 2048);
+	limits.buffer_bytes = 2048 * WORK_BYTES - 1;
+	CHECK(count_working_tiles(limits) == 1024);
+	limits.has_quick_arrays = true;
+	CHECK(count_working_tiles(limits) == 0);
 }

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Tests of the layer `gpu` under a Vulkan layer of our own (tests/drivers/), which does what drivers do on which the tests cannot run: it
-counts instances from 0 in every draw call, as Direct3D 12 does, and refuses compute passes.
+counts instances from 0 in every draw call, as Direct3D 12 does, refuses compute passes, and says that the device is another maker's.
 
-`numbers`: still grass looks the same with and without it, to the pixel. `refused`: grass is drawn all the same, by the CPU.
+`numbers`: still grass looks the same with and without it, to the pixel. `refused`: grass is drawn all the same, by the CPU. The others:
+what fields do otherwise on devices of that maker.
 """
 
 import json
@@ -25,8 +26,12 @@ SCENE = "res://tests/drivers/numbers.tscn"
 METHODS = ("forward_plus", "mobile")
 RESTORED = "restored"  # a control of the layer itself: it rewrites shaders, and they count as before. By name only
 FIRST = "the instance of a draw call that begins at 5 is "
-# What is refused from a process's beginning, by the tests that run so; later: by the tests themselves.
-REFUSED = {"test_refused_later": "", "test_refused_cull": "cull", "test_refused_simulate": "simulate", "test_refused_gather": "gather"}
+# What the layer does from a process's beginning, by the tests that run so; later: by the tests themselves.
+BEHAVIOUR = {
+	"test_refused_later": {}, "test_refused_cull": {"GRASS_LAYER_REFUSED": "cull"},
+	"test_refused_simulate": {"GRASS_LAYER_REFUSED": "simulate"}, "test_refused_gather": {"GRASS_LAYER_REFUSED": "gather"},
+	"test_own_work": {"GRASS_LAYER_VENDOR": "0x10de"},
+}  # fmt: skip
 
 
 def build():
@@ -112,16 +117,16 @@ def functions_of(script):
 	return re.findall(r"^func (test_\w+)", (PROJECT / f"tests/drivers/{script}.gd").read_text(), re.MULTILINE)
 
 
-def refused(only, layer):
+def behaving(only, layer):
 	"""A process for each script, since a pass is compiled once in each."""
 	tally = Tally()
-	for script, passes in REFUSED.items():
+	for script, behaviour in BEHAVIOUR.items():
 		chosen = [f"/{script}.{function}" for function in functions_of(script)]
 		chosen = [name for name in chosen if wanted("gpu" + name, only)]
 		if not chosen:
 			continue
 		with engine.window(size="64x36", software=True) as (command, driver):
-			environment = {**driver, **layer, "GRASS_LAYER_REFUSED": passes}
+			environment = {**driver, **layer, **behaviour}
 			tally.add(in_engine("drivers", command, environment, ",".join(chosen), title="gpu"))
 	return tally
 
@@ -130,5 +135,5 @@ def layer(only):
 	"""Their Tally, empty where `only` names other tests."""
 	below = build()
 	tally = numbers(only, below)
-	tally.add(refused(only, below))
+	tally.add(behaving(only, below))
 	return tally

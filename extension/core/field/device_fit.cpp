@@ -10,7 +10,7 @@ namespace grass {
 namespace {
 
 // Of the pass that takes most: simulate, of species, with edges. All of its bindings but the patch and the pool's texture are buffers.
-constexpr int64_t NEEDED_BUFFERS = GRASS_BINDING_FORCES + 1 - 2;
+constexpr int64_t NEEDED_BUFFERS = GRASS_BINDING_WORK + 1 - 2;
 constexpr int64_t NEEDED_SHARED_BYTES = 16384;
 constexpr int64_t NEEDED_CONSTANT_BYTES = sizeof(GrassStep);
 constexpr int64_t INSTANCE_BYTES = GRASS_INSTANCE_FLOATS * int64_t(sizeof(float));
@@ -40,6 +40,14 @@ std::string find_lack(const DeviceLimits &p_limits, const FieldSetup &p_setup) {
 }
 
 } // namespace
+
+int64_t count_working_tiles(const DeviceLimits &p_limits) {
+	if (p_limits.has_quick_arrays) {
+		return 0;
+	}
+	const int64_t tiles = std::clamp<int64_t>(p_limits.buffer_bytes / WORK_BYTES, 1, GRASS_WORKING_TILES);
+	return int64_t(std::bit_floor(uint64_t(tiles)));
+}
 
 DeviceFit fit_device(const DeviceLimits &p_limits, const FieldSetup &p_setup) {
 	DeviceFit fit;

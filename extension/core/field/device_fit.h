@@ -18,6 +18,8 @@ struct DeviceLimits {
 	int64_t buffers = 16; // that a compute pass may read or write; Vulkan guarantees 4, and graphics cards have many
 	int64_t shared_bytes = 16384; // of a workgroup
 	int64_t constant_bytes = 128; // pushed to a pass
+	// What a thread keeps in an array of its own stays in its caches, and what it stores to a buffer does not.
+	bool has_quick_arrays = false;
 };
 
 struct DeviceFit {
@@ -28,6 +30,11 @@ struct DeviceFit {
 // Bytes of a tile's slot in the largest buffer of the pool: its knots, now and a step before.
 inline constexpr int64_t SLOT_BYTES = int64_t(2) * 3 * GRASS_FREE_KNOTS * GRASS_BLADES_PER_TILE * int64_t(sizeof(float));
 
+// Bytes of what simulate keeps of a tile's joints during a step, where that stands in a buffer (shaders/solver/work.inc).
+inline constexpr int64_t WORK_BYTES = int64_t(GRASS_WORK_PARTS) * 4 * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE * int64_t(sizeof(uint32_t));
+
+// Tiles that the buffer has room for, at most. 0: there is none, since threads keep their joints in arrays of their own.
+int64_t count_working_tiles(const DeviceLimits &p_limits);
 DeviceFit fit_device(const DeviceLimits &p_limits, const FieldSetup &p_setup);
 // The buffers of tiles have room for so many: a field that grows mostly keeps them.
 inline int64_t tile_room(int64_t p_tiles) {
