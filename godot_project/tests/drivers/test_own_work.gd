@@ -25,7 +25,7 @@ func test_bodies_bend_blades_as_on_the_cpu() -> void:
 			await seen()
 			assert_greater(farthest(tile_knots(gpu, tiles[0]), rest), 0.05, "metres: it is bent")
 			body.free()
-			await ticks(10)
+			await ticks(100)  # which way a squashed blade unfolds may hang on its last bits
 			var off := difference(tiles)
 			print("    parity without a buffer, method %d: %s of a blade's length" % [method, String.num_scientific(off)])
 			assert_less(off, AFTER_CONTACT)
