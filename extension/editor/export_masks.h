@@ -5,6 +5,7 @@
 
 #include <godot_cpp/classes/editor_export_platform.hpp> // a virtual method takes one
 #include <godot_cpp/classes/editor_export_plugin.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 
 namespace grass {
 
@@ -17,9 +18,13 @@ public:
 			const godot::Ref<godot::EditorExportPlatform> &p_platform, const godot::PackedStringArray &p_features) const override;
 	godot::Ref<godot::Resource> _customize_resource(const godot::Ref<godot::Resource> &p_resource, const godot::String &p_path) override;
 	uint64_t _get_customization_configuration_hash() const override;
+	void _end_customize_resources() override { _kept.clear(); }
 
 protected:
 	static void _bind_methods() {}
+
+private:
+	godot::Dictionary _kept; // rules that keep their mask, by those that they are copies of: who shares a rule shares its copy
 };
 
 } // namespace grass

@@ -7,6 +7,7 @@
 #include "shared/params.h"
 #include "shared/watch_resource.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
@@ -58,7 +59,11 @@ PackedStringArray GrassFillRule::find_warnings() const {
 
 void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
 	GRASS_CHANGE_GUARD(label());
+	const bool had_mask = _mask.is_valid();
 	if (watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed))) {
+		if (had_mask && !Engine::get_singleton()->is_editor_hint()) { // there, an export puts a placeholder in its place
+			_kept_mask.unref();
+		}
 		_mask_changed();
 	}
 }
@@ -192,9 +197,10 @@ FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
 			_picture = read_mask();
 		}
 		if (!_picture && is_stripped() && !std::exchange(_has_told_missing, true)) {
-			ERR_PRINT(vformat("%s: the picture of `mask` is not in this export, so nothing grows by this rule, other than elsewhere. The "
-							  "add-on keeps pictures that an export for a server strips: enable it in the project that is exported, or "
-							  "choose *Keep* for the picture in the preset's tab *Resources*.",
+			ERR_PRINT(vformat(
+					"%s: the picture of `mask` was stripped by the export, so nothing grows by this rule, other than elsewhere. The "
+					"add-on keeps pictures of rules in scenes and files. For a picture that a script assigns, choose *Keep* in the "
+					"preset's tab *Resources*; for one that the engine makes (NoiseTexture2D), save it as a file.",
 					label()));
 		}
 		rule.has_mask = true;
