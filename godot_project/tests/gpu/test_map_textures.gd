@@ -9,7 +9,7 @@ const SIDE := 8  # 64 chunks fill the textures
 
 func paint_chunk(map: GrassMap, x: int, z: int) -> void:
 	var place := Vector2(x + 0.5, z + 0.5) * CHUNK
-	map.stroke(brush(GrassBrush.TOOL_HEIGHT, 4.0, {value = 0.5}), place, place)
+	map.stroke(brush(GrassBrush.TOOL_HEIGHT, 4.0, {target = 0.5}), place, place)
 
 
 func test_one_more_chunk_uploads_about_one_chunk_a_frame() -> void:
