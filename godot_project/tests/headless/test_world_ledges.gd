@@ -4,6 +4,7 @@ extends "res://tests/world_case.gd"
 
 const LedgeScene = preload("res://tests/ledge_scene.gd")
 const OFF := 0.03  # metres from the ground at which a blade counts as hanging or buried
+const NO_LEDGE := 15  # all four heights around a place are of its side
 const NEAR := 6.0  # metres around the block that are looked at
 
 
@@ -21,8 +22,17 @@ func add_baked_world(density: float) -> GrassWorld:
 	for plot in both(world):
 		await grown(plot)
 		await wait_until(func() -> bool: return plot.get_counters().fill_waiting == 0, "the rule has filled it")
-		assert_true(plot.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(plot.to_local(Vector3(0, 0, 20.2)).x, 0)) >= 0.0)
+	for x: float in [-1.0, 1.0]:  # the block's side lies at z = 22.17 and 21.55 there
+		var plot := world.get_field_at(Vector3(x, 0, 20))
+		var codes := range(30).map(func(i: int) -> float: return ledge_at(plot, Vector3(x, 0, 21.0 + 0.05 * i)))
+		assert_less(codes.min(), float(NO_LEDGE), "the plot of x = %s knows the block's side" % x)
+		assert_eq(ledge_at(plot, Vector3(x, 0, 26)), float(NO_LEDGE), "and none on the floor")
 	return world
+
+
+func ledge_at(plot: GrassField, place: Vector3) -> float:
+	var local := plot.to_local(place)
+	return plot.map.sample(GrassMap.CHANNEL_LEDGE, Vector2(local.x, local.z))
 
 
 func both(world: GrassWorld) -> Array[GrassField]:
