@@ -4,6 +4,7 @@
 #include "core/map/map_bytes.h"
 
 #include <algorithm>
+#include <set>
 
 namespace grass {
 
@@ -102,6 +103,7 @@ std::string name_of(const Change &p_change) {
 // "", or why the changes are not taken: from their table alone, since each may unpack to a thousand times its bytes.
 std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, const ReadLimits &p_limits) {
 	size_t bytes = 0, map_bytes = p_map.get_memory_usage();
+	std::set<MapKey> new_chunks;
 	bool is_growing = false;
 	for (const Change &change : p_changes.list) {
 		if (!PaintMap::is_in_reach(change.key)) {
@@ -114,6 +116,9 @@ std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, con
 		const bool is_new = find_texels(p_map, change.key, size_t(change.channel)) == nullptr;
 		bytes += size;
 		map_bytes += is_new ? size : 0;
+		if (p_map.find(change.key) == nullptr && new_chunks.insert(change.key).second) {
+			map_bytes += sizeof(MapKey) + sizeof(MapChunk);
+		}
 		is_growing = is_growing || is_new;
 	}
 	if (bytes > p_limits.changes_bytes) {
