@@ -63,6 +63,12 @@ GDExtensionVariantPtr element_at(GDExtensionTypePtr p_array, GDExtensionInt p_in
 	return &(**static_cast<Elements *>(p_array))[size_t(p_index)];
 }
 
+// Dictionaries keep nothing: what a library writes into one describes a setting to the editor.
+GDExtensionVariantPtr forget(GDExtensionTypePtr, GDExtensionConstVariantPtr) {
+	static Variant last;
+	return &last;
+}
+
 // `text % values`: each %s, %d and so on becomes the value, however many digits it was to have.
 void format(GDExtensionVariantOperator p_operator, GDExtensionConstVariantPtr p_text, GDExtensionConstVariantPtr p_values,
 		GDExtensionUninitializedVariantPtr r_result, GDExtensionBool *r_valid) {
@@ -143,6 +149,7 @@ void offer_lists(Functions &r_functions) {
 			+[](GDExtensionTypePtr, GDExtensionVariantType, GDExtensionConstStringNamePtr, GDExtensionConstVariantPtr) {});
 	offer(r_functions, "packed_byte_array_operator_index", &byte_at);
 	offer(r_functions, "array_operator_index", &element_at);
+	offer(r_functions, "dictionary_operator_index", &forget);
 	offer(
 			r_functions, "variant_get_ptr_utility_function",
 			+[](GDExtensionConstStringNamePtr p_name, GDExtensionInt) -> GDExtensionPtrUtilityFunction {
