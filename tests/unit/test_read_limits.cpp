@@ -115,7 +115,7 @@ TEST_CASE("read_limits: a file that would take more than a map may is refused be
 	CHECK(reason.find("would take 1449 MB of memory, but a map may take at most 1024 MB") == 0);
 	CHECK(unpacked == 0);
 	CHECK(map.is_empty());
-	CHECK(read_map(bytes, COUNTING, map, limits_of(1000, 1000)).find("may take 1 MB (the map's limit)") != std::string::npos);
+	CHECK(read_map(bytes, COUNTING, map, limits_of(1000, 1000)).find("may take at most 1 MB (the map's limit)") != std::string::npos);
 	const MapBytes small = write_map(wide_map(3, ALL), COUNTING);
 	const size_t there = 9 * bytes_of_chunk(ALL);
 	unpacked = 0;
