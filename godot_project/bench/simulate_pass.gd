@@ -9,7 +9,6 @@ const FREQUENCY := 1.2  # Hz
 const METHODS := 2
 const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w, which step() replaces by the dispatch's first slot
 const QUICK_ARRAYS := "NVIDIA"  # whose threads keep joints in arrays of their own, and not in a buffer
-const LARGE_BUFFERS := ["AMD", "Intel"]
 const WORK_BYTES := 7 * 16 * BLADES  # of a tile, for each segment of a blade
 const SHARED := 32  # colliders that a workgroup shares, at most; more in any tile: the pipeline for crowds
 const SLOT_BYTES := 48
@@ -70,7 +69,7 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 ## Tiles that the buffer of joints has room for, at most; 0: there is none. As count_working_tiles() has it.
 static func working_tiles(p_device: RenderingDevice) -> int:
 	var vendor := p_device.get_device_vendor_name()
-	return 0 if vendor == QUICK_ARRAYS else 2048 if vendor in LARGE_BUFFERS else 1024
+	return 0 if vendor == QUICK_ARRAYS else 256
 
 
 ## Bytes of that buffer for p_tiles.
