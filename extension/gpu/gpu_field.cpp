@@ -256,9 +256,9 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	_report->statistics.uploaded_bytes += uploaded;
 }
 
-std::array<GpuBuffer *, 18> GpuField::buffers() {
-	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_work, &_energy, &_table,
-		&_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
+std::array<GpuBuffer *, 17> GpuField::buffers() {
+	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
+		&_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
 }
 
 void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
@@ -288,6 +288,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	}
 	_cull.free();
 	_reader.free();
+	_work.reset();
 	for (GpuBuffer *buffer : buffers()) {
 		buffer->free();
 	}

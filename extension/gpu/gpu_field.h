@@ -16,6 +16,7 @@
 #include <godot_cpp/classes/texture2drd.hpp>
 
 #include <array>
+#include <memory>
 #include <mutex>
 
 namespace grass {
@@ -120,7 +121,7 @@ private:
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
-	std::array<GpuBuffer *, 18> buffers();
+	std::array<GpuBuffer *, 17> buffers();
 	void fit_tables();
 	void make_pool_texture();
 	void make_before_texture();
@@ -154,7 +155,7 @@ private:
 	// twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Written and read by simulate, one dispatch: what its threads keep of their blades' joints, unless each has an array for it.
-	GpuBuffer _work;
+	std::shared_ptr<GpuBuffer> _work; // shared by all fields
 	// Written by simulate, read by cull, as long as the field: slot of each tile.
 	GpuBuffer _table;
 	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles are,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
 
 using namespace godot;
 
@@ -45,10 +46,16 @@ void GpuField::bind_simulate() {
 	_reader.bind(_knots.rid(), _halves.rid());
 }
 
+// The device takes steps of two fields one after the other, since both write this buffer.
 void GpuField::make_room_to_work(uint32_t p_slots, uint32_t p_most) {
+	static std::weak_ptr<GpuBuffer> of_all_fields;
+	_work = of_all_fields.lock();
+	if (!_work) {
+		of_all_fields = _work = std::make_shared<GpuBuffer>();
+	}
 	const int64_t bytes = int64_t(std::min(std::bit_ceil(p_slots), p_most)) * WORK_BYTES;
-	if (!_work.rid().is_valid() || bytes > _work.size()) {
-		_work.allocate(bytes);
+	if (!_work->rid().is_valid() || bytes > _work->size()) {
+		_work->allocate(bytes);
 	}
 }
 
@@ -104,7 +111,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	const uint32_t most = room > 0 ? room : slots; // that one dispatch takes
 	make_room_to_work(slots, room);
 	for (GpuPass *pass : simulate_passes()) {
-		pass->bind_buffer(GRASS_BINDING_WORK, _work.rid());
+		pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
 		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
 		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());

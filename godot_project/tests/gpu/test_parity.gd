@@ -5,7 +5,6 @@ extends "res://tests/parity_case.gd"
 const FEW := 0.01  # share of the blades, see share_apart()
 const IN_CONTACT := 2e-3  # of a blade's length, when a body comes to rest on it
 const MANY_STEPS := 1e-3  # of a blade's length, after 600 steps without
-const ROOM := 107520  # bytes that a tile has in a step, unless threads keep their joints themselves
 
 
 func test_rest_is_the_same() -> void:
@@ -74,9 +73,7 @@ func test_a_step_of_more_tiles_than_there_is_room_for() -> void:
 		await ticks(1)
 	await ticks(16)
 	assert_eq(gpu.get_awake_tile_count(), 33 * 33)
-	var vendor := RenderingServer.get_rendering_device().get_device_vendor_name()
-	var room := 0 if vendor == "NVIDIA" else 256  # tiles
-	assert_near(gpu.get_memory_usage() - memory, room * ROOM, 1e6, "bytes")
+	assert_near(gpu.get_memory_usage() - memory, 0, 1e6, "bytes: the room is of all fields")
 	var blades := PackedInt64Array()
 	for tile in awake_tiles(gpu):
 		blades.append_array(gpu.get_tile_blades(tile))
