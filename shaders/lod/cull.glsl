@@ -1,9 +1,9 @@
 #version 450
 // SPDX-License-Identifier: MIT
 // Chooses the tiles to draw and to cast shadows, and the detail of each: one thread a tile, in two dispatches of the same
-// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of the list of drawn
-// tiles, writes them there, and how many instances each surface has. What one camera sees is drawn for all of them, as finely
-// as the nearest needs it.
+// pass. GRASS_CULL_COUNT counts the tiles of each level; GRASS_CULL_WRITE gives each level its stretch of the list of drawn tiles, and
+// writes the tiles there and the number of instances of each surface. A tile that one camera sees is drawn for all of them, as finely as
+// the nearest one needs it.
 // Fields of more tiles than a MultiMesh has room for take two more dispatches in between, which do nothing unless so many
 // are chosen: GRASS_CULL_TURNS counts the tiles of each turn; GRASS_CULL_FIT (one workgroup) decides which ranks have room.
 // GRASS_CULL_BEGIN puts all instances of new MultiMeshes at the field's place, where they stay.
@@ -32,8 +32,8 @@ layout(set = 0, binding = GRASS_CULL_CAMERAS, std430) readonly buffer CameraBuff
 layout(set = 0, binding = GRASS_CULL_TABLE, std430) readonly buffer TableBuffer {
 	int table[];
 };
-// What is drawn: tiles counted and written at each level; blades, and tiles that have no room, in picture and shadows. Where
-// there are such: how many ranks have room, and the tiles of each level and turn. Cleared before the first phase.
+// Counts: tiles counted and tiles written at each level; blades, and tiles without room, in picture and shadows. If there are such tiles:
+// how many ranks have room, and the tiles of each level and turn. Cleared before the first phase.
 layout(set = 0, binding = GRASS_CULL_COUNTS, std430) buffer CountBuffer {
 	uint counted[GRASS_ALL_LEVELS];
 	uint written[GRASS_ALL_LEVELS];
@@ -43,7 +43,7 @@ layout(set = 0, binding = GRASS_CULL_COUNTS, std430) buffer CountBuffer {
 	uint turns[GRASS_ALL_LEVELS * GRASS_TURNS];
 };
 // The list of drawn tiles, see GRASS_PLACES_PER_ROW: read by the blade shader as `drawn_tiles`. Every level draws its instances from 0 on,
-// since Direct3D 12 numbers them so whatever the indirect command says; the list's first row says where a level begins.
+// since Direct3D 12 always numbers them so, for any indirect command; the list's first row holds the place at which a level begins.
 layout(set = 0, binding = GRASS_CULL_DRAWN, rgba32f) writeonly uniform image2D drawn_tiles;
 // The MultiMeshes' own buffers: read by the renderer when it draws.
 layout(set = 0, binding = GRASS_CULL_INSTANCES, std430) writeonly buffer InstanceBuffer {
@@ -59,9 +59,9 @@ layout(set = 0, binding = GRASS_CULL_SHADOW_COMMANDS, std430) buffer ShadowComma
 	uint shadow_commands[];
 };
 
-// What the map has on a tile: TileCover::Tile in core/map/tile_cover.h.
+// The map's data of a tile: TileCover::Tile in core/map/tile_cover.h.
 struct Cover {
-	float low, high; // of the ground, metres; low > high where nothing stands
+	float low, high; // of the ground, metres; low > high where nothing grows
 	float grown, cut, slope;
 };
 // Written by the CPU when the map changes; only fields with a map have it.
@@ -71,8 +71,8 @@ layout(set = 0, binding = GRASS_CULL_COVER, std430) readonly buffer CoverBuffer 
 
 // The workgroup's own tiles of each level, where its stretch of the level begins, and its blades. One atomic a level and
 // workgroup on the shared counters instead of one a tile.
-// Each has one element more than it uses: glslang gives an array of the same size as one in a buffer that one's layout, which no shared
-// array may have.
+// Each has one element more than it uses: if a buffer contains an array of the same size, glslang gives a shared array its layout, which is
+// not allowed.
 shared uint group_tiles[GRASS_ALL_LEVELS + 1];
 shared uint group_first[GRASS_ALL_LEVELS + 1];
 shared uint group_blades[2 + 1];
@@ -84,15 +84,15 @@ struct Tile {
 	vec3 centre; // at the field's height, field space
 	float hash;
 };
-// What a tile needs (core/lod/lod.h: LodNeed).
+// The detail that a tile needs (core/lod/lod.h: LodNeed).
 struct Need {
 	float blades, segments, covering;
 };
 // How a tile is drawn, or casts its shadow.
 struct Choice {
 	int level; // of GRASS_ALL_LEVELS; -1: not at all
-	float blades; // less than one: so many tiles like it show one
-	float covering; // blades that would cover as much as all
+	float blades; // below one: the share of similar tiles that show a blade
+	float covering; // number of blades that would cover as much as all
 	float morph;
 	uint place; // among the workgroup's tiles of the level
 };
@@ -117,7 +117,7 @@ Tile find_tile() {
 	return tile;
 }
 
-// p_pixel: metres of the tile in one; p_near: of the near plane, metres; p_in_sight: grass_lod_in_sight().
+// p_pixel: metres of the tile in a pixel; p_near: of the near plane, metres; p_in_sight: grass_lod_in_sight().
 void add_need(inout Need r_need, float p_distance, float p_pixel, float p_near, float p_in_sight) {
 	float by_distance = grass_lod_blades(p_distance, p_near, view.lod.x);
 	float by_width = grass_lod_blades_of_width(view.blades.y, view.lod.z * p_pixel);
@@ -140,7 +140,8 @@ Choice choose(Need p_need, float p_hash, int p_first, int p_end) {
 
 #include "lod/casts.inc"
 
-// [Eq L7] [Eq L9] Share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of it in one.
+// [Eq L7] [Eq L9] The share of a tile's blades that an eye needs. p_to_eye: from the middle of the tile's box; p_pixel: metres of it in a
+// pixel.
 float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p_slope) {
 	float height = p_cut < GRASS_UNCUT ? min(view.blades.z, p_cut) : view.blades.z;
 	float cover = p_grown * grass_lod_cover(view.blades.y, height, view.field.z);
@@ -148,14 +149,14 @@ float in_sight(vec3 p_to_eye, float p_pixel, float p_grown, float p_cut, float p
 	return share * grass_lod_ends(height / (view.lod.z * p_pixel), share, view.blades.w);
 }
 
-// What the cameras need of a tile, for the picture and for shadows.
+// The detail that the cameras need in a tile, for the picture and for shadows.
 void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 	r_seen = r_casting = Need(0.0, 0.0, 0.0);
 	Cover cover = Cover(0.0, 0.0, 1.0, GRASS_UNCUT, 0.0); // TileCover::FULL
 	if (p_tile.exists && view.counts.w == 1u) {
 		cover = covers[p_tile.index];
 	}
-	uint watching = p_tile.exists && cover.low <= cover.high ? view.counts.x : 0u; // nobody needs a bare one
+	uint watching = p_tile.exists && cover.low <= cover.high ? view.counts.x : 0u; // no camera needs a bare tile
 	float side = 0.5 * view.field.z + view.blades.x;
 	vec3 half_extents = vec3(side, 0.5 * (view.field.w + cover.high - cover.low), side);
 	vec3 middle = p_tile.centre + vec3(0.0, cover.low + half_extents.y, 0.0);
@@ -163,7 +164,7 @@ void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 		vec4 eye = cameras[i].eye;
 		vec2 pixel_at = cameras[i].pixel.xy;
 		float eye_distance = max(distance(eye.xyz, middle), eye.w);
-		float lod_distance = pixel_at.y > 0.0 ? eye_distance : eye.w; // an orthogonal camera sees all alike
+		float lod_distance = pixel_at.y > 0.0 ? eye_distance : eye.w; // to an orthogonal camera all distances are equal
 		float pixel = pixel_at.x + pixel_at.y * lod_distance;
 		if (grass_tile_visible(cameras[i].planes, middle, half_extents, 0.0, vec3(0.0))) {
 			bool hides = pixel_at.y > 0.0 && view.lod.z > 0.0; // an orthogonal camera has no eye
@@ -176,7 +177,7 @@ void find_needs(Tile p_tile, out Need r_seen, out Need r_casting) {
 	}
 }
 
-// Adds a tile to the workgroup's.
+// Adds a tile to the workgroup's counts.
 void enlist(inout Choice r_choice, int p_list) {
 	if (r_choice.level >= 0) {
 		r_choice.place = atomicAdd(group_tiles[r_choice.level], 1u);
@@ -184,7 +185,7 @@ void enlist(inout Choice r_choice, int p_list) {
 	}
 }
 
-// How many instances a level has, and where they begin. Its command's firstInstance stays 0.
+// Writes how many instances a level has, and where they begin. Its command's firstInstance stays 0.
 void write_command(int p_level) {
 	bool casts = p_level >= GRASS_LOD_LEVELS;
 	uint count = group_counted[p_level];
@@ -197,7 +198,7 @@ void write_command(int p_level) {
 	imageStore(drawn_tiles, ivec2(p_level, 0), vec4(float(first_place(p_level)), 0.0, 0.0, 0.0));
 }
 
-// A workgroup's counts, before its tiles are added.
+// Clears a workgroup's counts before its tiles are added.
 void clear_group(int p_thread) {
 	if (p_thread < GRASS_ALL_LEVELS) {
 		group_tiles[p_thread] = 0u;
@@ -207,7 +208,7 @@ void clear_group(int p_thread) {
 	}
 }
 
-// GRASS_CULL_COUNT: adds the workgroup's tiles to those of all.
+// GRASS_CULL_COUNT: adds the workgroup's counts to those of all tiles.
 void count_tiles_of_group(int p_thread) {
 	if (p_thread < GRASS_ALL_LEVELS && group_tiles[p_thread] > 0u) {
 		atomicAdd(counted[p_thread], group_tiles[p_thread]);
@@ -229,7 +230,7 @@ void take_stretches(int p_thread) {
 	}
 }
 
-// p_end: of the places of its list.
+// p_end: end of the places in its list.
 void write_tile(Tile p_tile, Choice p_choice, int p_slot, uint p_end) {
 	if (p_choice.level < 0 || group_first[p_choice.level] + p_choice.place >= p_end) {
 		return;
@@ -245,7 +246,7 @@ void write_tile(Tile p_tile, Choice p_choice, int p_slot, uint p_end) {
 			vec4(float(start / uint(GRASS_START_STRIDE)), float(low), p_tile.hash, float(high) + covering));
 }
 
-// GRASS_CULL_BEGIN: a transform that changes nothing.
+// GRASS_CULL_BEGIN: writes the identity transform.
 void begin_instance(uint p_instance) {
 	for (uint i = 0u; i < uint(GRASS_LISTED_FLOATS); i++) {
 		float value = i == 0u || i == 5u ? 1.0 : 0.0;

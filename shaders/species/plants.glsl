@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Chooses the plants to draw by a mesh, and writes an instance for each: those of one species, near the cameras. One workgroup a tile of
-// the squares around them, one thread a blade. Reads what cull.glsl reads, and runs after it.
+// Chooses the plants of one species that are drawn with a mesh, near the cameras, and writes an instance for each. One workgroup for each
+// tile of the squares around the cameras, one thread a blade. Reads the same buffers as cull.glsl, and runs after it.
 #pragma variant GRASS_MAP // for fields with a map, on which species may be painted
 #extension GL_GOOGLE_include_directive : require
 
@@ -18,8 +18,8 @@ layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 
 layout(push_constant) uniform Phase {
 	ivec4 phase; // x: GRASS_PLANTS_*; y: the species; z: plants that the MultiMesh holds; w: surfaces of its mesh
-	vec4 box; // xy: tiles around a camera along x, z; z: metres, from there on plants are blades; w unused
-	vec4 map; // xy: map_origin; z: metres, length of a mean plant; w: what one shows to an eye beside it, over a tile's ground
+	vec4 box; // xy: tiles around a camera along x, z; z: distance from which on plants are blades, metres; w unused
+	vec4 map; // xy: map_origin; z: metres, length of a mean plant; w: area that one shows to an eye beside it, divided by a tile's
 };
 
 layout(set = 0, binding = GRASS_PLANTS_VIEW, std430) readonly buffer ViewBuffer {
@@ -76,9 +76,9 @@ ivec2 patch_texel(int p_blade, int p_knot) {
 #include "lod/casts.inc"
 #include "species/choice.inc"
 
-shared uint plants_of_tile; // that are of the species
+shared uint plants_of_tile; // of the species
 
-// The first tile of the square around a camera, which lies inside of the field.
+// The first tile of the square around a camera. The square is inside of the field.
 ivec2 corner_of(uint p_camera) {
 	vec2 place = cameras[p_camera].eye.xz / tile_size + 0.5 * tiles;
 	return clamp(ivec2(floor(place)) - ivec2(box.xy) / 2, ivec2(0), ivec2(tiles) - ivec2(box.xy));
@@ -111,7 +111,7 @@ bool is_near(vec3 p_root, float p_low, float p_high) {
 	return false;
 }
 
-// [Eq L13] Share of the tile's plants that is drawn. p_plants: of the species, on the tile; p_middle: of its box.
+// [Eq L13] The share of the tile's plants that is drawn. p_plants: of the species, on the tile; p_middle: of its box.
 float share_of(float p_plants, Cover p_cover, vec3 p_middle) {
 	float height = min(map.z, p_cover.cut);
 	float cover = p_plants * p_cover.grown * map.w * height / map.z;
@@ -153,7 +153,7 @@ void choose() {
 	ivec2 tile = corner_of(camera) + ivec2(int(group % in_square % side), int(group % in_square / side));
 	for (uint i = 0u; i < camera; i++) {
 		if (is_in_square(i, tile)) {
-			return; // that camera's
+			return; // that camera's square draws the tile
 		}
 	}
 	int index = tile.y * int(tiles.x) + tile.x;
