@@ -53,7 +53,7 @@ def churn(page):
 def rest(page):
 	rows = {entry["field"]: float(entry["wall_ms"]) for entry in bench_page.read("rest")[1]}
 	added = rows["hidden"] - rows["nothing"]
-	return row(page, "64 million blades at rest, out of sight, what they add to a frame", "rest", f"{added:.1f}")
+	return row(page, "what 64 million blades at rest and out of sight add to a frame", "rest", f"{added:.1f}")
 
 
 def table(page):
