@@ -16,7 +16,7 @@ def dispatch(options):
 	from tools.pages import film
 	from tools.release import export
 	from tools.run import scenes
-	from tools.test import testing  # here, so that the explanation is at once
+	from tools.test import testing  # here, so that the explanation appears at once
 
 	if options.command == "demo" and options.video:
 		film.record(options.out) if not options.recorded else film.encode_recorded(options.recorded)
@@ -64,7 +64,7 @@ def dispatch(options):
 
 		return debugging.run(options.only, options.at, options.trace)
 	elif options.command == "docs":
-		from tools.pages.site import build as site  # beside the rest it needs Python 3.11
+		from tools.pages.site import build as site  # imported here: unlike the rest it needs Python 3.11
 
 		site.make()
 	elif options.command == "export":
@@ -87,7 +87,7 @@ def main(arguments):
 	if not arguments or arguments[0] in ("-h", "--help", "help"):
 		print(EXPLANATION, end="")
 		return 0
-	# Being told to stop unwinds like Ctrl-C, so that what was started is stopped too.
+	# SIGTERM unwinds like Ctrl-C, so that the processes that were started are stopped, too.
 	signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
 	options = parser().parse_args(arguments)
 	try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command line of ./grass: what it explains and what it accepts. tools/cli.py runs it, the layer `docs` checks pages against it."""
+"""The command line of ./grass: its explanation and its arguments. tools/cli.py runs it, the layer `docs` checks pages against it."""
 
 import argparse
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What only one process of ours may do at a time in this checkout: layers of tests run side by side."""
+"""Locks for work that only one process at a time may do in this checkout, since layers of tests run side by side."""
 
 import contextlib
 import fcntl

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Where things lie in the project. Nothing is written outside of these folders, except what the user names."""
+"""The folders of the project. Nothing is written outside of them, except where the user says."""
 
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"  # everything that is compiled or generated
-OUT = ROOT / "out"  # what the demo and the benchmark write: pictures and tables
+OUT = ROOT / "out"  # pictures and tables of the demo and the benchmarks
 PROJECT = ROOT / "godot_project"
 ADDON_BIN = PROJECT / "addons/grass_field/bin"
 
-TOOLS = ROOT / ".tools"  # what was fetched because the machine lacks it
+TOOLS = ROOT / ".tools"  # everything that was fetched because the machine lacks it
 UNPACKED = TOOLS / "root"  # the fetched packages, laid out as under /
 ZIG = TOOLS / "zig"  # the compiler for macOS, from PyPI, and the reader of what it makes
-CROSS = TOOLS / "cross"  # compilers for other platforms, and what runs their programs
-DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and what reads shaders
+CROSS = TOOLS / "cross"  # compilers for other platforms, and programs that run what they make
+DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and programs that read shaders

@@ -8,7 +8,7 @@ import time
 
 
 class Failure(Exception):
-	"""Something the user can act on. The front door prints the text, without a traceback, and exits with `code`."""
+	"""An error that the user can act on. ./grass prints the text, without a traceback, and exits with `code`."""
 
 	def __init__(self, text, code=1):
 		super().__init__(text)
@@ -21,7 +21,7 @@ def say(text):
 
 @contextlib.contextmanager
 def progress(text, how_far=None, every=3.0):
-	"""Says `text` at once, and after each `every` seconds how long it has been going on, and what `how_far()` returns."""
+	"""Prints `text` at once, and every `every` seconds how long the work has taken, and the result of `how_far()`."""
 	say(text + " ...")
 	done = threading.Event()
 	start = time.monotonic()

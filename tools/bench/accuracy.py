@@ -43,7 +43,7 @@ COMMITTED = ROOT / "docs/benchmarks/accuracy/accuracy.csv"
 
 
 def run(out, is_quick, gpu_results=None):
-	"""Rows of this machine's CPU and GPU; or `gpu_results`, a folder that another machine's GPU wrote, into the table there is."""
+	"""Writes rows of this machine's CPU and GPU; or adds `gpu_results`, a folder that another machine's GPU wrote, to the present table."""
 	build.scons("accuracy")
 	folder = pathlib.Path(out or OUT / "bench").resolve() / "accuracy"
 	folder.mkdir(parents=True, exist_ok=True)
@@ -79,7 +79,7 @@ def solve(text, is_quick, *arguments):
 
 
 def record(folder, is_quick):
-	"""Writes what a GPU is to compute to `folder`."""
+	"""Writes the problems for a GPU to `folder`."""
 	folder.mkdir(parents=True, exist_ok=True)
 	solve("Recording", is_quick, "--record", folder)
 
@@ -102,7 +102,7 @@ def read_gpu(folder, is_quick):
 
 
 def compare(rows, gpu):
-	"""Says how far the GPU's errors are from the CPU's in float: they compute the same."""
+	"""Prints how far the GPU's errors are from the CPU's in float: both compute the same."""
 	key = ("method", "knots", "substeps", "iterations", "error")
 	floats = {tuple(row[name] for name in key): float(row["value"]) for row in rows if row["precision"] == "CPU float"}
 	for error in ERRORS:
@@ -112,7 +112,7 @@ def compare(rows, gpu):
 
 
 def device(folder):
-	"""The GPU, as the scene names it in its table."""
+	"""The name of the GPU in the scene's table."""
 	with open(folder / "accuracy_gpu.csv", encoding="utf-8") as file:
 		return file.readline().removeprefix("#").strip()
 
@@ -152,7 +152,7 @@ def write_table(path, notes, rows):
 
 
 def pareto(points):
-	"""The points that no other is both faster and (by a twentieth, since timing is noisy) truer than, by rising time."""
+	"""The points for which no other is both faster and (by a twentieth, since timing is noisy) more accurate, by rising time."""
 	front = []
 	for point in sorted(points):
 		if not front or point[1] < 0.95 * front[-1][1]:

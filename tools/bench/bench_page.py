@@ -47,20 +47,20 @@ TITLES = {
 
 
 def read(name):
-	"""(what the table says of its device, its rows)."""
+	"""(the table's note about its device, its rows)."""
 	lines = (FOLDER / TABLES[name]).read_text().splitlines()
 	notes = [line[2:] for line in lines if line.startswith("#")]
 	return "; ".join(notes), list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
 def source(*names):
-	"""The line below a table: its files, and what they say of their device."""
+	"""The line below a table: its files, and their notes about the device."""
 	files = " and ".join(f"[{TABLES[name].split('/')[1]}]({TABLES[name]})" for name in names)
 	return [f"{files}: {re.sub(LEFT_OUT, '', read(names[0])[0])}.", ""]
 
 
 def floor(row, blades):
-	"""(ms, what bounds it) of a step of `blades` that does nothing but what it has to."""
+	"""(ms, what bounds it) of a step of `blades` that does only the necessary work."""
 	bounds = {"instructions": float(row["instructions"]) / INSTRUCTIONS, "operations": float(row["operations"]) / OPERATIONS}
 	bounds["bytes"] = float(row["bytes"]) / BYTES
 	bound = max(bounds, key=bounds.get)
@@ -68,7 +68,7 @@ def floor(row, blades):
 
 
 def measured(rows, method, scene, blades):
-	"""GPU ms of a step, with the pass that a field would use."""
+	"""GPU time of a step in ms, with the pass that a field would use."""
 	near = next((key for key, name in SCENES.items() if name == scene), scene)
 	which = "simulate_free" if scene == "free" else "simulate"
 	found = pick(rows, method=method, iterations=2, awake_blades=blades, colliders_a_tile=near, **{"pass": which})
@@ -280,7 +280,7 @@ def page():
 
 
 def newer():
-	"""Tables of a benchmark that are newer than the one that the page uses, as texts."""
+	"""Tables of a benchmark that are newer than the page's one, as texts."""
 	wrong = []
 	for name, table in TABLES.items():
 		for other in FOLDER.glob(f"*/{FAMILIES.get(name, f'{name}*.csv')}"):
@@ -290,7 +290,7 @@ def newer():
 
 
 def unnamed():
-	"""Tables and plots that no page names, as texts: their commit keeps them."""
+	"""Tables and plots that no page names, as texts. They may be deleted: their commit keeps them."""
 	pages = "".join(path.read_text() for path in (ROOT / "docs").rglob("*.md"))
 	kept = (path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*")))
 	return [f"no page names {path}: name it, or remove it" for path in kept if str(path) not in pages]

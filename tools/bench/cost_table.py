@@ -15,8 +15,8 @@ from tools.places import ROOT
 
 PAGES = (ROOT / "README.md", ROOT / "docs/guide/performance.md")
 TABLE = re.compile(r"(<!-- table costs -->\n).*?(<!-- end -->)", re.DOTALL)
-CARD, PROCESSOR = r"NVIDIA \w+", r"Intel \w+|AMD \w+"  # in what a table says of its machine
-AWAKE = 65536  # blades: what a small crowd keeps awake
+CARD, PROCESSOR = r"NVIDIA \w+", r"Intel \w+|AMD \w+"  # in a table's note about its machine
+AWAKE = 65536  # blades that a small crowd keeps awake
 DRAWN = (1048576, 16777216)
 
 

@@ -63,13 +63,13 @@ NEEDED = (
 
 
 def mesa_version():
-	"""Mesa's version, by its authors: 25.0.7."""
+	"""Mesa's own version, such as 25.0.7."""
 	found = packages.version("mesa-vulkan-drivers", DRIVERS)
 	return found.split("-")[0]
 
 
 def run(command, name="", **options):
-	"""Runs a program; returns what it printed. Failure with its own words if it fails; `name`: what to call it."""
+	"""Runs a program; returns its output. Raises Failure with that output if it fails; `name`: name of the program in it."""
 	result = subprocess.run(list(map(str, command)), capture_output=True, text=True, stdin=subprocess.DEVNULL, **options)
 	if result.returncode:
 		raise Failure(f"{name or pathlib.Path(command[0]).name} failed:\n{(result.stdout + result.stderr)[-3000:]}")
@@ -82,7 +82,7 @@ def run_fetched(program, *arguments, **options):
 
 
 def compiled(source, *flags):
-	"""A program of one source in tests/driver_compilers/, compiled if that is newer."""
+	"""A program from one source in tests/driver_compilers/, compiled if the source is newer."""
 	program = FOLDER / pathlib.Path(source).stem
 	if not program.exists() or program.stat().st_mtime < (ROOT / source).stat().st_mtime:
 		FOLDER.mkdir(parents=True, exist_ok=True)
@@ -92,7 +92,7 @@ def compiled(source, *flags):
 
 
 def pipelines():
-	"""The program that makes pipelines: it is linked against the fetched loader of Vulkan, and runs with that."""
+	"""The program that makes pipelines. It is linked against the fetched Vulkan loader, and runs with it."""
 	return compiled(
 		"tests/driver_compilers/pipelines.c", "-idirafter", DRIVERS.place / "usr/include", f"-L{LIBRARIES}",
 		"-Wl,--allow-shlib-undefined", "-l:libvulkan.so.1",
@@ -100,7 +100,7 @@ def pipelines():
 
 
 def make_pipelines(name, jobs, additions):
-	"""What the compiler of driver `name` says of the pipelines that `jobs` lists: {pipeline: {statistic: value}}."""
+	"""The statistics of driver `name`'s compiler for the pipelines that `jobs` lists: {pipeline: {statistic: value}}."""
 	description = jobs.with_suffix(".json")
 	description.write_text(json.dumps({"file_format_version": "1.0.1", "ICD": {"library_path": str(driver(name)), "api_version": "1.3.0"}}))
 	environment = {
@@ -116,13 +116,13 @@ def make_pipelines(name, jobs, additions):
 
 
 def ensure():
-	"""What both layers need."""
+	"""Fetches everything that both layers need."""
 	machine.ensure(*machine.BUILDING, *NEEDED)
 	pipelines()  # compiled before several threads want it
 
 
 def ensure_mesa():
-	"""Builds those two of Mesa's sources, of the version of the fetched drivers. Minutes, once."""
+	"""Builds those two programs from Mesa's sources, in the version of the fetched drivers. Takes minutes, once."""
 	stamp = MESA / "version"
 	if stamp.exists() and stamp.read_text() == mesa_version():
 		return
@@ -153,7 +153,7 @@ def ensure_mesa():
 
 
 def ensure_validator():
-	"""Microsoft's validator of DXIL, which a package of pip's brings."""
+	"""Microsoft's validator of DXIL, which a pip package contains."""
 	if all((DXIL / name).exists() for name in MEMBERS):
 		return
 	archive = pip_packages.source("compushady==0.17.5", TOOLS / "dxil.partial", "Microsoft's validator of DXIL")
@@ -167,12 +167,12 @@ def ensure_validator():
 
 
 def to_msl(file):
-	"""A pass as Metal's language, by the translator that Godot uses. Failure if it cannot."""
+	"""A pass in Metal's language, by the translator that Godot uses. Raises Failure if that fails."""
 	return run_fetched(spirv_cross(), "--msl", "--msl-version", "20100", file)
 
 
 def to_dxil(file, stage="compute"):
-	"""A shader as DXIL: the file. Failure if it cannot."""
+	"""The file of a shader as DXIL. Raises Failure if the translation fails."""
 	made = FOLDER / f"{file.stem}.dxil"
 	made.unlink(missing_ok=True)
 	run([MESA / "spirv2dxil", "-s", stage, "-e", "main", "-m", "2", "-x", "7", "-o", made, file])
@@ -182,7 +182,7 @@ def to_dxil(file, stage="compute"):
 
 
 def wrong_dxil(files):
-	"""What the validator has against each of `files`; "" if nothing."""
+	"""The validator's complaints about each of `files`; "" if there are none."""
 	validator = compiled("tests/driver_compilers/validate_dxil.cpp", "-isystem", DXIL, "-ldl")
 	lines = run([validator, DXIL / MEMBERS[2], *files]).splitlines()
 	said = dict(line.split("\t", 1) for line in lines)

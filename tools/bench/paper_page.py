@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of `./grass bench paper`: what was measured beside the paper's numbers, a section for each part."""
+"""The page of `./grass bench paper`: measurements beside the paper's numbers, a section for each part."""
 
 from tools.bench.paper_rows import KINDS, NAMES, ms, pick, xy
 from tools.pages import prose
@@ -199,7 +199,7 @@ def rivals(rows):
 
 
 def verdicts(rows):
-	"""The aims at eye level, and whether they are met."""
+	"""The targets at eye level, and whether they are met."""
 	lines = []
 	for shadows in ("on", "off"):
 		times = {(row["kind"], round(int(row["blades"]) / 2**20)): ms(row) for row in pick(rows, view="eye", shadows=shadows)}

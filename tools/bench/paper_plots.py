@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The plots of `./grass bench paper`: what was measured as SVG, by name."""
+"""The plots of `./grass bench paper` as SVG, by name."""
 
 from tools.bench.paper_rows import BLUE, GREEN, GREY, KINDS, NAMES, ORANGE, ms, pick, xy
 from tools.bench.plot import Plot

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of the tables that `./grass bench paper` measures: which, what of them, and what they are called."""
+"""The rows of the tables that `./grass bench paper` measures: which ones, which of their columns, and their names."""
 
 GREEN, ORANGE, BLUE, GREY = "#1b7f4b", "#c2571a", "#2a5f9e", "#777777"
 KINDS = {"field": GREEN, "tiles": BLUE, "multimesh 7": ORANGE, "multimesh 15": GREY}
@@ -16,7 +16,7 @@ def pick(rows, **wanted):
 
 
 def ms(row):
-	"""GPU time of a frame: what is drawn, and culling, which the engine's measure of a viewport does not hold."""
+	"""GPU time of a frame: drawing, and culling, which the engine's measurement of a viewport leaves out."""
 	return float(row["gpu_ms"]) + float(row["cull_ms"] or 0.0)
 
 

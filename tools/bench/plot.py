@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Small SVG plots: marks and lines between axes that are linear or go by powers of ten.
+"""Small SVG plots: marks and lines between axes that are linear or logarithmic.
 
 Why our own: the plots are committed, so the same rows must make the same bytes on every machine, and matplotlib brings numpy and nine more
 packages for a hundred lines.
@@ -16,7 +16,7 @@ def number(value):
 
 
 class Axis:
-	"""Where values stand between `begin` and `end`, in pixels."""
+	"""The places of values between `begin` and `end`, in pixels."""
 
 	def __init__(self, values, begin, end, log=False, part=1):
 		"""part: of a power of ten at which a logarithmic axis may end."""

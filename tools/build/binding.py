@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes the sources of extension/binding that follow from the engine's own description of its interface.
+"""Generates those sources of extension/binding that follow from the engine's own description of its interface.
 
 They are made while SCons reads the SConstruct, because the list of files is only known then.
 """
@@ -65,7 +65,7 @@ def prepare(env, godot):
 
 
 def include_folders():
-	"""Where C++ sources find the binding, or the godot-cpp that GODOT_CPP names."""
+	"""The include paths of the binding, or of the godot-cpp that GODOT_CPP names."""
 	upstream = os.environ.get("GODOT_CPP")
 	folders = [f"{upstream}/{folder}" for folder in ("include", "gen/include", "gdextension")] if upstream else None
 	return folders or [ROOT / "extension/binding/include", BUILD / "binding/include", BUILD / "api"]

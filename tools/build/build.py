@@ -13,7 +13,7 @@ from tools.say import Failure, say
 
 
 def scons(*arguments):
-	"""Runs SCons with `arguments` (targets and option=value). Failure if the build fails."""
+	"""Runs SCons with `arguments` (targets and option=value). Raises Failure if the build fails."""
 	given = dict(argument.split("=", 1) for argument in arguments if "=" in argument)
 	system, arch = given.get("platform", toolchains.HERE[0]), given.get("arch", toolchains.HERE[1])
 	if "cxx" not in given and universal.is_ours(system, arch):
@@ -35,7 +35,7 @@ def scons(*arguments):
 
 
 def library(system, arch, given):
-	"""Where SCons puts the library of these options."""
+	"""The path of the library that SCons builds with these options."""
 	kind = given.get("target", "debug")
 	folder = BUILD if (system, arch) == toolchains.HERE else BUILD / f"{system}_{arch}"
 	place = folder / "quick" if given.get("quick") == "yes" else folder / "symbols" / kind if given.get("symbols") == "yes" else ADDON_BIN
@@ -43,7 +43,7 @@ def library(system, arch, given):
 
 
 def clean(fetched_too=False):
-	"""Removes what was built and imported; pictures and tables in out/ stay."""
+	"""Removes everything that was built and imported; pictures and tables in out/ stay."""
 	for folder in (BUILD, ADDON_BIN, PROJECT / ".godot", *([TOOLS] if fetched_too else [])):
 		if folder.exists():
 			say(f"Removing {folder.relative_to(ROOT)}")

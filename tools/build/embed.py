@@ -32,7 +32,7 @@ def literal(text):
 
 
 def flatten(path, folders, seen=None):
-	"""Text of `path` with each `#include "x"` replaced by the file, once. Looks beside the file, then in `folders`."""
+	"""The text of `path` with each `#include "x"` replaced by the file, once. Looks beside the file, then in `folders`."""
 	path = pathlib.Path(path).resolve()
 	seen = seen if seen is not None else {path}
 
@@ -117,7 +117,7 @@ def render_header(target, source, env):
 		except FileNotFoundError as error:
 			print(error)
 			return 1
-		text = COMMENT.sub("", text)  # lines stay, for the engine's messages; comments would be a third of what is shipped
+		text = COMMENT.sub("", text)  # lines stay, for the engine's messages; comments would be a third of the shipped text
 		lines.append(f"inline constexpr char {constant_name(node, '_GDSHADER')}[] =\n{literal(text)};\n")
 	return write_header(target, source, lines)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What differs between the platforms that are built for: compiler, names, defines, what is linked in."""
+"""The differences between platforms: compiler, names, defines, linked libraries."""
 
 import shutil
 from dataclasses import dataclass
@@ -44,7 +44,7 @@ def is_here(env):
 
 
 def folder(env):
-	"""Where objects go: this machine's directly into build/."""
+	"""The folder of objects: for this machine it is build/ itself."""
 	return "build" if is_here(env) else f"build/{env['platform']}_{env['arch']}"
 
 
@@ -53,7 +53,7 @@ def flavour(env):
 
 
 def prepare(env):
-	"""Sets compiler, names and flags of `env`, for programs as for the library. Returns the platform, None if it has no compiler."""
+	"""Sets compiler, names and flags of `env`, for programs and the library. Returns the platform, or None if it has no compiler."""
 	system, arch = env["platform"], env["arch"]
 	found = env["cxx"] or toolchains.compiler(system, arch)
 	if not found or not shutil.which(found.split()[0]):
@@ -63,7 +63,7 @@ def prepare(env):
 	is_zig = "/zig c++" in found
 	if arch == "x86_64":
 		env.Append(CCFLAGS=["-march=x86_64" if is_zig else "-march=x86-64"])
-	if arch == "arm64" and not toolchains.is_clang(found):  # GCC would tell of each vector that other compilers once passed otherwise
+	if arch == "arm64" and not toolchains.is_clang(found):  # GCC would warn about each vector that older compilers passed in another way
 		env.Append(CCFLAGS=["-Wno-psabi"])
 	if system == "windows":
 		# GCC cannot align the stack to more than 16 bytes there (its bug 54412), so wide moves must not count on it. The runtime
@@ -73,7 +73,7 @@ def prepare(env):
 		env.Append(CCFLAGS=["-fPIC"])
 	if system in ("linux", "windows"):
 		env.Append(LINKFLAGS=["-Wl,--no-undefined"])
-	if is_zig:  # which links only what is called .o, and traps on undefined behaviour unless told otherwise
+	if is_zig:  # zig links only files named .o, and traps on undefined behaviour by default
 		env.Replace(SHOBJSUFFIX=".o")
 		env.Append(CCFLAGS=["-fno-sanitize=undefined"])
 	if system == "web":
@@ -82,7 +82,7 @@ def prepare(env):
 
 
 def link_library(env):
-	"""Links what the library needs into it, so that it loads where nothing is installed. Returns sources to add."""
+	"""Links everything that the library needs into it, so that it loads where nothing is installed. Returns sources to add."""
 	system, arch = env["platform"], env["arch"]
 	if system == "macos":  # it is found by its path in the project, not by one of the machine that built it
 		env.Append(LINKFLAGS=["-Wl,-install_name,@rpath/${TARGET.file}"])
@@ -90,13 +90,13 @@ def link_library(env):
 		env.Append(CCFLAGS=["-sSIDE_MODULE=1"], LINKFLAGS=["-sSIDE_MODULE=1"])
 	if system != "linux":
 		return []
-	# What is linked in stays inside: the engine has a libstdc++ of its own.
+	# Symbols that are linked in stay hidden: the engine has a libstdc++ of its own.
 	env.Append(LINKFLAGS=["-static-libgcc", "-static-libstdc++", "-Wl,--exclude-libs,ALL"])
 	return link_old_glibc(env, arch)
 
 
 def forget_folders(env):
-	"""Keeps out of the library where it was built, so that the same sources make the same bytes anywhere."""
+	"""Keeps the folder of the build out of the library, so that the same sources make the same bytes anywhere."""
 	names = ((ROOT, "."), (f"{ROOT}/", ""), (f"{TOOLS.resolve()}/", ".tools/"))  # the last that fits counts
 	maps = [f"-ffile-prefix-map={folder}={name}" for folder, name in names]
 	env.Append(CCFLAGS=[*maps, "-frandom-seed=$SOURCE"])
@@ -107,7 +107,7 @@ def forget_folders(env):
 
 
 def link_program(env):
-	"""Links all that a program needs into it, where another machine's libraries would be needed to run it."""
+	"""Links everything that a program needs into it, if it would need another machine's libraries to run."""
 	if env["platform"] == "linux" and not is_here(env):
 		env.Append(LINKFLAGS=["-static"])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads a compute pass's SPIR-V: what it declares and asks of a driver. spirv_rules.py judges that."""
+"""Reads a compute pass's SPIR-V: its declarations and its demands on a driver. spirv_rules.py judges them."""
 
 import struct
 from dataclasses import dataclass, field, replace
@@ -33,7 +33,7 @@ class Binding:
 
 @dataclass
 class Module:
-	"""What one pass declares."""
+	"""The declarations of one pass."""
 
 	version: tuple
 	capabilities: list = field(default_factory=list)
@@ -55,7 +55,7 @@ def text(words):
 
 
 class Reader:
-	"""Goes through a module once: what is decorated and declared comes before what is computed."""
+	"""Reads a module in one go: decorations and declarations come before computations."""
 
 	def __init__(self, words):
 		self.types, self.numbers, self.marks, self.member_marks = {}, {}, {}, {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a compute pass may ask for, so that each of Godot's drivers takes it. The build refuses a pass that asks for more.
+"""The demands that a compute pass may make, so that each of Godot's drivers accepts it. The build refuses a pass that demands more.
 
 docs/internals/drivers.md shows the same table; tests/driver_compilers/rules/ has a pass that breaks each rule.
 """
@@ -16,11 +16,11 @@ class Rule:
 	allowed: str
 	driver: str  # that asks for it
 	reason: str
-	found: Callable  # of a spirv.Module: what is too much, in words; "" if nothing is
+	found: Callable  # takes a spirv.Module; returns what is too much, in words, or ""
 
 
 def others(known, of):
-	"""A check that refuses what is not `known`. `of` gives a module's names."""
+	"""A check that refuses names that are not `known`. `of` returns a module's names."""
 	return lambda module: ", ".join(sorted({name for name in of(module) if name not in known}))
 
 
@@ -100,6 +100,6 @@ RULES = (
 
 
 def broken(module):
-	"""What a pass asks for and may not, one text each; they begin with the rule's name."""
+	"""The demands of a pass that are not allowed, as texts that begin with the rule's name."""
 	found = ((rule, rule.found(module)) for rule in RULES)
 	return [f"{rule.name}: {what} (allowed: {rule.allowed}). {rule.driver}: {rule.reason}." for rule, what in found if what]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Compilers for this machine and for other platforms, and what runs their programs here.
+"""Compilers for this machine and for other platforms, and the programs that run their output here.
 
 The machine's own are taken where it has them, else those of Debian 12, fetched (packages.py). A library for Linux is
 linked against glibc 2.31, so that it loads on systems of 2020 and later.
@@ -29,13 +29,13 @@ SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib"}  # of libraries
 
 
 def tool(*names):
-	"""Path of the first of `names` that the machine has, else of a fetched one. None if neither."""
+	"""The path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
 	fetched = (CROSS.place / folder / name for name in names for folder in ("usr/bin", "usr/lib/wine"))
 	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
 
 
 def compiler(system, arch):
-	"""The C++ compiler that makes programs for `system` and `arch`. None if it has yet to be fetched, or cannot be."""
+	"""The C++ compiler that makes programs for `system` and `arch`. None if it is not fetched yet, or cannot be."""
 	if (system, arch) == HERE:
 		return machine.compiler()
 	if system == "windows" and arch == "x86_64":
@@ -56,7 +56,7 @@ def is_clang(command):
 
 
 def glibc(arch):
-	"""Folder of the glibc that libraries for Linux are linked against. None if it is not there."""
+	"""The folder of the glibc that libraries for Linux are linked against. None if it is missing."""
 	place = GLIBC[arch].place if arch in GLIBC else pathlib.Path()
 	return place if arch in GLIBC and (place / f"usr/lib/{GNU[arch]}/libc.so").exists() else None
 
@@ -73,7 +73,7 @@ def can_link_old_glibc(system, arch):
 
 
 def needs(system, arch):
-	"""What machine.ensure() has to find to build for `system` and `arch`."""
+	"""The needs that machine.ensure() has to find to build for `system` and `arch`."""
 	found = []
 	packages = {
 		("windows", "x86_64"): "g++-mingw-w64-x86-64-posix",
@@ -92,7 +92,7 @@ QEMU = (lambda: tool("qemu-aarch64-static"), ("qemu-user-static", "patchelf"), C
 
 
 def binutil(name, system, arch):
-	"""objdump, strip and the like for files of `system` and `arch`."""
+	"""objdump, strip and similar tools for files of `system` and `arch`."""
 	prefix = MINGW if system == "windows" else GNU[arch]
 	return tool(f"{prefix}-{name}", *([name] if (system, arch) == HERE else []))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sources that include others of one folder: most of a build's time goes into reading headers."""
+"""Makes sources that include others of one folder, since reading headers takes most of a build's time."""
 
 import os
 import pathlib
@@ -7,7 +7,7 @@ import re
 
 from tools.places import ROOT
 
-# step_lanes*: what they include is compiled anew in each, for processors of its own. main: it carries the tests' framework.
+# step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework.
 ALONE = ("step_lanes", "main")
 INCLUDE = re.compile(r'^(#include (?:<[^>]+>|"([^"]+)"))', re.MULTILINE)
 
@@ -46,7 +46,7 @@ def relative(file, path):
 
 
 def headers(file, path):
-	"""What a file includes, as lines for a source at `path`: headers come before any namespace, and are not read again in it."""
+	"""The includes of a file, as lines for a source at `path`: headers come before any namespace, and are not read again in it."""
 	for found in INCLUDE.finditer((ROOT / file).read_text()):
 		beside = f"{os.path.dirname(file)}/{found[2]}"
 		yield (f'#include "{relative(beside, path)}"' if found[2] and (ROOT / beside).is_file() else found[1]) + "\n"

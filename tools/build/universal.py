@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Libraries for macOS: one file for both processors, of two that zig links without Apple's SDK."""
+"""Libraries for macOS: one file for both processors, joined from two that zig links without Apple's SDK."""
 
 import os
 import struct
@@ -13,17 +13,17 @@ PROCESSORS = {"x86_64": (0x01000007, 3), "arm64": (0x0100000C, 0)}  # type and s
 
 
 def ensure():
-	"""Fetches the compiler, and the reader of what it makes."""
+	"""Fetches the compiler, and the reader of its output."""
 	pip_packages.ensure(ROOT / "tools/build/zig_requirements.txt", ZIG, "the compiler for macOS")
 
 
 def is_ours(system, arch):
-	"""Whether a library is joined of those of both processors here: a toolchain of the user's makes it in one go."""
+	"""Whether this build joins the libraries of both processors: a toolchain of the user's makes one file in one go."""
 	return (system, arch) == ("macos", "universal") and toolchains.HERE[0] != "macos" and not os.environ.get("CXX")
 
 
 def join(slices, path):
-	"""Writes a file for several processors: architecture -> path of its own."""
+	"""Writes one file for several processors from `architecture -> path of its own file`."""
 	data = {arch: file.read_bytes() for arch, file in slices.items()}
 	head = struct.pack(">II", MAGIC, len(data))
 	start, body = 1 << ALIGNMENT, b""  # the head needs less

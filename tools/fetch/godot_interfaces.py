@@ -28,7 +28,7 @@ path = "empty.rs"
 
 def published(least):
 	"""Paths of the extension_api.json of each Godot from version `least` on, oldest first, and of the C interface's description.
-	([], None) where there is no cargo to fetch them. GODOT_API names a single extension_api.json to take instead."""
+	([], None) if there is no cargo to fetch them. GODOT_API names a single extension_api.json to take instead."""
 	if named := os.environ.get("GODOT_API"):
 		if not pathlib.Path(named).is_file():
 			raise Failure(f"GODOT_API={named} is no file: name an extension_api.json.")
@@ -44,7 +44,7 @@ def published(least):
 
 
 def fetch():
-	"""Gets the crate by the registry that the machine's cargo knows, once."""
+	"""Fetches the crate once, from the registry that the machine's cargo knows."""
 	stamp = PLACE / "stamp"
 	if stamp.exists() and stamp.read_text() == PACKAGE:
 		return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What this machine offers: finds each tool on the system first, then among the fetched packages.
+"""Finds tools: first on the system, then among the fetched packages.
 
 Each finder returns what is needed to use the tool, or None where it has yet to be fetched (packages.py).
 """
@@ -29,14 +29,14 @@ def unpacked(path):
 
 
 def program(*names):
-	"""Path of the first of `names` that the machine has, else of a fetched one. None if neither."""
+	"""The path of the first of `names` that the machine has, otherwise of a fetched one. None if there is neither."""
 	fetched = (UNPACKED / "usr/bin" / name for name in names)
 	return next(filter(None, map(shutil.which, names)), None) or next((str(file) for file in fetched if file.exists()), None)
 
 
 @functools.cache
 def godot_version(executable):
-	"""(4, 6, 3) of a Godot executable. None if it does not run or is no Godot."""
+	"""The version of a Godot executable, such as (4, 6, 3). None if it does not run or is not Godot."""
 	try:
 		answer = subprocess.run([executable, "--version"], capture_output=True, text=True, timeout=60).stdout
 	except (OSError, subprocess.TimeoutExpired):
@@ -46,7 +46,7 @@ def godot_version(executable):
 
 
 def godot():
-	"""The engine: what GODOT= names, else a new enough one of the machine, else the fetched one. None if none."""
+	"""The engine: the one that GODOT= names, or else a new enough one of the machine, or else the fetched one. None if there is none."""
 	if named := os.environ.get("GODOT"):
 		version = godot_version(shutil.which(named) or named)
 		if version is None:
@@ -100,7 +100,7 @@ def compiler():
 
 
 def display():
-	"""Is there a screen to open a window on?"""
+	"""Whether there is a screen for a window."""
 	return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
@@ -112,7 +112,7 @@ def vulkan_drivers():
 
 
 def gpu():
-	"""Is there a GPU that Vulkan can use?"""
+	"""Whether there is a GPU that Vulkan can use."""
 	cards = [*pathlib.Path("/dev/dri").glob("renderD*"), *pathlib.Path("/dev").glob("nvidia[0-9]*")]
 	return bool(cards and vulkan_drivers()[0])
 
@@ -124,21 +124,21 @@ def x_server():
 
 
 def software_vulkan():
-	"""Lavapipe for the engine: the system's for an engine of the machine's, else the fetched one. None if there is none."""
+	"""Lavapipe for the engine: the system's for an engine of the machine, otherwise the fetched one. None if there is none."""
 	fetched = unpacked(settle.LIBRARIES + "/libvulkan_lvp.so")
 	engine_is_fetched = godot() in (None, str(UNPACKED / "usr/bin/godot"))  # or will be
 	return fetched if engine_is_fetched else next(iter(vulkan_drivers()[1]), fetched)
 
 
 def validation_layer():
-	"""The folder that tells the Vulkan loader of the validation layer: of the machine for an engine of its own, else the fetched one."""
+	"""The folder of the validation layer for the Vulkan loader: the machine's for an engine of the machine, otherwise the fetched one."""
 	folders = [pathlib.Path(top) / "vulkan/explicit_layer.d" for top in ("/etc", "/usr/share", "/usr/local/share")]
 	fetched = UNPACKED / "usr/share/vulkan/explicit_layer.d"
 	known = [fetched] if godot() in (None, str(UNPACKED / "usr/bin/godot")) else [*folders, fetched]
 	return next((folder for folder in known if (folder / "VkLayer_khronos_validation.json").exists()), None)
 
 
-# What each command needs: how to find it, the Debian packages that bring it, and where to unpack them if not beside the engine.
+# The needs of the commands: how to find each tool, the Debian packages that contain it, and where to unpack them if not beside the engine.
 ENGINE = (godot, ("godot", "patchelf"))
 BUILDING = (
 	ENGINE,
@@ -155,7 +155,7 @@ VULKAN = (lambda: gpu() and display() or software_vulkan(), SOFTWARE_VULKAN[1])
 
 
 def ensure(*needs):
-	"""Fetches those of `needs` that the machine lacks. Failure if it lacks a compiler, or where fetching fails."""
+	"""Fetches those of `needs` that the machine lacks. Raises Failure if it lacks a compiler, or if fetching fails."""
 	ensure_compiler()
 	settle.check()
 	with locks.alone("fetch"):

@@ -32,7 +32,7 @@ class Root:
 	place: pathlib.Path
 	suite: str
 	architecture: str = ""  # by Debian's name; empty: this machine's
-	of_cards: bool = False  # GPUs' drivers, sources and what translates shaders; its programs run by settle.through_loader() only
+	of_cards: bool = False  # GPUs' drivers, sources and translators of shaders; its programs run only with settle.through_loader()
 
 	@property
 	def apt(self):
@@ -62,7 +62,7 @@ ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")
 MERGED = ("bin", "sbin", "lib", "lib64")  # links into usr, as on a machine; older packages still fill both
 STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in which apt reads it
 
-# Not unpacked: documentation, what the machine's own Python replaces, what compilers of other languages bring.
+# Not unpacked: documentation, files that the machine's own Python replaces, files of compilers for other languages.
 LEFT_OUT = (
 	"./usr/share/doc/*",
 	"./usr/share/man/*",
@@ -142,7 +142,7 @@ def run(*command, **options):
 
 
 def apt_get(root, *arguments, cwd=None):
-	"""Runs apt-get on the private state of `root`; returns what it printed. Failure with its own words if it fails."""
+	"""Runs apt-get on the private state of `root`; returns its output. Raises Failure with that output if it fails."""
 	result = run("apt-get", "-c", str(root.apt / "apt.conf"), "-q", *arguments, env={**os.environ, "LC_ALL": "C"}, cwd=cwd)
 	if result.returncode:
 		words = [line for line in (result.stdout + result.stderr).splitlines() if line[:2] in ("E:", "W:", "Er")]
@@ -151,7 +151,7 @@ def apt_get(root, *arguments, cwd=None):
 
 
 def mirror():
-	"""Address of the Debian mirror that this machine uses (or what GRASS_DEBIAN_MIRROR names)."""
+	"""The address of the Debian mirror that this machine uses, or that GRASS_DEBIAN_MIRROR names."""
 	if named := os.environ.get("GRASS_DEBIAN_MIRROR"):
 		return named
 	if not shutil.which("apt-get") or not shutil.which("dpkg-deb"):
@@ -183,7 +183,7 @@ def configure(root):
 
 
 def download(root, packages):
-	"""Fetches `packages` and what they need beyond what is unpacked already. Returns the archives' paths."""
+	"""Fetches `packages` and their dependencies that are not unpacked yet. Returns the archives' paths."""
 	with progress("Looking up packages"):
 		apt_get(root, "update")
 	# Each line: 'address' file size checksum. With an empty cache, or what was fetched before is left out.
@@ -216,7 +216,7 @@ def unpack_one(archive, root):
 
 
 def unpack(root, archives):
-	"""Makes a new folder of the old one and `archives`, and puts it in the old one's place."""
+	"""Makes a new folder from the old one and `archives`, and replaces the old one with it."""
 	for leftover in (root.partial, root.old):
 		shutil.rmtree(leftover, ignore_errors=True)
 	if root.place.exists():  # hard links cost no space; tar and patchelf replace files, they do not write into them
@@ -254,7 +254,7 @@ def merge_status(status, entries):
 
 
 def version(package, root):
-	"""Of an unpacked package; "" if it is not there."""
+	"""The version of an unpacked package; "" if it is not unpacked."""
 	text = (root.place / STATUS).read_text() if (root.place / STATUS).exists() else ""
 	entry = re.search(rf"^Package: {re.escape(package)}\n.*?^Version: (\S+)$", text, re.MULTILINE | re.DOTALL)
 	return entry[1] if entry else ""
@@ -262,7 +262,7 @@ def version(package, root):
 
 @contextlib.contextmanager
 def alone():
-	"""Two runs at once do not fetch twice: the second waits."""
+	"""A lock, so that two runs at once do not fetch twice: the second waits."""
 	TOOLS.mkdir(exist_ok=True)
 	with open(TOOLS / "lock", "w") as lock:
 		try:
@@ -286,7 +286,7 @@ def fetch(packages, root=MAIN):
 
 
 def fetch_source(package, root, folder):
-	"""Unpacks the sources of `package`, as Debian has them from their authors, into `folder`."""
+	"""Unpacks the original sources of `package`, which Debian has from its authors, into `folder`."""
 	try:
 		with alone(), progress(f"Fetching the sources of {package}"):
 			configure(root)

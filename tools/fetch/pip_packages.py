@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Python packages that a tool needs, by pip, in the versions of a requirements file: each set in a folder of its own."""
+"""Installs Python packages for a tool with pip, in the versions of a requirements file, each set into a folder of its own."""
 
 import importlib.util
 import os

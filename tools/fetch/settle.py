@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes fetched programs run where they lie, with the loader and the libraries that came with them.
+"""Makes fetched programs run from their folder, with the loader and the libraries that came with them.
 
 The machine's own may be older. Starting them through the loader would do for most, but /proc/self/exe would name the
 loader, and the engine starts itself by that name (the editor's Play button).
@@ -21,12 +21,12 @@ PROGRAMS = (
 	*(f"usr/bin/{name}" for name in ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg", "x86_64-w64-mingw32-*", "aarch64-linux-gnu-*")),
 	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*",
 )  # fmt: skip
-SETTLED = "settled"  # file in the root: where the programs believe that it lies
+SETTLED = "settled"  # file in the root: the place for which the programs were patched
 SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to the Vulkan loader
 
 
 def through_loader(root, program):
-	"""Command that runs `program` by the loader in `root`."""
+	"""The command that runs `program` with the loader in `root`."""
 	library_path = ":".join(f"{root}/{LIBRARIES}{folder}" for folder in FOLDERS)
 	return [f"{root}/{LIBRARIES}/{LOADER}", "--library-path", library_path, str(program)]
 
@@ -104,7 +104,7 @@ def localise_wine(root):
 
 
 def check():
-	"""Fits the programs anew if the project was moved since they were unpacked."""
+	"""Patches the programs again if the project was moved since they were unpacked."""
 	for place in (UNPACKED, CROSS):
 		marker = place / SETTLED
 		if (place / "usr/bin/patchelf").exists() and not (marker.exists() and marker.read_text() == str(place)):
@@ -113,7 +113,7 @@ def check():
 
 
 def environment():
-	"""Environment additions that stand for what the system of a bare machine lacks."""
+	"""Environment additions that replace what the system of a bare machine lacks."""
 	stand_ins = (("FONTCONFIG_PATH", "etc/fonts"), ("XLOCALEDIR", "usr/share/X11/locale"))
 	lacking = [(name, folder) for name, folder in stand_ins if not os.path.isdir("/" + folder) and (UNPACKED / folder).is_dir()]
 	return {name: str(UNPACKED / folder) for name, folder in lacking}

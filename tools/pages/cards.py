@@ -9,7 +9,7 @@ import zlib
 from tools.places import PROJECT
 
 FOLDER = PROJECT / "addons/grass_field/presets/cards"
-SIDE = 256  # texels; what a field keeps of a picture (GrassSpecies.card)
+SIDE = 256  # texels; the size to which a field scales a picture (GrassSpecies.card)
 STEP = 12  # colours are rounded to multiples of this, so that few enough are left for a palette
 STALK = (0.35, 0.5, 0.2)
 
@@ -28,7 +28,7 @@ class Card:
 					self.texels[(SIDE - 1 - j) * SIDE + i] = color
 
 	def ellipse(self, x, y, along, across, angle, color, dark=0.35):
-		"""Half axes `along` and `across`; turned from upright by `angle`, radians to the right; darker towards its left side and foot."""
+		"""Draws an ellipse with half axes `along` and `across`, turned right by `angle` radians; its left side and foot are darker."""
 
 		def paint(u, v):
 			light = 1.0 - dark * (0.5 - 0.3 * u - 0.2 * v)
@@ -37,7 +37,7 @@ class Card:
 		self.shape(x, y, along, across, angle, paint)
 
 	def shape(self, x, y, along, across, angle, paint):
-		"""`paint` says the colour at (u, v), -1..1 across and along a box as ellipse() has it, or None."""
+		"""`paint` returns the colour at (u, v), -1..1 across and along a box as that of ellipse(), or None."""
 		cosine, sine = math.cos(angle), math.sin(angle)
 		reach = math.hypot(along, across)
 
@@ -66,7 +66,7 @@ def round_color(color):
 
 
 def save(name, *cards):
-	"""Side by side, as PNG with a palette. What nothing covers has its first colour: the mean, transparent, so that smaller copies have no
+	"""The pictures side by side, as PNG with a palette. Uncovered texels have the mean colour, transparent, so that smaller copies have no
 	dark rims."""
 	seen = [texel for card in cards for texel in card.texels if texel]
 	mean = tuple(sum(color[k] for color in seen) / len(seen) for k in range(3))
@@ -90,7 +90,7 @@ def save(name, *cards):
 
 
 def varied(color, source, most=0.1):
-	"""A colour somewhat lighter or darker."""
+	"""A colour that is a little lighter or darker."""
 	light = 1.0 + source.uniform(-most, most)
 	return tuple(min(c * light, 1.0) for c in color)
 
@@ -107,7 +107,7 @@ class Stalk:
 			self.places.append((x + top / steps * math.sin(angle), y + top / steps * math.cos(angle)))
 
 	def at(self, share):
-		"""Place, and the angle there from upright to the right."""
+		"""Returns the place, and the angle there from upright to the right."""
 		place = share * (len(self.places) - 1)
 		k = min(int(place), len(self.places) - 2)
 		(x, y), (to_x, to_y) = self.places[k], self.places[k + 1]
@@ -226,7 +226,7 @@ def clover():
 def daisy_flower(petals, wide, size, disc, missing, source):
 	"""Petals around a yellow disc, from above."""
 	card = Card()
-	for turn in range(2):  # the hinder ones are darker
+	for turn in range(2):  # those behind are darker
 		for k in range(petals):
 			if (k + turn) % 2 or k in missing:
 				continue

@@ -35,7 +35,7 @@ def record(out):
 
 
 def encode_recorded(folder):
-	"""FOLDER/film.avi and film.log, what the scene said, from another machine."""
+	"""Encodes FOLDER/film.avi from another machine; FOLDER/film.log is the output of the scene."""
 	folder = pathlib.Path(folder).resolve()
 	missing = [name for name in ("film.avi", "film.log") if not (folder / name).exists()]
 	if missing:
@@ -44,7 +44,7 @@ def encode_recorded(folder):
 
 
 def encode(folder, said):
-	"""FOLDER/film.avi, of which the scene `said` which frames are the film -> film.mp4 and film.webp, which both loop."""
+	"""FOLDER/film.avi -> film.mp4 and film.webp, which both loop. `said`: output of the scene, which names the frames of the film."""
 	machine.ensure(FFMPEG)
 	found = SAYS.search(said)
 	if not found:
@@ -97,7 +97,7 @@ def encode(folder, said):
 
 
 def ffmpeg(folder, first, frames, fade, filters, target, *codec):
-	"""The film's frames; those that come after them fade into its beginning, so that its end meets it."""
+	"""The film's frames; the frames after its end fade into its beginning, so that the loop has no cut."""
 	graph = (
 		f"[0:v]trim=start_frame={first}:end_frame={first + frames},setpts=PTS-STARTPTS,fps={RATE},split[a][b];"
 		f"[a]trim=end_frame={fade},setpts=PTS-STARTPTS[begin];[b]trim=start_frame={fade},setpts=PTS-STARTPTS[rest];"

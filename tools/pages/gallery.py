@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The gallery: renders its views and makes the page of them, docs/guide/gallery.md, with small pictures beside it."""
+"""The gallery: renders its views and writes the page with them, docs/guide/gallery.md, and small pictures beside it."""
 
 import json
 import pathlib
@@ -35,7 +35,7 @@ def render(out, only):
 
 
 def write_page(folder):
-	"""FOLDER: what render() wrote, here or on another machine."""
+	"""Writes the page. FOLDER: the output of render(), here or on another machine."""
 	machine.ensure(FFMPEG)
 	folder = pathlib.Path(folder).resolve()
 	if not (folder / "gallery.json").exists():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks links: of the Markdown sources as they lie here (and on a forge), and of the built site. Never goes online.
+"""Checks links: those of the Markdown sources, as they work here and on a forge, and those of the built site. Never goes online.
 
 Why our own: link checkers are a binary to fetch for each platform, and none says that a page loads something from elsewhere, so that it
 does not work offline, or shows a picture without a text.
@@ -47,7 +47,7 @@ def wrong_in_page(path):
 
 
 class Page(html.parser.HTMLParser):
-	"""What a built page links to, loads and can be linked at."""
+	"""The links of a built page, the files that it loads, and its anchors."""
 
 	def __init__(self, text):
 		super().__init__()

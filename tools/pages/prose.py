@@ -11,7 +11,7 @@ import re
 PAGE_WIDTH = 100
 SOURCE_WIDTH = 140
 TAB = 4
-# What may not be broken: code spans, links and pictures, formulas, each with what hangs on it.
+# Text that may not be broken: code spans, links and pictures, formulas, each with the characters attached to it.
 WHOLE = re.compile(r"(?:\[Eq \w+\]|`[^`\n]+`|!?\[(?:[^\[\]]|\[[^\]]*\])*\]\([^)]*\)|\$[^$\n]+\$|[^\s`$\[]+|[\[$`])+")
 ITEM = re.compile(r"(\s*)([-*+]|\d+\.)(\s+)")
 TEXT = re.compile(r"""(?<!")"(?!")(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'(?=[,)\]}% ])""")
@@ -70,12 +70,12 @@ def page(text, always=False):
 
 
 def ends_there(line, following):
-	"""Whether a line of a comment ends where it does on purpose: the next word would have had room in it."""
+	"""Whether a line of a comment ends early on purpose: the next word would have fitted into it."""
 	return len(line.expandtabs(TAB)) + 1 + len(following.split()[0]) <= SOURCE_WIDTH
 
 
 def comments(text, suffix):
-	"""A source with the comments that stand by themselves wrapped where one of their lines is too wide."""
+	"""A source in which comments on lines of their own are wrapped if one of their lines is too wide."""
 	pattern, made, block = COMMENT[MARKS.get(suffix, "//")], [], []
 
 	def end():
@@ -101,13 +101,13 @@ def comments(text, suffix):
 
 
 def width(line):
-	"""Columns of a line of a source. Texts do not count: a message is easier to find in one piece."""
+	"""The width of a line of a source, in columns. String literals do not count: a message is easier to find in one piece."""
 	is_docstring = line.lstrip().startswith('"""')
 	return len((line if is_docstring else TEXT.sub('""', line)).expandtabs(TAB))
 
 
 def too_wide(path):
-	"""What is wider than its width and could be narrower, by line: prose of a page, or any line of a source."""
+	"""The numbers of lines that are too wide and could be narrower: prose of a page, or any line of a source."""
 	text = path.read_text()
 	if path.suffix == ".md":
 		before, after = text.split("\n"), set(page(text).split("\n"))

@@ -58,7 +58,7 @@ def snake_case(name):
 
 
 def unique(key, taken):
-	"""`key`, with the number of its turn from the second on."""
+	"""`key`, with a number from its second use on."""
 	taken[key] = taken.get(key, 0) + 1
 	return key if taken[key] == 1 else f"{key}_{taken[key]}"
 

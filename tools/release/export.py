@@ -57,7 +57,7 @@ def pack(how, preset, file, pck):
 
 
 def benchmark(out):
-	"""What another machine's GPU needs to run the benchmarks: OUT/bench.pck, the library, shaders, recorded problems."""
+	"""Exports everything that another machine's GPU needs for the benchmarks: OUT/bench.pck, the library, shaders, recorded problems."""
 	from tools.bench import accuracy
 
 	folder = pathlib.Path(out).resolve()

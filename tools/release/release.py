@@ -29,7 +29,7 @@ EARLIEST = 315532800  # 1980, where the time of zip entries begins
 
 @dataclass(frozen=True)
 class Target:
-	"""A library. Of the kind `release` it ships, for both kinds of exports and the editor: the code is the same (decision 39)."""
+	"""A library. Only those of the kind `release` ship, for both kinds of exports and the editor: the code is the same (decision 39)."""
 
 	system: str
 	arch: str
@@ -66,7 +66,7 @@ def version():
 
 
 def git(*arguments):
-	"""What git says of this folder, whoever owns it. Empty where it is no repository."""
+	"""The output of git for this folder, whoever owns it. Empty if it is no repository."""
 	if not (ROOT / ".git").exists() or not shutil.which("git"):
 		return ""
 	result = subprocess.run(["git", "-c", f"safe.directory={ROOT}", *arguments], cwd=ROOT, capture_output=True, text=True)
@@ -76,7 +76,7 @@ def git(*arguments):
 
 
 def commit_time():
-	"""Seconds since 1970: what SOURCE_DATE_EPOCH names, else the commit's."""
+	"""Seconds since 1970: SOURCE_DATE_EPOCH, or the commit's time."""
 	return max(EARLIEST, int(os.environ.get("SOURCE_DATE_EPOCH") or git("log", "-1", "--format=%ct") or EARLIEST))
 
 
@@ -101,7 +101,7 @@ def split(target, source, folder):
 
 
 def gdextension(libraries):
-	"""The text of grass_field.gdextension that names `libraries`, file names, and no other; one that ships for debug, too."""
+	"""The text of a grass_field.gdextension that names exactly `libraries` (file names); a library that ships is named for debug, too."""
 	text, named = "", set()
 	for line in (ADDON / "grass_field.gdextension").read_text().splitlines(True):
 		match = re.search(r'"bin/(.*)"', line)
@@ -183,7 +183,7 @@ def build_libraries(targets):
 
 
 def check_glibc(target, library):
-	"""Failure if a library for Linux would not load on the systems that it is for."""
+	"""Raises Failure if a library for Linux would not load on the systems that it is for."""
 	if target.system != "linux":
 		return
 	command = [toolchains.objdump(target.system, target.arch), "-p", str(library)]
@@ -212,7 +212,7 @@ def make(only="", out=None):
 
 
 def write_fixtures():
-	"""Writes files of this version, with no value at its default, which every later version has to load."""
+	"""Writes files of this version, with no value at its default. Every later version must load them."""
 	folder = PROJECT / "tests/fixtures" / version()
 	build.scons("extension")
 	engine.import_project()

@@ -19,7 +19,7 @@ PR_SET_PDEATHSIG = 1
 
 
 def die_with_parent():
-	"""In the child: be ended by the kernel if this program is killed without a chance to clean up."""
+	"""Runs in the child: lets the kernel end it if this program is killed without a chance to clean up."""
 	ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
@@ -68,7 +68,7 @@ def virtual(size="1920x1080"):
 
 @contextlib.contextmanager
 def screen(own=False):
-	"""The machine's screen if it has one (and `own` is false), else a virtual one."""
+	"""The machine's screen if it has one and `own` is false, otherwise a virtual one."""
 	if machine.display() and not own:
 		yield {}
 	else:

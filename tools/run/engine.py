@@ -26,7 +26,7 @@ def private_home():
 
 
 def software_vulkan():
-	"""(command prefix, environment additions) to run the engine on lavapipe."""
+	"""(command prefix, environment additions) that run the engine on lavapipe."""
 	driver = machine.software_vulkan()
 	if driver.suffix == ".json":  # the system's
 		return [], {"VK_DRIVER_FILES": str(driver)}
@@ -70,7 +70,7 @@ def start(command, environment):
 
 
 def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT):
-	"""Runs an engine; hands each line it prints to `on_line`. Returns its exit code (negative: ended by that signal).
+	"""Runs an engine; passes each line of its output to `on_line`. Returns its exit code (negative: ended by that signal).
 
 	Failure after `limit` seconds, or after `silence` seconds without a line.
 	"""
@@ -100,7 +100,7 @@ def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT):
 
 
 def project_state():
-	"""What the engine's import depends on: every source file of the project, by time and size."""
+	"""The files on which the engine's import depends: every source file of the project, by time and size."""
 	parts = []
 	for folder, folders, names in os.walk(PROJECT):
 		folders[:] = sorted(name for name in folders if name not in (".godot", "bin"))
@@ -112,7 +112,7 @@ def project_state():
 
 
 def import_project():
-	"""Lets the engine look at the project's files and import them, where they changed since the last time."""
+	"""Lets the engine scan the project's files and import those that changed since the last time."""
 	stamp = BUILD / "imported"
 	extensions = PROJECT / ".godot/extension_list.cfg"
 	state = project_state()

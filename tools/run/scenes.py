@@ -13,7 +13,7 @@ from tools.run import engine
 from tools.say import Failure, progress, say
 
 LIMIT = 3600  # seconds
-# those in the engine that ./grass bench runs
+# the benchmarks in the engine that ./grass bench runs
 BENCHES = (
 	"draw",
 	"limits",
@@ -54,7 +54,7 @@ def play(scene, folder, arguments, size, method):
 
 
 def ready(scene, *targets):
-	"""Gets and builds what a scene needs."""
+	"""Fetches and builds everything that a scene needs."""
 	if not (PROJECT / scene.removeprefix("res://")).exists():
 		raise Failure(f"There is no {scene} in this version.")
 	machine.ensure(*machine.BUILDING, machine.SCREEN, machine.VULKAN)
@@ -62,7 +62,7 @@ def ready(scene, *targets):
 
 
 def results(folder):
-	"""Says which pictures and tables lie in `folder`."""
+	"""Prints the pictures and tables in `folder`."""
 	files = sorted(file for file in folder.rglob("*") if file.is_file())
 	if not files:
 		raise Failure(f"The scene wrote nothing to {folder}.")
@@ -72,7 +72,7 @@ def results(folder):
 
 
 def enter(scene, size, method):
-	"""Runs `scene` in a window until whoever plays it closes that."""
+	"""Runs `scene` in a window until the player closes it."""
 	engine.import_project()
 	with engine.window(method, SIZES[size]) as (command, environment):
 		everything = [*command, "--path", str(PROJECT), scene, "--", "--size", size]
@@ -97,7 +97,7 @@ def demo(place, out, size, method):
 
 
 def bench(out, only):
-	"""The core's benchmarks, one after the other, then the engine's; or `only` one of the engine's."""
+	"""Runs the core's benchmarks, one after the other, then the engine's; or `only` one of the engine's."""
 	ready("res://bench/bench.tscn", *([] if only else ["bench"]), "accuracy")
 	folder = pathlib.Path(out or OUT / "bench").resolve()
 	folder.mkdir(parents=True, exist_ok=True)

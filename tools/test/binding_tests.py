@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The layer `binding`: our binding offers what godot-cpp offers and nothing else, works in the engine, and finds in other versions of
-Godot what it calls. Each group of its surface counts one, each test case that runs, and each kind of what is looked up."""
+"""The layer `binding`: our binding offers a part of godot-cpp and nothing else, works in the engine, and finds everything that it calls in
+other versions of Godot. Each group of its surface counts one, and so does each test case that runs and each kind of looked up names."""
 
 import os
 import re
@@ -22,11 +22,11 @@ RUN_LIMIT = 300  # seconds
 
 
 class Skip(str):
-	"""Why something was not checked, instead of why it failed."""
+	"""The reason why something was not checked."""
 
 
 def run(only):
-	"""(names of what passed, names and reasons of what failed, the same of what was skipped)."""
+	"""(names of passed checks, names and reasons of failed ones, names and reasons of skipped ones)."""
 	parts = (*compiled(), *complete(), *working(), *elsewhere())
 	results = {name: reason for name, reason in parts if only in name}
 	for name, reason in results.items():
@@ -38,7 +38,7 @@ def run(only):
 
 
 def compiled():
-	"""Every surface file against the binding, or against what GODOT_CPP names."""
+	"""Compiles every surface file against the binding, or against the godot-cpp that GODOT_CPP names."""
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
 	with locks.alone("scons"):
@@ -52,7 +52,7 @@ def compiled():
 
 
 def complete():
-	"""Whether the surface files state all that the headers offer."""
+	"""Checks that the surface files state everything that the headers offer."""
 	surfaces = [str(path) for path in (*sorted(HERE.glob("*.cpp")), GENERATED)]
 	command = [sys.executable, str(HERE / "check_surface.py"), str(BINDING), str(BUILD / "binding/include"), *surfaces]
 	result = subprocess.run(command, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True)
@@ -64,7 +64,7 @@ def complete():
 
 
 def working():
-	"""The test cases of tests/binding/runtime, in the engine."""
+	"""Runs the test cases of tests/binding/runtime in the engine."""
 	cases = [name for path in sorted(HERE.glob("runtime/*.cpp")) for name in re.findall(r'^TEST_CASE\("(.+)"\)', path.read_text(), re.M)]
 	command, additions = machine.scons()
 	environment = {**os.environ, **additions, "PYTHONDONTWRITEBYTECODE": "1"}
@@ -96,7 +96,7 @@ def working():
 
 
 def elsewhere():
-	"""Whether each version of Godot, from the first of the one that the binding is made for to the newest that is published, has what the
+	"""Checks that each version of Godot, from the first that the binding is made for to the newest published one, has everything that the
 	binding looks up."""
 	ours = re.search(r'"version_major": (\d+),\s*"version_minor": (\d+)', (BUILD / "api/extension_api.json").read_text())
 	versions, description = godot_interfaces.published((int(ours[1]), int(ours[2])))

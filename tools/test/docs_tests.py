@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The layer `docs`: code blocks run, commands parse, links lead somewhere, numbers stand once. Nothing is fetched for it."""
+"""The layer `docs`: code blocks run, commands parse, links lead somewhere, numbers are written once. Nothing is fetched for it."""
 
 import contextlib
 import io
@@ -28,7 +28,7 @@ DECISION = ["Context", "Decision", "Consequences"]  # the parts of a page of doc
 
 
 def wrong_command(command, layers):
-	"""What is wrong with a `./grass ...` that a page names, or "". LAYER and the like stand for what the user puts there.
+	"""What is wrong with a `./grass ...` that a page names, or "". The user replaces words such as LAYER.
 	`layers`: names of the layers of tests."""
 
 	words = shlex.split(re.sub(r"[\[\]]|\.\.\.", "", command), comments=True)[1:]
@@ -48,7 +48,7 @@ def commands(path, layers):
 
 
 def wrong_cpp(block):
-	"""Compiles a C++ block as a user's extension would, without making anything."""
+	"""Compiles a C++ block as a user's extension would, without an output."""
 	source = snippets.MADE / f"{block.key}.cpp"
 	source.write_text(f'#include "{PRELUDES / block.key}.h"\n#line {block.line} "{block.file}"\n{block.text}')
 	includes = [f"-isystem{folder}" for folder in binding.include_folders()]
@@ -91,7 +91,7 @@ def wrong_main_loop(block):
 
 
 def wrong_checks(blocks):
-	"""Checks, headers and skips of blocks that are not there any more."""
+	"""Checks, headers and skips of blocks that no longer exist."""
 	known = {block.key for block in blocks}
 	texts = [(PROJECT / "tests/docs" / name).read_text() for name in ("guides.gd", "classes.gd")]
 	checks = [name for text in texts for name in re.findall(r"^func (\w+)\(\) -> void:", text, re.MULTILINE)]
@@ -130,7 +130,7 @@ def wrong_guide():
 
 
 def wrong_benchmarks():
-	"""Pages of figures that are not what the newest tables make, and tables that no page names."""
+	"""Pages of figures that differ from the newest tables, and tables that no page names."""
 	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench.bench_page`"]
 	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
 	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
@@ -138,7 +138,7 @@ def wrong_benchmarks():
 
 
 def run(only, layers):
-	"""The whole layer. `layers`: names of all layers of tests."""
+	"""Runs the whole layer. `layers`: names of all layers of tests."""
 	tally, in_godot = Tally(), []
 	for name, wrong in CHECKED_PAGES.items():
 		if only in name:

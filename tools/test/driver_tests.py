@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The layers `drivers` and `drivers-quick`: what graphics drivers that are not here make of the compute passes.
+"""The layers `drivers` and `drivers-quick`: how graphics drivers that are not here compile the compute passes.
 
 Quick: the build's rules refuse what they should, each pass becomes Metal's language, figures for one card. In full: figures
 for all cards, each pass becomes DXIL that Microsoft's validator takes, and so do the shaders that draw grass, not validated.
@@ -31,7 +31,7 @@ def refused_for(source):
 
 
 def rules(tally, only):
-	"""Each rule refuses the pass that breaks it, and no other rule does; what is built breaks none."""
+	"""Checks that each rule refuses the pass that breaks it, that no other rule does, and that our passes break none."""
 	for rule in spirv_rules.RULES:
 		if only in (name := f"drivers/rules {rule.name}"):
 			found = refused_for(file_of(rule))
@@ -85,7 +85,7 @@ def drawing_to_dxil(tally, only):
 
 
 def advice(notes, card, pipeline):
-	"""What to do about a figure that has grown."""
+	"""The advice for a figure that has grown."""
 	there = driver_figures.made_by(notes, card, pipeline.family()).split(";")[0] or "no compiler"
 	here = f"Mesa {driver_tools.mesa_version()}"
 	other = f" The table is of {there}, this is {here}." if there != here else ""
@@ -93,7 +93,7 @@ def advice(notes, card, pipeline):
 
 
 def figures(tally, only, chosen):
-	"""No figure of the pipelines `chosen` by card has grown by more than the margin; the table has each of them, and none that is gone."""
+	"""Checks that no figure of the pipelines `chosen` by card has grown past the margin, and that the table has exactly these pipelines."""
 	notes, known = driver_figures.read()
 	if only in (name := "drivers/table"):
 		built = {(card, *one.key()) for card in driver_figures.CARDS for one in driver_figures.of_card(card)}
@@ -111,7 +111,7 @@ def figures(tally, only, chosen):
 
 
 def run_quick(only):
-	"""In seconds, for every change."""
+	"""Runs the checks that take seconds, for every change."""
 	driver_tools.ensure()
 	tally = Tally()
 	rules(tally, only)
@@ -121,7 +121,7 @@ def run_quick(only):
 
 
 def run(only):
-	"""All of it."""
+	"""Runs all checks."""
 	driver_tools.ensure()
 	driver_tools.ensure_mesa()
 	driver_tools.ensure_validator()

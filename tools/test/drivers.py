@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests of the layer `gpu` under a Vulkan layer of our own (tests/drivers/), which does what drivers do on which the tests cannot run: it
+"""Tests of the layer `gpu` with a Vulkan layer of our own (tests/drivers/) that behaves like drivers on which the tests cannot run: it
 counts instances from 0 in every draw call, as Direct3D 12 does, refuses compute passes, and says that the device is another maker's.
 
 `numbers`: still grass looks the same with and without it, to the pixel. `refused`: grass is drawn all the same, by the CPU. The others:
@@ -26,7 +26,7 @@ SCENE = "res://tests/drivers/numbers.tscn"
 METHODS = ("forward_plus", "mobile")
 RESTORED = "restored"  # a control of the layer itself: it rewrites shaders, and they count as before. By name only
 FIRST = "the instance of a draw call that begins at 5 is "
-# What the layer does from a process's beginning, by the tests that run so; later: by the tests themselves.
+# What the layer does from the start of a process, for the tests that need it; other tests change it themselves.
 BEHAVIOUR = {
 	"test_refused_later": {}, "test_refused_cull": {"GRASS_LAYER_REFUSED": "cull"},
 	"test_refused_simulate": {"GRASS_LAYER_REFUSED": "simulate"}, "test_refused_gather": {"GRASS_LAYER_REFUSED": "gather"},
@@ -54,7 +54,7 @@ def build():
 
 
 def pictures(method, name, environment, more=()):
-	"""({picture: its bytes}, what a shader reads of the first instance of a draw call that begins at 5)."""
+	"""({picture: its bytes}, the number that a shader reads for the first instance of a draw call that begins at 5)."""
 	folder = FOLDER / f"{method}_{name}"
 	folder.mkdir(parents=True, exist_ok=True)
 	for old in folder.glob("*.png"):
@@ -71,7 +71,7 @@ def pictures(method, name, environment, more=()):
 
 
 def drawing_shaders(method):
-	"""The SPIR-V of the vertex and fragment shaders that the renderer makes while the scene's fields come: files, NUMBER.STAGE.spv."""
+	"""The SPIR-V of the vertex and fragment shaders that the renderer makes for the scene's fields: files, NUMBER.STAGE.spv."""
 	folder = FOLDER / f"{method}_spirv"
 	shutil.rmtree(folder, ignore_errors=True)
 	folder.mkdir(parents=True)
@@ -80,7 +80,7 @@ def drawing_shaders(method):
 
 
 def compare(method, counting, layer):
-	"""Raises Failure where a picture differs, naming it."""
+	"""Raises a Failure that names the picture if one differs."""
 	plain, first = pictures(method, "plain", {})
 	other, first_there = pictures(method, counting, {**layer, "GRASS_LAYER_COUNTING": counting})
 	expected = (5, 5 if counting == RESTORED else 0)
@@ -96,7 +96,7 @@ def numbers(only, layer):
 	tests = [(method, "zero") for method in METHODS] + [(METHODS[0], RESTORED)]
 	for method, counting in tests:
 		name = f"gpu/numbers.instances_count_from_{counting}.{method}"
-		# By name only: the control, and Mobile, which may hang as the scene begins where a machine has two threads (Godot's issue 123060).
+		# By name only: the control, and Mobile, which may hang when the scene begins on a machine with two threads (Godot's issue 123060).
 		if not wanted(name, only) or (not only and (counting == RESTORED or method != METHODS[0])):
 			continue
 		try:
@@ -118,7 +118,7 @@ def functions_of(script):
 
 
 def behaving(only, layer):
-	"""A process for each script, since a pass is compiled once in each."""
+	"""Runs each script in a process of its own, since a process compiles a pass only once."""
 	tally = Tally()
 	for script, behaviour in BEHAVIOUR.items():
 		chosen = [f"/{script}.{function}" for function in functions_of(script)]
@@ -132,7 +132,7 @@ def behaving(only, layer):
 
 
 def layer(only):
-	"""Their Tally, empty where `only` names other tests."""
+	"""Returns the Tally of these tests, empty if `only` names other tests."""
 	below = build()
 	tally = numbers(only, below)
 	tally.add(behaving(only, below))

@@ -32,7 +32,7 @@ LEFT_OUT = {"bin", ".godot", "__pycache__"}
 
 
 def sources(kind):
-	"""Every file of a kind, as paths."""
+	"""The paths of all files of a kind."""
 	found = [path for path in ROOT.iterdir() if path.suffix in KINDS[kind]]
 	for folder in FOLDERS:
 		for place, folders, names in os.walk(ROOT / folder):
@@ -42,7 +42,7 @@ def sources(kind):
 
 
 def clang_format():
-	"""Path of the clang-format of the right version, the machine's or the fetched one. None if there is neither."""
+	"""The path of a clang-format of the right version, the machine's or the fetched one. None if there is neither."""
 	fetched = CROSS.place / f"usr/bin/clang-format-{CLANG_FORMAT}"
 	for found in filter(
 		None, (shutil.which(f"clang-format-{CLANG_FORMAT}"), shutil.which("clang-format"), fetched.exists() and str(fetched))
@@ -61,7 +61,7 @@ def ensure():
 
 
 def run(command, paths):
-	"""Runs a formatter over `paths`, as many at a time as there are processors; returns what it printed, and whether all went well."""
+	"""Runs a formatter over `paths`, as many at a time as there are processors; returns its output, and whether all went well."""
 	environment = {**os.environ, "HOME": str(PACKAGES), "PYTHONPATH": str(PACKAGES), "PYTHONDONTWRITEBYTECODE": "1"}
 	parts = [part for part in (paths[start :: os.cpu_count()] for start in range(os.cpu_count() or 1)) if part]
 	started = [
@@ -80,7 +80,7 @@ def named(said, paths):
 
 
 def formatters():
-	"""For each kind: the command that formats and the one that names what is not formatted."""
+	"""For each kind: the command that formats, and the one that names files that are not formatted."""
 	clang, ruff = clang_format(), [str(PACKAGES / "bin/ruff"), "format"]
 	gdformat = [sys.executable, "-m", "gdtoolkit.formatter", f"--line-length={prose.SOURCE_WIDTH}"]
 	return {
@@ -91,7 +91,7 @@ def formatters():
 
 
 def plain_wrong(path):
-	"""What is wrong with a source by characters alone, as texts."""
+	"""What is wrong with the spaces and the width of a source, as texts."""
 	lines = path.read_text().split("\n")
 	wrong = [f"{number}: ends with a space" for number, line in enumerate(lines, 1) if line != line.rstrip()]
 	wrong += [f"{number}: indented with spaces" for number, line in enumerate(lines, 1) if re.match(r" +[^ *]", line)]
@@ -104,7 +104,7 @@ def plain_wrong(path):
 
 
 def check(kind):
-	"""The files of a kind that `./grass format` would change, and lines that it cannot help, as texts."""
+	"""The files of a kind that `./grass format` would change, and lines that it cannot fix, as texts."""
 	paths = sources(kind)
 	if kind == "shaders":
 		return [f"{path.relative_to(ROOT)}:{text}" for path in paths for text in plain_wrong(path)]
@@ -117,7 +117,7 @@ def check(kind):
 
 
 def lint():
-	"""What ruff says of the Python sources."""
+	"""The output of ruff for the Python sources."""
 	said, good = run(
 		[str(PACKAGES / "bin/ruff"), "check", "--output-format=concise"], [path.relative_to(ROOT) for path in sources("python")]
 	)
@@ -140,7 +140,7 @@ def layer(only, tally):
 
 
 def format_all():
-	"""Formats every source in place. Failure if one of them cannot be read."""
+	"""Formats every source in place. Raises Failure if one of them cannot be read."""
 	ensure()
 	for kind, (command, _) in formatters().items():
 		said, good = run(command, [path.relative_to(ROOT) for path in sources(kind)])

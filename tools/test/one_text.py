@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Finds numbers that C++ and the shaders both state. Each stands once, in a file under shaders/ that both include."""
+"""Finds numbers that C++ and the shaders both define. Each belongs into one file under shaders/ that both include."""
 
 import re
 
@@ -16,7 +16,7 @@ def names(folder, pattern, suffixes):
 
 
 def stated_twice():
-	"""What is wrong, or "": the constants and where they stand."""
+	"""What is wrong, or "": the constants and their files."""
 	shaders = names("shaders", IN_SHADERS, (".inc", ".glsl", ".gdshader", ".gdshaderinc"))
 	cpp = names("extension/core", IN_CPP, (".h", ".cpp"))
 	if not shaders or not cpp:

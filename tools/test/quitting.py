@@ -15,7 +15,7 @@ LIMIT = 400  # seconds; a fifth of a minute where nothing else runs
 
 
 def layer(only, where):
-	"""Its Tally, empty where `only` names other tests. `where`: how engine.window() opens one."""
+	"""Returns the Tally, empty if `only` names other tests. `where`: how engine.window() opens a window."""
 	if only and not any(part in NAME for part in only.split(",")):
 		return Tally()
 	said = []

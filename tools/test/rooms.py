@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tables of rooms in docs/internals/architecture.md against what the sources include and import. Part of the layer `docs`.
+"""Compares the tables of rooms in docs/internals/architecture.md with the includes and imports of the sources. Part of the layer `docs`.
 
 Each table lists rooms from the lowest up, with those that a room includes: exactly these, and none that comes after it.
 """
@@ -15,14 +15,14 @@ IMPORT = re.compile(r"^\s*from tools\.?(\w*)\S* import ([\w, ]+)", re.MULTILINE)
 
 
 def tables():
-	"""Each table of rooms: {room: what its row says that it includes}, in the order of its rows."""
+	"""Each table of rooms: {room: the rooms that it includes by its row}, in the order of its rows."""
 	text = PAGE.read_text()
 	for block in re.findall(r"^\| room \|.*?\n((?:\|.*\n)+)", text, re.MULTILINE):
 		yield {room: set(re.findall(r"`(\w+)/`", cell)) for room, cell in ROW.findall(block)}
 
 
 def includes(folder, skipped=()):
-	"""What the C++ sources in each room of `folder` include: other rooms of it."""
+	"""The other rooms of `folder` that the C++ sources in each room include."""
 	found = {}
 	for path in sorted(path for kind in ("h", "cpp") for path in folder.rglob(f"*.{kind}")):
 		room = path.relative_to(folder).parts[0]
@@ -38,7 +38,7 @@ def includes(folder, skipped=()):
 
 
 def imports():
-	"""What the Python modules in each room of tools/ import: other rooms of it, and `cli`, which none may."""
+	"""The other rooms of tools/ that the Python modules in each room import, and `cli`, which none may import."""
 	folder, found = ROOT / "tools", {}
 	rooms = {path.name for path in folder.iterdir() if (path / "__init__.py").is_file()}
 	for path in sorted(folder.rglob("*.py")):

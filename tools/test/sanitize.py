@@ -25,19 +25,19 @@ LIBRARY = BUILD / "debug-address-undefined"
 STARTS = re.compile(r"^(?=.*(?:ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|: runtime error: ))", re.MULTILINE)
 SAID_FIRST = 4  # places of a report that are named in the list of what failed
 OPTIONS = {"UBSAN_OPTIONS": "print_stacktrace=1"}
-# Of the headless layer: the files that try what a field may not expect. The others step thousands of tiles, which is too slow here.
+# The files of the headless layer that do things which a field may not expect. The others step thousands of tiles, which is too slow here.
 HEADLESS = ("fuzz", "scripts", "threads", "enums", "properties", "movers", "growing", "game", "field", "map")
-# Of the engine: it frees some things only by ending, and catches signals to print a trace.
+# For the engine: it frees some things only when it ends, and catches signals to print a trace.
 IN_ENGINE = "detect_leaks=0:handle_segv=2:verify_asan_link_order=0"
 
 
 def reports_in(text):
-	"""What sanitizers wrote, one text a report."""
+	"""The reports that sanitizers wrote, one text for each."""
 	return [report.strip() for report in STARTS.split(text) if STARTS.match(report)]
 
 
 def headline(report):
-	"""What was found, and where: the innermost places first."""
+	"""The error of a report, and its stack, the innermost places first."""
 	what = re.sub(r"^=+\d+=+|\(pid=\d+\)| (?:on address|at pc) 0x.*", "", report.splitlines()[0]).strip()
 	places = [place.strip() for place in re.findall(r"^\s+#\d+ (?:0x[0-9a-f]+ in )?(.*)$", report, re.MULTILINE)]
 	return " < ".join([what, *places[:SAID_FIRST]])
@@ -57,7 +57,7 @@ def of_core(program, option, only):
 
 
 def copy_project():
-	"""The project once more, with the sanitized library."""
+	"""Makes a copy of the project with the sanitized library."""
 	shutil.rmtree(COPY, ignore_errors=True)
 	shutil.copytree(PROJECT, COPY, symlinks=True, ignore=shutil.ignore_patterns("bin"))
 	library = next(LIBRARY.glob("*.so"))
@@ -68,7 +68,7 @@ def copy_project():
 
 
 def preload():
-	"""What goes into the engine before everything else."""
+	"""The library that is loaded into the engine before everything else."""
 	compiler = machine.compiler()
 	if "clang" in compiler:
 		raise Failure("The extension under sanitizers needs g++: clang links a sanitizer into programs, not into libraries.")
@@ -94,14 +94,14 @@ def in_engine(layer, started, only, may_be_none):
 
 
 def run_short(only):
-	"""A few of the core's tests: for every change, in a minute and from scratch."""
+	"""Runs a few of the core's tests: for every change, in a minute, building included."""
 	build.scons("bounds", MEMORY)
 	return of_core("bounds", MEMORY, only)
 
 
 def run(only):
-	"""All of it."""
-	preload()  # says what is missing before the long build
+	"""Runs the whole layer `sanitize`."""
+	preload()  # reports missing programs before the long build
 	build.scons("unit", "stress", MEMORY)
 	build.scons("threads", RACES)
 	build.scons("extension", "plain_dlopen", MEMORY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Layers of tests beside each other, each in a process of its own: one that waits for the engine leaves half of the processors idle."""
+"""Runs layers of tests side by side, each in a process of its own: a layer that waits for the engine leaves half of the processors idle."""
 
 import concurrent.futures
 import json
@@ -19,7 +19,7 @@ MOST = 4  # at once: an editor on software Vulkan takes some gigabytes
 
 
 def is_part():
-	"""Whether this process runs one layer for another process, which has built what all of them need."""
+	"""Whether this process runs one layer for another process, which has built everything that the layers need."""
 	return HAND_OVER in os.environ
 
 
@@ -46,7 +46,7 @@ def run(layers, only, hardware):
 
 
 def run_part(layer, arguments):
-	"""What it says is printed when it has ended, so that no two layers mix."""
+	"""Runs one layer. Prints its output when it has ended, so that the output of two layers does not mix."""
 	folder = BUILD / "layers"
 	folder.mkdir(exist_ok=True)
 	result = folder / f"{layer}.json"

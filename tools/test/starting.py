@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Tests of the layer `gpu`: what a start of the engine keeps of compute passes, and what the next one makes of that. Each starts the engine
-with the user folder that the one before has left."""
+"""Tests of the layer `gpu`: which compute passes a start of the engine stores, and how the next start uses them. Each test starts the
+engine with the user folder that the one before has left."""
 
 import os
 import re
@@ -23,7 +23,7 @@ BEGUN, DONE = re.compile(r"^GrassField: compiling '(.+)'$"), re.compile(r"^Grass
 
 
 class Start:
-	"""One start of the engine: its words, and how each pass got its shader."""
+	"""One start of the engine: its output, and how each pass got its shader."""
 
 	def __init__(self, where, home):
 		self.words = []
@@ -37,7 +37,7 @@ class Start:
 		self.shaders = {found[1]: found[2] for found in map(DONE.match, self.words) if found}
 
 	def check(self, expected):
-		"""AssertionError unless it went well and every pass got its shader in the way that `expected` says."""
+		"""Raises AssertionError unless the start went well and every pass got its shader in the way that `expected` names."""
 		assert self.code == 0, f"the engine ended with code {self.code}"
 		errors = [line for line in self.words if "ERROR" in line or "WARNING: GrassField" in line]
 		assert not errors, errors
@@ -46,7 +46,7 @@ class Start:
 		assert self.shaders == shaders, f"{self.shaders} instead of {shaders}"
 
 	def check_order(self):
-		"""AssertionError unless passes were compiled one after the other, in the order in which the field needs them."""
+		"""Raises AssertionError unless passes were compiled one after the other, in the order in which the field needs them."""
 		steps = [found for line in self.words for found in [BEGUN.match(line) or DONE.match(line)] if found]
 		names = [found[1].removeprefix("GrassField ") for found in steps]
 		assert names[0::2] == names[1::2], f"two at once: {names}"
@@ -64,7 +64,7 @@ def contents(home):
 
 
 def key_of(content):
-	"""The key in a file that is sound, else nothing. See extension/core/base/shader_file.h."""
+	"""The key in a valid file, otherwise nothing. See extension/core/base/shader_file.h."""
 	if len(content) < 24 or content[:8] != b"GRASSSHD":
 		return b""
 	_, key, shader, checksum = struct.unpack_from("<4I", content, 8)
@@ -90,7 +90,7 @@ def a_second_start_reads(where, home, first):
 
 
 def damage(files):
-	"""Each of the files in another way."""
+	"""Damages each of the files in another way."""
 	cut, flipped, empty, foreign, huge = files
 	cut.write_bytes(cut.read_bytes()[: cut.stat().st_size // 2])
 	changed = bytearray(flipped.read_bytes())
@@ -139,7 +139,7 @@ AFTER_THE_FIRST = (a_second_start_reads, damaged_files_are_replaced_and_old_ones
 
 
 def layer(only, where):
-	"""Its Tally, empty where `only` names other tests. `where`: how engine.window() opens one."""
+	"""Returns the Tally, empty if `only` names other tests. `where`: how engine.window() opens a window."""
 	tally = Tally()
 	tests = (a_first_start_translates_and_keeps, *AFTER_THE_FIRST)
 	if only and not any(part in NAME + test.__name__ for part in only.split(",") for test in tests):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs programs of tests, the core's and those in the engine, and counts how they went. tools/test/testing.py makes layers of them."""
+"""Runs programs of tests, the core's and those in the engine, and counts their results. tools/test/testing.py makes layers of them."""
 
 import concurrent.futures
 import os
@@ -12,7 +12,7 @@ from tools.places import BUILD, PROJECT
 from tools.run import engine
 from tools.say import Failure, progress
 
-# Seconds; ten times what the longest layer takes on two cores, for machines that are slow or busy. What hangs is found long before.
+# Seconds; ten times the time of the longest layer on two cores, for slow or busy machines. A test that hangs is found long before.
 PROGRAM_LIMIT = 3600
 ENGINE_LIMIT = 14400
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
@@ -24,7 +24,7 @@ CASES_A_PART = 8  # test cases that a slow program runs at a time
 
 @dataclass
 class Tally:
-	"""How a layer went."""
+	"""The results of a layer."""
 
 	passed: int = 0
 	failed: list = field(default_factory=list)
@@ -53,7 +53,7 @@ def noted(tally, name, wrong):
 
 
 def core(layer, only, program=None, environment=None, title=None, said=None, slow=False):
-	"""The core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's
+	"""Runs the core's tests of a layer, without the engine. Each TEST_CASE counts one. `program`: the command, if not this machine's
 	ordinary one; `said`: gets the lines of its errors; `slow`: it runs in parts, one on each processor."""
 	program = program or [str(BUILD / layer / f"{layer}_tests")]
 	title = title or layer
@@ -71,7 +71,7 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 			)
 		except subprocess.TimeoutExpired:
 			return None
-		print(result.stdout + result.stderr, end="", flush=True)  # at once: a run that is cut off tells what it saw
+		print(result.stdout + result.stderr, end="", flush=True)  # at once, so that a run that is cut off has printed its output
 		return result
 
 	tally = Tally()
@@ -90,7 +90,7 @@ def core(layer, only, program=None, environment=None, title=None, said=None, slo
 
 
 def tally_of(result, cases, title):
-	"""Of one run of a program of doctest's, over so many test cases."""
+	"""The results of one run of a doctest program over so many test cases."""
 	summary = re.search(r"test cases:\s*\d+\s*\|\s*\d+ passed\s*\|\s*(\d+) failed", result.stdout)
 	failed = int(summary[1]) if summary else 0
 	# A block between rulers is one report: of failed checks, or only of a message.
@@ -104,16 +104,16 @@ def tally_of(result, cases, title):
 
 
 def cases_of(command, environment):
-	"""Names of the test cases that a program of doctest's would run, in order."""
+	"""The names of the test cases that a doctest program would run, in order."""
 	listing = subprocess.run([*command, "--list-test-cases"], capture_output=True, text=True, env=environment).stdout
 	return [line for line in listing.splitlines() if line and not line.startswith(("[doctest]", "==="))]
 
 
 class Reports:
-	"""Follows what the runner in the engine reports."""
+	"""Follows the reports of the runner in the engine."""
 
 	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
-		"""`forbidden`: what the engine must not say, as (pattern, what it is); `said`: gets all that it says."""
+		"""`forbidden`: output that the engine must not print, as (pattern, what it is); `said`: gets all of its output."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
 		self.open, self.running, self.began = [], None, time.monotonic()
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
@@ -145,7 +145,7 @@ class Reports:
 			(self.tally.failed if what == "fail" else self.tally.skipped).append(name)
 
 	def end(self, how):
-		"""What had not run when the engine ended has failed; so has an engine that ended badly, or leaked."""
+		"""Counts tests that had not run when the engine ended as failed, and an engine that ended badly or leaked."""
 		planned, died = self.open or self.tally.count(), how.startswith("the engine died")
 		for name in self.open:
 			reason = f"while it ran, {how}" if name == self.running else f"not run: {how}"
@@ -171,7 +171,7 @@ def in_engine(
 		arguments.append(f"--only={only}")
 	try:
 		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT)
-		clean = code == 0 or code == 1 and reports.tally.failed  # 1: the runner says that a test failed, or the engine did not start
+		clean = code == 0 or code == 1 and reports.tally.failed  # 1: the runner reports a failed test, or the engine did not start
 		how = f"the engine ended with code {code}" if clean else f"the engine died with code {code} (negative: a signal)"
 	except Failure as failure:
 		how = f"the engine died: {failure}"

@@ -30,14 +30,14 @@ from tools.test import (
 )
 from tools.test.test_runs import Tally, core, in_engine
 
-OTHER_RENDERERS = ("mobile", "gl_compatibility")  # draw PICTURES too; everything else of the gpu layer is Forward+
+OTHER_RENDERERS = ("mobile", "gl_compatibility")  # these draw PICTURES, too; everything else of the gpu layer runs in Forward+
 PICTURES = "test_picture"
-EDITED = BUILD / "editor/project"  # the copy of the project that the editor may change; its pictures lie beside it
+EDITED = BUILD / "editor/project"  # the copy of the project that the editor may change; its pictures are beside it
 SOFTWARE = re.compile(r"Vulkan .* Using Device #\d+: .*(llvmpipe|lavapipe|SwiftShader)")
 
 
 def stress_in_full():
-	"""The stress tests in their full size, as they come. Returns the exit code."""
+	"""Runs the stress tests in their full size and prints their output as it comes. Returns the exit code."""
 	machine.ensure(*machine.BUILDING)
 	build.scons("stress")
 	command = [str(BUILD / "stress/stress_tests"), "--duration=true"]
@@ -69,19 +69,19 @@ def gpu(only, hardware):
 
 
 def copy_project(light):
-	"""The project once more, with the plugin that runs the tests in the editor. `light`: it draws what software draws in half the time;
+	"""Makes a copy of the project with the plugin for tests in the editor. `light`: a small window, which software draws in half the time;
 	else, in a larger window, its pictures are those for the docs."""
 	shutil.rmtree(EDITED, ignore_errors=True)
 	shutil.copytree(PROJECT, EDITED, symlinks=True)
 	with open(EDITED / "project.godot", "a") as file:
-		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # what the editor opens at first
+		file.write('\n[application]\n\nrun/main_scene="res://tests/editor/hills.tscn"\n')  # the scene that the editor opens first
 		if light:
 			file.write("\n[rendering]\n\nanti_aliasing/quality/msaa_3d=0\nlights_and_shadows/directional_shadow/size=1024\n")
 		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
 
 
 def editor(only):
-	"""Tests that look at what is drawn run in a window, all others without one, which takes a tenth of the time."""
+	"""Runs tests that look at the picture in a window, and all others without one, which takes a tenth of the time."""
 	copy_project(light=not only)
 	start = {"start": ("--editor",), "project": EDITED, "may_be_none": bool(only)}
 	tally = in_engine("editor", *engine.headless(), only, more=("--drawn=no",), **start)
@@ -91,7 +91,7 @@ def editor(only):
 
 
 def on_screen(layers, hardware):
-	"""What layers that draw need."""
+	"""Everything that drawing layers need."""
 	software = {"gpu", "validation", "editor", "release", "sanitize", "drivers"} & set(layers) - ({"gpu"} if hardware else set())
 	needs = [machine.VIRTUAL_SCREEN, machine.SOFTWARE_VULKAN] if software else []
 	return [*needs, *([machine.SCREEN] if hardware else []), *([machine.VALIDATION] if "validation" in layers else [])]
@@ -135,13 +135,13 @@ ALL = tuple(name for name, layer in LAYERS.items() if layer.in_all)
 
 
 def took(before, after):
-	"""The time between two of os.times(), in words."""
+	"""The time between two results of os.times(), in words."""
 	processor = sum(after[:4]) - sum(before[:4])
 	return f"{after.elapsed - before.elapsed:.0f} s, {processor:.0f} s of a processor"
 
 
 def run_layer(layer, only, hardware):
-	"""In this process, which has built and imported the extension. Returns its Tally."""
+	"""Runs a layer in this process, which has built and imported the extension. Returns its Tally."""
 	say(f"Tests: {layer}")
 	before = os.times()
 	if target := {LAYERS[layer].target} - {None, "extension"}:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The layer `macos`: the library for macOS is built, and what another reader than ours says of it. Nothing loads it: no Mac is here."""
+"""The layer `macos`: builds the library for macOS and checks it with a reader that is not ours. Nothing loads it: there is no Mac."""
 
 import json
 import re
@@ -13,10 +13,10 @@ from tools.test import testing_platforms
 from tools.test.test_runs import Tally
 
 OPTIONS = ("platform=macos", "arch=universal", "quick=yes")
-# What every macOS has; zig links its own C++ library into ours.
+# The libraries that every macOS has; zig links its own C++ library into ours.
 LIBRARIES = {"/usr/lib/libSystem.B.dylib"}
 ENTRY = "_" + testing_platforms.ENTRY
-# Of ours the entry alone, and what the linker makes; operators new and delete take memory from the system, whoever calls whose.
+# Of our symbols only the entry, and those that the linker makes; operators new and delete take memory from the system, whoever calls them.
 OURS = re.compile(rf"{ENTRY}|__Z(n[aw]|d[al])\w+|__mh_dylib_header|___dso_handle")
 OLDEST = 11 << 16  # macOS 11.0, the first for arm64
 READER = """
@@ -43,7 +43,7 @@ print(json.dumps(found))
 
 
 def read(path):
-	"""Processor -> what macholib reads of the library's part for it."""
+	"""Processor -> the data that macholib reads from the library's part for it."""
 	universal.ensure()
 	command = [sys.executable, "-c", READER, str(path)]
 	result = subprocess.run(command, env={"PYTHONPATH": str(ZIG)}, capture_output=True, text=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Layers of tests for other platforms: what is built for them is checked, loaded and run here, under Wine and qemu.
+"""Layers of tests for other platforms: libraries and programs for them are checked, loaded and run here, under Wine and qemu.
 
 `windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares.
 """
@@ -20,10 +20,10 @@ LAYERS = ("platforms", "windows", "arm64")
 WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
 ENTRY = "grass_field_library_init"
 LOAD_LIMIT, STEP_LIMIT = 300, 3600  # seconds
-# What every Windows has.
+# The libraries that every Windows has.
 WINDOWS_LIBRARIES = {"kernel32.dll", "msvcrt.dll", "user32.dll", "advapi32.dll", "ws2_32.dll", "bcrypt.dll", "shell32.dll", "ntdll.dll"}
 ARM64_ENGINE = (lambda: engine_arm64() if engine_arm64().exists() else None, ("godot",), ENGINE_ARM64)
-# What runs in the engine for arm64, where GDScript is some fifty times slower: growing, waking, bending, going to rest.
+# The tests that run in the engine for arm64, where GDScript is about fifty times slower: growing, waking, bending, going to rest.
 ARM64_HEADLESS = ("/test_field.", "/test_bodies.", "test_nothing_moves_when_a_tile")
 
 
@@ -60,7 +60,7 @@ def runner(target):
 
 
 def run(target, *arguments, limit=LOAD_LIMIT):
-	"""Runs a program for `target`. Returns what it printed; Failure if it fails."""
+	"""Runs a program for `target`. Returns its output; raises Failure if it fails."""
 	command, additions = runner(target)
 	try:
 		result = subprocess.run(
@@ -75,12 +75,12 @@ def run(target, *arguments, limit=LOAD_LIMIT):
 
 
 def registered(target, quick=False):
-	"""What the library for `target` registers, as the host lists it. Failure where it does not load."""
+	"""The classes that the library for `target` registers, as listed by the host. Raises Failure if it does not load."""
 	return run(target, program(target, "host/host"), library(target, quick), ENTRY)
 
 
 def same_lines(here, there):
-	"""Failure unless both texts are the same, and long."""
+	"""Raises Failure unless both texts are the same, and long."""
 	ours, theirs = here.splitlines(True), there.splitlines(True)
 	if len(ours) < 100:
 		raise Failure(f"only {len(ours)} lines are listed: {ours}")
@@ -98,7 +98,7 @@ def same_registration(target, quick):
 def same_bits(target):
 	here = subprocess.run([program(toolchains.HERE, "bits/bits")], capture_output=True, text=True, check=True).stdout
 	there = run(target, program(target, "bits/bits"), limit=STEP_LIMIT)
-	same_lines(here, there.replace("\r\n", "\n"))  # as a program for Windows ends its lines
+	same_lines(here, there.replace("\r\n", "\n"))  # programs for Windows end lines so
 
 
 def dump(target, option, quick):
@@ -123,7 +123,7 @@ def only_old_glibc(target, quick):
 
 
 def checks(target, quick):
-	"""(name, what raises Failure) of each."""
+	"""(name, function that raises Failure) of each check."""
 	kind = "windows" if target == WINDOWS else target[1]
 	if target == WINDOWS:
 		yield f"{kind}: needs no library that Windows lacks", lambda: only_windows_libraries(quick)
@@ -150,7 +150,7 @@ def check(tally, only, every):
 
 
 def prepare(layers):
-	"""Fetches and builds what `layers` need."""
+	"""Fetches and builds everything that `layers` need."""
 	if not set(layers) & set(LAYERS):
 		return
 	targets = [target for name, target in (("windows", WINDOWS), ("arm64", ARM64)) if {name, "platforms"} & set(layers)]
@@ -191,7 +191,7 @@ def run_layer(layer, only):
 
 
 def in_arm64_engine(only):
-	"""A few of the headless tests, in Debian's arm64 engine."""
+	"""Runs a few of the headless tests in Debian's engine for arm64."""
 	engine.import_project()
 	command = [toolchains.tool("qemu-aarch64-static"), "-L", str(ENGINE_ARM64.place), str(engine_arm64()), "--headless"]
 	with progress("Running the engine for arm64"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The layers `package` and `release`: what ./grass release packs is complete, small, the same twice, and runs in an empty project.
+"""The layers `package` and `release`: the zips of ./grass release are complete, small, the same twice, and run in an empty project.
 
 `package`, a part of every run, packs this machine's debug library as the other layers use it; `release`, by name only, builds
 what ships for this machine, here and in a second folder, and draws and exports with it.
@@ -32,7 +32,7 @@ SOURCES = ("SConstruct", "VERSION", "LICENSE", "grass", "tools", "extension", "s
 
 
 class Skip(Exception):
-	"""A check that cannot run here, and why."""
+	"""A check that cannot run here, with the reason."""
 
 
 def check(condition, text):
@@ -42,7 +42,7 @@ def check(condition, text):
 
 @contextlib.contextmanager
 def other_habits():
-	"""Another umask, time zone and locale."""
+	"""Sets another umask, time zone and locale."""
 	umask, old = os.umask(0o077), {key: os.environ.get(key) for key in ("TZ", "LC_ALL")}
 	os.environ.update(TZ="Asia/Tokyo", LC_ALL="C")
 	try:
@@ -58,7 +58,7 @@ def digests(folder):
 
 
 def same_twice(sources):
-	"""Packs into two folders, the second time in other circumstances."""
+	"""Packs into two folders, the second time with another umask, time zone and locale."""
 	release.pack(sources, WORK / "once")
 	with other_habits():
 		release.pack(sources, WORK / "twice")
@@ -131,7 +131,7 @@ def demo_is_whole(_sources):
 
 
 def archive_is_the_addon(_sources):
-	"""What Godot's Asset Library would get of the repository."""
+	"""The files that Godot's Asset Library would get from the repository."""
 	names = release.git("ls-files")
 	if not names:
 		raise Skip("this is no git repository")
@@ -144,12 +144,12 @@ def archive_is_the_addon(_sources):
 
 
 def folders_of(names):
-	"""`names` of files, and of all the folders that they lie in."""
+	"""`names` of files, and of all folders above them."""
 	return sorted({str(path) for name in names for path in (pathlib.PurePosixPath(name), *pathlib.PurePosixPath(name).parents)} - {"."})
 
 
 def run_engine(command, environment, *arguments):
-	"""Runs an engine to its end. Returns what it said; Failure if it said an error."""
+	"""Runs an engine to its end. Returns its output; raises Failure if it contains an error."""
 	said = []
 	code = engine.run([*map(str, command), *map(str, arguments)], environment, said.append, RUN_LIMIT)
 	words = "\n".join(said[-20:])
@@ -159,7 +159,7 @@ def run_engine(command, environment, *arguments):
 
 
 def unpack(kind, project):
-	"""A fresh project that has the zip. The engine knows the extension when it starts, as docs/guide/ci.md tells."""
+	"""Makes a fresh project with the zip. The engine knows the extension when it starts, as docs/guide/ci.md describes."""
 	shutil.rmtree(project, ignore_errors=True)
 	if not kind:
 		shutil.copytree(EMPTY, project)
@@ -278,7 +278,7 @@ def sources_of(layer):
 
 
 def run_layer(layer, only):
-	"""All checks, in order: the first ones make what the others look at, so they always run."""
+	"""All checks, in order: the first ones make the files that the others check, so they always run."""
 	tally = Tally()
 	sources = sources_of(layer)
 	for name, action in {**PACKING, **(BY_NAME if layer == "release" else {})}.items():

@@ -39,14 +39,14 @@ def flags():
 
 
 def rooms():
-	"""Sources to look at, each with a name for it: one for each room, and what the build keeps alone."""
+	"""The sources to check, each with a name: one for each room, and those that the build compiles on their own."""
 	sources = (path.relative_to(ROOT) for path in (ROOT / "extension").rglob("*.cpp"))
 	files = unity.by_folder([str(path) for path in sources if path.parts[1] not in APART], PLACE)
 	return {file: re.sub(rf"^{PLACE}/|\.cpp$", "", file).replace("/", "_").removeprefix("extension_") for file in files}
 
 
 def look(file, more=()):
-	"""What clang-tidy says of a source, with paths from the project's root; or, where it found nothing but failed, why."""
+	"""The messages of clang-tidy about a source, with paths from the project's root; if there are none but it failed, the reason."""
 	command = [clang_tidy(), "--quiet", *more, file, "--", *flags()]
 	result = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
 	if result.returncode and not result.stdout:
@@ -55,7 +55,7 @@ def look(file, more=()):
 
 
 def look_at_rooms(only=""):
-	"""Yields (name, what clang-tidy says) of each room whose name contains `only`, as many at a time as there are processors."""
+	"""Yields (name, messages of clang-tidy) of each room whose name contains `only`, as many at a time as there are processors."""
 	ensure()
 	chosen = {file: name for file, name in rooms().items() if only in f"tidy/{name}"}
 	with progress("Running clang-tidy"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -77,7 +77,7 @@ def layer(only, tally):
 
 
 def run(files):
-	"""Returns the exit code: 1 where something was found."""
+	"""Returns the exit code: 1 if something was found."""
 	ensure()
 	found = [look(file) for file in files] if files else [said for _, said in look_at_rooms()]
 	print("".join(found), end="")

@@ -14,7 +14,7 @@ from tools.say import Failure, progress, say
 
 SCENE = "res://tests/validation/scene.tscn"
 METHODS = ("forward_plus", "mobile")
-FOLDER = BUILD / "validation"  # the layer's settings, and what it wrote
+FOLDER = BUILD / "validation"  # the layer's settings and messages
 LIMIT = 3600  # seconds, of one run
 SETTINGS = """\
 khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG
@@ -44,13 +44,13 @@ def pipeline_of(message):
 
 
 def kind(message):
-	"""The message without what differs from run to run: handles, numbers of commands."""
+	"""The message without the parts that differ from run to run: handles, numbers of commands."""
 	return re.sub(r"0x[0-9a-f]+|^\w+_no = .*$", "#", message.split("\nObjects:")[0], flags=re.MULTILINE)
 
 
 def judge(with_fields, without):
-	"""(kinds of messages that only fields bring, how often; number of false alarms)."""
-	# Only of pipelines that have been seen to write twists: cull has bindings of the same numbers.
+	"""(kinds of messages that appear only with fields, with their counts; number of false alarms)."""
+	# Only for pipelines that are known to write twists: cull has bindings with the same numbers.
 	simulate = {pipeline_of(message) for message in with_fields if "descriptor_binding = 13\n" in message}
 	alarms = [message for message in with_fields if is_false_alarm(message) and pipeline_of(message) in simulate]
 	engine_s_own = set(map(kind, without))
@@ -59,7 +59,7 @@ def judge(with_fields, without):
 
 
 def layer(only, tally):
-	"""Adds what came of the methods that have `only` in their test's name."""
+	"""Adds the results of the methods that have `only` in their test's name."""
 	for method in METHODS:
 		name = f"validation/{method}"
 		if only not in name:
@@ -81,7 +81,7 @@ def layer(only, tally):
 
 
 def messages(method, *arguments):
-	"""What the layer wrote while the scene ran, one text a message."""
+	"""The messages that the layer wrote while the scene ran."""
 	FOLDER.mkdir(parents=True, exist_ok=True)
 	name = "_".join([method, *(argument.strip("-") for argument in arguments)])
 	log, settings = FOLDER / f"{name}.txt", FOLDER / "vk_layer_settings.txt"

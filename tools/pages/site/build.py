@@ -21,14 +21,14 @@ PYTHON_MINIMUM = (3, 11)  # Material's
 
 
 def ensure_packages():
-	"""Installs what the site is built with into .tools/pages/site."""
+	"""Installs the packages that build the site into .tools/pages/site."""
 	if sys.version_info < PYTHON_MINIMUM:
 		raise Failure(f"The site needs Python {'.'.join(map(str, PYTHON_MINIMUM))} or newer; this is {sys.version.split()[0]}.")
 	pip_packages.ensure(HERE / "requirements.txt", PACKAGES, "what the site is built with")
 
 
 def as_python_markdown(text):
-	"""What forges read without them: blank lines around displayed equations, before lists and before tables."""
+	"""Adds blank lines that forges do not need: around displayed equations, before lists and before tables."""
 	parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
 	for index in range(0, len(parts), 2):
 		part = re.sub(r"^(\$\$.*?\$\$)$", r"\n\1\n", parts[index], flags=re.MULTILINE | re.DOTALL)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What MkDocs calls while it builds the site: the version, folders in the navigation, equations."""
+"""Functions that MkDocs calls while it builds the site: the version, folders in the navigation, equations."""
 
 import html
 import os

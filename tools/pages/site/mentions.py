@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Links from the pages to the class reference, and the way back: which page speaks of which class and member."""
+"""Links from the pages to the class reference and back: which page mentions which class and member."""
 
 import posixpath
 import re
