@@ -78,7 +78,7 @@ func _make_stone(r_shape: CollisionShape3D, r_look: MeshInstance3D, size: float)
 	r_look.mesh = hull_mesh(points)
 
 
-# The convex hull's faces: every triple of points with all others on one side.
+# The faces of the convex hull: every triple of points that has all others on one side.
 static func hull_mesh(points: PackedVector3Array) -> ArrayMesh:
 	var surface := SurfaceTool.new()
 	surface.begin(Mesh.PRIMITIVE_TRIANGLES)

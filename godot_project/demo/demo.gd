@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 ## The paper's figure 6: 128 mixed bodies thrown through a field. Started with `-- --out DIR` it takes its pictures
-## and prints its table, then ends (`./grass demo` does that); started from the editor it goes on forever: bodies are
-## thrown again every ten seconds, F1 shows the awake tiles, F2 the levels of detail.
+## and prints its table, then ends (`./grass demo` does that); started from the editor it runs until it is closed: bodies are thrown again
+## every ten seconds, F1 shows the awake tiles, F2 the levels of detail.
 ##   --out DIR      folder for the pictures and the table
 ##   --size SIZE    side of the field: large (64 m, 1,048,576 blades), small (20 m, 102,400 blades) or a number of metres;
-##                  default by what draws it, large on a GPU
+##                  by default large on a GPU, small in software
 ##   --bodies N     default 128
 ##   --place NAME   another scene of this folder instead: lawn, meadow, reeds, film (an exported project takes no scene's path)
 extends Node3D

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The moving picture of the README: bodies roll through a meadow, blade by blade it bends, and it rises. `./grass demo --video` has
-## the engine's movie writer record it. Says on the console which frames are the film: those before them wait for the driver.
+## The moving picture of the README: bodies roll through a meadow, which bends blade by blade and rises again. `./grass demo --video`
+## records it with the engine's movie writer. The scene prints which frames are the film: those before them wait for the driver.
 extends Node3D
 
 const LENGTH := 5.0  # seconds
@@ -32,7 +32,7 @@ func _process(_delta: float) -> void:
 	_frame += 1
 
 
-## Grass is drawn when its shaders are there, and stands until the driver has compiled its passes.
+## Waits for the grass: it is drawn when its shaders are ready, and does not bend until the driver has compiled its passes.
 func _compiled() -> void:
 	var deadline := Time.get_ticks_msec() + COMPILING
 	for i in 10:

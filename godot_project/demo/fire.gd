@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
 ## Fire in a GrassField: a grid of cells that heat each other, down the wind most. A cell that burns out leaves stubble, wear and a black
-## tint in the field's map. What burns and what is charred is in `texture`, for the surface hook demo/fire.gdshaderinc.
+## tint in the field's map. `texture` holds how much burns and how much is charred, for the surface hook demo/fire.gdshaderinc.
 extends RefCounted
 
 const SIDE := 0.5  # metres of a cell, as of a texel of the map
 const STEP := 0.1  # seconds
 const BURNS := 2.5  # seconds that a cell burns
-const HEATS := 0.55  # of what lights a cell, per second, from a burning neighbour in still air
+const HEATS := 0.55  # share of the heat that lights a cell, per second, from a burning neighbour in still air
 const CARRIES := 0.35  # s/m: how much more a neighbour heats down the wind, per m/s
-const LOSES := 0.25  # of its heat that a cell loses in a second
+const LOSES := 0.25  # share of its heat that a cell loses in a second
 const STUBBLE := 0.04  # metres
 const WEAR := 0.12  # of a cell; neighbours add theirs
 const LIT := 1.0  # heat at which the driest cell burns
-const DAMP := 0.6  # how much more the dampest takes
+const DAMP := 0.6  # how much more heat the dampest cell takes
 
 var wind := Vector2.ZERO  # m/s along x, z of the field
 var image: Image  # a pixel a cell; r: how much burns, g: how much is charred
@@ -136,6 +136,6 @@ func _show(cell: int, burns: float, charred: float) -> void:
 	image.set_pixel(cell % _count.x, cell / _count.x, Color(burns, charred, 0.0))
 
 
-## Of a cell, in the field (x, z).
+## The place of a cell in the field (x, z).
 func _middle(cell: Vector2i) -> Vector2:
 	return (Vector2(cell) + Vector2(0.5, 0.5)) * SIDE - 0.5 * _field.size

@@ -3,7 +3,7 @@
 extends "res://demo/place.gd"
 
 const LANES := 7
-const LANE := 2.0  # metres, width of the deck; the map keeps what is combed every metre
+const LANE := 2.0  # metres, width of the deck; the map stores combing on a grid of a metre
 const HALF := 10.0  # metres, half of a lane's length
 const MOWN := 3  # lanes, before the scene begins
 const SPEED := 2.5  # m/s
@@ -20,7 +20,7 @@ var _roller := GrassBrush.new()
 
 
 func _ready() -> void:
-	field.map = field.map.duplicate()  # the scene's own map stays as it was painted
+	field.map = field.map.duplicate()  # the scene's own map does not change
 	_roller.tool = GrassBrush.TOOL_COMB
 	_roller.radius = 0.5 * LANE
 	_roller.hardness = 0.8
@@ -29,7 +29,7 @@ func _ready() -> void:
 	super()
 
 
-## The middle of the lawn's `lane`, `along` metres from where the mower comes in: every other lane goes back.
+## The middle of the lawn's `lane`, `along` metres from where the mower begins; every other lane goes back.
 static func place_of(lane: int, along: float) -> Vector3:
 	var direction := 1.0 if lane % 2 == 0 else -1.0
 	return Vector3(direction * (along - HALF), 0.0, (lane - 0.5 * (LANES - 1)) * LANE)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Paints the maps of the demo's places anew, with the strokes that a level designer would draw:
+## Paints the maps of the demo's places again, with the strokes that a level designer would draw:
 ##   godot --headless --path godot_project --script res://demo/paint_maps.gd
 extends SceneTree
 

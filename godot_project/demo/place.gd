@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## A place with grass in which something goes on. Started with `-- --out DIR` (`./grass demo NAME`) it takes the picture of each
-## of its cameras, in their order, at the second that stands in the camera's name after "at_", then ends. Else it goes on
-## until it is closed, seen through the first camera; the keys 1 to 9 change it.
+## A place with grass in which something happens. Started with `-- --out DIR` (`./grass demo NAME`) it takes the picture of each of its
+## cameras, in their order, at the second that follows "at_" in the camera's name, then ends. Otherwise it runs until it is closed, seen
+## through the first camera; the keys 1 to 9 change the camera.
 extends Node3D
 
 const Shots := preload("res://demo/shots.gd")
@@ -26,12 +26,12 @@ func _physics_process(delta: float) -> void:
 	happen(delta)
 
 
-## What goes on in a tick of `_delta` seconds.
+## Moves the place on by a tick of `_delta` seconds.
 func happen(_delta: float) -> void:
 	pass
 
 
-## One line that says how it stands.
+## One line about the state of the place.
 func tell() -> String:
 	return ""
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## Makes the meshes of the presets fern, ox-eye daisy and small shrub, and writes them into the add-on:
-## `godot --headless --path godot_project --script res://demo/plant_meshes.gd`. Each is one stem, one unit high; its blade gives it its
-## size. Blades lean towards +z, so that upper sides of leaves look to -z.
+## `godot --headless --path godot_project --script res://demo/plant_meshes.gd`. Each is one stem, one unit high; its blade determines its
+## size. Blades lean towards +z, so upper sides of leaves face -z.
 extends SceneTree
 
 const FOLDER := "res://addons/grass_field/presets/plants/"

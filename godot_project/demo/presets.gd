@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A field of each preset, one beside the other, as thick as it stands in nature. Started with `-- --out DIR` (`./grass demo presets`)
-## it takes a picture of each, then ends; with `--only NAME` of that one.
+## A field of each preset, side by side, as dense as in nature. Started with `-- --out DIR` (`./grass demo presets`)
+## it takes a picture of each, then ends; with `--only NAME` only of that one.
 extends Node3D
 
 const Shots := preload("res://demo/shots.gd")
@@ -53,7 +53,7 @@ static func make(name: String) -> GrassField:
 	field.position.x = SPACING * FIELDS.keys().find(name)
 	field.wind_speed = 2.0
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
-	# Flowers stand among grass.
+	# Flowers grow among grass.
 	field.species = [load(FOLDER + "meadow.tres"), species] if species.share < 0.3 else [species]
 	return field
 
@@ -66,7 +66,7 @@ func _record(folder: String) -> void:
 		await shots.take("preset_" + str(_shown[i]))
 
 
-## Looks at a field from its border: as far above its tips as they are high, or more.
+## Looks at a field from its border, from at least twice the height of the grass.
 func _show(index: int) -> void:
 	var name: String = _shown[index]
 	var species: GrassSpecies = load(FOLDER + name + ".tres")

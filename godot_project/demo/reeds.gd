@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A reed bank. A boat comes along the shore and pushes through the reeds, which stand up again behind it.
+## A reed bank. A boat comes along the shore and pushes through the reeds, which rise again behind it.
 extends "res://demo/place.gd"
 
 const Bodies := preload("res://demo/bodies.gd")

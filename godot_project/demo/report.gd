@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The demo's table: what stands in the field, what is awake over time, what it costs.
+## The demo's table: the size of the field, the awake tiles over time, and the times.
 extends RefCounted
 
 var _field: GrassField

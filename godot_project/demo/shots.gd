@@ -18,8 +18,8 @@ func _init(p_viewport: Viewport, p_folder: String) -> void:
 	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
 
 
-## Draws once, so that shaders are compiled, and waits for those of the grass, which is not drawn before, and for its passes: until they
-## are there it stands.
+## Draws once, so that shaders are compiled, and waits for the shaders of the grass, without which it is not drawn, and for its passes,
+## without which it does not bend.
 func warm_up() -> void:
 	await _draw(2)
 	var deadline := Time.get_ticks_msec() + COMPILING
@@ -39,7 +39,7 @@ func take(p_name: String) -> void:
 
 func _draw(p_frames: int) -> void:
 	_viewport.disable_3d = false
-	_viewport.get_tree().paused = true  # the moment of the picture stands still
+	_viewport.get_tree().paused = true  # nothing moves while the picture is taken
 	for i in p_frames:  # measured times arrive two frames late
 		await RenderingServer.frame_post_draw
 	_viewport.get_tree().paused = false

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Ground of noise: a HeightMapShape3D and a mesh of the same heights, made when the node enters the tree, so that a scene
-## keeps the few numbers they come from.
+## Ground of noise: a HeightMapShape3D and a mesh of the same heights, made when the node enters the tree, so that a scene stores only a few
+## numbers.
 @tool
 extends StaticBody3D
 
@@ -16,7 +16,7 @@ extends StaticBody3D
 	set(value):
 		relief = value
 		_make()
-@export var profile: Curve:  ## metres added, by how far the place lies along z: 0 the far side (-z), 1 the near one
+@export var profile: Curve:  ## metres added, by the place along z: 0 at the far side (-z), 1 at the near side
 	set(value):
 		profile = value
 		_make()
@@ -41,7 +41,7 @@ func _ready() -> void:
 	_make()
 
 
-## Metres above the node at `x`, `z` metres from its middle: that of the shape's squares, not of the noise between.
+## Height above the node at `x`, `z` metres from its middle, metres: that of the shape's squares, not of the noise between them.
 func height_at(x: float, z: float) -> float:
 	var place := (Vector2(x, z) + Vector2.ONE * 0.5 * size).clampf(0.0, size - 1e-3)
 	var cell := Vector2i(place)

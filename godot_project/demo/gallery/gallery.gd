@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
 ## The same grass in many lights and from many places: one view after the other, each with 4x MSAA and with TAA. Started with
-## `-- --out DIR` (`./grass gallery`) it takes the pictures of all views and writes `gallery.json`, what they show, then ends.
-##   --only NAMES   these views alone, with commas between
+## `-- --out DIR` (`./grass gallery`) it takes the pictures of all views, writes `gallery.json` with facts about them, then ends.
+##   --only NAMES   only these views, separated by commas
 ##   --size small   small fields: for software rendering
-## Else the keys left and right change the view.
+## Otherwise the keys left and right change the view.
 extends Node3D
 
 const Views := preload("res://demo/gallery/views.gd")
 const Place := preload("res://demo/gallery/place.gd")
 const Light := preload("res://demo/gallery/light.gd")
 const COMPILING := 150_000  # milliseconds
-const SETTLE := {true: 6, false: 40}  # frames until TAA, fog and global light stand still: in software, on a GPU
+const SETTLE := {true: 6, false: 40}  # frames until TAA, fog and global light have settled: in software, on a GPU
 
 var shown := 0
 

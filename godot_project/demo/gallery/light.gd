@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The light of a view of the gallery, and what else the view names: lamps, walls, fog, a decal.
+## The light of a view of the gallery, and other things that the view names: lamps, walls, fog, a decal.
 extends Node3D
 
 const Probes := preload("res://demo/gallery/probes.gd")
@@ -24,7 +24,7 @@ func _init(view: Dictionary) -> void:
 		"night":
 			_set_sky(Color(0.006, 0.009, 0.02), Color(0.015, 0.02, 0.035), 1.0)
 	for what: String in view.with:
-		if has_method("_add_" + what):  # the rest is the place's
+		if has_method("_add_" + what):  # all others belong to the place
 			call("_add_" + what)
 
 
@@ -40,7 +40,7 @@ func _set_sky(top: Color, horizon: Color, energy: float) -> void:
 
 func _sun(height_and_side: Vector2) -> DirectionalLight3D:
 	var sun := DirectionalLight3D.new()
-	# It shines along its -Z; without a turn about Y that is the way the camera looks, so it stands behind the camera.
+	# It shines along its -Z. Without a turn about Y that is the camera's direction, so the sun is behind the camera.
 	sun.rotation_degrees = Vector3(-height_and_side.x, 180.0 - height_and_side.y, 0.0)
 	sun.light_color = Color(1, 0.95, 0.85) if height_and_side.x > 25.0 else Color(1, 0.8, 0.58)
 	sun.light_energy = 1.4
@@ -100,7 +100,7 @@ func _add_voxel_gi() -> void:
 	voxels.ready.connect(func() -> void: voxels.bake.call_deferred(get_parent()))
 
 
-## Five plots, each of which takes the light of its own place.
+## Makes five plots, each lit by the light of its own place.
 func _add_light_probes() -> void:
 	add_child(Probes.new(PackedVector3Array(Place.PLOTS), WALLS, WALL))
 

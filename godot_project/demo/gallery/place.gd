@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What grows in a view of the gallery, and the ground below it.
+## The plants in a view of the gallery, and the ground below them.
 extends Node3D
 
 const Terrain := preload("res://demo/terrain.gd")
@@ -18,10 +18,10 @@ const KINDS := {
 	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
 }
 
-## Middles of the fields where there are several, from left to right.
+## The middles of the fields if there are several, from left to right.
 const PLOTS: Array[Vector3] = [Vector3(-2.4, 0, 1), Vector3(-1.2, 0, 1), Vector3(0, 0, 1), Vector3(1.2, 0, 1), Vector3(2.4, 0, 1)]
 
-## Shares of plants with a mesh, fewer than where they stand alone.
+## Shares of plants with a mesh, fewer than in a field of their own.
 const THINNED := {fern = 0.2, small_shrub = 0.04}
 
 var kind: String
@@ -64,27 +64,27 @@ func _ready() -> void:
 		_paint()
 
 
-## Snow and rain, of what a view has with it.
+## Sets snow and rain if the view has them.
 func set_weather(with: Array) -> void:
 	field.snow = 0.6 if "snow" in with else 0.0
 	field.wetness = 1.0 if "rain" in with else 0.0
 	field.surface_hook = load(WEATHER) if field.snow + field.wetness > 0.0 else null
 
 
-## A small field stands where the camera looks.
+## The place of a small field: where the camera looks.
 func show_at(place: Vector3) -> void:
 	if _is_small and kind in ["meadow", "plants"]:
 		field.position = Vector3(place.x, 0, place.z)
 
 
-## A place as far above the ground there as it is high.
+## A place whose height is measured from the ground there.
 func on_ground(place: Vector3) -> Vector3:
 	if _terrain:
 		place.y += _terrain.height_at(place.x, place.z)
 	return place
 
 
-## Of all fields.
+## The sum over all fields.
 func blade_count() -> int:
 	var count := 0
 	for each: GrassField in find_children("*", "GrassField", true, false):
@@ -96,7 +96,7 @@ func facts() -> PackedStringArray:
 	return ["%s: %d blades, %d a square metre, of %s" % [kind, blade_count(), KINDS[kind][1], ", ".join(PackedStringArray(KINDS[kind][2]))]]
 
 
-## A field takes the light of probes as one value, so several stand side by side.
+## Makes several fields side by side, since a field takes the light of probes as one value.
 func _make_plots() -> void:
 	field.border_fade = 0.0
 	field.size = Vector2(1.2, 5.0)

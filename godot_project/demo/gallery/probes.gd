@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Light probes over a row of plots, as a LightmapGI has them. The engine bakes lightmaps in its editor only, at the push of a button
+## Light probes over a row of plots, like those of a LightmapGI. The engine bakes lightmaps in its editor only, at the push of a button
 ## (LightmapGI has no method for it), so this script gathers the light of each probe itself: from the sky, the ground and the walls, along
 ## some rays. A field takes its light from the probes at its middle, if its `gi_mode` is Dynamic.
 extends Node3D
@@ -9,7 +9,7 @@ const AROUND := 0.4  # metres from a plot's middle to its four probes
 const HEIGHT := 0.3
 const SKY := Color(0.5, 0.62, 0.8)
 const GROUND := Color(0.1, 0.11, 0.06)
-const WALL_LIGHT := 1.1  # what a white wall shines back
+const WALL_LIGHT := 1.1  # light that a white wall reflects
 
 var _lightmap := RenderingServer.lightmap_create()
 var _instance := RenderingServer.instance_create()
@@ -42,7 +42,7 @@ func _notification(what: int) -> void:
 		RenderingServer.free_rid(_lightmap)
 
 
-## Nine spherical harmonics of the light that comes to a place.
+## Nine spherical harmonics of the light that reaches a place.
 func _gather(place: Vector3, walls: Dictionary, size: Vector3) -> PackedColorArray:
 	var sums := PackedColorArray()
 	sums.resize(9)
@@ -71,7 +71,7 @@ func _gather(place: Vector3, walls: Dictionary, size: Vector3) -> PackedColorArr
 	return sums
 
 
-## Planes between neighbouring plots: below each the probes of the left one, above it those that follow.
+## Planes between neighbouring plots: below each are the probes of the left plot, above it those of the next ones.
 func _tree(middles: PackedVector3Array) -> PackedInt32Array:
 	var tree := PackedInt32Array()
 	for i in middles.size():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The views of the gallery: where the camera stands, what light falls on what place. Metres and degrees. The camera looks along -Z unless
-## `target` says otherwise; `sun` is its height and where it stands seen from the camera: 0 in front of it, 90 on its right, 180 behind it.
+## The views of the gallery: the place of the camera, the light and the scene. Metres and degrees. The camera looks along -Z unless there is
+## a `target`; `sun` is the sun's height and its direction seen from the camera: 0 in front, 90 on the right, 180 behind.
 extends RefCounted
 
 const EYE := Vector3(0, 1.7, 18)
@@ -54,7 +54,7 @@ static func of(name: String) -> Dictionary:
 	return DEFAULTS.merged(ALL[name], true)
 
 
-## What stands beside a picture, one fact an entry.
+## The text beside a picture, one fact an entry.
 static func settings(name: String) -> PackedStringArray:
 	var view := of(name)
 	var facts := PackedStringArray(["eye at %s m, %d degrees" % [String.num(view.eye.y, 2), view.fov]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What keys and gamepads do: named actions, registered while the walk runs, so that the project's own list stays empty.
+## The actions of keys and gamepads, registered while the walk runs, so that the project's own list stays empty.
 extends RefCounted
 
 const DEADZONE := 0.15
@@ -32,7 +32,7 @@ const ACTIONS := {
 static func register() -> void:
 	for action: StringName in ACTIONS:
 		if InputMap.has_action(action):
-			continue  # the project has an opinion of its own
+			continue  # the project defines this action itself
 		InputMap.add_action(action, DEADZONE)
 		for key: Key in ACTIONS[action][0]:
 			var event := InputEventKey.new()

@@ -2,8 +2,8 @@
 ## An explosion: a force that flattens the grass, and throws rigid bodies; earth flies, and there is a flash.
 extends GrassForce3D
 
-const PUSH := 14.0  # m/s that a light body near it gets
-const HEAVY := 60.0  # kg, from which on a body gets less
+const PUSH := 14.0  # m/s, speed of a light body near it
+const HEAVY := 60.0  # kg, mass from which on a body gets less speed
 const FLASH := 0.25  # seconds
 
 const Look := preload("res://demo/walk/look.gd")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The grass: a field in the middle, where everything happens, with a cell of its ground a metre; and four around it to
-## the edge of the hills, with fewer and wider blades, since nobody sees theirs one by one.
+## The grass: a field in the middle, where everything happens, whose ground has cells of a metre; and four around it, up to the edge of the
+## hills, with fewer and wider blades, since nobody sees them one by one.
 extends Node3D
 
 const Hills := preload("res://demo/walk/hills.gd")
@@ -10,12 +10,12 @@ const NEAR_DENSITY := 256.0  # blades a square metre
 const FAR_DENSITY := 64.0
 const FAR_WIDTH := 2.5  # times as wide
 const SOIL := Color(0.24, 0.27, 0.12)
-const FAR_POOL := 256  # tiles, of each far field: a jeep's
+const FAR_POOL := 256  # tiles, of each far field: enough for a jeep
 const TRACK := 24.0  # metres, radius of the track
 ## Species of the middle, and their shares. The far fields have no plants with a mesh, which show nearby only.
 const SPECIES := {meadow = 0.62, hay_meadow = 0.28, daisy = 0.06, ox_eye_daisy = 0.006, fern = 0.003}
 const WITH_MESH: Array[String] = ["ox_eye_daisy", "fern"]
-const MESHES_TO := 15.0  # metres: they cost as much as all the grass to 30 m, and a quarter of that to here
+const MESHES_TO := 15.0  # metres; up to 30 m they would cost as much as all the grass, up to here a quarter of that
 
 var field: GrassField  ## the one in the middle
 var fields: Array[GrassField] = []  ## all of them
@@ -39,7 +39,7 @@ func make(near: float, hills: Hills) -> void:
 	_paint_track(hills)
 
 
-## The field that a place lies in; null beyond all of them.
+## The field at a place; null outside of all of them.
 func field_at(place: Vector3) -> GrassField:
 	for each in fields:
 		if each.get_tile_at(place) != Vector2i(-1, -1):
@@ -47,7 +47,7 @@ func field_at(place: Vector3) -> GrassField:
 	return null
 
 
-## Grass as on the first day.
+## Makes all grass as it was in the beginning.
 func grow_back() -> void:
 	for each in fields:
 		each.regrow(10.0, 1.0)
@@ -60,7 +60,7 @@ func _add(p_name: String, rect: Rect2, density: float) -> GrassField:
 	made.size = rect.size
 	made.position = Vector3(rect.get_center().x, 0.0, rect.get_center().y)
 	made.density = density
-	made.border_fade = 0.0  # the next field goes on there
+	made.border_fade = 0.0  # the next field begins there
 	made.soil_color = SOIL
 	made.root_shade = 0.65
 	made.wheel_wear = 3.0

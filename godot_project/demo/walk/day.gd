@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Day and night: one lamp is the sun by day and the moon by night, and sky, ambient light and fog follow it. It shines with
-## nothing at the moment when it becomes the other, so no shadow jumps.
+## Day and night: one lamp is the sun by day and the moon by night, and sky, ambient light and fog follow it. Its light is 0 at the moment
+## when it changes from one to the other, so no shadow jumps.
 extends Node
 
 const PACE := 24.0 / 900.0  # hours a second: a day in a quarter of an hour
@@ -9,7 +9,7 @@ const NOON_HEIGHT := 1.0  # radians
 const SUN := Color(1.0, 0.95, 0.85)
 const LOW_SUN := Color(1.0, 0.62, 0.35)
 const MOON := Color(0.6, 0.72, 1.0)
-const SKY_STEPS := 48.0  # the sky is drawn again, which costs, when its light has changed by one of these
+const SKY_STEPS := 48.0  # the sky is drawn again, which costs time, when its light has changed by one of these steps
 ## Zenith, horizon, ambient light; by day, at dusk, by night, under clouds.
 const DAY: Array[Color] = [Color(0.2, 0.4, 0.7), Color(0.66, 0.76, 0.85), Color(0.5, 0.58, 0.68)]
 const DUSK: Array[Color] = [Color(0.18, 0.22, 0.42), Color(0.85, 0.5, 0.3), Color(0.36, 0.32, 0.38)]
@@ -22,12 +22,12 @@ var light := 1.0  ## 0 by night, 1 by day
 var _sun: DirectionalLight3D
 var _environment: Environment
 var _sky: ProceduralSkyMaterial
-var _drawn := Vector2.INF  # light and clouds of the sky as it was drawn last
+var _drawn := Vector2.INF  # light and clouds for which the sky was drawn last
 
 
 func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
 	_sun = sun
-	_environment = world.environment.duplicate(true)  # the file's own stays as it is
+	_environment = world.environment.duplicate(true)  # the environment in the file does not change
 	world.environment = _environment
 	_sky = _environment.sky.sky_material
 	_sky.sun_angle_max = 8.0  # degrees of glow around it
@@ -69,7 +69,7 @@ func _set_air(clouds: float) -> void:
 		_sky.ground_bottom_color = 0.4 * _mix(1, clouds)
 
 
-## Of night, dusk and day, in this order as it gets light; greyer under clouds, which show by day.
+## Blends the colours of night, dusk and day, in this order with growing light; greyer under clouds, which show by day.
 func _mix(which: int, clouds: float) -> Color:
 	var clear := NIGHT[which].lerp(DUSK[which], minf(2.0 * light, 1.0)).lerp(DAY[which], maxf(2.0 * light - 1.0, 0.0))
 	return clear.lerp(CLOUDS[which] * lerpf(0.04, 1.0, light), clouds)

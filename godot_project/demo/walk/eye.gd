@@ -44,7 +44,7 @@ func look(delta: float) -> void:
 	_turn(-STICK * delta * Input.get_vector("walk_look_left", "walk_look_right", "walk_look_up", "walk_look_down"))
 
 
-## Where it goes, of a walker's head at `head`.
+## The camera's place for a walker's head at `head`.
 func follow(head: Vector3, delta: float) -> void:
 	if chased:
 		var way := chased.global_basis.z

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-## The ground: a square of hills with collision, a height a metre, level in its middle; and hills to the horizon, which are
-## only seen. Where grass grows it draws the ground by itself, and these lie a little lower.
+## The ground: a square of hills with collision, one height a metre, level in its middle; and hills to the horizon, which are only drawn.
+## Grass draws the ground below it by itself, so these hills are a little lower there.
 extends StaticBody3D
 
-const STEP := 4  # metres from one height of the noise to the next; those between are smooth
+const STEP := 4  # metres from one height of the noise to the next; heights between them are interpolated
 const FAR_STEP := 16.0  # metres, of the hills to the horizon
-const FAR := 2.0  # how far they go, in sides of the square
+const FAR := 2.0  # their extent, in sides of the square
 const RELIEF := 26.0  # metres
-const SUNK := 0.4  # metres that they lie lower, so that they never come through the grass
+const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
 
 var side := 0  ## metres
 var shape := HeightMapShape3D.new()
@@ -45,7 +45,7 @@ func make(p_side: int) -> void:
 	add_child(look)
 
 
-## Metres above the node at a place: that of the shape's squares.
+## Height above the node at a place, metres: that of the shape's squares.
 func height_at(place: Vector3) -> float:
 	var at := (Vector2(place.x, place.z) + Vector2.ONE * 0.5 * side).clampf(0.0, side - 1e-3)
 	var cell := Vector2i(at)
@@ -57,12 +57,12 @@ func height_at(place: Vector3) -> float:
 	return lerpf(near, lerpf(heights[first + width], heights[first + width + 1], part.x), part.y)
 
 
-## A place, so far above the ground there.
+## The point `above` metres over the ground at a place.
 func on_ground(place: Vector3, above := 0.0) -> Vector3:
 	return Vector3(place.x, height_at(place) + above, place.z)
 
 
-## Which way is up on the ground at a place.
+## The normal of the ground at a place.
 func normal_at(place: Vector3) -> Vector3:
 	var x := height_at(place + Vector3.RIGHT) - height_at(place + Vector3.LEFT)
 	var z := height_at(place + Vector3.BACK) - height_at(place + Vector3.FORWARD)

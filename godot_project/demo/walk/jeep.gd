@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: MIT
-## A jeep with four driven wheels. They press the grass by themselves, and wear it where they slip: the fields' `wheel_wear`.
-## What they roll over they tread down a little.
+## A jeep with four driven wheels. They press the grass by themselves, and wear it where they slip (the fields' `wheel_wear`). They also
+## tread down a little the grass that they roll over.
 extends VehicleBody3D
 
 const Look := preload("res://demo/walk/look.gd")
 const Country := preload("res://demo/walk/country.gd")
 const MASS := 900.0  # kg
-const POWER := 2400.0  # newtons, of each wheel where it begins to roll; less and less up to the top speed
+const POWER := 2400.0  # newtons, of each wheel when it begins to roll; decreases up to the top speed
 const TOP_SPEED := 16.0  # m/s
 const BRAKE := 60.0
 const IDLE_BRAKE := 1.5
-const GRIP := 0.9  # of a tyre on earth: with all of its power wheels spin at first
+const GRIP := 0.9  # friction of a tyre on earth: at full power wheels spin at first
 const STEERING := 0.55  # radians at rest, less at speed
 const STEER_FAST := 1.8  # radians a second
 const RADIUS := 0.4  # metres, of a wheel
 const WHEELS: Array[Vector3] = [Vector3(0.78, 0.5, 1.25), Vector3(-0.78, 0.5, 1.25), Vector3(0.78, 0.5, -1.25), Vector3(-0.78, 0.5, -1.25)]
 const GREEN := Color(0.28, 0.31, 0.2)
 const DARK := Color(0.07, 0.07, 0.07)
-const TREAD := 0.3  # wear of a wheel that rolls over
+const TREAD := 0.3  # wear by a wheel that rolls over the grass
 const TREAD_STEP := 0.3  # metres
-const REACH := 3.5  # metres, from which one gets in
+const REACH := 3.5  # metres within which one can get in
 const DOOR := Vector3(1.9, 0.6, 0.2)  # where one gets out
 
 var lamps: Array[SpotLight3D] = []
@@ -41,19 +41,19 @@ func _ready() -> void:
 	stay()
 
 
-## A tick at the wheel.
+## Drives for a tick.
 func drive(delta: float) -> void:
 	var ahead := Input.get_axis("walk_back", "walk_forward") + Input.get_axis("walk_reverse", "walk_throttle")
 	ahead = clampf(ahead, -1.0, 1.0)
 	var speed := linear_velocity.dot(global_basis.z)
-	var against := ahead * speed < -0.5  # it rolls the other way
+	var against := ahead * speed < -0.5  # it rolls in the other direction
 	engine_force = 0.0 if against else POWER * ahead * maxf(1.0 - absf(speed) / TOP_SPEED, 0.0)
 	brake = BRAKE if against or Input.is_action_pressed("walk_jump") else IDLE_BRAKE if is_zero_approx(ahead) else 0.0
 	var wish := Input.get_axis("walk_right", "walk_left") * STEERING / (1.0 + 0.09 * absf(speed))
 	steering = move_toward(steering, wish, STEER_FAST * delta)
 
 
-## Tracks of this tick.
+## Leaves the tracks of this tick.
 func tread(delta: float, country: Country) -> void:
 	_since_tread += absf(linear_velocity.dot(global_basis.z)) * delta
 	if _since_tread < TREAD_STEP:
@@ -65,14 +65,14 @@ func tread(delta: float, country: Country) -> void:
 			field.trample(wheel.get_contact_point(), 0.36, TREAD)
 
 
-## Nobody drives.
+## Stops driving: nobody is at the wheel.
 func stay() -> void:
 	engine_force = 0.0
 	steering = 0.0
 	brake = BRAKE
 
 
-## Where somebody stands who got out.
+## The place of somebody who has got out.
 func get_door() -> Vector3:
 	return global_transform * DOOR
 

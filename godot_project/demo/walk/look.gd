@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Shapes and looks of what moves in the walk, in a line each.
+## Makes the shapes and materials of the things that move in the walk, in one line each.
 extends RefCounted
 
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-## A mower that is pushed: what stands under its deck is cut, and stays cut.
+## A mower that somebody pushes: grass under its deck is cut, and stays cut.
 extends AnimatableBody3D
 
 const Look := preload("res://demo/walk/look.gd")
 const Hills := preload("res://demo/walk/hills.gd")
 const Country := preload("res://demo/walk/country.gd")
 const DECK := Vector3(1.0, 0.16, 0.8)  # metres
-const HEIGHT := 0.08  # metres that it leaves standing
-const AHEAD := 1.25  # metres from who pushes it
-const REACH := 2.2  # metres, from which one takes it
+const HEIGHT := 0.08  # metres, height to which it cuts
+const AHEAD := 1.25  # metres from the person who pushes it
+const REACH := 2.2  # metres within which one can take it
 
 var hay := 0.0  ## m³ cut so far
 
@@ -32,7 +32,7 @@ func _ready() -> void:
 	Look.add_box(self, Vector3(0.6, 0.04, 0.04), Vector3(0.0, 1.02, 1.09), Color(0.08, 0.08, 0.08))
 
 
-## A tick before somebody at `place` who looks along `yaw`.
+## Moves it for a tick, in front of somebody at `place` who looks along `yaw`.
 func push(place: Vector3, yaw: float, hills: Hills, country: Country) -> void:
 	var way := Basis(Vector3.UP, yaw)
 	var at := hills.on_ground(place + way * (AHEAD * Vector3.FORWARD))
@@ -44,7 +44,7 @@ func push(place: Vector3, yaw: float, hills: Hills, country: Country) -> void:
 		hay += float(field.cut(_deck.shape, _deck.global_transform).volume)
 
 
-## On the ground at `place`.
+## Puts it on the ground at `place`.
 func park(place: Vector3, hills: Hills) -> void:
 	var up := hills.normal_at(place)
 	var right := Vector3.RIGHT.slide(up).normalized()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the keys do, and how the walk stands; a key hides it.
+## The help for the keys, and the state of the walk; a key hides it.
 extends CanvasLayer
 
 const EVERY := 0.25  # seconds
@@ -19,7 +19,7 @@ H, Back              hide this
 Esc                  mouse, then quit"""
 
 var _label := Label.new()
-var _time := 0.0  # seconds until it is written again
+var _time := 0.0  # seconds until the text is updated
 
 
 func _ready() -> void:

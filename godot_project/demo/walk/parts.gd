@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the walk costs on this GPU: its time to draw a frame, whole and with one part left out at a time. Started with
+## Measures the walk on this GPU: the time to draw a frame, whole and with one part left out at a time. Started with
 ## `-- --parts FILE`, which is written as CSV (docs/benchmarks/walk.md).
 extends RefCounted
 
@@ -71,7 +71,7 @@ func _row(p_name: String) -> PackedStringArray:
 	return [p_name, "%.2f" % ms, "%.2f" % (_whole - ms), str(blades), str(triangles), str(plants)]
 
 
-## Until no field waits for anything, and a while.
+## Waits until no field waits for anything, and a little longer.
 func _wait() -> void:
 	for i in 600:
 		await RenderingServer.frame_post_draw
@@ -94,7 +94,7 @@ func _hook(p_fields: Array, p_hook: ShaderInclude) -> void:
 		field.surface_hook = p_hook
 
 
-## Without the species of these presets.
+## Removes the species of these presets.
 func _leave(p_field: GrassField, p_presets: Array) -> void:
 	_gone.append_array(p_presets)
 	var names: Array = Scenery.SPECIES.keys()

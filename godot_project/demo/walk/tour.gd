@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Takes the pictures of the walk: presses what a player would press, and waits.
+## Takes the pictures of the walk: presses the keys that a player would press, and waits.
 extends RefCounted
 
 const Shots := preload("res://demo/shots.gd")

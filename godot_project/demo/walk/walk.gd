@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## A meadow among hills to walk in: a jeep, a ball, a mower, blasts, weather, day and night. Started with `-- --out DIR` it takes
-## pictures of all that (`./grass demo walk` without a screen does so), then ends; else it is played. docs/guide/walk.md says how.
-##   --parts FILE   measures what its parts cost to draw, then ends
+## pictures of all that (`./grass demo walk` without a screen does so), then ends; otherwise you play it. docs/guide/walk.md describes how.
+##   --parts FILE   measures the time to draw each of its parts, then ends
 ##   --size SIZE    large (256 m of close grass in 1 km of hills, the default) small (64 m in 320 m), for software
 ##                  rendering, or tiny (64 m in 128 m), for tests
 extends Node3D
@@ -14,9 +14,9 @@ const START := Vector3(0.0, 0.0, 9.0)
 const BALL := Vector3(0.2, 0.0, 4.5)
 const JEEP := Vector3(5.5, 0.0, 3.0)
 const MOWER := Vector3(-4.0, 0.0, 5.0)
-const THROW := 8.0  # metres ahead, where a blast goes off
+const THROW := 8.0  # metres ahead at which a blast goes off
 
-## One of SIZES; empty: as the arguments say, else large.
+## One of SIZES; empty: the one in the arguments, by default large.
 @export var size := ""
 
 var driving := false
@@ -86,7 +86,7 @@ func _physics_process(delta: float) -> void:
 	panel.tell(delta, country.field, day.hour, weather.kind, _hint())
 
 
-## Everything where it was at the beginning. What was mown and trodden grows again.
+## Puts everything where it was at the beginning. Mown and trodden grass grows again.
 func reset() -> void:
 	if driving:
 		_leave()
@@ -125,7 +125,7 @@ func _do_actions() -> void:
 			get_tree().quit()
 
 
-## Gets out, lets go, gets in or takes the mower, whatever there is to do.
+## Gets out of the jeep, lets go of the mower, gets into the jeep or takes the mower, whichever is possible.
 func _use() -> void:
 	if driving:
 		_leave()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Who walks: a character that presses the grass as it goes, treads a path, and kicks what it runs into.
+## The player on foot: a character that presses the grass, treads a path, and kicks things that it runs into.
 extends CharacterBody3D
 
 const PACE := 3.0  # m/s
@@ -11,8 +11,8 @@ const HEIGHT := 1.75  # metres
 const HEAD := 1.62
 const STEP := 0.75  # metres from one footprint to the next
 const TREAD := 0.03  # wear of a step
-const KICK := 1.7  # how much faster what it kicks goes than it does itself
-const HEAVIEST := 3.0  # kg that it kicks as hard as that
+const KICK := 1.7  # speed of a kicked body, as a multiple of the walker's own
+const HEAVIEST := 3.0  # kg; heavier bodies get less speed
 
 const Eye := preload("res://demo/walk/eye.gd")
 const Country := preload("res://demo/walk/country.gd")
@@ -39,7 +39,7 @@ func _ready() -> void:
 	floor_snap_length = 0.3
 
 
-## Gone, as long as it sits in a jeep.
+## Hides it, as long as it sits in a jeep.
 func set_away(is_away: bool) -> void:
 	_shape.disabled = is_away
 	visible = not is_away
@@ -50,7 +50,7 @@ func get_head() -> Vector3:
 	return global_position + Vector3(0.0, HEAD, 0.0)
 
 
-## A tick on foot, seen by `eye`, over the grass of `country`.
+## Walks for a tick, seen by `eye`, over the grass of `country`.
 func walk(delta: float, eye: Eye, country: Country) -> void:
 	var wish := Input.get_vector("walk_left", "walk_right", "walk_forward", "walk_back")
 	var pace := PUSHING if is_pushing else SPRINT if Input.is_action_pressed("walk_sprint") else PACE
@@ -70,13 +70,13 @@ func walk(delta: float, eye: Eye, country: Country) -> void:
 	_tread(global_position.distance_to(from), country)
 
 
-## What it ran into flies on, and a little up.
+## Kicks the bodies that it ran into: they fly ahead, and a little up.
 func _kick(wanted: Vector3) -> void:
 	for i in get_slide_collision_count():
 		var hit := get_slide_collision(i)
 		var body := hit.get_collider() as RigidBody3D
 		if body == null or hit.get_normal().y > 0.7:
-			continue  # nothing that moves, or it stands on it
+			continue  # it does not move, or the walker stands on it
 		var way := -hit.get_normal()
 		var short := KICK * maxf(wanted.dot(way), 0.0) - body.linear_velocity.dot(way)
 		if short > 0.0:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The weather: each kind is a row of numbers, and what is goes towards them at so much a second, so nothing jumps. Wind,
-## wetness and snow are the fields' own properties.
+## The weather: each kind is a row of numbers, and the present numbers change towards them at a fixed rate, so nothing jumps. Wind, wetness
+## and snow are the fields' own properties.
 extends Node3D
 
 const Country := preload("res://demo/walk/country.gd")
@@ -14,11 +14,11 @@ const KINDS := {
 }
 ## How fast each of them changes, a second.
 const RATES := {wind = 1.5, gusts = 0.2, wet = 0.12, snow = 0.06, clouds = 0.2, rain = 0.25, flakes = 0.25}
-const EARTH := Color(0.4, 0.48, 0.2)  # of the hills at the horizon, about what grass looks like from there
+const EARTH := Color(0.4, 0.48, 0.2)  # of the hills at the horizon: about the colour of far grass
 const AIR := Vector3(8.0, 7.0, 8.0)  # metres around the eye in which drops and flakes are drawn, half
 
 var kind := "clear"
-var now: Dictionary = KINDS.clear.duplicate()  ## what is
+var now: Dictionary = KINDS.clear.duplicate()  ## the present weather
 
 var _rain: GPUParticles3D
 var _flakes: GPUParticles3D
@@ -41,7 +41,7 @@ func change() -> void:
 	kind = names[(names.find(kind) + 1) % names.size()]
 
 
-## As if it had been so for long.
+## Changes the weather at once.
 func settle() -> void:
 	now = KINDS[kind].duplicate()
 
