@@ -64,7 +64,7 @@ func _ready() -> void:
 	get_tree().quit()
 
 
-## These write their rows as they come: what fails later takes nothing away.
+## These parts write their rows as they come, so a later failure loses nothing.
 func _run_paper(p_only: String, p_folder: String, p_spirv: String) -> void:
 	var wants := {PaperLists: [p_spirv], PaperRivals: [_argument("--pictures", "")]}
 	for script in PAPER:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-## Runs on the GPU what tests/bench/accuracy/tape.h recorded: the reference problems of `./grass bench accuracy`, whose
+## Runs the problems that tests/bench/accuracy/tape.h recorded on the GPU: the reference problems of `./grass bench accuracy`, whose
 ## errors are computed from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
 ##   bench.tscn -- --only accuracy --packs DIR --spirv DIR --out DIR
-## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h says what is in them.
+## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h describes their contents.
 extends Node
 
 const SimulatePass := preload("res://bench/simulate_pass.gd")
@@ -47,7 +47,7 @@ func run(p_packs: String, p_spirv: String, p_out: String, p_software: bool) -> A
 	return rows
 
 
-## [takes, steps, "ok" or what went wrong].
+## Returns [takes, steps, "ok" or the error].
 func _play(p_path: String, p_spirv: String, p_result: String) -> Array:
 	var pack := StreamPeerBuffer.new()
 	pack.data_array = FileAccess.get_file_as_bytes(p_path)
@@ -132,7 +132,7 @@ func _set_up(p_tiles: int, p_state: int, p_colliders: int) -> bool:
 	)
 
 
-## What is to be kept of a take, as floats.
+## The part of a take that is kept, as floats.
 func _track(
 	p_state: int, p_pushes: Array[PackedByteArray], p_colliders: Array[PackedByteArray], p_keep: int, p_stride: int
 ) -> PackedByteArray:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What of the awake tiles moves: the scene of the paper's table 2, 128 thrown bodies among 4 million blades. Tiles by how far the farthest
-## of some blades is from where it stands at rest, and by how far one went in a tick. Counts, not times.
+## Counts how many awake tiles move, in the scene of the paper's table 2: 128 thrown bodies among 4 million blades. Tiles are sorted by the
+## greatest distance of some blades from rest, and by the greatest way of one of them in a tick. Counts, not times.
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
@@ -51,7 +51,7 @@ func _add_field(p_mode: GrassField.SleepMode, p_simulated: bool) -> GrassField:
 	return field
 
 
-## In a tick. Tiles that are farther off, or went farther, than each of FAR.
+## The tiles in a tick that are farther from rest, or moved farther, than each of FAR.
 func _count(p_field: GrassField, p_still: GrassField, p_row: PackedStringArray) -> PackedStringArray:
 	var tiles: Array[Vector2i] = []
 	for z in p_field.get_tiles().y:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## What a change of a standing field costs its frames: how many pass until it is there, the most that the field had to do in one of them
-## (`build_ms`), and how long the longest took, beside the longest in which nothing changed. Nothing is drawn, so the renderer's pipelines
-## are not in it, but making shaders is.
+## The frames during a change of a field: how many pass until it shows, the longest time that the field worked in one of them (`build_ms`),
+## and the longest frame, beside the longest one without a change. Nothing is drawn, so the times do not include the renderer's pipelines,
+## but they include making shaders.
 extends Node3D
 
 const FILE := "change.csv"
@@ -74,7 +74,7 @@ func _frame() -> float:
 	return (_last - before) * 1e-3
 
 
-## As the undo of a large fill.
+## Does the same as the undo of a large fill.
 func _clear_and_restore() -> void:
 	var all := _field.map.take_snapshot()
 	_field.map.clear()

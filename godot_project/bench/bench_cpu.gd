@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## CPU time of a field, stage by stage, against its tiles and the bodies that move in it: what must not grow with the
-## field. Bodies float to and fro among the blades and never meet each other, so that physics has little to do.
+## CPU time of a field, stage by stage, against its tiles and the bodies that move in it. It must not grow with the field. Bodies float to
+## and fro among the blades and never meet each other, so that physics has little to do.
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What reading a crowd costs a tick, moving and asleep: the quickest tick and the middle one. Its pool is tiny, so that little is
+## The time of a tick for reading a crowd, moving and asleep: the quickest tick and the median. The pool is tiny, so that little is
 ## simulated.
 extends Node3D
 

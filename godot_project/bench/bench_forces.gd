@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What forces cost in a meadow from eye level: none, one of each kind, and as many as count, in a small field and in a large one.
+## The cost of forces in a meadow from eye level: none, one of each kind, and as many as act at once, in a small field and in a large one.
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
@@ -63,7 +63,7 @@ func _measure(p_kind: String, p_side: float, p_software: bool) -> PackedStringAr
 	return row
 
 
-## A blast that lasts as long as it is measured; sixteen rotors over another.
+## A blast that lasts as long as the measurement; sixteen rotors, one over another.
 func _make(p_kind: String) -> Array[GrassForce3D]:
 	var forces: Array[GrassForce3D] = []
 	for i in 16 if p_kind == "all" else KINDS[p_kind].size():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## The longest frame after each change of a drawn field of 64 million blades, beside the median of the frames before: what a player would
-## feel. The renderer's pipelines are in it, so a first run (a driver with an empty cache) and a second one differ.
+## feel. It includes making the renderer's pipelines, so a first run (a driver with an empty cache) and a second one differ.
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
@@ -82,7 +82,7 @@ func _waits() -> bool:
 	return now.waiting or now.map_waiting > 0 or now.compiling > 0
 
 
-## Milliseconds since the last one; the camera creeps, since a still picture is not culled again.
+## Milliseconds since the last frame; the camera moves slowly, since a still picture is not culled again.
 func _frame() -> float:
 	_camera.position.y += 1e-4
 	await RenderingServer.frame_post_draw
@@ -91,7 +91,7 @@ func _frame() -> float:
 	return (_last - before) * 1e-3
 
 
-## What the engine itself takes for a material that it has not seen, with a shader that does nothing.
+## The engine's own time for a new material, with a shader that does nothing.
 func _show_bare() -> void:
 	var material := ShaderMaterial.new()
 	material.shader = Shader.new()

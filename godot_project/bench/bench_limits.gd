@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What the card can do at all: the same sums in fragments, in vertices and in a compute shader. Some cards shade on a small part of what
-## they compute on; times of drawing are to be read beside this.
+## The limits of the card: the same sums in fragments, in vertices and in a compute shader. Some cards shade on a small part of the units
+## that they compute on, so compare times of drawing with these.
 extends Node
 
 const Measure := preload("res://bench/measure.gd")
@@ -77,7 +77,7 @@ func _square(p_size: Vector2i) -> Mesh:
 	return square
 
 
-## Triangles that are all elsewhere than the picture.
+## Triangles that are all outside of the picture.
 func _points(p_count: int) -> Mesh:
 	var places := PackedVector2Array()
 	for i in p_count:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## A meadow of ten million blades from eye level, as a game would show it (2x MSAA): GPU time of a frame with and without shadows,
-## of plain grass, and of four species on a painted map. The kinds run in turn, so that a clock that rises favours none of them.
+## of plain grass, and of four species on a painted map. The kinds run in turn, so that a rising clock favours none of them.
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
@@ -46,7 +46,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 	return rows
 
 
-## What the frame timer measured, and the field's statistics.
+## The frame timer's results, and the field's statistics.
 func _measure(p_kind: String, p_shadows: bool, p_software: bool) -> Dictionary:
 	var camera := Scenery.add_camera(self)
 	var sun := Scenery.add_sun(self, p_shadows)

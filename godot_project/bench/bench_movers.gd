@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What each kind of mover costs a tick: what it is made of, what is read of it, what it wakes. One of each goes to and fro in a meadow.
+## The cost of each kind of mover in a tick: its parts, the reads that it needs, the tiles that it wakes. One of each moves to and fro in a
+## meadow.
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
@@ -73,7 +74,7 @@ func _measure(p_mover: String, p_share: float) -> PackedStringArray:
 	return row
 
 
-## Where along x, to and fro at SPEED.
+## The place along x, moving to and fro at SPEED.
 func _place(p_seconds: float) -> float:
 	return 2.0 * WAY * absf(fposmod(SPEED * p_seconds / (4.0 * WAY), 1.0) * 2.0 - 1.0) - WAY
 
@@ -125,7 +126,7 @@ func _add_shape(p_body: CollisionObject3D, p_shape: Shape3D, p_height: float) ->
 	p_body.add_child(node)
 
 
-## Frozen, so that it goes where it is put; its chassis is above the grass.
+## Frozen, so that it stays where it is put; its chassis is above the grass.
 func _vehicle() -> VehicleBody3D:
 	var vehicle := VehicleBody3D.new()
 	vehicle.freeze = true
@@ -155,7 +156,7 @@ func _skeleton() -> Skeleton3D:
 	return skeleton
 
 
-## A ball whose points are all pinned: it keeps its shape and goes where it is put.
+## A ball whose points are all pinned: it keeps its shape and stays where it is put.
 func _soft_body() -> SoftBody3D:
 	var sphere := SphereMesh.new()
 	sphere.radius = 0.3

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Time on the calling thread of what a game asks a field while bodies bend its grass: microseconds a call, once in each frame, as a game
-## asks. The waiting call stands last.
+## Time on the calling thread of a game's queries while bodies bend the grass: microseconds a call, once in each frame, as in a game. The
+## waiting call is the last one.
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
@@ -70,7 +70,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 	return rows
 
 
-## What is asked, of how many blades, how, and whether ten times in a row, since the clock counts whole microseconds; what is done before.
+## The query, for how many blades, how, and whether ten times in a row, since the clock counts whole microseconds; what is done before.
 func _questions() -> Array[Array]:
 	var tile := _field.get_tile_at(_place)
 	var blades := _field.get_tile_blades(tile)

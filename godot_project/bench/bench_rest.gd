@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What a large field at rest adds to a frame: behind the camera, hidden, and in view of a still camera without wind. Its kinds run in turn,
-## so that a clock that rises favours none of them.
+## The time that a large field at rest adds to a frame: behind the camera, hidden, and in view of a still camera without wind. The kinds run
+## in turn, so that a rising clock favours none of them.
 extends Node3D
 
 const Measure := preload("res://bench/measure.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Time of a simulation step against the number of awake blades. A flat box hangs in the tips of the grass, so that every
+## Time of a simulation step against the number of awake blades. A flat box is in the tips of the grass, so that every
 ## tile below it is awake and has one object.
 extends Node3D
 

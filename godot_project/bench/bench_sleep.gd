@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What sleeping by energy saves: the demo's bodies, thrown through fields that lie on one spot and differ in how their
-## tiles go to sleep. Counts, not times: the same on any machine, but that a slow GPU reports energies late.
+## The savings of sleeping by energy: the demo's bodies, thrown through fields that are in one place and differ in how their tiles go to
+## sleep. Counts, not times: they are the same on any machine, except that a slow GPU reports energies late.
 extends Node3D
 
 const Bodies := preload("res://demo/bodies.gd")

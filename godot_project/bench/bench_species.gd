@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What species cost: GPU time of a drawn frame and of a simulation step of a field with none, with one that is as the field is, and with
-## four in stands. The kinds run in turn, so that a clock that rises favours none of them.
+## The cost of species: GPU time of a drawn frame and of a simulation step of a field with none, with one like the default, and with four in
+## stands. The kinds run in turn, so that a rising clock favours none of them.
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
-## GPU and wall time of drawn frames. GPU time is what the engine measures of the viewport: it does not hold compute passes
-## outside of it, such as simulation and culling.
+## GPU and wall time of drawn frames. GPU time is the engine's measurement of the viewport: it leaves out compute passes outside of it, such
+## as simulation and culling.
 extends RefCounted
 
 const WARM_UP := 4  # frames, at least: times arrive two frames late, shaders are compiled in the first
 const LEAST := 3  # frames
 
 var frames := 24  ## measured, at most
-var seconds := 1.5  ## after so long no more, and half as long to warm up, at most
+var seconds := 1.5  ## the longest time to measure; warming up takes half as long, at most
 
 var _viewport: Viewport
 
 
-## On software Vulkan as few frames as tell anything.
+## Measures as few frames as make sense on software Vulkan.
 func _init(p_viewport: Viewport, p_software: bool) -> void:
 	_viewport = p_viewport
 	if p_software:
@@ -20,7 +20,7 @@ func _init(p_viewport: Viewport, p_software: bool) -> void:
 	RenderingServer.viewport_set_measure_render_time(p_viewport.get_viewport_rid(), true)
 
 
-## {gpu_ms, wall_ms}: medians. The camera creeps, since a still picture is not culled again.
+## {gpu_ms, wall_ms}: medians. The camera moves slowly, since a still picture is not culled again.
 func measure(p_camera: Camera3D) -> Dictionary:
 	await _shown()
 	await _draw(p_camera, frames / 2, 0.5 * seconds, WARM_UP)
@@ -29,7 +29,7 @@ func measure(p_camera: Camera3D) -> Dictionary:
 	return {gpu_ms = median.call(times[0]), wall_ms = median.call(times[1])}
 
 
-## Frames until all fields are drawn as their properties say: worker threads make their shaders.
+## Waits for frames until all fields are drawn with their present properties: worker threads make their shaders.
 func _shown() -> void:
 	var waits := func(field: GrassField) -> bool: return field.get_statistics().waiting
 	await RenderingServer.frame_post_draw

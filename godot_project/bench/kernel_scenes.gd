@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What lies and moves in the tiles of bench_kernel.gd, as records of colliders.
+## The objects in the tiles of bench_kernel.gd, as records of colliders.
 ##   0, 4: so many balls that move through each tile;  lid: a wide flat box that rises and falls in the tips;
 ##   bodies: one of a ball, crate, capsule, drum and stone lies in every 25 tiles;  rolling: the same, turning to and fro.
 
@@ -66,7 +66,7 @@ static func _record(
 	return record
 
 
-## Balls of 8 cm, one in each quarter of the tile, that go to and fro by 1 cm a step.
+## Balls of 8 cm, one in each quarter of the tile, that move to and fro by 1 cm a step.
 static func _ball(p_entry: int, p_phase: int) -> PackedByteArray:
 	var place := Vector3(0.125 if p_entry & 1 else -0.125, 0.2, 0.125 if p_entry & 2 else -0.125)
 	return _record(

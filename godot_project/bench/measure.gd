@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What all parts of the bench ask. It loads none of them: scripts that load each other in a ring are never freed.
+## Functions that all parts of the bench use. It loads none of them: scripts that load each other in a ring are never freed.
 extends RefCounted
 
 
@@ -7,7 +7,7 @@ static func is_software() -> bool:
 	return RenderingServer.get_rendering_device() == null or RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
 
 
-## Middle value; 0 of nothing.
+## The median; 0 without values.
 static func median(p_values: Array[float]) -> float:
 	var sorted := p_values.duplicate()
 	sorted.sort()

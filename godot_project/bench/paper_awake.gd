@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## The paper's figure 7: time of a simulation step against awake blades, and against all blades with 64 K of them awake.
-## A lid lies in the tips of the grass. Physics ticks come faster than in a game, so that the card does not idle between two
-## steps: one that idles takes a short step at a low clock.
+## A lid lies in the tips of the grass. Physics ticks come faster than in a game, so that the card does not idle between two steps: a card
+## that idles runs a short step at a low clock.
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
@@ -70,7 +70,7 @@ func _measure(p_series: String, p_side: float, p_tiles: int) -> Dictionary:
 	return row
 
 
-## Moves the lid for some time; [simulate_ms, management_ms] of each frame.
+## Moves the lid for some time; returns [simulate_ms, management_ms] of each frame.
 func _shake(p_field: GrassField, r_lid: Node3D) -> Array:
 	var simulate: Array[float] = []
 	var management: Array[float] = []

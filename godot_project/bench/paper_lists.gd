@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What the list of objects of each tile saves (paper 4.1): the simulation pass alone, with the list, and with every tile
-## given all objects of the scene. Balls lie at random; the tiles that they touch are awake.
+## The saving by the list of objects of each tile (paper 4.1): the simulation pass alone, with the list, and with all objects of the scene
+## in every tile. Balls lie at random; the tiles that they touch are awake.
 extends Node
 
 const SimulatePass := preload("res://bench/simulate_pass.gd")

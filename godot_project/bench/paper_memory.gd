@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Memory of the pool and of the patch: what a field counts, and what the engine's own count of textures grows by with the first
+## Memory of the pool and of the patch: as the field counts it, and by how much the engine's own count of textures grows with the first
 ## field. Bytes, not times: the same on any GPU.
 extends Node3D
 

@@ -5,8 +5,8 @@ extends Node3D
 
 const DENSITY := 256.0  # blades a square metre
 const TILE := 8.0  # metres, where there are tiles
-## Of each distance (metres): up to where, segments of a blade, share of the blades, whether they throw shadows. About what
-## GrassField does with its numbers as they are.
+## The levels by distance: up to where (metres), segments of a blade, share of the blades, whether they cast shadows. About the same as a
+## GrassField with its default numbers.
 const LEVELS: Array[Dictionary] = [
 	{to = 18.0, segments = 7, share = 1.0, shadow = true},
 	{to = 50.0, segments = 3, share = 0.7, shadow = true},
@@ -101,7 +101,7 @@ func _make_multimesh(p_mesh: ArrayMesh, p_count: int, p_side: float) -> RID:
 	return multimesh
 
 
-## On the render thread.
+## Runs on the render thread.
 func _fill(p_multimesh: RID, p_count: int, p_side: float) -> void:
 	var device := RenderingServer.get_rendering_device()
 	var buffer := RenderingServer.multimesh_get_buffer_rd_rid(p_multimesh) if device else RID()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What benchmarks put around a field.
+## The things that benchmarks put around a field.
 extends RefCounted
 
 const Bodies := preload("res://demo/bodies.gd")
@@ -13,7 +13,7 @@ static func add_ground(p_to: Node3D) -> void:
 	p_to.add_child(ground)
 
 
-## The one that draws, until another one is made current.
+## The camera that draws, until another one is made current.
 static func add_camera(p_to: Node3D) -> Camera3D:
 	var camera := Camera3D.new()
 	camera.far = 600.0
@@ -30,8 +30,8 @@ static func add_sun(p_to: Node3D, p_shadows: bool) -> DirectionalLight3D:
 	return sun
 
 
-## Waits until the field is drawn, and the driver has compiled the passes of the simulation; until then grass stands, and those for tiles
-## near something sharp take no part.
+## Waits until the field is drawn, and the driver has compiled the passes of the simulation: until then the grass does not bend, and the
+## pass for tiles near something sharp does not run.
 static func compiled(p_field: GrassField) -> void:
 	var start := Time.get_ticks_msec()
 	for i in 3:
@@ -42,7 +42,7 @@ static func compiled(p_field: GrassField) -> void:
 		push_error("A pass of the simulation has not been compiled in two minutes: the times that follow are not its own.")
 
 
-## The demo's bodies, thrown across p_side metres. The same seed throws the same.
+## The demo's bodies, thrown across p_side metres. The same seed gives the same throw.
 static func throw(p_to: Node3D, p_count: int, p_side: float, p_seed: int) -> Array[RigidBody3D]:
 	var source := Bodies.new(p_seed)
 	var thrown: Array[RigidBody3D] = []

@@ -30,7 +30,7 @@ var _steps := 0  # since set_up()
 var _pushed := PackedByteArray()
 
 
-## Null where the machine has no RenderingDevice or the shader cannot be read.
+## Null if the machine has no RenderingDevice or the shader cannot be read.
 static func make_device() -> RenderingDevice:
 	return RenderingServer.create_local_rendering_device()
 
@@ -66,7 +66,7 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 	return p_device.compute_pipeline_create(p_shader, [method, crowd, own_work])
 
 
-## Tiles that the buffer of joints has room for, at most; 0: there is none. As count_working_tiles() has it.
+## The most tiles for which the buffer of joints has room; 0: there is no buffer. See count_working_tiles().
 static func working_tiles(p_device: RenderingDevice) -> int:
 	var vendor := p_device.get_device_vendor_name()
 	return 0 if vendor == QUICK_ARRAYS else 256
@@ -77,8 +77,8 @@ static func work_bytes(p_device: RenderingDevice, p_tiles: int, p_knots: int) ->
 	return maxi(mini(p_tiles, working_tiles(p_device)) * (p_knots - 1) * WORK_BYTES, 16)
 
 
-## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. What is empty
-## is made of zeros. p_state: of each tile the places now, then those before. False if the device has no room.
+## Makes the buffers of p_tiles tiles with p_knots knots a blade. p_patch: texels of p_format, p_patch_width wide. Empty arguments become
+## zeros. p_state: for each tile the places now, then those before. False if the device has no room.
 func set_up(
 	p_tiles: int,
 	p_knots: int,
@@ -173,12 +173,12 @@ static func dispatch(p_device: RenderingDevice, p_list: int, p_push: PackedByteA
 		p_device.compute_list_add_barrier(p_list)
 
 
-## Which half of a tile's knots holds the places now, after steps that all took time.
+## The half of a tile's knots that holds the places now, after steps that all took time.
 func half_now() -> int:
 	return _steps % 2
 
 
-## Ends the open list of steps, as a copy or an upload between steps asks for.
+## Ends the open list of steps, as a copy or an upload between steps does.
 func pause() -> void:
 	if _list >= 0:
 		device.compute_list_end()
@@ -192,7 +192,7 @@ func finish() -> void:
 	device.sync()
 
 
-## Milliseconds of wall time a step takes.
+## Wall time of a step, in milliseconds.
 func time(p_push: PackedByteArray, p_tiles: int, p_steps: int) -> float:
 	var start := Time.get_ticks_usec()
 	for i in p_steps:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A CSV that is written row by row, so that what was measured stays if the rest fails. Its first line names the device.
+## A CSV that is written row by row, so that a failure does not lose earlier rows. Its first line names the device.
 extends RefCounted
 
 const Measure := preload("res://bench/measure.gd")
@@ -35,7 +35,7 @@ func columns(p_columns: PackedStringArray) -> void:
 	_store(p_columns)
 
 
-## p_values by column; what a row lacks stays empty. `outcome` is "ok" unless it says why there are no numbers.
+## p_values: by column; missing ones stay empty. `outcome` is "ok", or the reason why there are no numbers.
 func add(p_values: Dictionary) -> void:
 	var row := PackedStringArray()
 	for column in _columns:

@@ -7,8 +7,8 @@ const KNOTS := 16  # of a blade
 const CLAMPED := 2  # knots at the root that never move
 
 
-## A GrassField in the tree, `properties` set before it enters. Named Meadow, 4 m wide, without wind and as dense at its
-## border as within unless told.
+## A GrassField in the tree, `properties` set before it enters. By default it is named Meadow, 4 m wide, without wind, and as dense at its
+## border as within.
 func add_field(properties := {}) -> GrassField:
 	var field := GrassField.new()
 	field.name = "Meadow"
@@ -21,8 +21,8 @@ func add_field(properties := {}) -> GrassField:
 	return field
 
 
-## Waits until the driver has compiled all passes that fields take, so that tests may count ticks: until then grass stands. Returns what the
-## first field of the process did: ticks and blades until its pass was there, and after.
+## Waits until the driver has compiled all passes of fields, so that tests may count ticks: until then grass does not bend. Returns data of
+## the first field of the process: ticks and blades until its pass was ready, and after.
 static func warm_up(to: Node) -> Dictionary:
 	var first_field := {}
 	var field := GrassField.new()
@@ -56,17 +56,17 @@ static func warm_up(to: Node) -> Dictionary:
 	return first_field
 
 
-## Ticks until the driver has all passes of a field.
+## Waits for ticks until the driver has compiled all passes of a field.
 func compiled(field: GrassField) -> void:
 	await wait_until(func() -> bool: return field.get_statistics().compiling == 0, "all passes are compiled", true)
 
 
-## Frames until the field has been made as often as that.
+## Waits for frames until the field has been made so often.
 func made(field: GrassField, makings: int) -> void:
 	await wait_until(func() -> bool: return field.get_counters().makings >= makings, "the field has been made %d times" % makings)
 
 
-## Frames until the field is what its properties and its map say.
+## Waits for frames until the field shows its properties and its map.
 func grown(field: GrassField) -> void:
 	await frames(1)
 	await wait_until(
@@ -74,7 +74,7 @@ func grown(field: GrassField) -> void:
 	)
 
 
-## `body` in the tree at `place` with `shape`, or with nothing where that is null.
+## Adds `body` to the tree at `place` with `shape`, or without a shape if that is null.
 func add_body(body: PhysicsBody3D, shape: Shape3D, place: Vector3) -> PhysicsBody3D:
 	if shape:
 		add_shape(body, shape)
@@ -104,7 +104,7 @@ func ball(radius: float) -> SphereShape3D:
 	return shape
 
 
-## A map on which grass stands everywhere.
+## A map on which grass grows everywhere.
 func full_map() -> GrassMap:
 	var map := GrassMap.new()
 	map.base_density = 1.0
@@ -123,7 +123,7 @@ func brush(tool: GrassBrush.Tool, radius: float, properties := {}) -> GrassBrush
 	return made
 
 
-## Ticks until a body that was just put somewhere has been seen and its grass simulated once.
+## Waits for ticks until a body that was just placed has been read and its grass simulated once.
 func seen() -> void:
 	await ticks(3)
 
@@ -143,7 +143,7 @@ func blade_of(knots: PackedVector3Array, blade: int) -> PackedVector3Array:
 	return knots.slice(KNOTS * blade, KNOTS * (blade + 1))
 
 
-## Metres along a blade of `knots`, those of a whole tile.
+## The length of a blade of `knots`, those of a whole tile, metres.
 func length_of(knots: PackedVector3Array, blade: int) -> float:
 	var length := 0.0
 	for knot in KNOTS - 1:
@@ -164,7 +164,7 @@ func knots_of(field: GrassField, tiles: Array[Vector2i]) -> Dictionary[Vector2i,
 	return knots
 
 
-## The farthest that a knot lies from the same knot in the other list, metres. INF where there is nothing to compare or a number is not
+## The greatest distance of a knot from the same knot in the other list, metres. INF if there is nothing to compare or a number is not
 ## finite.
 func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	if a.size() != b.size() or a.is_empty():
@@ -176,7 +176,7 @@ func farthest(a: PackedVector3Array, b: PackedVector3Array) -> float:
 	return most
 
 
-## The farthest that a blade of a tile in `knots` stands from where `knots` has it. INF without tiles.
+## The greatest distance of a blade of a tile in `knots` from its place in `knots`. INF without tiles.
 func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Array]) -> float:
 	var most := 0.0 if knots else INF
 	for tile in knots:
@@ -184,7 +184,7 @@ func farthest_of(field: GrassField, knots: Dictionary[Vector2i, PackedVector3Arr
 	return most
 
 
-## Whether there are tiles, and every knot of theirs is finite.
+## Whether there are tiles, and all of their knots are finite.
 func all_finite(field: GrassField, tiles: Array[Vector2i]) -> bool:
 	for tile in tiles:
 		for knot in tile_knots(field, tile):
@@ -193,7 +193,7 @@ func all_finite(field: GrassField, tiles: Array[Vector2i]) -> bool:
 	return not tiles.is_empty()
 
 
-## Ticks until no tile is awake; fails after `limit`.
+## Waits for ticks until no tile is awake; fails after `limit`.
 func ticks_to_sleep(field: GrassField, limit := 1200) -> int:
 	for count in limit:
 		if field.get_awake_tile_count() == 0:
@@ -214,7 +214,7 @@ func add_ball_above(field: GrassField, tile: Vector2i) -> AnimatableBody3D:
 	return add_held_body(ball(0.1), Vector3(center.x, tip + 0.11, center.z))
 
 
-## Bends grass with a ball for some ticks and tells the farthest that a knot moved, metres.
+## Bends grass with a ball for some ticks and returns the greatest way of a knot, metres.
 func bend_with_ball(field: GrassField, place := Vector3(0, 0.25, 0)) -> float:
 	var tile := field.get_tile_at(place)
 	var rest := tile_knots(field, tile)

@@ -38,7 +38,7 @@ func _box(size: Vector3) -> BoxShape3D:
 	return box
 
 
-## Waits until the live rule has looked at the scene and filled what changed.
+## Waits until the live rule has checked the scene and filled the changed places.
 func _follow() -> void:
 	await frames(20)
 

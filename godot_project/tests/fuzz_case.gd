@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## Every property of a field, of its patch, species, map and rule, changed at random in the same frames, with bodies in the grass.
-## What the changes wait for must not be read by what runs: `./grass test sanitize` runs this under the address sanitizer.
+## Pending changes must not be read by running work: `./grass test sanitize` runs this under the address sanitizer.
 extends "res://tests/field_case.gd"
 
 const SIDE := 16.0  # metres
@@ -44,7 +44,7 @@ func own_patch() -> GrassPatch:
 	return patch
 
 
-## A random value for a property of get_property_list(); null where there is none to choose.
+## A random value for a property of get_property_list(); null if there is none to choose.
 func value_for(property: Dictionary, now: Variant) -> Variant:
 	match property.type:
 		TYPE_BOOL:
@@ -102,7 +102,7 @@ func stored(object: Object) -> Array[Dictionary]:
 	)
 
 
-## All that may change, as [object, property].
+## Everything that may change, as [object, property].
 func changes_of(field: GrassField) -> Array:
 	var objects: Array[Object] = [field, field.map, field.fill_rule]
 	for species: GrassSpecies in field.species:
@@ -142,7 +142,7 @@ func raise_ground(map: GrassMap) -> void:
 	map.set_ground(heights, Rect2(-2, -2, 4, 4))
 
 
-## No NaN, no more awake tiles than the pool holds.
+## Checks that there is no NaN, and no more awake tiles than the pool has.
 func check(field: GrassField, what: String) -> void:
 	var now := field.get_statistics().merged(field.get_counters())
 	assert_true(now.awake_tiles <= now.pool_tiles, "%s: %d awake tiles in a pool of %d" % [what, now.awake_tiles, now.pool_tiles])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A test on a hillside: ground of a HeightMapShape3D, and what is let go on it.
+## A test on a hillside: ground of a HeightMapShape3D, and bodies that are let go on it.
 extends "res://tests/field_case.gd"
 
 const HILL := 33  # heights along a side, a metre apart

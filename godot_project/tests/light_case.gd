@@ -8,7 +8,7 @@ const EYE := 1.7  # metres above the ground
 const HALF := 200.0  # metres, of the field
 const WINDOW := 1.2  # metres that a reference is high, at least
 const LOD_FAR := 100.0  # as fields have it
-## Ambient light, and the sun's angle to the side that is looked to; INF: no sun.
+## Ambient light, and the sun's angle to the direction of view; INF: no sun.
 const LIGHTS := {sky = [1.0, INF], front = [0.35, 0.0], side = [0.35, 90.0], back = [0.35, 180.0]}
 const DISTANCES: Array[float] = [3.0, 5.0, 8.0, 12.0, 18.0, 27.0, 40.0, 60.0, 90.0, 130.0, 200.0, 300.0]
 const REFERENCES: Array[float] = [3.0, 8.0, 18.0, 40.0, 90.0, 200.0, 300.0]  # of these
@@ -39,7 +39,7 @@ func set_light(name: String) -> void:
 	sun.rotation_degrees = Vector3(-40, angle if is_finite(angle) else 0.0, 0)
 
 
-## A field of one kind of grass that nothing moves: all of it is alike.
+## A field of one kind of grass that nothing moves: it is the same everywhere.
 func add_even_field() -> GrassField:
 	var even := {clump_height = 0.0, clump_lean = 0.0, clump_tint = 0.0}
 	return add_seen_field(even.merged({size = Vector2(2.0, 2.0) * HALF}))
@@ -61,8 +61,8 @@ func profile() -> PackedFloat32Array:
 	return means
 
 
-## The same of one of them, as a picture would have it that resolves each blade, with 16 samples a pixel: through a lens under which all
-## blades are drawn that something else does not hide, and as wide as they are.
+## The same for one of them, in a picture that resolves each blade, with 16 samples a pixel: through a lens under which all blades that are
+## not hidden are drawn, and at their own width.
 func reference(field: GrassField, distance: float) -> float:
 	field.lod_far = 10000.0
 	viewport.size = SIZE / 2
@@ -91,6 +91,6 @@ func light_of(image: Image, distance: float, from: int, to: int, share := 0.15) 
 	return sum / maxi(count, 1)
 
 
-## The row of a picture in which the grass at a distance stands.
+## The row of a picture in which the grass at a distance appears.
 func row_of(image: Image, distance: float) -> float:
 	return camera.unproject_position(Vector3(0, 0.25, HALF - 2.0 - distance)).y / viewport.size.y * image.get_height()

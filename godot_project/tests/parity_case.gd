@@ -18,7 +18,7 @@ func add_pair(properties := {}) -> bool:
 	return assert_eq(gpu.get_statistics().backend, "GPU") and assert_eq(cpu.get_statistics().backend, "CPU")
 
 
-## The farthest that a knot of the GPU lies from the CPU's, as a share of its blade's length. INF where a tile is asleep: then both fields
+## The greatest distance of a knot on the GPU from the CPU's, as a share of its blade's length. INF if a tile is asleep: then both fields
 ## read its blades from the same place.
 func difference(tiles: Array[Vector2i]) -> float:
 	var most := 0.0 if tiles else INF
@@ -41,8 +41,8 @@ func blade_differences(tile: Vector2i) -> PackedFloat64Array:
 	return off
 
 
-## Share of the tiles' blades that lie farther apart than `limit` of their length. For blades that a body has just squashed: which way
-## one of them buckles may hang on its last bits, which differ between cards.
+## The share of the tiles' blades that are farther apart than `limit` of their length. For blades that a body has just squashed: the way in
+## which one buckles may depend on its last bits, which differ between cards.
 func share_apart(tiles: Array[Vector2i], limit: float) -> float:
 	var apart := 0
 	for tile in tiles:

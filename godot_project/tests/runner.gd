@@ -5,8 +5,8 @@
 ## editor: res://tests/editor/driver.gd puts this scene into it. In an export that begins with this scene (`./grass export OUT --tests`) it
 ## wants `--fixed-fps 60 -- --layer=gpu`, and adds up by itself.
 ##
-## Finds res://tests/LAYER/test_*.gd. For tools/test/testing.py, which also knows what had not run if the engine dies, it
-## prints a line `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
+## Finds res://tests/LAYER/test_*.gd. For tools/test/testing.py, which also finds out what had not run if the engine dies, it prints a line
+## `GRASS-TEST plan NAME`, later `run NAME`, then `pass NAME`, `fail NAME: reason` or `skip NAME: reason`.
 @tool
 extends Node
 
@@ -16,7 +16,7 @@ const Case := preload("res://tests/case.gd")
 const FieldCase := preload("res://tests/field_case.gd")
 
 
-## Collects what the engine and scripts report as errors, from whatever thread.
+## Collects the errors of the engine and of scripts, from any thread.
 class Listener:
 	extends Logger
 	var _errors: Array = []

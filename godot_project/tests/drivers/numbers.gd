@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## Still grass in small pictures, for tools/test/drivers.py, which starts this in each renderer with the layer of tests/drivers/ and
-## without, and compares the pictures: `-- --folder=FOLDER` is where they go. Whatever is drawn by several levels of detail is here:
+## without, and compares the pictures: `-- --folder=FOLDER` is where they go. It has everything that is drawn with several levels of detail:
 ## shadows, motion vectors, cards, plants, a painted map, a surface hook, several cameras.
 extends Node3D
 
@@ -11,7 +11,7 @@ const HOOK := """void grass_surface(in GrassSurface s, inout vec3 albedo, inout 
 	albedo = mix(albedo, vec3(0.5, 0.1, 0.1), s.uv.x * s.height);
 }
 """
-## The jitter of TAA depends on the frame's number; what it shows depends on all frames since it began.
+## The jitter of TAA depends on the frame's number; its picture depends on all frames since it began.
 const JITTERS := 16
 const TAA_FRAMES := 5
 
@@ -131,7 +131,7 @@ func _save(viewport: SubViewport, picture: String) -> void:
 		)
 
 
-## What a vertex shader reads of the first instance of an indirect draw call whose firstInstance is `first`.
+## The number that a vertex shader reads for the first instance of an indirect draw call whose firstInstance is `first`.
 func first_instance(first: int) -> int:
 	var device := RenderingServer.get_rendering_device()
 	var format := RDTextureFormat.new()

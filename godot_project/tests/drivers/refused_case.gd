@@ -8,7 +8,7 @@ const ENGINE_SAYS: Array[String] = ["vkCreateComputePipelines", "pipeline.driver
 const WARNING := "The CPU simulates and draws this field"
 
 
-## Counts what is said of refused passes, and warnings of fields that are the CPU's for that.
+## Counts messages about refused passes, and warnings of fields that the CPU simulates for that reason.
 class Counter:
 	extends Logger
 	var count := 0
@@ -50,7 +50,7 @@ func refuse(passes: String) -> void:
 	OS.set_environment("GRASS_LAYER_REFUSED", passes)
 
 
-## The words of the error for a pass, which comes with the engine's own; the names as RenderingDevice has them.
+## The text of the error for a pass, which comes with the engine's own; names as in RenderingDevice.
 func expect_refusal(passes: Array[String]) -> void:
 	for part in ENGINE_SAYS:
 		expect_error(part)
@@ -70,7 +70,7 @@ func grass_of(image: Image) -> float:
 	return share_of(image, is_green)
 
 
-## The field is drawn and bends, by `backend`, and says of it what is true.
+## Checks that the field is drawn and bends with `backend`, and reports this backend.
 func assert_lives(field: GrassField, backend: String) -> void:
 	await wait_until(func() -> bool: return field.get_statistics().backend == backend, "it is the %s's" % backend)
 	await wait_until(func() -> bool: return field.get_statistics().compiling == 0, "all passes are compiled or refused")
@@ -87,7 +87,7 @@ func assert_lives(field: GrassField, backend: String) -> void:
 	assert_greater(field.get_counters().steps, steps)
 
 
-## As bend_with_ball(), in the viewport's world.
+## Does the same as bend_with_ball(), in the viewport's world.
 func bend(field: GrassField) -> float:
 	var tile := field.get_tile_at(PLACE)
 	var rest := tile_knots(field, tile)

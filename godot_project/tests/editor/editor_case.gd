@@ -24,7 +24,7 @@ func before() -> void:
 	reset_brush()
 
 
-## As every test finds it, whatever others did.
+## Restores the state in which every test begins, whatever others did.
 func reset_brush() -> void:
 	var in_hand: BaseButton = toolbar.get_node("Why").button_group.get_pressed_button()
 	if in_hand:
@@ -64,7 +64,7 @@ func select(node: Node) -> void:
 	await frames(3)
 
 
-## Until threads and frames have done what a field asked of them: it is made, filled, laid out, and its ground is read. Without a window
+## Waits until threads and frames have done all work of a field: it is made, filled, laid out, and its ground is read. Without a window
 ## the editor draws no frame once it is idle, and a map is laid out right before one.
 func worked(of := field) -> void:
 	await frames(3)  # what a change asks for, it asks for in the next frames
@@ -75,13 +75,13 @@ func worked(of := field) -> void:
 	await wait_until(is_done, "the field's work is done")
 
 
-## Two looks at the bodies, and the ground is read.
+## Waits until the bodies were checked twice; then the ground is read.
 func settled() -> void:
 	await frames(50)
 	await worked()
 
 
-## Until the editor has nothing left to draw.
+## Waits until the editor has nothing left to draw.
 func idle() -> void:
 	var drawn := -1
 	while drawn != Engine.get_frames_drawn():
@@ -93,7 +93,7 @@ func view() -> Control:
 	return EditorInterface.get_editor_viewport_3d(0).get_parent()
 
 
-## Where a point of the world is on the screen.
+## The place of a point of the world on the screen.
 func at(point: Vector3) -> Vector2:
 	return view().get_global_transform() * EditorInterface.get_editor_viewport_3d(0).get_camera_3d().unproject_position(point)
 
@@ -140,7 +140,7 @@ func click(control: Control) -> void:
 	await button(MOUSE_BUTTON_LEFT, false, middle)
 
 
-## Takes up a tool by its button.
+## Chooses a tool by its button.
 func take(tool_name: String) -> void:
 	var chosen: Button = toolbar.get_node(tool_name)
 	if not chosen.button_pressed:
@@ -198,12 +198,12 @@ func redo() -> void:
 	await key(KEY_Z, KEY_MASK_CTRL | KEY_MASK_SHIFT)
 
 
-## Writes what the editor shows, beside the test's copy of the project.
+## Writes a picture of the editor, beside the test's copy of the project.
 func shoot(picture: String) -> void:
 	(await seen()).save_png(ProjectSettings.globalize_path("res://").path_join("../%s.png" % picture))
 
 
-## Without the view's grid: software Vulkan draws grey squares around it.
+## Hides the view's grid: software Vulkan draws grey squares around it.
 func seen() -> Image:
 	_show_grid(false)
 	await frames(3)

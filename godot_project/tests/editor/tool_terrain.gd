@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A terrain that tells its heights in the editor.
+## A terrain that returns its heights in the editor.
 @tool
 extends Node3D
 

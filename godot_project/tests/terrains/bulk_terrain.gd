@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A terrain that tells many heights in a call, and nothing else.
+## A terrain that returns many heights in a call, and nothing else.
 extends Node
 
 const Hills := preload("res://tests/terrains/hills.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Behaves as HTerrain does where a field asks it: data counted in cells, heights without the node's scale, clamped beyond the border,
+## Behaves like HTerrain for a field: data counted in cells, heights without the node's scale, clamped beyond the border,
 ## splat maps of four weights, a colour map whose alpha cuts holes, signals in cells.
 extends Node3D
 
@@ -25,7 +25,7 @@ class Data:
 
 	var by_rectangle: bool
 
-	## Up to 1.8 `region_changed` has five numbers, later a rectangle and two.
+	## Up to 1.8 `region_changed` has five numbers, later a rectangle and two numbers.
 	func _init(by_a_rectangle: bool) -> void:
 		by_rectangle = by_a_rectangle
 		var numbers := ["channel", "index"] if by_rectangle else ["x", "y", "w", "h", "channel"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The hills that the stand-ins for terrains have in common, and what is edited on them.
+## The hills that all stand-ins for terrains share, and the edits on them.
 extends RefCounted
 
 var bump := 0.0  # metres more within `bump_area`
@@ -24,7 +24,7 @@ func color_at(x: float, z: float) -> Color:
 	return color if painted.has_point(Vector2(x, z)) else Color.WHITE
 
 
-## Base, overlay and blend, as Terrain3D tells them.
+## Base, overlay and blend, as Terrain3D returns them.
 func texture(x: float, z: float) -> Vector3:
 	var place := Vector2(x, z)
 	return Vector3(1 if grass.has_point(place) else 0, 2, 0.75 if path.has_point(place) else 0.0)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Behaves as Terrain3D does where a field asks it: a `data` object that takes global places whatever the node's transform, blends heights
-## between vertices, is not a number in holes and outside of its regions, and tells by signals what was edited.
+## Behaves like Terrain3D for a field: a `data` object that takes global places for any transform of the node, blends heights between
+## vertices, returns NaN in holes and outside of its regions, and emits signals about edits.
 extends Node3D
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## What tools/test/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and bodies that move; with `-- --field`
-## fields as well, of all that bodies, maps and species have passes for. Whatever the layer says of the scene without them is the engine's
-## own.
+## The scene that tools/test/validation.py runs under Vulkan's validation layer: ground, a light with shadows, and moving bodies; with `--
+## --field` also fields that use all passes for bodies, maps and species. Messages about the scene without fields come from the engine
+## itself.
 extends Node3D
 
 const TICKS := 40
@@ -98,7 +98,7 @@ func _hilly_map() -> GrassMap:
 	return map
 
 
-## Frames until the driver has all passes of the fields.
+## Waits for frames until the driver has compiled all passes of the fields.
 func _compiled(fields: Array[GrassField]) -> void:
 	var deadline := Time.get_ticks_msec() + COMPILING * 1000
 	while fields.any(func(field: GrassField) -> bool: return field.get_statistics().waiting or field.get_statistics().compiling > 0):
