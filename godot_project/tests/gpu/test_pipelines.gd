@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Shaders and their pipelines are made beside the frames: in the frame in which a change shows, the renderer needs none that is not there.
+## Shaders and their pipelines are made in the background: in the frame in which a change shows, the renderer needs none that is not there.
 extends "res://tests/view_case.gd"
 
 const HOOK := """
