@@ -80,8 +80,8 @@ def simulation():
 	lines = [
 		"## Simulating: GPU time of a step",
 		"",
-		"A step of one tick for blades of 16 knots, the simulation pass alone. The floor is the time in which the card could issue the "
-		"instructions, do the operations or move the bytes of the step, whichever takes longest.",
+		"A step of one tick for blades of 16 knots, the simulation pass alone. The floor is the time that the card needs at least to issue "
+		"the instructions, do the operations or move the bytes of the step, whichever takes longest.",
 	]
 	body = []
 	for row in counted:
@@ -103,7 +103,7 @@ def simulation():
 	for scene in ("lid", "bodies", "rolling"):
 		with_edges = pick(rows, method="DIRECT", awake_blades=262144, colliders_a_tile=scene, **{"pass": "simulate_edges"})
 		body.append([TITLES[scene], f"{measured(rows, 'DIRECT', scene, 262144):.2f}", f"{float(with_edges[0]['gpu_ms']):.2f}"])
-	lines += ["262,144 blades by METHOD_DIRECT, with the pass for round shapes and the one that also meets edges:"]
+	lines += ["262,144 blades by METHOD_DIRECT, with the pass for round shapes and the one that also tests edges:"]
 	return lines + grid(["scene", "ms", "ms with edges"], body)
 
 
@@ -113,7 +113,7 @@ def drawing():
 	lines = [
 		"## Drawing: GPU time of a frame",
 		"",
-		"1920 x 1080, from eye level (1.7 m), wind on, no MSAA. A data-centre card computes fast and rasters slowly, so the ratios say more "
+		"1920 x 1080, from eye level (1.7 m), wind on, no MSAA. A data-centre card computes fast and draws slowly, so the ratios say more "
 		f"than the times. Each time includes an empty frame, {empty:.1f} ms in Mobile.",
 	]
 	body = []
@@ -137,7 +137,7 @@ def limits():
 	lines = [
 		"### What the card can shade",
 		"",
-		"The same sums in fragments, in vertices and in a compute shader. This card shades on a small part of what it computes on, "
+		"The same sums in fragments, in vertices and in a compute shader. This card shades on a small part of the units that it computes on, "
 		f"{rates['compute'] / rates['fragments']:.0f} times slower, so all times of drawing on it are times of that part.",
 	]
 	body = [[row["stage"], row["tera_operations_a_second"]] for row in rows]
@@ -149,8 +149,8 @@ def processor():
 	lines = [
 		"## The CPU: a tick",
 		"",
-		"The most that a tick can have to do: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles yields slots "
-		"in every tick. Nothing depends on the size of the field. The aim was 0.2 ms for 128 bodies.",
+		"The worst case of a tick: bodies float through the grass at 1 to 5 m/s, and the full pool of 4,096 tiles gives up slots in every "
+		"tick. Nothing depends on the size of the field. The target was 0.2 ms for 128 bodies.",
 	]
 	body = []
 	for row in rows:
@@ -167,8 +167,8 @@ def movers():
 	lines = [
 		"## Movers: what one of each does in a tick",
 		"",
-		"One mover goes to and fro at 2 m/s. Shapes are what the solver meets of it, tiles the awake ones (0.25 m2 each), calls those of the "
-		"engine that read it.",
+		"One mover goes to and fro at 2 m/s. Shapes are the colliders that the solver gets for it, tiles the awake ones (0.25 m2 each), calls "
+		"the calls of the engine that read it.",
 	]
 	columns = ("colliders", "awake_tiles", "tiles_looked_at_a_tick", "engine_calls_a_tick")
 	body = [[row["mover"].replace("_", " "), *(row[name] for name in columns)] for row in read("movers")[1]]
@@ -180,7 +180,7 @@ def changes():
 		"## Changing a standing field",
 		"",
 		"A field of 500 x 500 m (64 million blades) that changes while it is drawn: frames until the change shows, and the longest piece of "
-		"work in one of them. What takes more than 9 ms is the engine's compiling of a shader, once a process.",
+		"work in one of them. Times above 9 ms come from the engine's compiling of a shader, once a process.",
 	]
 	body = [[row["change"], row["frames"], f"{float(row['build_ms']):.1f}"] for row in read("change")[1] if row["makings"] != "0"]
 	return lines + grid(["change", "frames", "longest piece, ms"], body) + source("change")
@@ -192,8 +192,8 @@ def hitches():
 		"## The longest frame after a change",
 		"",
 		"The same field, drawn: by how much the longest frame after each change exceeds the median of the frames before, with a driver and "
-		"an engine that have seen all shaders before, and with empty caches. A bare shader is the engine's own: what a material with a "
-		"shader that does nothing takes.",
+		"an engine that have seen all shaders before, and with empty caches. A bare shader shows the engine's own time for a material with a "
+		"shader that does nothing.",
 	]
 	body = [[row["change"], row["median_ms"], row["over_ms"], cold[row["change"]]] for row in read("hitch")[1]]
 	return lines + grid(["change", "median, ms", "longest over it, ms", "with empty caches, ms"], body) + source("hitch", "hitch_cold")
@@ -203,8 +203,8 @@ def resting():
 	lines = [
 		"## A field at rest",
 		"",
-		"64 million blades, a still camera, no wind, nothing awake: a frame, and what the field does in one (dispatches, uploads, updates, "
-		"reads of bodies, together).",
+		"64 million blades, a still camera, no wind, nothing awake: the time of a frame, and the number of things that the field does in one "
+		"(dispatches, uploads, updates and reads of bodies together).",
 	]
 	counters = [name for name in read("rest")[1][0] if name.endswith("_a_frame")]
 	body = [
@@ -218,7 +218,8 @@ def crowds():
 	lines = [
 		"## The CPU: a crowd",
 		"",
-		"The quickest of 300 ticks in which so many bodies move, or sleep, in a field with a small pool: to read them, and to choose tiles.",
+		"The quickest of 300 ticks in which so many bodies move, or sleep, in a field with a small pool: the time to read them, and to choose "
+		"tiles.",
 	]
 	body = [
 		[number(float(row["bodies"])), row["crowd"], row["gather_ms_min"], row["tiles_ms_min"], row["engine_calls_a_tick"]]
@@ -234,7 +235,7 @@ def sleeping():
 	lines = [
 		"## Sleeping",
 		"",
-		"Steps of tiles in one scene, by the rule that puts tiles to sleep ([how](../internals/solver.md#going-to-sleep)).",
+		"The steps of tiles in one scene, by the rule that puts tiles to sleep ([the rules](../internals/solver.md#going-to-sleep)).",
 	]
 	return lines + grid(["asleep", "steps of tiles", "of the most"], body) + source("sleep")
 
@@ -242,12 +243,12 @@ def sleeping():
 def awake():
 	rows = read("awake")[1]
 	lines = [
-		"### What of the awake moves",
+		"### How many awake tiles move",
 		"",
 		"128 bodies thrown among 4 million blades, seconds after the throw: tiles that are awake and simulated, those of them with a blade "
-		"more than so far from where it stands at rest, and those with one that goes more than so far in a tick. "
+		"that is farther from rest than the column says, and those with a blade that moves farther than that in a tick. "
 		f"The paper's scene of this size keeps 23,000 blades awake, {23000 // 64} tiles of ours. We keep those awake that a body could touch, and "
-		"those that still swing by more than the eye sees, for the picture and for what a game asks of a blade.",
+		"those that still swing visibly, for the picture and for queries of a game.",
 	]
 	columns = ("off_0.000001_m", "off_0.01_m", "off_0.05_m", "moved_0.001_m", "moved_0.01_m", "moved_0.05_m")
 	body = [[row["asleep"], row["seconds"], row["awake"], row["simulated"], *(row[name] for name in columns)] for row in rows]
@@ -261,7 +262,7 @@ def page():
 		"",
 		"Today's figures, generated from the newest committed tables (`python3 -m tools.bench.bench_page`). "
 		"[How to run them](HOWTO.md); [how the figures came about](history.md); "
-		"[what the solver holds](solver.md); [accuracy against run time](accuracy.md); "
+		"[figures of the solver](solver.md); [accuracy against run time](accuracy.md); "
 		"[beside the paper, and against MultiMeshes](paper.md).",
 		"",
 		*simulation(),
