@@ -110,7 +110,7 @@ func worlds_set_it_up() -> void:
 		DirAccess.remove_absolute(world.save_folder.path_join(file))
 
 
-func together_what_is_sent_what_lasts() -> void:
+func together_sending_lasting_changes() -> void:
 	var stage := await staged()
 	var map: GrassMap = stage.field.map
 	var client := GrassMap.new()
