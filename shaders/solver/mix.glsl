@@ -1,7 +1,6 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Mixes the offsets of the last two steps into what a frame between two ticks shows: one thread a texel. Only where the engine
-// interpolates physics.
+// Mixes the offsets of the last two steps for a frame between two ticks: one thread a texel. Runs only if the engine interpolates physics.
 #extension GL_GOOGLE_include_directive : require
 
 #include "base/constants.inc"

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade; a thread whose own blade stands at rest takes one
-// that does not. Dispatched over the GrassSlot records. Twin of core/solver/simulate.cpp.
+// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade; a thread whose own blade is at rest takes one that is
+// not. Dispatched over the GrassSlot records. Twin of core/solver/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
@@ -27,11 +27,11 @@
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 // Unsigned: Godot's translator for Direct3D 12 has no specialization constants of type int.
 layout(constant_id = GRASS_CONSTANT_METHOD) const uint METHOD = uint(GRASS_METHOD_DIRECT);
-// Whether a tile may have more colliders than GRASS_SHARED_COLLIDERS. What reads the others stands at so many places that it costs a tenth
-// of the time where there are none.
+// Whether a tile may have more colliders than GRASS_SHARED_COLLIDERS. The code that reads the others is in so many places that it costs a
+// tenth of the time if there are none.
 layout(constant_id = GRASS_CONSTANT_CROWD) const bool CROWD = false;
 
-// Whether threads keep what they know of joints in arrays of their own, not in a buffer (solver/work.inc).
+// Whether threads keep the state of joints in arrays of their own, not in a buffer (solver/work.inc).
 layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
 
 layout(push_constant, std430) uniform StepBlock {
@@ -42,11 +42,11 @@ layout(push_constant, std430) uniform StepBlock {
 #endif
 };
 #ifdef GRASS_SPECIES
-GrassStep step; // this thread's: as its blade's species takes it
+GrassStep step; // this thread's: with the numbers of its blade's species
 #endif
 
-// GRASS_KNOTS, but a number that no driver knows: NVIDIA's unrolls loops of known length whatever they are told, into 384 KB of code
-// and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
+// GRASS_KNOTS, but a number that no driver knows: NVIDIA's always unrolls loops of known length, into 384 KB of code and 168 registers.
+// Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
 // colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
 #ifdef GRASS_FREE // small enough to be unrolled by NVIDIA's, the only one that OWN_WORK is for
 #define KNOT_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
@@ -69,7 +69,7 @@ layout(set = 0, binding = GRASS_BINDING_COLLIDER_LIST, std430) restrict readonly
 layout(set = 0, binding = GRASS_BINDING_PLANES, std430) restrict readonly buffer PlaneBuffer {
 	vec4 planes[];
 };
-// What moves the air: those whose bits the slot has.
+// Forces: those whose bits the slot has move the air of the tile.
 layout(set = 0, binding = GRASS_BINDING_FORCES, std430) restrict readonly buffer ForceBuffer {
 	GrassForce forces[];
 };
@@ -77,24 +77,24 @@ layout(set = 0, binding = GRASS_BINDING_FORCES, std430) restrict readonly buffer
 // The pool: only this pass reads and writes it; lives as long as the field. Knots 2 .. 15 in blade space, metres, as
 // [slot][half][component][knot][blade]. One half holds the places now, the other one those of the step before; a step writes its places
 // over the latter, and the halves change roles: so nothing is copied. Within a step the places now are what is called start below, and the
-// other half is `before`: METHOD_DIRECT keeps there what its stage aims at, since what else a thread keeps for itself would push it out of
-// the caches.
+// other half is `before`: METHOD_DIRECT keeps the target of its stage there, since the other state of a thread would push it out of the
+// caches.
 layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
 	float pool_knots[];
 };
-// By slot. Lowest bit: which half holds the places now. The others: for how many steps to take all blades without asking which ones stand
-// at rest.
+// By slot. Lowest bit: which half holds the places now. The others: for how many steps to take all blades without a test which ones are at
+// rest.
 layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict buffer HalfBuffer {
 	uint pool_half[];
 };
-// So many, where none did.
+// The number of such steps if no blade was at rest.
 #define STEPS_UNASKED 7u
 // Twists of the joints below knots 2 .. 15, radians, and the blade's length, metres, as [slot][joint, the length last][blade].
 layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
 	float pool_twists[];
 };
 
-// Lives for a dispatch; only the thread reads that wrote. Nobody asks for it where OWN_WORK is true.
+// Lives for a dispatch; only the thread that wrote it reads it. It is not used if OWN_WORK is true.
 layout(set = 0, binding = GRASS_BINDING_WORK, std430) restrict buffer WorkBuffer {
 	uvec4 work[];
 };
@@ -121,16 +121,17 @@ layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer
 layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
 	uint blade_species[];
 };
-// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a complaint where a shader
-// asks a buffer for its length.
+// Written by the CPU for this step: the step as each species takes it. Of known size, since the engine prints a warning if a shader asks a
+// buffer for its length.
 layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly buffer SpeciesStepBuffer {
 	GrassStep species_steps[GRASS_MAX_SPECIES];
 };
 #endif
 
 GrassSlot slot; // of this workgroup's tile
-uint half_now; // that holds its places now
-// This thread's blade. What is kept here takes registers from beginning to end: what follows from it is found again where it is wanted.
+uint half_now; // the half that holds its places now
+// This thread's blade. Everything that is kept here takes registers from beginning to end, so derived values are computed again where they
+// are needed.
 uint blade; // number in the tile
 #ifdef GRASS_SPECIES
 uint species;
@@ -148,7 +149,7 @@ ivec2 patch_texel(int p_knot) {
 
 #include "solver/pool.inc"
 
-// grass_rest_knot(), written out and `precise`: wherever it is asked for, a blade at rest must find the same bits.
+// grass_rest_knot(), written out and `precise`: a blade at rest must get the same bits wherever this is called.
 vec3 rest_of(int p_knot) {
 	vec3 place = texelFetch(patch_texture, patch_texel(p_knot), 0).xyz;
 	precise vec3 knot = place * clump.height;
@@ -158,7 +159,7 @@ vec3 rest_of(int p_knot) {
 	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
 	return rest;
 }
-// Where the blade's width points at the root.
+// The direction of the blade's width at the root.
 vec3 width_at_root() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
 	return vec3(cos(azimuth), 0.0, sin(azimuth));
@@ -211,7 +212,7 @@ void find_species() {
 }
 #endif
 
-// [Eq W6] What forces do to the blade, by the air at its root. Called in one place: each copy costs registers.
+// [Eq W6] The effect of forces on the blade, by the air at its root. Called in one place: each copy costs registers.
 void find_air_load() {
 	vec3 air = vec3(0.0);
 	vec3 root = root_of_blade();
@@ -238,7 +239,7 @@ void find_blade(uint p_blade) {
 		clump = GrassClump(growth.x, growth.yz, 0.0);
 		ground = growth.w;
 	} else {
-		// A field elsewhere in the noise hands its clumps on, as one with a map.
+		// A field at another origin of the noise gets its clumps from the CPU, as one with a map.
 		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
 	}
 	keep_of_blade(BLADE_ROOT, vec4((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x, 0.0));
@@ -289,7 +290,7 @@ void step_tile() {
 	find_blade(thread);
 	uint count = uint(GRASS_BLADES_PER_TILE);
 	if (unasked == 0u) {
-		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as can be have something to do
+		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as possible have work
 		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
 	}
 	bool takes_step = thread < count;
@@ -302,7 +303,7 @@ void step_tile() {
 	}
 	if (step.contact.x >= 1.0) { // else no time passes
 		step_blade(takes_step, slot.list.z);
-		half_now = 1u - half_now; // the step's places, which stand where those before it stood, are where the next one starts
+		half_now = 1u - half_now; // the next step starts from this step's places, which overwrote those before it
 	}
 	if (takes_step) {
 		vec3 bend = measure_bend() * BEND_UNITS;
