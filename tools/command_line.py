@@ -6,7 +6,7 @@ import argparse
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets) and says where its pictures are
+  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets) and prints where its pictures are
   ./grass gallery  renders the same grass in many lights
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
@@ -18,18 +18,18 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
   ./grass release  makes the zips of a release, out/release
-  ./grass clean    removes what was built (--all: also what was fetched)
+  ./grass clean    removes everything that was built (--all: also everything that was fetched)
 
-What the machine lacks (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) is fetched into .tools/ here:
-nothing is installed, no root is needed. GODOT=/path/to/godot names an engine of yours, 4.6 or newer.
-`./grass COMMAND --help` tells a command's options; docs/internals/building.md tells more.
+Missing tools (engine, SCons, Eigen, doctest, glslang, software Vulkan, Xvfb) are fetched into .tools/ here: nothing is
+installed, and no root is needed. GODOT=/path/to/godot names an engine of your own, 4.6 or newer.
+`./grass COMMAND --help` lists a command's options; docs/internals/building.md has the details.
 """
 
 
 DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "walk")
 BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
-	figure, and MultiMeshes beside them. drivers: what Mesa's compilers make of the passes, for cards that are not here. pack: what
-	another machine's GPU needs, to --out"""
+	figure, and MultiMeshes beside them. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that
+	another machine's GPU needs, into --out"""
 
 
 def parser():
