@@ -70,4 +70,6 @@ def benchmark(out):
 	if strip := shutil.which("strip"):  # less to carry
 		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
 	accuracy.record(folder / "packs", False)
-	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}. docs/benchmarks/HOWTO.md describes how to run it.")
+	say(
+		f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}. docs/benchmarks/HOWTO.md describes how to run it."
+	)
