@@ -20,7 +20,7 @@ namespace {
 // Arrays up to this size are made in one frame, bytes. More: frames stutter. Less: the first layers show later.
 constexpr int64_t MADE_AT_ONCE = 1 << 22;
 
-TaskQueue arrays_queue;
+TaskQueue arrays_queue("GrassField's textures", TaskQueue::Priority::LOW);
 
 // Without a renderer the engine's list of textures is no other thread's (Godot 4.6: one leaked at exit in some runs).
 bool has_texture_threads() {
@@ -97,7 +97,7 @@ void GrowingArrays::work(int p_filled, const MakeImage &p_make) {
 		gather(p_filled, p_make);
 	} else if (!_next->is_made && has_texture_threads()) {
 		_next->is_with_thread = true;
-		arrays_queue.push([next = _next] { next->make(); });
+		arrays_queue.push(_next.get(), [next = _next] { next->make(); });
 	} else if (!_next->is_made) {
 		_next->make();
 	} else if (!_stale.empty()) {

@@ -61,7 +61,6 @@ ShaderJob::~ShaderJob() {
 // A mesh that another thread than the renderer's creates returns when all pipelines of its materials are there: so the engine's loaders
 // wait for those of a scene.
 void ShaderJob::work() {
-	_has_begun = true;
 	{
 		std::lock_guard lock(making);
 		_shader.instantiate();

@@ -24,7 +24,6 @@ public:
 	void work();
 	// Returns when no thread makes a shader: at most some 90 ms later. Their pipelines may go on.
 	static void wait_for_shaders();
-	bool has_begun() const { return _has_begun; }
 	bool is_done() const { return _is_done; }
 	const godot::Ref<godot::Shader> &get_shader() const { return _shader; } // once it is done
 
@@ -34,7 +33,7 @@ private:
 	godot::Ref<godot::Shader> _shader;
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _mesh;
-	std::atomic<bool> _has_begun = false, _is_done = false;
+	std::atomic<bool> _is_done = false;
 };
 
 } // namespace grass

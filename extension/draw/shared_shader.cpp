@@ -25,7 +25,7 @@ namespace {
 using Key = std::tuple<const char *, int, std::string>; // address of the code, features, hook
 std::map<Key, Ref<Shader>> shaders;
 std::map<Key, std::shared_ptr<ShaderJob>> jobs; // that are not in `shaders` yet
-TaskQueue queue;
+TaskQueue queue("GrassField's shaders", TaskQueue::Priority::LOW);
 
 void release_shader_jobs();
 
@@ -110,7 +110,7 @@ bool prepare_shader(const ShaderText &p_text) {
 		std::shared_ptr<ShaderJob> &job = jobs[key];
 		if (!job) {
 			job = std::make_shared<ShaderJob>(p_text);
-			queue.push([job] { job->work(); });
+			queue.push(job.get(), [job] { job->work(); });
 		}
 		const bool is_done = job->is_done();
 		if (is_done) {
@@ -151,9 +151,8 @@ void expect_motion_vectors() {
 }
 
 void forget_shader_jobs() {
-	queue.forget();
+	std::erase_if(jobs, [](const auto &p_entry) { return queue.remove(p_entry.second.get()); });
 	release_shader_jobs();
-	std::erase_if(jobs, [](const auto &p_entry) { return !p_entry.second->has_begun(); });
 }
 
 void free_shared_shaders() {

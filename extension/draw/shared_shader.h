@@ -52,7 +52,8 @@ void drop_hooked_shaders();
 void hold_shader_jobs();
 // The same for the first frame that has motion vectors. Call before each that may have them.
 void expect_motion_vectors();
-// Forgets what has not begun of what prepare_shader() began. Call when no field is left: the game may end now.
+// Forgets what has not begun of what prepare_shader() began. Call when no field is left, since the game may end now: the engine waits for
+// the jobs' task then, and a job that begins so late waits for others that no longer run (Godot 4.6).
 void forget_shader_jobs();
 // Call when the library is unloaded.
 void free_shared_shaders();

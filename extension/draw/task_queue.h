@@ -1,39 +1,55 @@
 // SPDX-License-Identifier: MIT
-// Runs jobs one after the other in a single task of the engine's worker threads. Jobs may wait for tasks of the engine's own: so the task
-// is one of low priority, which never has all threads.
+// Runs jobs one after the other in a single task of the engine's worker threads: several tasks would hold up the engine's own. What is
+// wanted comes first (core/base/wait_list.h).
 #pragma once
 
+#include "core/base/wait_list.h"
+
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <mutex>
 
 namespace grass {
 
-// Its functions belong to the main thread.
+// Its functions may be called on any thread, but for finish().
 class TaskQueue {
 public:
-	void push(std::function<void()> &&p_job);
+	// LOW: jobs may wait for tasks of the engine, since tasks of low priority never have all threads.
+	enum class Priority { LOW, HIGH };
+
+	TaskQueue(const char *p_name, Priority p_priority) : _name(p_name), _priority(p_priority) {}
+
+	// Queues a job. p_key: what want() and remove() call it by.
+	void push(const void *p_key, std::function<void()> &&p_job, int p_order = 0, Need p_need = Need::WANTED);
+	// From now on somebody waits for the job. Does nothing once it has begun.
+	void want(const void *p_key);
+	// Returns true if the job had not begun. It does not run then.
+	bool remove(const void *p_key);
 	// Between these no job begins; one that runs goes on.
 	void hold();
 	void release();
-	// Forgets what has not begun. Before the game ends: the engine waits for this task then, and a job that begins so late waits for others
-	// that no longer run (Godot 4.6).
-	void forget();
-	// The same, and returns when nothing runs any more.
+	// Forgets what has not begun, and returns when nothing runs any more. Call it when the library is unloaded.
 	void finish();
 
 private:
+	struct Job {
+		const void *key;
+		std::function<void()> work;
+		bool operator==(const Job &p_other) const { return key == p_other.key; }
+	};
 	static void work(void *p_queue);
 	void start();
 	void end_task();
 
+	const char *_name;
+	Priority _priority;
 	std::mutex _mutex;
-	std::deque<std::function<void()>> _jobs; // guarded by _mutex
+	WaitList<Job> _jobs; // guarded by _mutex
 	bool _is_held = false; // guarded by _mutex
 	bool _is_working = false; // the task, or it is queued; guarded by _mutex
 	bool _has_begun = false; // the task; guarded by _mutex
-	int64_t _task = -1; // of the WorkerThreadPool; -1: none
+	std::mutex _task_mutex;
+	int64_t _task = -1; // of the WorkerThreadPool; -1: none; guarded by _task_mutex
 };
 
 } // namespace grass

@@ -6,7 +6,6 @@
 
 #include <godot_cpp/classes/rd_pipeline_specialization_constant.hpp>
 #include <godot_cpp/classes/time.hpp>
-#include <godot_cpp/classes/worker_thread_pool.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 #include <godot_cpp/variant/utility_functions.hpp>
 
@@ -48,48 +47,19 @@ CompileQueue &CompileQueue::get() {
 }
 
 CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) {
-	Pipeline &known = _pipelines[{ p_code.spirv.data(), p_code.method, p_code.crowd }];
 	std::unique_lock lock(_mutex);
-	if (known.state != Pipeline::State::NEW) {
-		if (p_need == Need::WANTED) {
-			_waiting.want(&known);
-		}
-		return known;
+	const auto [found, is_new] = _pipelines.try_emplace({ p_code.spirv.data(), p_code.method, p_code.crowd }, p_code);
+	lock.unlock();
+	Pipeline &pipeline = found->second;
+	if (is_new) {
+		_compiling++;
+		_queue.push(&pipeline, [this, &pipeline] { compile(pipeline, true); }, int(p_code.order), p_need);
+	} else if (p_need == Need::WANTED) {
+		_queue.want(&pipeline);
 	}
-	known.code = p_code;
-	known.state = Pipeline::State::WAITING;
-	_compiling++;
-	_waiting.add(&known, int(p_code.order), p_need);
-	if (!_is_working) {
-		_is_working = true;
-		lock.unlock();
-		start_worker();
-	}
-	return known;
+	return pipeline;
 }
 
-void CompileQueue::start_worker() {
-	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
-	if (_task >= 0) {
-		pool->wait_for_task_completion(_task); // it has done its work
-	}
-	_task = pool->add_native_task(&CompileQueue::compile_waiting, this, true, "GrassField's compute passes");
-}
-
-void CompileQueue::compile_waiting(void *p_queue) {
-	CompileQueue &queue = *static_cast<CompileQueue *>(p_queue);
-	std::unique_lock lock(queue._mutex);
-	while (!queue._waiting.is_empty()) {
-		Pipeline &pipeline = *queue._waiting.take();
-		pipeline.state = Pipeline::State::COMPILING;
-		lock.unlock();
-		queue.compile(pipeline, true);
-		lock.lock();
-	}
-	queue._is_working = false;
-}
-
-// The caller has set its state to COMPILING.
 void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	UtilityFunctions::print_verbose(vformat("GrassField: compiling '%s'", r_pipeline.code.name));
 	const uint64_t begin = Time::get_singleton()->get_ticks_msec();
@@ -107,7 +77,7 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 		_refused.push_back(r_pipeline.code);
 		_refused_count++;
 	}
-	r_pipeline.state = Pipeline::State::DONE;
+	r_pipeline.is_done = true;
 	_compiling--;
 	_has_compiled.notify_all();
 }
@@ -117,21 +87,13 @@ void CompileQueue::Pipeline::make(const RID &p_shader) {
 	pipeline = shader.is_valid() ? main_device()->compute_pipeline_create(shader, constants_of(code)) : RID();
 }
 
-bool CompileQueue::is_done(const Pipeline &p_pipeline) {
-	std::lock_guard lock(_mutex);
-	return p_pipeline.state == Pipeline::State::DONE;
-}
-
 void CompileQueue::finish(Pipeline &r_pipeline) {
-	std::unique_lock lock(_mutex);
-	if (r_pipeline.state == Pipeline::State::WAITING) {
-		_waiting.remove(&r_pipeline);
-		r_pipeline.state = Pipeline::State::COMPILING;
-		lock.unlock();
+	if (_queue.remove(&r_pipeline)) {
 		compile(r_pipeline, false);
-		return;
+	} else {
+		std::unique_lock lock(_mutex);
+		_has_compiled.wait(lock, [&] { return r_pipeline.is_done.load(); });
 	}
-	_has_compiled.wait(lock, [&] { return r_pipeline.state == Pipeline::State::DONE; });
 }
 
 bool CompileQueue::is_refused(const PassCode &p_code) {
@@ -148,17 +110,11 @@ std::vector<PassCode> CompileQueue::take_refused() {
 }
 
 void CompileQueue::free_pipelines() {
-	{
-		std::lock_guard lock(_mutex);
-		_refused.clear();
-		_refused_count = _refused_taken = 0;
-		_compiling -= int(_waiting.size());
-		_waiting.clear();
-	}
-	if (_task >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(_task);
-		_task = -1;
-	}
+	_queue.finish();
+	std::lock_guard lock(_mutex);
+	_refused.clear();
+	_refused_count = _refused_taken = 0;
+	_compiling = 0;
 	_shaders.free();
 	_pipelines.clear();
 }

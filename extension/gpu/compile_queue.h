@@ -2,7 +2,7 @@
 // Compiles compute passes beside the frames, since drivers take seconds for one, and keeps the pipelines.
 #pragma once
 
-#include "core/base/wait_list.h"
+#include "draw/task_queue.h"
 #include "gpu/pass_shaders.h"
 
 #include <godot_cpp/variant/rid.hpp>
@@ -35,18 +35,19 @@ struct PassCode {
 	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, of passes with a method; the same for the whole process
 };
 
-// A singleton, get(). Its functions run on the render thread unless they name another.
+// A singleton, get(). Its functions may be called on any thread, but for free_pipelines().
 class CompileQueue {
 public:
 	struct Pipeline {
-		PassCode code{ {}, nullptr, PassOrder::CULL };
-		godot::RID shader, pipeline; // from is_done() on; invalid if the driver has refused them
+		explicit Pipeline(const PassCode &p_code) : code(p_code) {}
+
+		PassCode code;
+		godot::RID shader, pipeline; // once it is done; invalid if the driver has refused them
+		std::atomic<bool> is_done = false; // the driver has compiled or refused it
 
 	private:
 		friend CompileQueue;
 		void make(const godot::RID &p_shader);
-		enum class State { NEW, WAITING, COMPILING, DONE };
-		State state = State::NEW; // guarded by _mutex
 	};
 
 	static CompileQueue &get();
@@ -54,39 +55,31 @@ public:
 	// Returns the pipeline of p_code. The first call queues it for a worker thread, which compiles one pipeline after the other, beginning
 	// with those that fields wait for.
 	Pipeline &find(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Returns true once the driver has compiled or refused it.
-	bool is_done(const Pipeline &p_pipeline);
 	// Returns when the pipeline is done: compiles it here, unless the worker thread has begun it. Use it for passes that compile in
 	// milliseconds and cannot wait for the worker, which may be compiling another pass for seconds.
 	void finish(Pipeline &r_pipeline);
-	// Frees all pipelines; call when the library is unloaded.
+	// Frees all pipelines; call it on the render thread when the library is unloaded.
 	void free_pipelines();
-	// Returns the number of pipelines that are not done yet. From any thread.
+	// Returns the number of pipelines that are not done yet.
 	int count_compiling() const { return _compiling; }
-	// Return true if the driver has refused the pipeline; any pipeline at all. From any thread.
+	// Return true if the driver has refused the pipeline; any pipeline at all.
 	bool is_refused(const PassCode &p_code);
 	bool has_refused() const { return _refused_count > 0; }
-	// Returns the passes refused since the last call. From any thread.
+	// Returns the passes refused since the last call.
 	std::vector<PassCode> take_refused();
 
 private:
-	void start_worker();
 	void compile(Pipeline &r_pipeline, bool p_is_worker);
-	static void compile_waiting(void *p_queue);
 
-	std::map<std::tuple<const uint32_t *, int, bool>, Pipeline> _pipelines; // by code, method and crowd
 	PassShaders _shaders;
 	std::atomic<int> _compiling = 0;
-	// One task of the WorkerThreadPool compiles them in turn: several would hold up the engine's own tasks, and one that is
-	// still queued when the game ends never runs.
-	int64_t _task = -1; // -1: none
+	TaskQueue _queue{ "GrassField's compute passes", TaskQueue::Priority::HIGH };
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;
-	WaitList<Pipeline *> _waiting; // guarded by _mutex
+	std::map<std::tuple<const uint32_t *, int, bool>, Pipeline> _pipelines; // by code, method and crowd; guarded by _mutex
 	std::vector<PassCode> _refused; // guarded by _mutex
 	std::atomic<size_t> _refused_count = 0;
 	size_t _refused_taken = 0; // guarded by _mutex
-	bool _is_working = false; // the task; guarded by _mutex
 };
 
 } // namespace grass

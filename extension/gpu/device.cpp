@@ -83,12 +83,11 @@ void GpuPass::create(const PassCode &p_code, Compile p_when) {
 }
 
 bool GpuPass::prepare(const PassCode &p_code, Need p_need) {
-	CompileQueue &queue = CompileQueue::get();
-	return queue.is_done(queue.find(p_code, p_need));
+	return CompileQueue::get().find(p_code, p_need).is_done;
 }
 
 bool GpuPass::is_ready() {
-	if (!_pipeline.is_valid() && _source != nullptr && CompileQueue::get().is_done(*_source)) {
+	if (!_pipeline.is_valid() && _source != nullptr && _source->is_done) {
 		_pipeline = _source->pipeline;
 	}
 	return _pipeline.is_valid();

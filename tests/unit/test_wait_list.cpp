@@ -39,7 +39,8 @@ TEST_CASE("wait_list: what becomes wanted overtakes, and what is removed never c
 	CHECK(list.take() == 's');
 	list.want('c');
 	list.want('s'); // is done
-	list.remove('b');
+	CHECK(list.remove('b'));
+	CHECK_FALSE(list.remove('b'));
 	CHECK(list.take() == 'f');
 	list.add('d', 0, Need::WANTED);
 	CHECK(list.take() == 'd');

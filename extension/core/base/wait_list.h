@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace grass {
@@ -13,7 +14,7 @@ enum class Need { WANTED, PREPARED };
 // Whatever is wanted comes before all that is only prepared. Among these a smaller order comes first, and then what came first.
 template <typename Item> class WaitList {
 public:
-	void add(Item p_item, int p_order, Need p_need) { _waiting.push_back({ p_item, p_order, p_need }); }
+	void add(Item p_item, int p_order, Need p_need) { _waiting.push_back({ std::move(p_item), p_order, p_need }); }
 	// From now on it is wanted. Nothing where it does not wait any more.
 	void want(const Item &p_item) {
 		const auto found = std::ranges::find(_waiting, p_item, &Waiting::item);
@@ -25,12 +26,13 @@ public:
 	Item take() {
 		const auto next = std::ranges::min_element(_waiting,
 				[](const Waiting &p_a, const Waiting &p_b) { return p_a.need != p_b.need ? p_a.need < p_b.need : p_a.order < p_b.order; });
-		const Item item = next->item;
+		Item item = std::move(next->item);
 		_waiting.erase(next);
 		return item;
 	}
-	void remove(const Item &p_item) {
-		std::erase_if(_waiting, [&](const Waiting &p_waiting) { return p_waiting.item == p_item; });
+	// Returns whether it waited.
+	bool remove(const Item &p_item) {
+		return std::erase_if(_waiting, [&](const Waiting &p_waiting) { return p_waiting.item == p_item; }) > 0;
 	}
 	void clear() { _waiting.clear(); }
 	bool is_empty() const { return _waiting.empty(); }
