@@ -27,8 +27,8 @@ constexpr int CHUNKS_AT_ONCE = 4;
 
 void StandingField::begin_passes() const {
 	if (!_properties.is_on_cpu) {
-		const FieldPlants plants{ _properties.species.has_plant_meshes(), _properties.map.is_valid() };
-		GpuBackend::begin_passes(!_properties.species.is_plain(), _properties.method, plants);
+		grass::begin_passes({ { !_properties.species.is_plain(), _properties.method }, _properties.species.has_plant_meshes(),
+				_properties.map.is_valid() });
 	}
 }
 

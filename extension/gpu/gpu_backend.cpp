@@ -107,22 +107,10 @@ FieldMultiMeshes GpuBackend::multimeshes() const {
 	return { _picture.multimesh(), _shadows.multimesh(), uint32_t(_picture.capacity()), uint32_t(_shadows.capacity()) };
 }
 
-void GpuBackend::begin_passes(bool p_species, Method p_method, const FieldPlants &p_plants) {
-	if (main_device() != nullptr) {
-		RenderQueue::get_singleton()->post([kind = PassKind{ p_species, p_method }, p_plants] { GpuField::begin_passes(kind, p_plants); });
-	}
-}
-
 bool GpuBackend::prepare(const FieldSetup &p_setup) {
 	const bool has_passes = kind_of(p_setup) == kind_of(_setup) || prepare_passes(kind_of(p_setup));
-	const bool has_plants = !p_setup.has_plants || prepare_plants(p_setup.is_mapped);
+	const bool has_plants = !p_setup.has_plants || PlantPasses::prepare(p_setup.is_mapped);
 	return has_passes && has_plants && prepare_patch(p_setup.patch);
-}
-
-bool GpuBackend::prepare_passes(const PassKind &p_kind) {
-	RenderQueue::get_singleton()->post([field = _field, p_kind] { field->prepare(p_kind); });
-	std::lock_guard lock(_report->mutex);
-	return _report->prepared[p_kind.index()];
 }
 
 // Some megabytes.
@@ -142,7 +130,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	if (!p_setup.has_meshes_of(_setup) || (_picture.is_created() && !has_room) || needs_refused_pass(p_setup)) {
 		return false;
 	}
-	const bool has_other_blades = p_setup.patch != _setup.patch, has_other_passes = kind_of(p_setup) != kind_of(_setup);
+	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
 	_watch.clear();
 	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
@@ -154,23 +142,9 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	_next_patch_texture.unref();
 	_next_patch.reset();
 	set_bounds(field_bounds(_setup));
-	{
-		std::lock_guard lock(_report->mutex);
-		_report->can_simulate = _report->can_simulate && !has_other_passes;
-	}
-	_can_simulate = _can_simulate && !has_other_passes;
 	RenderQueue::get_singleton()->post(
 			[field = _field, setup = _setup, patch = _patch_texture] { field->set_field(setup, patch->get_rid()); });
 	return true;
-}
-
-bool GpuBackend::can_simulate() {
-	if (!_can_simulate) {
-		RenderQueue::get_singleton()->post([field = _field] { field->look_for_passes(); });
-		std::lock_guard lock(_report->mutex);
-		_can_simulate = _report->can_simulate;
-	}
-	return _can_simulate;
 }
 
 bool GpuBackend::is_complete() const {

@@ -8,6 +8,7 @@
 #include "draw/blade_materials.h"
 #include "draw/field_instance.h"
 #include "draw/plants.h"
+#include "gpu/field_passes.h"
 #include "gpu/obstacles.h"
 #include "gpu/plant_passes.h"
 
@@ -20,20 +21,16 @@ class GpuField;
 struct FieldMultiMeshes;
 struct GpuReport;
 struct KnotReport;
-struct PassKind;
 
 class GpuBackend : public Backend {
 public:
 	explicit GpuBackend(const FieldSetup &p_setup);
 	~GpuBackend() override;
 
-	// Makes worker threads prepare the passes of a first field, while the main thread makes the rest.
-	static void begin_passes(bool p_species, Method p_method, const FieldPlants &p_plants);
-
 	bool prepare(const FieldSetup &p_setup) override;
 	bool set_field(const FieldSetup &p_setup) override;
 	bool is_refused() const override { return needs_refused_pass(_setup); }
-	bool can_simulate() override;
+	bool can_simulate() override { return grass::can_simulate(kind_of(_setup)); }
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
 	void draw(const FieldView &p_view) override;
@@ -59,15 +56,12 @@ public:
 
 private:
 	FieldMultiMeshes multimeshes() const;
-	bool prepare_passes(const PassKind &p_kind);
-	bool prepare_plants(bool p_is_mapped);
 	bool prepare_patch(const std::shared_ptr<const Patch> &p_patch);
 	void set_bounds(const godot::AABB &p_bounds);
 	void take_knots();
 
 	FieldSetup _setup;
 	bool _measure = false;
-	bool _can_simulate = false;
 	godot::Ref<godot::ImageTexture> _patch_texture; // outlives the materials that read it
 	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;

@@ -23,16 +23,6 @@ int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
 
 } // namespace
 
-bool GpuBackend::prepare_plants(bool p_is_mapped) {
-	RenderQueue::get_singleton()->post([report = _report, p_is_mapped] {
-		const bool is_ready = PlantPasses::prepare(p_is_mapped);
-		std::lock_guard lock(report->mutex);
-		report->plants_prepared[p_is_mapped ? 1 : 0] = is_ready;
-	});
-	std::lock_guard lock(_report->mutex);
-	return _report->plants_prepared[p_is_mapped ? 1 : 0];
-}
-
 void GpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
 	_materials.set(p_name, p_value);
 	if (_plants.is_empty()) {

@@ -2,10 +2,8 @@
 // What GpuField has on the device. A tick: gpu_field_step.cpp; a frame: gpu_field_draw.cpp.
 #include "gpu/gpu_field.h"
 
-#include "compute_shaders.gen.h"
 #include "draw/shared_shader.h"
 #include "gpu/gpu_times.h"
-#include "gpu/obstacles.h"
 
 #include <godot_cpp/classes/rd_sampler_state.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -17,33 +15,6 @@ using namespace godot;
 
 namespace grass {
 
-namespace {
-
-const PassCode CULL = { shader::CULL_SPIRV, "GrassField cull", PassOrder::CULL };
-
-// What a tile meets, and so which of a field's passes simulates it.
-enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
-
-PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
-	struct Variant {
-		std::span<const uint32_t> grass, species;
-		const char *name;
-		PassOrder order;
-	};
-	static const Variant variants[] = {
-		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate", PassOrder::SIMULATE },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges", PassOrder::EDGES },
-		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free", PassOrder::FREE },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds", PassOrder::CROWDS },
-	};
-	const Variant &variant = variants[p_tiles];
-	const bool crowd = p_tiles == TILES_WITH_CROWDS;
-	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd, p_tiles != TILES_ALL,
-		device_limits().has_quick_arrays };
-}
-
-} // namespace
-
 void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<Texture2DRD> &p_pool, const Ref<Texture2DRD> &p_drawn) {
 	_counts.allocate(COUNTS * 4);
 	_pool = p_pool;
@@ -51,43 +22,11 @@ void GpuField::create(const FieldSetup &p_setup, const RID &p_patch, const Ref<T
 	Ref<RDSamplerState> state;
 	state.instantiate();
 	_sampler = main_device()->sampler_create(state);
-	_cull.create(CULL, has_shader_workers() ? GpuPass::Compile::LATER : GpuPass::Compile::NOW);
+	_cull.create(CULL_CODE, has_shader_workers() ? GpuPass::Compile::LATER : GpuPass::Compile::NOW);
 	_kind = kind_of(p_setup);
 	make_simulate();
 	_reader.create();
 	set_field(p_setup, p_patch);
-}
-
-void GpuField::begin_passes(const PassKind &p_kind, const FieldPlants &p_plants) {
-	GpuPass::prepare(CULL, Need::WANTED);
-	if (p_plants.has_meshes) {
-		PlantPasses::prepare(p_plants.is_mapped, Need::WANTED);
-	}
-	GpuPass::prepare(simulate_code(p_kind, TILES_ALL), Need::WANTED);
-}
-
-const char *GpuField::find_refused(const PassKind &p_kind) {
-	for (const char *pass :
-			{ GpuPass::find_refused(CULL), GpuPass::find_refused(simulate_code(p_kind, TILES_ALL)), KnotReader::find_refused() }) {
-		if (pass != nullptr) {
-			return pass;
-		}
-	}
-	return nullptr;
-}
-
-void GpuField::look_for_passes() {
-	const bool is_ready = _simulate.is_ready();
-	std::lock_guard lock(_report->mutex);
-	_report->can_simulate = is_ready;
-}
-
-void GpuField::prepare(const PassKind &p_kind) {
-	const bool can_simulate = GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
-	GpuPass::prepare(simulate_code(p_kind, TILES_FREE));
-	GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
-	std::lock_guard lock(_report->mutex);
-	_report->prepared[p_kind.index()] = can_simulate;
 }
 
 void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {

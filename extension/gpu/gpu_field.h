@@ -8,6 +8,7 @@
 #include "core/field/field_setup.h"
 #include "core/solver/slot_passes.h"
 #include "gpu/device.h"
+#include "gpu/field_passes.h"
 #include "gpu/knot_reader.h"
 #include "gpu/plant_passes.h"
 #include "gpu/pool_mix.h"
@@ -52,19 +53,6 @@ struct FieldMultiMeshes {
 	uint32_t picture_capacity, shadow_capacity; // instances
 };
 
-// The properties of a field for which its simulation passes are compiled.
-struct PassKind {
-	bool species = false; // whether it has any
-	Method method = Method::DIRECT;
-
-	static constexpr size_t COUNT = 4;
-	size_t index() const { return size_t(method) * 2 + size_t(species); }
-	bool operator==(const PassKind &p_other) const = default;
-};
-inline PassKind kind_of(const FieldSetup &p_setup) {
-	return { p_setup.species != nullptr, p_setup.method };
-}
-
 // The results that the render thread reports to the main thread.
 struct GpuReport {
 	std::mutex mutex;
@@ -72,9 +60,6 @@ struct GpuReport {
 	uint64_t energy_step = 0; // StepInput::number of the step after which `energy` was read
 	std::vector<float> energy; // per slot
 	std::vector<Eigen::Vector3f> bends; // per slot
-	std::array<bool, PassKind::COUNT> prepared = {}; // by PassKind::index(): the pass for all kinds of tiles is
-	bool can_simulate = false; // the simulation pass is ready
-	std::array<bool, 2> plants_prepared = {}; // the pass that chooses plants: without a map, with one
 };
 
 class GpuField {
@@ -87,14 +72,6 @@ public:
 	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
-	// Makes worker threads prepare the first passes of a field that enters the tree.
-	static void begin_passes(const PassKind &p_kind, const FieldPlants &p_plants);
-	// Returns the name of a pass that such a field needs and that the driver has refused; null: none so far. From any thread.
-	static const char *find_refused(const PassKind &p_kind);
-	// Updates in GpuReport whether the simulation pass is ready.
-	void look_for_passes();
-	// Makes worker threads prepare the passes that such a field needs; GpuReport shows when they are ready.
-	void prepare(const PassKind &p_kind);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/obstacles.h"
 
-#include "gpu/gpu_field.h"
+#include "gpu/device.h"
+#include "gpu/field_passes.h"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -58,13 +59,6 @@ String device_words() {
 			server->get_video_adapter_api_version());
 }
 
-const char *find_refused(const FieldSetup &p_setup) {
-	if (const char *pass = GpuField::find_refused(kind_of(p_setup))) {
-		return pass;
-	}
-	return p_setup.has_plants ? PlantPasses::find_refused(p_setup.is_mapped) : nullptr;
-}
-
 } // namespace
 
 const DeviceLimits &device_limits() {
@@ -73,14 +67,14 @@ const DeviceLimits &device_limits() {
 }
 
 bool needs_refused_pass(const FieldSetup &p_setup) {
-	return CompileQueue::get().has_refused() && find_refused(p_setup) != nullptr;
+	return CompileQueue::get().has_refused() && find_refused(passes_of(p_setup)) != nullptr;
 }
 
 String find_obstacle(const FieldSetup &p_setup) {
 	if (const std::string lack = fit_device(device_limits(), p_setup).lack; !lack.empty()) {
 		return String::utf8(lack.c_str());
 	}
-	const char *pass = find_refused(p_setup);
+	const char *pass = find_refused(passes_of(p_setup));
 	return pass == nullptr ? String() : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
 }
 

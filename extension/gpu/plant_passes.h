@@ -32,11 +32,6 @@ struct PlantTarget {
 	PlantKind kind;
 };
 
-// The properties of a field that determine which pass it needs for plants.
-struct FieldPlants {
-	bool has_meshes = false, is_mapped = false;
-};
-
 class PlantPasses {
 public:
 	// Makes worker threads prepare the pass of such a field. Returns whether it is ready.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The passes that a field needs before it is simulated and drawn, and how far the driver has got with them. From any thread.
+#pragma once
+
+#include "core/field/field_setup.h"
+#include "gpu/compile_queue.h"
+
+namespace grass {
+
+// The properties of a field for which its simulation passes are compiled.
+struct PassKind {
+	bool species = false; // whether it has any
+	Method method = Method::DIRECT;
+
+	bool operator==(const PassKind &p_other) const = default;
+};
+inline PassKind kind_of(const FieldSetup &p_setup) {
+	return { p_setup.species != nullptr, p_setup.method };
+}
+
+// What a tile meets, and so which of a field's passes simulates it.
+enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
+PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles);
+extern const PassCode CULL_CODE;
+
+struct FieldPasses {
+	PassKind kind;
+	bool has_plants = false, is_mapped = false;
+};
+inline FieldPasses passes_of(const FieldSetup &p_setup) {
+	return { kind_of(p_setup), p_setup.has_plants, p_setup.is_mapped };
+}
+// Makes a worker thread compile what a field that enters the tree needs, while the main thread makes the rest.
+void begin_passes(const FieldPasses &p_passes);
+// Makes a worker thread compile the passes that simulate a field to come. Returns true once the driver has compiled or refused the one for
+// all kinds of tiles.
+bool prepare_passes(const PassKind &p_kind);
+// Returns whether the pass that simulates all kinds of tiles is compiled.
+bool can_simulate(const PassKind &p_kind);
+// Returns the name of a pass that the driver has refused; null: none so far.
+const char *find_refused(const FieldPasses &p_passes);
+
+} // namespace grass
