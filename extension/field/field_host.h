@@ -19,8 +19,11 @@ public:
 	// The transform with which this frame draws the field: between two ticks if the engine interpolates physics. In a tick it equals
 	// field_transform().
 	virtual godot::Transform3D drawn_transform() = 0;
-	// Makes the field, if it waits to be made. Returns false if a script that ran meanwhile freed the field: use nothing of it then.
-	[[nodiscard]] virtual bool build() = 0;
+	// Makes the field, if none stands yet. Returns false if a script that ran meanwhile freed it: use nothing of it then.
+	[[nodiscard]] virtual bool stand() = 0;
+	// Reads what scripts have a part in of the field to be made: ground, fill, meshes. Returns false if one of them freed the field.
+	[[nodiscard]] virtual bool read_scene() = 0;
+	virtual void report_warnings() = 0; // new ones, once each
 	// Returns the map that a game changes. A field without a map gets one on which grass grows everywhere, as it did before. Returns null
 	// and reports an error that names p_method if the field is outside of the tree. Also returns null if a script that ran meanwhile freed
 	// the field.

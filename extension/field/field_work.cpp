@@ -62,7 +62,7 @@ CutResult FieldWork::cut(const Ref<Shape3D> &p_shape, const Transform3D &p_trans
 
 double FieldWork::get_mown_share(const Ref<Shape3D> &p_shape, const Transform3D &p_transform) {
 	std::optional<Footprint> footprint;
-	if (!_host.build() || _properties.map.is_null() || !_standing.stands() ||
+	if (!_host.stand() || _properties.map.is_null() || !_standing.stands() ||
 			!find_region("get_mown_share", p_shape, p_transform, footprint)) {
 		return 0.0;
 	}
@@ -73,7 +73,7 @@ void FieldWork::regrow(double p_height, double p_wear, const Ref<Shape3D> &p_sha
 	ERR_FAIL_COND_MSG(!(p_height >= 0.0) || !(p_wear >= 0.0),
 			_host.message("regrow() needs a growth in metres and a reduction of wear, each 0 or more."));
 	std::optional<Footprint> footprint;
-	if (_host.build() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
+	if (_host.stand() && _properties.map.is_valid() && _standing.stands() && find_region("regrow", p_shape, p_transform, footprint)) {
 		_properties.map.ptr()->change([&](PaintMap &r_map) {
 			return regrow_grass(r_map, mow_region(footprint), kind_of(_standing.get_field()), p_height, p_wear);
 		});

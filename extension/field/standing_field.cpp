@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "field/standing_field.h"
 
-#include "cpu/cpu_backend.h"
 #include "draw/blade_mesh.h"
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
-#include "gpu/device.h"
-#include "gpu/gpu_backend.h"
-#include "gpu/obstacles.h"
 
 #include <algorithm>
 #include <optional>
@@ -25,13 +21,6 @@ constexpr int CHUNKS_AT_ONCE = 4;
 
 } // namespace
 
-void StandingField::begin_passes() const {
-	if (!_properties.is_on_cpu) {
-		grass::begin_passes({ { !_properties.species.is_plain(), _properties.method }, _properties.species.has_plant_meshes(),
-				_properties.map.is_valid() });
-	}
-}
-
 void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_is_crowded = false;
 	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),
@@ -41,87 +30,18 @@ void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_plants = std::move(p_wanted.plants);
 	_map = std::move(p_wanted.map);
 	_ground.free();
-	_is_shown = false;
-	_parts_shown = _rows_shown = 0;
+	_rows_shown = 0;
 	const FieldSetup &setup = _field.get_setup();
-	_is_backend_waiting = setup.patch->is_empty() || !_backend || !_backend->set_field(setup);
-	if (_is_backend_waiting && !p_in_parts) {
+	const bool can_go_on = _backend && !setup.patch->is_empty() && _backend->set_field(setup);
+	_part = can_go_on ? Part::LOOK : Part::BACKEND;
+	if (!can_go_on && !p_in_parts) {
 		make_backend();
-	}
-}
-
-void StandingField::make_backend() {
-	_is_backend_waiting = false;
-	_backend.reset();
-	const FieldSetup &setup = _field.get_setup();
-	if (setup.patch->is_empty()) {
-		return;
-	}
-	if (wants_device() && find_obstacle(setup).is_empty()) {
-		_backend = std::make_unique<GpuBackend>(setup);
-	} else {
-		_backend = std::make_unique<CpuBackend>(setup);
-	}
-	update_measuring();
-	_builds++;
-}
-
-bool StandingField::leave_refused_device() {
-	if (!_backend || !_backend->is_refused()) {
-		return false;
-	}
-	drop_backend();
-	_is_backend_waiting = true;
-	_is_shown = false;
-	_parts_shown = _rows_shown = 0;
-	return true;
-}
-
-bool StandingField::wants_device() const {
-	return !_properties.is_on_cpu && main_device() != nullptr;
-}
-
-String StandingField::refusal_warning() const {
-	const FieldSetup &setup = _field.get_setup();
-	const bool is_refused = wants_device() && needs_refused_pass(setup);
-	return is_refused ? obstacle_warning() : String();
-}
-
-String StandingField::obstacle_warning() const {
-	const String obstacle = find_obstacle(_field.get_setup());
-	return obstacle.is_empty() ? obstacle : vformat("The CPU simulates and draws this field, which takes more time. %s", obstacle);
-}
-
-void StandingField::warn_of_device(PackedStringArray &r_warnings) const {
-	const FieldSetup &setup = _field.get_setup();
-	if (!wants_device() || !setup.patch) {
-		return;
-	}
-	if (const String warning = obstacle_warning(); !warning.is_empty()) {
-		r_warnings.push_back(warning);
-		return;
-	}
-	FieldSetup wanted = setup;
-	wanted.pool_size = int(_properties.pool_tiles);
-	wanted.drawn_tiles_max = int(_properties.param(PARAM_DRAWN_TILES_MAX));
-	const DeviceLimits &limits = device_limits();
-	const DeviceFit fit = fit_device(limits, wanted);
-	if (wanted.pool_size > fit.pool_size) {
-		r_warnings.push_back(
-				vformat("`pool_tiles` is %d, but the graphics device has room for %d: storage buffers of %d MiB, textures of %d rows. "
-						"Lower it to %d.",
-						wanted.pool_size, fit.pool_size, limits.buffer_bytes >> 20, limits.texture_side, fit.pool_size));
-	}
-	if (wanted.drawn_tiles_max > fit.drawn_tiles_max) {
-		r_warnings.push_back(
-				vformat("`drawn_tiles_max` is %d, but the graphics device has room for %d: storage buffers of %d MiB. Lower it to %d.",
-						wanted.drawn_tiles_max, fit.drawn_tiles_max, limits.buffer_bytes >> 20, fit.drawn_tiles_max));
 	}
 }
 
 void StandingField::drop_backend() {
 	_backend.reset();
-	_is_backend_waiting = false;
+	_part = Part::NOTHING;
 	_ground.free();
 	_field.rest(); // its blades went with it
 }
@@ -198,14 +118,14 @@ bool StandingField::update_map() {
 	}
 	const FieldMap::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
 	turn.reset();
-	if (_is_shown && _map->has_new_textures()) { // else show() does it, for all of the map
+	if (is_shown() && _map->has_new_textures()) { // else show() does it, for all of the map
 		_map->set_uniforms(uniform_setter(true), false);
 		request_draw();
 	}
 	if (changes.tiles.count() == 0) {
 		return true;
 	}
-	if (_is_shown) { // likewise
+	if (is_shown()) { // likewise
 		_map->set_uniforms(uniform_setter(true), false);
 		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
 	}
@@ -249,7 +169,7 @@ void StandingField::blow(std::span<const Force> p_forces, double p_delta) {
 }
 
 void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_transform) {
-	if (!_is_shown) {
+	if (!is_shown()) {
 		return;
 	}
 	_backend->follow(p_node, p_transform);
@@ -271,7 +191,7 @@ void StandingField::read_asked() {
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
 	_field.see(p_view, p_is_visible);
-	if (_is_shown && p_view.is_watched && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
+	if (is_shown() && p_view.is_watched && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(p_view);
 		_is_crowded = _is_crowded || leaves_tiles_out();
 	}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The field that runs at present: its blades, the map that it shows, its backend, its ground and the shaders' uniforms.
-// field/field_maker.h prepares the next one. This class prints nothing: it returns what the node must report.
+// field/field_life.h prepares the next one. This class prints nothing: it returns what the node must report.
 #pragma once
 
 #include "core/field/field.h"
@@ -8,10 +8,10 @@
 #include "draw/backend.h"
 #include "draw/ground.h"
 #include "draw/patch_texture.h"
-#include "field/field_maker.h"
 #include "field/field_properties.h"
 #include "field/field_uniforms.h"
 #include "field/shown_map.h"
+#include "field/wanted_field.h"
 
 #include <memory>
 #include <span>
@@ -39,21 +39,23 @@ public:
 	// With p_in_parts, show() makes a new backend.
 	void make(WantedField &&p_wanted, bool p_in_parts);
 	// Returns true while the drawn field does not match the properties yet; call show() in each frame then.
-	bool is_look_waiting() const { return _is_backend_waiting || (_backend != nullptr && (!_is_shown || _look != find_look())); }
+	bool is_look_waiting() const { return _part != Part::NOTHING && (_part != Part::ALL || _look != find_look()); }
 	// Draws the field with the properties' hook as soon as the shaders are ready. Returns false if they do not compile with it.
 	bool show(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Stops simulating and drawing until the field is made again.
 	void drop_backend();
 	// Does the same, and also drops the map.
 	void clear();
-	// Leaves a device whose driver has refused a pass of the field: show() makes the backend of the CPU. Returns whether it did.
-	bool leave_refused_device();
+	// Returns true if the driver has refused a pass of the field that runs on it.
+	bool is_refused() const { return _backend != nullptr && _backend->is_refused(); }
+	// Puts all blades to rest; show() makes another backend, which is the CPU's after a refusal.
+	void leave_device();
 	// Returns the warning that the driver refused a pass, so that the CPU runs the field; empty: it refused none.
 	godot::String refusal_warning() const;
 	// Appends warnings: why the field cannot use the graphics device, or is smaller there than its properties.
 	void warn_of_device(godot::PackedStringArray &r_warnings) const;
 	bool stands() const { return _backend != nullptr; }
-	bool is_shown() const { return _is_shown; } // all of it: a streamed field comes in parts while it is hidden
+	bool is_shown() const { return _part == Part::ALL; } // all of it: a streamed field comes in parts while it is hidden
 
 	// Updates what a field that is not made again reads from the properties.
 	void update_params();
@@ -120,9 +122,10 @@ private:
 	Look find_look() const {
 		return { shader_features(_field.get_setup()) | (has_ledges() ? SHADER_LEDGES : 0), _properties.hook.get_text() };
 	}
-	static constexpr int PARTS = 6; // of show_part(); the cover's rows follow
-	bool show_parts(const Look &p_look, bool p_is_hidden);
-	void show_part(const Look &p_look, int p_part);
+	// What comes next of the field that was made, in this order. NOTHING: there is no field. ALL: it is shown.
+	enum class Part { NOTHING, BACKEND, LOOK, GROUND, PLANTS, UNIFORMS, SPECIES, MAP, COVER, ALL };
+	void show_parts(const Look &p_look, bool p_is_hidden);
+	void show_part(const Look &p_look);
 	void set_wind_clock();
 	void set_species_uniforms() {
 		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
@@ -141,9 +144,8 @@ private:
 	std::unique_ptr<Backend> _backend;
 	Ground _ground;
 	FieldUniforms _uniforms;
-	bool _is_backend_waiting = false; // to be made
-	bool _is_shown = false; // as it is now
-	int _parts_shown = 0, _rows_shown = 0; // until it is
+	Part _part = Part::NOTHING;
+	int _rows_shown = 0; // of the cover
 	Look _look; // that it is shown with
 	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for

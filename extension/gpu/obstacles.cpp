@@ -78,18 +78,21 @@ String find_obstacle(const FieldSetup &p_setup) {
 	return pass == nullptr ? String() : vformat("The graphics driver refused the compute pass '%s' (%s). %s", pass, device_words(), ADVICE);
 }
 
-std::vector<Refusal> take_refusals() {
-	std::vector<Refusal> refusals;
-	for (const PassCode &code : CompileQueue::get().take_refused()) {
-		const char *instead = code.has_stand_in
-				? "The pass for all kinds of tiles replaces it. It is slower, and blades meet sharp edges with their knots only."
-				: "Fields that need it are simulated and drawn by the CPU from now on, which takes more "
-				  "time.";
-		refusals.push_back({ vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(),
-									 instead, ADVICE),
-				code.has_stand_in });
+void report_refusals() {
+	if (!CompileQueue::get().has_refused()) {
+		return;
 	}
-	return refusals;
+	for (const PassCode &code : CompileQueue::get().take_refused()) {
+		const auto say = [&](const char *p_instead) {
+			return vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(), p_instead,
+					ADVICE);
+		};
+		if (code.has_stand_in) {
+			WARN_PRINT(say("The pass for all kinds of tiles replaces it. It is slower, and blades meet sharp edges with their knots only."));
+		} else {
+			ERR_PRINT(say("Fields that need it are simulated and drawn by the CPU from now on, which takes more time."));
+		}
+	}
 }
 
 } // namespace grass

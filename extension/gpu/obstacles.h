@@ -7,8 +7,6 @@
 
 #include <godot_cpp/variant/string.hpp>
 
-#include <vector>
-
 namespace grass {
 
 // Returns the limits that the engine and its driver report, read once, or the defaults if there is no device. On any thread.
@@ -17,11 +15,7 @@ const DeviceLimits &device_limits();
 godot::String find_obstacle(const FieldSetup &p_setup);
 // Returns true if find_obstacle() finds a refused pass. Fast if no pass was refused in this process.
 bool needs_refused_pass(const FieldSetup &p_setup);
-// Returns a message for each pass refused since the last call.
-struct Refusal {
-	godot::String text;
-	bool has_stand_in;
-};
-std::vector<Refusal> take_refusals();
+// Prints an error or a warning for each pass refused since the last call. Fast if there is none.
+void report_refusals();
 
 } // namespace grass

@@ -20,6 +20,7 @@
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -121,13 +122,12 @@ void GrassField::leave() {
 	_bodies.get_wheels().clear();
 	_forces.get_areas().clear();
 	_terrain.leave();
-	_standing.clear();
-	_maker.forget();
+	_life.leave();
 	emit_leaving();
 }
 
 void GrassField::_physics_tick(double p_delta) {
-	if (!is_inside_tree() || !build()) {
+	if (!is_inside_tree() || !stand()) {
 		return;
 	}
 	_forces.pass(p_delta);
@@ -182,11 +182,16 @@ bool GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 	return true;
 }
 
+// Once a frame: in _frame(), which is there where nothing is drawn, or else before it is drawn, as in a paused tree.
+bool GrassField::advance() {
+	const uint64_t frame = Engine::get_singleton()->get_process_frames();
+	return std::exchange(_advanced_in, frame) == frame ? stand() : _life.advance();
+}
+
 void GrassField::_frame(double p_delta) {
-	if (!is_inside_tree() || !build()) {
+	if (!is_inside_tree() || !advance()) {
 		return;
 	}
-	show(); // also where nothing is drawn
 	if (!update_terrain() || !update_fill()) {
 		return;
 	}
@@ -198,11 +203,10 @@ void GrassField::_frame(double p_delta) {
 
 // The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
-	if (!build() || !_standing.stands()) { // also where the tree is paused from the first frame on
+	if (!advance() || !_standing.stands()) {
 		return;
 	}
 	CpuClock clock;
-	show();
 	update_map();
 	const Transform3D place = drawn_transform();
 	const FieldView view = is_visible_in_tree() ? find_view(this, place, _properties, _standing.get_field()) : FieldView();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // GrassField: the node. Holds properties and wires the parts: bodies -> standing field in a physics tick, cameras -> standing field in a
-// frame, properties -> maker -> standing field when they change. No maths here.
+// frame, properties -> life -> standing field when they change. No maths here.
 #pragma once
 
 #include "field/field_forces.h"
 #include "field/field_host.h"
-#include "field/field_maker.h"
+#include "field/field_life.h"
 #include "field/field_places.h"
 #include "field/field_properties.h"
 #include "field/field_work.h"
@@ -88,9 +88,9 @@ public:
 	// Instead of set_map(), for a map that another thread prepared as find_shown_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
 	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
-	std::optional<ShownPlace> find_shown_place() const { return FieldMaker::find_place(_properties); }
-	bool is_made() const { return _standing.is_shown() && !_maker.is_waiting(); } // as the properties have it
-	double get_build_ms() const { return _maker.get_most_ms(); } // that its last making took in one frame, at most
+	std::optional<ShownPlace> find_shown_place() const { return grass::find_shown_place(_properties); }
+	bool is_made() const { return _life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
+	double get_build_ms() const { return _life.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
 	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree
 	// Gets the warnings of this field, instead of the console.
@@ -216,6 +216,7 @@ private:
 	void _physics_tick(double p_delta);
 	void _frame(double p_delta);
 	void _before_draw();
+	bool advance();
 	float find_share() const;
 	bool is_listened_to() const;
 	void emit_visits();
@@ -227,10 +228,8 @@ private:
 
 	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
 	void request_rebuild();
-	void report_refusals();
-	void leave_refused_device();
-	bool build() override;
-	bool prepare_ground();
+	bool stand() override { return _life.stand(); }
+	bool read_scene() override;
 	void update_map();
 	void show_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture, const godot::Ref<godot::Texture2D> &p_colors);
 	bool is_map_bare() const;
@@ -238,14 +237,13 @@ private:
 	bool start_fill();
 	bool update_fill();
 	FieldFiller::Place fill_place() const;
-	void report_warnings();
+	void report_warnings() override;
 	void _species_changed();
 	void _map_changed(const godot::TypedArray<godot::Vector2i> &p_chunks, const godot::Rect2 &p_region);
 	void _fill_rule_changed();
 	void _fill_pressed();
 
 	// grass_field_hook.cpp
-	void show(); // with its hook, once there are shaders for it
 	void compile_hook();
 	void _hook_changed();
 
@@ -270,8 +268,8 @@ private:
 	godot::String message(const godot::String &p_text) const override;
 
 	FieldProperties _properties;
-	FieldMaker _maker;
 	StandingField _standing{ _properties };
+	FieldLife _life{ *this, *this, _properties, _standing };
 	FieldFiller _filler{ *this };
 	FieldTerrain _terrain{ *this };
 	OtherLight _other_light;
@@ -279,7 +277,7 @@ private:
 	FieldForces _forces{ *this };
 	FieldWork _work{ *this, _standing, _properties };
 
-	bool _is_building = false; // see build()
+	uint64_t _advanced_in = UINT64_MAX; // the frame of the last advance()
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	void warn(const godot::String &p_warning) const;
 	WarningTeller _warning_teller;

@@ -2,9 +2,6 @@
 // What a change of properties, species, map or fill rule sets going.
 #include "nodes/grass_field.h"
 
-#include "core/base/cpu_clock.h"
-#include "draw/frame_share.h"
-#include "gpu/obstacles.h"
 #include "shared/convert.h"
 #include "shared/editor_hooks.h"
 #include "shared/main_thread.h"
@@ -33,62 +30,15 @@ std::set<std::string> &told_refusals() {
 } // namespace
 
 void GrassField::request_rebuild() {
-	_maker.request();
+	_life.ask();
 	update_gizmos();
 	update_configuration_warnings();
 }
 
-// Once a pass, for all fields.
-void GrassField::report_refusals() {
-	if (!CompileQueue::get().has_refused()) {
-		return;
-	}
-	for (const Refusal &refusal : take_refusals()) {
-		if (refusal.has_stand_in) {
-			WARN_PRINT(refusal.text);
-		} else {
-			ERR_PRINT(refusal.text);
-		}
-	}
-}
-
-void GrassField::leave_refused_device() {
-	report_refusals();
-	if (is_inside_tree() && _standing.leave_refused_device()) {
-		show();
-		report_warnings();
-	}
-}
-
-// A script that runs while the field is made may ask it, and finds it as it was.
-bool GrassField::build() {
-	if (_is_building) {
-		return true;
-	}
-	leave_refused_device();
-	if (!_maker.is_waiting() || !is_inside_tree()) {
-		return true;
-	}
-	_is_building = true;
-	CpuClock clock;
-	FrameShare::Turn turn(this); // with what follows once all is prepared
-	if (!prepare_ground() || !_properties.species.read_plants(*this)) {
-		return false;
-	}
-	_is_building = false;
-	if (_maker.is_waiting() && is_inside_tree() && _maker.prepare(_properties, _standing.get_field(), _standing.get_backend())) {
-		_standing.make(_maker.take(), _properties.is_streamed && !is_visible());
-		show();
-		report_warnings();
-	}
-	_maker.add_time(clock.lap());
-	return true;
-}
-
 // The ground beside the cameras is there from the first frame on.
-bool GrassField::prepare_ground() {
+bool GrassField::read_scene() {
 	const bool is_first = !_standing.stands() && !_properties.is_streamed;
-	return (!is_first || update_terrain()) && start_fill();
+	return (!is_first || update_terrain()) && start_fill() && _properties.species.read_plants(*this);
 }
 
 void GrassField::warn(const String &p_warning) const {
@@ -142,7 +92,7 @@ void GrassField::_species_changed() {
 	if (!_properties.species.read_plants(*this)) {
 		return;
 	}
-	if (_maker.is_waiting() || !_standing.update_species()) {
+	if (_life.is_waiting() || !_standing.update_species()) {
 		request_rebuild();
 	}
 }
@@ -164,7 +114,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 
 void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared) {
 	set_map(p_map);
-	_maker.offer(std::move(p_prepared));
+	_life.offer(std::move(p_prepared));
 }
 
 // Shaders without a texture of the terrain have no line of it.
@@ -207,7 +157,7 @@ void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 
 	_filler.touch(_properties.map, p_chunks);
 	watch_bare_map();
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };
-	for (ShownMap *map : { _standing.get_map(), _maker.get_map() }) {
+	for (ShownMap *map : { _standing.get_map(), _life.get_map() }) {
 		if (map != nullptr && map->get_map() == _properties.map) {
 			map->touch(region);
 		}

@@ -2,8 +2,6 @@
 // GrassField's surface hook: set, compiled, shown, its uniforms set.
 #include "nodes/grass_field.h"
 
-#include "core/base/cpu_clock.h"
-
 #include "shared/main_thread.h"
 
 #include <godot_cpp/variant/callable_method_pointer.hpp>
@@ -28,24 +26,10 @@ void GrassField::_hook_changed() {
 
 void GrassField::compile_hook() {
 	_properties.hook.compile();
-	show();
 	if (is_inside_tree()) { // else when the field is made
 		report_warnings();
 	}
 	notify_property_list_changed();
-}
-
-void GrassField::show() {
-	if (!_standing.is_look_waiting()) {
-		return;
-	}
-	CpuClock clock;
-	if (!_standing.show(this, field_transform())) {
-		_properties.hook.reject();
-		_standing.show(this, field_transform());
-		report_warnings();
-	}
-	_maker.add_time(clock.lap());
 }
 
 void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_value) {

@@ -53,7 +53,7 @@ String GrassField::message(const String &p_text) const {
 // Whether grass stands, or will as soon as the field is made.
 bool GrassField::has_blades() const {
 	return _standing.stands() ||
-			(is_inside_tree() && _maker.is_waiting() && !(_properties.species.prepare_patches() && _properties.species.join()->is_empty()));
+			(is_inside_tree() && _life.is_waiting() && !(_properties.species.prepare_patches() && _properties.species.join()->is_empty()));
 }
 
 int64_t GrassField::get_blade_count() const {
@@ -159,7 +159,7 @@ int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) c
 
 int64_t GrassField::get_memory_usage() const {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	return _standing.get_memory_usage() + _maker.get_memory_usage() + _terrain.get_memory_usage();
+	return _standing.get_memory_usage() + _life.get_memory_usage() + _terrain.get_memory_usage();
 }
 
 FieldMemory GrassField::find_memory() const {
@@ -182,7 +182,7 @@ String GrassField::get_version() {
 FieldStatistics GrassField::find_statistics() const {
 	FieldStatistics statistics;
 	_standing.add_to(statistics);
-	_maker.add_to(statistics);
+	_life.add_to(statistics);
 	_bodies.add_to(statistics);
 	_filler.add_to(statistics);
 	_terrain.add_to(statistics);
@@ -238,7 +238,7 @@ double GrassField::get_monitor(FieldMonitor p_monitor) {
 // Before a query: makes the field. False where none stands. What of its map waits to be shown can wait: see StandingField::layers_at().
 bool GrassField::prepare_places() {
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
-	return build() && _standing.stands();
+	return stand() && _standing.stands();
 }
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {
@@ -264,7 +264,7 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
-	if (!build() || !is_inside_tree()) {
+	if (!stand() || !is_inside_tree()) {
 		return Dictionary();
 	}
 	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
@@ -276,7 +276,7 @@ GrassMap *GrassField::need_map(const char *p_method) {
 	if (_properties.map.is_null()) {
 		make_map();
 	}
-	return build() ? _properties.map.ptr() : nullptr;
+	return stand() ? _properties.map.ptr() : nullptr;
 }
 
 void GrassField::make_map() {

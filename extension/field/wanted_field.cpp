@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "field/wanted_field.h"
+
+#include "gpu/device.h"
+#include "gpu/obstacles.h"
+
+#include <algorithm>
+
+namespace grass {
+
+WantedField find_wanted(const FieldProperties &p_properties) {
+	WantedField wanted;
+	FieldSetup &setup = wanted.setup;
+	setup.grid = p_properties.grid();
+	setup.patch = p_properties.species.join();
+	setup.clump = p_properties.clump();
+	setup.pool_size = int(p_properties.pool_tiles);
+	setup.method = p_properties.method;
+	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
+	setup.seed = uint32_t(p_properties.seed);
+	wanted.painted = p_properties.map;
+	setup.is_mapped = wanted.painted.is_valid();
+	setup.follow_slope = float(p_properties.param(PARAM_FOLLOW_SLOPE));
+	setup.has_terrain = p_properties.find_terrain_texture().is_valid();
+	setup.card_size = p_properties.species.find_card_size();
+	setup.leaf_area = p_properties.species.find_leaf_area();
+	wanted.plants = p_properties.species.find_plants(p_properties.param(PARAM_DENSITY));
+	for (const DrawnPlant &plant : wanted.plants) {
+		setup.plant_size = std::max(setup.plant_size, plant.size());
+	}
+	const std::vector<int> stems = p_properties.species.find_stems();
+	setup.has_plants = setup.plant_size > 0.0f || std::ranges::any_of(stems, [](int p_stems) { return p_stems > 1; });
+	wanted.mix = p_properties.species.find_mix();
+	setup.species = p_properties.species.is_plain() ? nullptr
+													: std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed,
+															  Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
+	wanted.species = p_properties.species.find_grown();
+	if (!p_properties.is_on_cpu && main_device() != nullptr) {
+		const DeviceFit fit = fit_device(device_limits(), setup);
+		setup.pool_size = fit.pool_size;
+		setup.drawn_tiles_max = fit.drawn_tiles_max;
+	}
+	return wanted;
+}
+
+std::optional<ShownPlace> find_shown_place(const FieldProperties &p_properties) {
+	if (!p_properties.species.prepare_patches()) {
+		return {};
+	}
+	return shown_place_of(find_wanted(p_properties).setup);
+}
+
+} // namespace grass

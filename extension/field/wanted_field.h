@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The field that the properties describe, as far as it is prepared. The running field does not read it.
+#pragma once
+
+#include "core/field/field_setup.h"
+#include "draw/drawn_plant.h"
+#include "field/field_properties.h"
+#include "field/shown_map.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace grass {
+
+struct WantedField {
+	FieldSetup setup;
+	std::vector<SpeciesParams> mix;
+	std::vector<GrownSpecies> species;
+	std::vector<DrawnPlant> plants; // of the species
+	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
+	godot::Ref<GrassMap> painted; // what `map` is to show; null: none
+	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
+};
+
+WantedField find_wanted(const FieldProperties &p_properties);
+// Returns where a map would be shown, in order to prepare it, or nothing while the patches are not made yet.
+std::optional<ShownPlace> find_shown_place(const FieldProperties &p_properties);
+
+} // namespace grass
