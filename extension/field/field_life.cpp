@@ -24,8 +24,8 @@ void FieldLife::leave() {
 }
 
 bool FieldLife::advance() {
-	report_refusals();
 	const bool is_refused = _standing.is_refused();
+	report_refusals(); // before a warning of what follows from them
 	if (_is_reading || !_node.is_inside_tree() || !(is_waiting() || is_refused || _standing.is_look_waiting())) {
 		return true;
 	}

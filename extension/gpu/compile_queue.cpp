@@ -53,7 +53,8 @@ CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) 
 	Pipeline &pipeline = found->second;
 	if (is_new) {
 		_compiling++;
-		_queue.push(&pipeline, [this, &pipeline] { compile(pipeline, true); }, int(p_code.order), p_need);
+		_queue.push(
+				&pipeline, [this, &pipeline] { compile(pipeline, true); }, int(p_code.order), p_need);
 	} else if (p_need == Need::WANTED) {
 		_queue.want(&pipeline);
 	}

@@ -84,11 +84,12 @@ void report_refusals() {
 	}
 	for (const PassCode &code : CompileQueue::get().take_refused()) {
 		const auto say = [&](const char *p_instead) {
-			return vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(), p_instead,
-					ADVICE);
+			return vformat("GrassField: the graphics driver refused the compute pass '%s' (%s). %s %s", code.name, device_words(),
+					p_instead, ADVICE);
 		};
 		if (code.has_stand_in) {
-			WARN_PRINT(say("The pass for all kinds of tiles replaces it. It is slower, and blades meet sharp edges with their knots only."));
+			WARN_PRINT(
+					say("The pass for all kinds of tiles replaces it. It is slower, and blades meet sharp edges with their knots only."));
 		} else {
 			ERR_PRINT(say("Fields that need it are simulated and drawn by the CPU from now on, which takes more time."));
 		}

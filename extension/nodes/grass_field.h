@@ -149,7 +149,7 @@ public:
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 
-	// grass_field_methods.cpp: the methods that scripts call. Places are global.
+	// grass_field_queries.cpp and _methods.cpp: the methods that scripts call. Places are global.
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;
 	godot::Vector2i get_tiles() const; // how many along x and z
@@ -226,7 +226,7 @@ private:
 	void _body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape);
 	void _area_changed(int64_t p_status, const godot::RID &p_area, int64_t p_instance_id, int64_t p_other_shape, int64_t p_own_shape);
 
-	// grass_field_changes.cpp: what a change of properties, species, map or fill rule sets going
+	// grass_field_changes.cpp and _warnings.cpp: what a change of properties, species, map or fill rule sets going
 	void request_rebuild();
 	bool stand() override { return _life.stand(); }
 	bool read_scene() override;
@@ -254,7 +254,7 @@ private:
 	void _terrain_rectangle_changed(const godot::Rect2 &p_cells);
 	void _terrain_cells_changed(double p_x, double p_y, double p_width, double p_height, int64_t p_channel);
 
-	// grass_field_methods.cpp
+	// grass_field_queries.cpp and _methods.cpp
 	const godot::Node3D &as_node() const override { return *this; }
 	GrassMap *need_map(const char *p_method) override;
 	void make_map();

@@ -2,14 +2,12 @@
 // GrassField's properties: each setter clamps its value, warns if it had to, and passes it on.
 #include "nodes/grass_field.h"
 
-#include "shared/bind_property.h"
 #include "shared/inherited_properties.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
 #include "shared/property_value.h"
 #include "shared/script_call.h"
 
-#include <godot_cpp/core/class_db.hpp>
 #include <godot_cpp/variant/callable_method_pointer.hpp>
 
 #include <algorithm>
@@ -204,164 +202,6 @@ void GrassField::_validate_property(PropertyInfo &p_property) const {
 	if (has_no_rule || has_no_effect(name)) {
 		p_property.usage = p_property.usage & ~uint32_t(PROPERTY_USAGE_EDITOR);
 	}
-}
-
-namespace {
-
-void add_numbers(std::string_view p_group) {
-	for (const FieldParam &param : FIELD_PARAMS) {
-		if (param.group == p_group) {
-			ClassDB::add_property("GrassField", property_of(param.tunable), "_set_param", "_get_param", param.id);
-		}
-	}
-}
-
-} // namespace
-
-void GrassField::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("_set_param", "param", "value"), &GrassField::set_param);
-	ClassDB::bind_method(D_METHOD("_get_param", "param"), &GrassField::_get_param);
-	ClassDB::bind_method(D_METHOD("_set_color", "index", "color"), &GrassField::set_color);
-	ClassDB::bind_method(D_METHOD("_get_color", "index"), &GrassField::get_color);
-
-	ADD_GROUP("Field", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
-	add_numbers("Field");
-	GRASS_BIND_PROPERTY(GrassField,
-			PropertyInfo(Variant::ARRAY, "species", PROPERTY_HINT_TYPE_STRING,
-					vformat("%d/%d:GrassSpecies", Variant::OBJECT, PROPERTY_HINT_RESOURCE_TYPE)),
-			set_species, get_species);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, range_hint(0, UINT32_MAX)), set_seed, get_seed);
-	ADD_GROUP("Map", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "fill_rule", PROPERTY_HINT_RESOURCE_TYPE, "GrassFillRule"), set_fill_rule,
-			get_fill_rule);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "fill_live"), set_fill_live, is_fill_live);
-	ClassDB::bind_method(D_METHOD("_get_fill_button"), &GrassField::get_fill_button);
-	ADD_PROPERTY(PropertyInfo(Variant::CALLABLE, "fill_now", PROPERTY_HINT_TOOL_BUTTON, "Fill Now,Bucket", PROPERTY_USAGE_EDITOR), "",
-			"_get_fill_button");
-	add_numbers("Map");
-	GRASS_BIND_PROPERTY(
-			GrassField, PropertyInfo(Variant::NODE_PATH, "terrain", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Node"), set_terrain, get_terrain);
-	ADD_GROUP("Clumps", "");
-	add_numbers("Clumps");
-	ADD_GROUP("Simulation", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "simulated"), set_simulated, is_simulated);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_collision_mask,
-			get_collision_mask);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM, "Direct,PBD"), set_method, get_method);
-	GRASS_BIND_PROPERTY(
-			GrassField, PropertyInfo(Variant::INT, "sleep_mode", PROPERTY_HINT_ENUM, "Timer,Energy"), set_sleep_mode, get_sleep_mode);
-	add_numbers("Simulation");
-	GRASS_BIND_PROPERTY(GrassField,
-			PropertyInfo(Variant::INT, "pool_tiles", PROPERTY_HINT_RANGE, range_hint(0, TileParams::MAX_POOL_SIZE, "tiles")),
-			set_pool_tiles, get_pool_tiles);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "backend", PROPERTY_HINT_ENUM, "Auto,CPU"), set_backend, get_backend);
-	ADD_GROUP("Wind", "");
-	add_numbers("Wind");
-	ADD_GROUP("Look", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "ground"), set_ground, has_ground);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "terrain_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
-			set_terrain_texture, get_terrain_texture);
-	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
-		ClassDB::add_property("GrassField", PropertyInfo(Variant::COLOR, FIELD_COLORS[i].name, PROPERTY_HINT_COLOR_NO_ALPHA), "_set_color",
-				"_get_color", int(i));
-	}
-	add_numbers("Look");
-	ADD_GROUP("Surface", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "surface_hook", PROPERTY_HINT_RESOURCE_TYPE, "ShaderInclude"),
-			set_surface_hook, get_surface_hook);
-	add_numbers("Surface");
-	ADD_GROUP("Level of Detail", "");
-	add_numbers("Level of Detail");
-	ADD_GROUP("Debug", "");
-	GRASS_BIND_PROPERTY(GrassField,
-			PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail,Density,Cost"), set_debug_view,
-			get_debug_view);
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
-
-	ClassDB::bind_method(D_METHOD("get_blade_count"), &GrassField::get_blade_count);
-	ClassDB::bind_method(D_METHOD("get_tiles"), &GrassField::get_tiles);
-	ClassDB::bind_method(D_METHOD("get_tile_size"), &GrassField::get_tile_size);
-	ClassDB::bind_method(D_METHOD("get_tile_at", "global_position"), &GrassField::get_tile_at);
-	ClassDB::bind_method(D_METHOD("get_tile_center", "tile"), &GrassField::get_tile_center);
-	ClassDB::bind_method(D_METHOD("is_tile_awake", "tile"), &GrassField::is_tile_awake);
-	ClassDB::bind_method(D_METHOD("get_awake_tile_count"), &GrassField::get_awake_tile_count);
-	ClassDB::bind_method(D_METHOD("get_knots", "tile", "blade"), &GrassField::get_knots);
-	ClassDB::bind_method(D_METHOD("get_tile_knots", "tile"), &GrassField::get_tile_knots);
-	ClassDB::bind_method(D_METHOD("get_blade_knots", "blades"), &GrassField::get_blade_knots);
-	ClassDB::bind_method(D_METHOD("wait_for_knots", "blades"), &GrassField::wait_for_knots);
-	ClassDB::bind_method(D_METHOD("get_tile_blades", "tile"), &GrassField::get_tile_blades);
-	ClassDB::bind_method(D_METHOD("find_blades", "global_position", "radius"), &GrassField::find_blades);
-	ClassDB::bind_method(D_METHOD("get_blade_species", "tile", "blade"), &GrassField::get_blade_species);
-	ClassDB::bind_method(D_METHOD("get_body_count"), &GrassField::get_body_count);
-	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassField::get_memory_usage);
-	ClassDB::bind_method(D_METHOD("get_statistics"), &GrassField::get_statistics);
-	ClassDB::bind_method(D_METHOD("get_counters"), &GrassField::get_counters);
-	ClassDB::bind_static_method("GrassField", D_METHOD("get_version"), &GrassField::get_version);
-
-	ClassDB::bind_method(D_METHOD("is_grass_at", "global_position"), &GrassField::is_grass_at);
-	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::density_at);
-	ClassDB::bind_method(D_METHOD("height_at", "global_position"), &GrassField::height_at);
-	ClassDB::bind_method(D_METHOD("bend_at", "global_position"), &GrassField::bend_at);
-	ClassDB::bind_method(D_METHOD("explain", "global_position", "camera"), &GrassField::explain, DEFVAL(Variant()));
-	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassField::cut);
-	ClassDB::bind_method(
-			D_METHOD("get_mown_share", "shape", "transform"), &GrassField::get_mown_share, DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
-	ClassDB::bind_method(D_METHOD("regrow", "height", "wear", "shape", "transform"), &GrassField::regrow, DEFVAL(0.0),
-			DEFVAL(Ref<Shape3D>()), DEFVAL(Transform3D()));
-	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassField::paint);
-	ClassDB::bind_method(D_METHOD("trample", "global_position", "radius", "amount"), &GrassField::trample);
-	ClassDB::bind_method(
-			D_METHOD("bake_ground", "region", "mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
-	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
-	ClassDB::bind_method(D_METHOD("blast", "global_position", "speed", "radius", "duration"), &GrassField::blast,
-			DEFVAL(FORCE_SPEED.initial), DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
-	ClassDB::bind_method(D_METHOD("push", "global_position", "velocity", "radius", "duration"), &GrassField::push,
-			DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
-	ClassDB::bind_method(D_METHOD("register_collider", "node", "shape"), &GrassField::register_collider);
-	ClassDB::bind_method(D_METHOD("unregister_collider", "node"), &GrassField::unregister_collider);
-	ClassDB::bind_method(D_METHOD("terrain_changed", "area"), &GrassField::terrain_changed, DEFVAL(AABB()));
-	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
-	ClassDB::bind_method(D_METHOD("set_hook_parameter", "name", "value"), &GrassField::set_hook_parameter);
-	ClassDB::bind_method(D_METHOD("get_hook_parameter", "name"), &GrassField::get_hook_parameter);
-	ADD_SIGNAL(MethodInfo("fill_finished"));
-	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
-	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
-
-	BIND_ENUM_CONSTANT(BACKEND_AUTO);
-	BIND_ENUM_CONSTANT(BACKEND_CPU);
-	BIND_ENUM_CONSTANT(METHOD_DIRECT);
-	BIND_ENUM_CONSTANT(METHOD_PBD);
-	BIND_ENUM_CONSTANT(SLEEP_TIMER);
-	BIND_ENUM_CONSTANT(SLEEP_ENERGY);
-	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);
-	BIND_ENUM_CONSTANT(DEBUG_VIEW_AWAKE_TILES);
-	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);
-	BIND_ENUM_CONSTANT(DEBUG_VIEW_DENSITY);
-	BIND_ENUM_CONSTANT(DEBUG_VIEW_COST);
-	BIND_ENUM_CONSTANT(REASON_NONE);
-	BIND_ENUM_CONSTANT(REASON_NOT_MADE);
-	BIND_ENUM_CONSTANT(REASON_HIDDEN);
-	BIND_ENUM_CONSTANT(REASON_OUTSIDE);
-	BIND_ENUM_CONSTANT(REASON_LAYERS);
-	BIND_ENUM_CONSTANT(REASON_TOO_FAR);
-	BIND_ENUM_CONSTANT(REASON_NO_ROOM);
-	BIND_ENUM_CONSTANT(REASON_MAP);
-	BIND_ENUM_CONSTANT(REASON_PAINTED);
-	BIND_ENUM_CONSTANT(REASON_FILL_DENSITY);
-	BIND_ENUM_CONSTANT(REASON_FILL_MASK);
-	BIND_ENUM_CONSTANT(REASON_FILL_MESH);
-	BIND_ENUM_CONSTANT(REASON_FILL_SLOPE);
-	BIND_ENUM_CONSTANT(REASON_FILL_HEIGHT);
-	BIND_ENUM_CONSTANT(REASON_FILL_NOISE);
-	BIND_ENUM_CONSTANT(REASON_FILL_NODE);
-	BIND_ENUM_CONSTANT(REASON_WORN);
-	BIND_ENUM_CONSTANT(REASON_SHORT);
-	BIND_ENUM_CONSTANT(REASON_CUT);
-	BIND_ENUM_CONSTANT(REASON_HOLE);
-	BIND_ENUM_CONSTANT(REASON_FILL_TEXTURE);
-	BIND_ENUM_CONSTANT(REASON_LEDGE);
 }
 
 } // namespace grass

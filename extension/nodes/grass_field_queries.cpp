@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// What scripts ask of GrassField: tiles, blades, the grass at a place. Each method checks its arguments and passes them on.
+#include "nodes/grass_field.h"
+
+#include "shared/main_thread.h"
+
+#include <godot_cpp/classes/viewport.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+PackedInt64Array to_array(const std::vector<BladeNumber> &p_blades) {
+	PackedInt64Array array;
+	array.resize(int64_t(p_blades.size()));
+	std::ranges::copy(p_blades, array.ptrw());
+	return array;
+}
+
+std::span<const BladeNumber> span_of(const PackedInt64Array &p_blades) {
+	return std::span(p_blades.ptr(), size_t(p_blades.size()));
+}
+
+} // namespace
+
+// Whether grass stands, or will as soon as the field is made.
+bool GrassField::has_blades() const {
+	return _standing.stands() ||
+			(is_inside_tree() && _life.is_waiting() && !(_properties.species.prepare_patches() && _properties.species.join()->is_empty()));
+}
+
+int64_t GrassField::get_blade_count() const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return has_blades() ? int64_t(_standing.get_grid().get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
+}
+
+Vector2i GrassField::get_tiles() const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i());
+	const TileGrid grid = _standing.get_grid();
+	return has_blades() ? Vector2i(grid.get_tiles_x(), grid.get_tiles_z()) : Vector2i();
+}
+
+double GrassField::get_tile_size() const {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return _standing.get_grid().get_tile_size();
+}
+
+Vector2i GrassField::get_tile_at(const Vector3 &p_global_position) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector2i(-1, -1));
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector2i(-1, -1), message("add the node to the scene tree before asking for tiles."));
+	return places().get_tile_at(p_global_position);
+}
+
+Vector3 GrassField::get_tile_center(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Vector3(), message("add the node to the scene tree before asking for tiles."));
+	return places().get_tile_centre(p_tile);
+}
+
+bool GrassField::is_tile_awake(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	const Field &field = _standing.get_field();
+	return _standing.stands() && field.get_grid().has_tile(p_tile.x, p_tile.y) &&
+			field.get_tiles().is_awake(field.get_grid().get_index(p_tile.x, p_tile.y));
+}
+
+int64_t GrassField::get_awake_tile_count() const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	return _standing.stands() ? _standing.get_field().get_tiles().get_statistics().awake : 0;
+}
+
+// With an error where it is false.
+bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
+	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	for (const int64_t blade : p_blades) {
+		ERR_FAIL_COND_V_MSG(!places().has_blade(blade), false,
+				message(vformat("there is no blade %d. Get the numbers of blades from find_blades() or get_tile_blades().", blade)));
+	}
+	return true;
+}
+
+bool GrassField::has_tile(const Vector2i &p_tile) const {
+	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
+	ERR_FAIL_COND_V_MSG(!_standing.get_grid().has_tile(p_tile.x, p_tile.y), false,
+			message("there is no such tile. get_tiles() returns the number of tiles."));
+	return true;
+}
+
+PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), PackedVector3Array(), message("a tile has 64 blades, 0 to 63."));
+	if (!has_tile(p_tile)) {
+		return PackedVector3Array();
+	}
+	const BladeNumber blade = number_of(_standing.get_grid().get_index(p_tile.x, p_tile.y), int(p_blade));
+	return places().find_knots(std::span(&blade, 1), FieldPlaces::Knots::KNOWN);
+}
+
+PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_tile(p_tile) ? places().find_knots(places().blades_of(p_tile), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
+}
+
+PackedVector3Array GrassField::get_blade_knots(const PackedInt64Array &p_blades) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
+}
+
+PackedVector3Array GrassField::wait_for_knots(const PackedInt64Array &p_blades) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
+	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::EXACT) : PackedVector3Array();
+}
+
+PackedInt64Array GrassField::get_tile_blades(const Vector2i &p_tile) const {
+	GRASS_MAIN_THREAD_ONLY_V(PackedInt64Array());
+	return has_tile(p_tile) ? to_array(places().blades_of(p_tile)) : PackedInt64Array();
+}
+
+PackedInt64Array GrassField::find_blades(const Vector3 &p_global_position, double p_radius) {
+	GRASS_MAIN_THREAD_ONLY_V(PackedInt64Array());
+	return prepare_places() ? to_array(places().find_blades(p_global_position, p_radius)) : PackedInt64Array();
+}
+
+int64_t GrassField::get_blade_species(const Vector2i &p_tile, int64_t p_blade) const {
+	GRASS_MAIN_THREAD_ONLY_V(0);
+	if (!has_tile(p_tile)) {
+		return 0;
+	}
+	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), 0, message("a tile has 64 blades, 0 to 63."));
+	return _standing.get_field().get_blades().get_pose(p_tile.x, p_tile.y, int(p_blade)).species;
+}
+
+// Before a query: makes the field. False where none stands. What of its map waits to be shown can wait: see StandingField::layers_at().
+bool GrassField::prepare_places() {
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), false, message("add the node to the scene tree before asking for its grass."));
+	return stand() && _standing.stands();
+}
+
+bool GrassField::is_grass_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(false);
+	return density_at(p_global_position) > 0.0;
+}
+
+double GrassField::density_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return prepare_places() ? places().density_at(p_global_position) : 0.0;
+}
+
+double GrassField::height_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(0.0);
+	return prepare_places() ? places().height_at(p_global_position) : 0.0;
+}
+
+Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
+	GRASS_MAIN_THREAD_ONLY_V(Vector3());
+	return prepare_places() ? places().bend_at(p_global_position) : Vector3();
+}
+
+Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
+	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
+	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
+	if (!stand() || !is_inside_tree()) {
+		return Dictionary();
+	}
+	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
+	return to_dictionary(explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera));
+}
+
+} // namespace grass
