@@ -43,6 +43,23 @@ func test_what_changes_meanwhile_comes_with_it() -> void:
 	same_as_fresh(field)
 
 
+## A field is made for whoever asks first; a change of one that stands comes in a frame, whoever asks meanwhile.
+func test_a_query_makes_a_first_field_and_hastens_no_change() -> void:
+	var field := add_field()
+	assert_eq(field.get_counters().makings, 0)
+	assert_true(field.is_grass_at(Vector3.ZERO))
+	assert_eq(field.get_counters().makings, 1, "nobody waits for the first one")
+	await frames(2)
+	var before := field.get_tiles()
+	field.size = Vector2(8, 8)
+	assert_true(field.is_grass_at(Vector3.ZERO))
+	field.regrow(0.1, 0.0)
+	assert_eq(field.get_tiles(), before, "it stands as it was")
+	await wait_until(func() -> bool: return not field.get_statistics().waiting, "the change is there")
+	assert_greater(field.get_tiles().x, before.x)
+	assert_eq(field.get_counters().makings, 2)
+
+
 func test_what_keeps_the_buffers() -> void:
 	var field := add_field()
 	var body := add_held_body(ball(0.2), Vector3(0.25, 0.25, 0.25))
