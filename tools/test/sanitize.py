@@ -26,7 +26,7 @@ STARTS = re.compile(r"^(?=.*(?:ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|: ru
 SAID_FIRST = 4  # places of a report that are named in the list of what failed
 OPTIONS = {"UBSAN_OPTIONS": "print_stacktrace=1"}
 # The files of the headless layer that do things which a field may not expect. The others step thousands of tiles, which is too slow here.
-HEADLESS = ("fuzz", "scripts", "threads", "enums", "properties", "movers", "growing", "game", "field", "map")
+HEADLESS = ("fuzz", "scripts", "scripts_terrain", "scripts_world", "threads", "enums", "properties", "movers", "growing", "game", "field", "map")
 # For the engine: it frees some things only when it ends, and catches signals to print a trace.
 IN_ENGINE = "detect_leaks=0:handle_segv=2:verify_asan_link_order=0"
 
