@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "draw/plant_model.h"
 
+#include "shared/picture.h"
+
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/variant/packed_color_array.hpp>
@@ -24,13 +26,13 @@ constexpr float WIDE_ROWS = 0.85f;
 constexpr int TEXTURE_STEPS = 32; // places of a texture along each side that its mean colour is taken from
 
 // Linear; alpha: share of the texture that is opaque.
-Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor) {
-	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
-	if (found.is_null() || found->is_empty()) {
-		return Color(1, 1, 1, 1);
+Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor, const String &p_who) {
+	String problem;
+	const Ref<Image> image = read_picture(p_texture.is_valid() ? p_texture->get_image() : Ref<Image>(), problem);
+	if (!problem.is_empty()) {
+		WARN_PRINT(vformat("%s: far plants are drawn as if they were white, since an albedo texture %s", p_who, problem));
 	}
-	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
-	if (image->is_compressed() && image->decompress() != OK) {
+	if (image.is_null()) {
 		return Color(1, 1, 1, 1);
 	}
 	Color sum(0, 0, 0, 0);
@@ -125,7 +127,7 @@ void find_looks(PlantModel &r_model, const Shown &p_shown) {
 }
 
 // Adds a surface, and its triangles to what is shown.
-void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, Shown &r_shown) {
+void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, float p_height, Shown &r_shown, const String &p_who) {
 	const Array from = p_mesh->surface_get_arrays(p_surface);
 	PackedVector3Array places = from[Mesh::ARRAY_VERTEX];
 	const PackedColorArray colors = from[Mesh::ARRAY_COLOR];
@@ -156,7 +158,7 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 			indices.set(i, int32_t(i));
 		}
 	}
-	const Color mean = mean_of(surface.texture, surface.scissor), albedo = surface.color.srgb_to_linear();
+	const Color mean = mean_of(surface.texture, surface.scissor, p_who), albedo = surface.color.srgb_to_linear();
 	for (int64_t i = 0; i + 2 < indices.size(); i += 3) {
 		const int64_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
 		const float area = float((places[b] - places[a]).cross(places[c] - places[a]).length()) * 0.5f * float(mean.a);
@@ -183,7 +185,7 @@ int64_t PlantModel::get_memory_usage() const {
 	return vertices * VERTEX + indices * (vertices > 65536 ? 4 : 2);
 }
 
-PlantReading read_plant(const Ref<Mesh> &p_mesh) {
+PlantReading read_plant(const Ref<Mesh> &p_mesh, const String &p_who) {
 	const float height = highest_of(p_mesh);
 	auto model = std::make_shared<PlantModel>();
 	Shown shown;
@@ -214,7 +216,7 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh) {
 		const ArrayMesh *arrays = Object::cast_to<ArrayMesh>(p_mesh.ptr());
 		const bool is_triangles = arrays == nullptr || arrays->surface_get_primitive_type(s) == Mesh::PRIMITIVE_TRIANGLES;
 		if (!places.is_empty() && is_triangles) {
-			add_surface(*model, p_mesh, s, height, shown);
+			add_surface(*model, p_mesh, s, height, shown, p_who);
 		}
 	}
 	if (model->indices == 0) {

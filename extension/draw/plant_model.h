@@ -49,7 +49,8 @@ struct PlantReading {
 	godot::String problem; // why, and what to do
 };
 
-PlantReading read_plant(const godot::Ref<godot::Mesh> &p_mesh);
+// p_who: begins a message about a texture that is not read; far plants are then as if it were white.
+PlantReading read_plant(const godot::Ref<godot::Mesh> &p_mesh, const godot::String &p_who);
 
 // The mesh that a MultiMesh draws, its surfaces without materials.
 godot::Ref<godot::ArrayMesh> make_plant_mesh(const PlantModel &p_model);

@@ -4,6 +4,7 @@
 #include "core/base/half.h"
 #include "core/species/card_coverage.h"
 #include "shared/convert.h"
+#include "shared/picture.h"
 
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -76,16 +77,13 @@ Ref<Image> with_kept_coverage(const Ref<Image> &p_image) {
 
 } // namespace
 
-std::vector<Ref<Image>> read_card(const Ref<Texture2D> &p_texture, int p_pictures, const char *p_property) {
-	const Ref<Image> found = p_texture.is_valid() ? p_texture->get_image() : Ref<Image>();
-	if (found.is_null() || found->is_empty()) {
+std::vector<Ref<Image>> read_card(const Ref<Texture2D> &p_texture, int p_pictures, const String &p_who) {
+	String problem;
+	const Ref<Image> image = read_picture(p_texture.is_valid() ? p_texture->get_image() : Ref<Image>(), problem);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), {}, vformat("%s %s", p_who, problem));
+	if (image.is_null()) {
 		return {};
 	}
-	Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
-	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, {},
-			vformat("GrassSpecies: the texture of `%s` is compressed in a way that cannot be read. Import it as Lossless or VRAM "
-					"Uncompressed.",
-					p_property));
 	image->clear_mipmaps();
 	image->convert(Image::FORMAT_RGBA8);
 	image->resize(p_pictures * Cards::SIDE, Cards::SIDE, Image::INTERPOLATE_LANCZOS);

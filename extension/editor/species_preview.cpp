@@ -53,9 +53,8 @@ Ref<Texture2D> SpeciesPreview::_generate(const Ref<Resource> &p_resource, const 
 	if (species == nullptr || side <= 0) {
 		return {};
 	}
-	const std::vector<Ref<Image>> leaf = read_card(species->get_leaf(), 1, "leaf");
-	const SpeciesLook look = species->make_look(
-			read_card(species->get_card(), species->get_card_pictures(), "card"), leaf.empty() ? Ref<Image>() : leaf.front());
+	const std::vector<Ref<Image>> card = species->read_card(), leaf = species->read_leaf();
+	const SpeciesLook look = species->make_look(card, leaf.empty() ? Ref<Image>() : leaf.front());
 	return ImageTexture::create_from_image(draw_picture(*species, look, side));
 }
 

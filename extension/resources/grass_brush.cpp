@@ -5,6 +5,7 @@
 #include "core/paint/stroke_path.h"
 #include "shared/bind_property.h"
 #include "shared/params.h"
+#include "shared/picture.h"
 #include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/image.hpp>
@@ -45,12 +46,12 @@ void GrassBrush::set_stamp(const Ref<Texture2D> &p_stamp) {
 
 void GrassBrush::_stamp_changed() {
 	_weights.reset();
-	Ref<Image> image = _stamp.is_valid() ? _stamp->get_image() : Ref<Image>();
-	if (image.is_valid() && !image->is_empty()) {
-		image = image->duplicate(); // the texture's own stays as it is
-		if (image->is_compressed()) {
-			image->decompress();
-		}
+	String problem;
+	const Ref<Image> image = read_picture(_stamp.is_valid() ? _stamp->get_image() : Ref<Image>(), problem);
+	if (!problem.is_empty()) {
+		ERR_PRINT(vformat("%s: the picture of `stamp` %s", label(), problem));
+	}
+	if (image.is_valid()) {
 		const int64_t most = std::max(image->get_width(), image->get_height());
 		if (most > MapStamp::MOST) {
 			const auto fit = [&](int64_t p_size) { return int32_t(std::max<int64_t>(p_size * MapStamp::MOST / most, 1)); };

@@ -5,6 +5,7 @@
 #include "shared/convert.h"
 #include "shared/main_thread.h"
 #include "shared/params.h"
+#include "shared/picture.h"
 #include "shared/watch_resource.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -16,13 +17,6 @@
 using namespace godot;
 
 namespace grass {
-
-namespace {
-
-// Of a mask: 8,192 x 8,192. Reading one takes five bytes a texel for a moment, and one for as long as the rule lives.
-constexpr int64_t MASK_TEXELS_MAX = int64_t(1) << 26;
-
-} // namespace
 
 GrassFillRule::GrassFillRule() {
 	_groups[GROUP_EXCLUSION] = "grass_exclusion";
@@ -167,17 +161,12 @@ PackedInt32Array GrassFillRule::get_texture_ids() const {
 
 // Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
 std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
-	const Ref<Image> found = find_picture();
-	if (found.is_null()) {
+	String problem;
+	const Ref<Image> image = read_picture(find_picture(), problem);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), nullptr, vformat("%s: the picture of `mask` %s", label(), problem));
+	if (image.is_null()) {
 		return nullptr;
 	}
-	ERR_FAIL_COND_V_MSG(int64_t(found->get_width()) * found->get_height() > MASK_TEXELS_MAX, nullptr,
-			vformat("%s: the picture of `mask` has %d x %d texels; at most %d in all are read. Use a smaller one.", label(),
-					int64_t(found->get_width()), int64_t(found->get_height()), MASK_TEXELS_MAX));
-	const Ref<Image> image = found->duplicate(); // get_image() may hand out the texture's own
-	ERR_FAIL_COND_V_MSG(image->is_compressed() && image->decompress() != OK, nullptr,
-			vformat("%s: the picture of `mask` cannot be decompressed ('%s'). Import it with the mode Lossless.", label(),
-					_mask->get_path()));
 	image->convert(Image::FORMAT_RGBA8);
 	const PackedByteArray bytes = image->get_data();
 	FillMask mask;

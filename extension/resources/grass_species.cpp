@@ -69,7 +69,7 @@ int GrassSpecies::get_stems() const {
 std::shared_ptr<const PlantModel> GrassSpecies::find_plant() const {
 	if (_plant_mesh.is_valid() && !_plant) {
 		const Ref<Mesh> mesh = _plant_mesh; // a script, maybe, that sets another one meanwhile
-		const PlantReading reading = read_plant(mesh);
+		const PlantReading reading = read_plant(mesh, label() + String(": `plant_mesh`"));
 		if (_plant_mesh == mesh) {
 			_plant = reading;
 		}
@@ -161,12 +161,20 @@ void GrassSpecies::_part_changed() {
 	emit_changed();
 }
 
+std::vector<Ref<Image>> GrassSpecies::read_card() const {
+	return grass::read_card(_card, get_card_pictures(), label() + String(": the picture of `card`"));
+}
+
+std::vector<Ref<Image>> GrassSpecies::read_leaf() const {
+	return grass::read_card(_leaf, 1, label() + String(": the picture of `leaf`"));
+}
+
 void GrassSpecies::read_pictures() {
 	if (_card_images.empty()) {
-		_card_images = read_card(_card, get_card_pictures(), "card");
+		_card_images = read_card();
 	}
 	if (_leaf_image.is_null()) {
-		const std::vector<Ref<Image>> leaf = read_card(_leaf, 1, "leaf");
+		const std::vector<Ref<Image>> leaf = read_leaf();
 		_leaf_image = leaf.empty() ? Ref<Image>() : leaf.front();
 		_leaf_cover = leaf.empty() ? 0.0 : double(mean_color(_leaf_image).a);
 	}

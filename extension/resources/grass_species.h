@@ -47,8 +47,11 @@ public:
 	// p_field: what is not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look(); // without canopies
+	// Of `card` and `leaf`, as read_card() of draw/species_look.h returns them.
+	std::vector<godot::Ref<godot::Image>> read_card() const;
+	std::vector<godot::Ref<godot::Image>> read_leaf() const;
 	SpeciesLook make_look(const std::vector<godot::Ref<godot::Image>> &p_card,
-			const godot::Ref<godot::Image> &p_leaf) const; // the same with images of read_card()
+			const godot::Ref<godot::Image> &p_leaf) const; // the same with images of read_card() and read_leaf()
 	int get_card_pictures() const { return int(param(SPECIES_PARAM_CARD_PICTURES)); }
 	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
 	double get_card_size() const; // farthest that a card or leaf reaches from the tip, metres; 0: neither

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What maps from elsewhere may take: small files and messages that would unpack to gigabytes, and chunks far from any field.
+## What maps from elsewhere may take: small files and messages that would unpack to gigabytes, and chunks far from any field. Likewise
+## pictures that are read.
 extends "res://tests/world_case.gd"
 
 const MAP_SETTING := "grass_field/limits/map_megabytes"
@@ -86,3 +87,63 @@ func test_a_plot_takes_no_chunks_of_other_plots() -> void:
 	await loaded(world)
 	assert_eq(world.get_statistics().files_refused, 1)
 	assert_true(world.get_field(Vector2i(0, 0)) != null, "its plot stands as if there were none")
+
+
+## Small in a file, and in memory: a row of grey texels, one more than are read.
+func long_picture() -> ImageTexture:
+	return ImageTexture.create_from_image(Image.create(8193, 1, false, Image.FORMAT_L8))
+
+
+## Reads what a species shows, which a field does without being drawn.
+func shown(species: GrassSpecies) -> GrassField:
+	var field := add_field({species = [species] as Array[GrassSpecies]})
+	await grown(field)
+	return field
+
+
+func test_pictures_of_species_have_a_limit() -> void:
+	for property: String in ["card", "leaf"]:
+		var species := GrassSpecies.new()
+		species.resource_name = "Reed"
+		species.set(property, long_picture())
+		expect_error("GrassSpecies 'Reed': the picture of `%s` has 8193 x 1 texels, but at most 8192 along a side are read." % property)
+		(await shown(species)).free()
+
+
+func test_a_plant_whose_texture_is_too_large_stands_in_white() -> void:
+	var material := StandardMaterial3D.new()
+	material.albedo_texture = long_picture()
+	var species := GrassSpecies.new()
+	species.resource_name = "Fern"
+	species.plant_mesh = QuadMesh.new()
+	species.plant_mesh.material = material
+	expect_error(
+		"GrassSpecies 'Fern': `plant_mesh`: far plants are drawn as if they were white, since an albedo texture has 8193 x 1 texels"
+	)
+	var field := await shown(species)
+	assert_greater(field.get_blade_count(), 0)
+
+
+func test_a_stamp_that_is_too_large_leaves_nothing() -> void:
+	var stamp := brush(GrassBrush.TOOL_CUT, 1.0)
+	stamp.resource_name = "Mark"
+	expect_error("GrassBrush 'Mark': the picture of `stamp` has 8193 x 1 texels")
+	stamp.stamp = long_picture()
+	var map := full_map()
+	map.stroke(stamp, Vector2.ZERO, Vector2.ZERO)
+	assert_true(map.is_empty())
+	var white := Image.create(8192, 1, false, Image.FORMAT_L8)
+	white.fill(Color.WHITE)
+	stamp.stamp = ImageTexture.create_from_image(white)
+	map.stroke(stamp, Vector2.ZERO, Vector2.ZERO)
+	assert_false(map.is_empty(), "the largest that is read")
+
+
+func test_nothing_grows_by_a_mask_that_is_too_large() -> void:
+	var rule := GrassFillRule.new()
+	rule.resource_name = "Shore"
+	rule.mask = long_picture()
+	expect_error("GrassFillRule 'Shore': the picture of `mask` has 8193 x 1 texels")
+	var field := add_field({map = full_map(), fill_rule = rule})
+	await grown(field)
+	assert_eq(field.density_at(Vector3.ZERO), 0.0)

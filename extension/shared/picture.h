@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Pictures that users give: textures and images whose texels are read. All are read here, and all have the same limit.
+#pragma once
+
+#include <godot_cpp/classes/image.hpp>
+#include <godot_cpp/variant/string.hpp>
+
+namespace grass {
+
+// Texels along a side. What reads a picture takes up to 16 bytes a texel for a moment: 1 GB.
+inline constexpr int64_t PICTURE_SIDE_MAX = 8192;
+
+// Returns a copy that is not compressed. Null without a picture, and where r_problem says why it is not read, and what to do: it follows
+// the picture's name in a message. p_picture: as Texture2D.get_image() returns it, which may be the texture's own, and null.
+godot::Ref<godot::Image> read_picture(const godot::Ref<godot::Image> &p_picture, godot::String &r_problem);
+
+} // namespace grass
