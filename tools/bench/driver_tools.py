@@ -15,7 +15,7 @@ import sys
 import tarfile
 
 from tools.fetch import machine, packages, pip_packages, settle
-from tools.fetch.packages import DRIVERS
+from tools.fetch.roots import DRIVERS
 from tools.places import BUILD, ROOT, TOOLS
 from tools.say import Failure, progress
 

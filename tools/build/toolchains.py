@@ -12,7 +12,7 @@ import re
 import shutil
 
 from tools.fetch import machine
-from tools.fetch.packages import CROSS, GLIBC
+from tools.fetch.roots import CROSS, GLIBC
 from tools.places import ZIG
 
 GLIBC_MOST = (2, 31)

@@ -15,7 +15,8 @@ import sys
 
 from tools import locks
 from tools.fetch import settle
-from tools.fetch.packages import MAIN, fetch
+from tools.fetch.packages import fetch
+from tools.fetch.roots import MAIN
 from tools.places import UNPACKED
 from tools.say import Failure
 

@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Fetches what the machine lacks: Debian packages, unpacked into folders of the project.
-
-Each folder (a root) holds packages of one suite, for one architecture. The engine and what it needs come from `testing`;
-compilers for other platforms and what runs their programs from a stable release, so that a library is made by the same
-compiler wherever it is made.
+"""Fetches what the machine lacks: Debian packages, unpacked into folders of the project (roots.py).
 
 No root, nothing installed: apt gets a state of its own, and `dpkg-deb` unpacks. The folder appears under its name only
 when it is whole (unpacked beside it, then renamed), so a run that was interrupted leaves nothing half-done behind.
@@ -17,91 +13,14 @@ import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 
-from tools import places
 from tools.fetch import settle
-from tools.places import TOOLS, UNPACKED
+from tools.fetch.roots import MAIN
+from tools.places import TOOLS
 from tools.say import Failure, progress
 
-
-@dataclass(frozen=True)
-class Root:
-	"""A folder of unpacked packages, and the state of apt that fills it."""
-
-	place: pathlib.Path
-	suite: str
-	architecture: str = ""  # by Debian's name; empty: this machine's
-	of_cards: bool = False  # GPUs' drivers, sources and translators of shaders; its programs run only with settle.through_loader()
-
-	@property
-	def apt(self):
-		return TOOLS / "apt" / self.place.name
-
-	@property
-	def archives(self):
-		return self.apt / "archives"
-
-	@property
-	def partial(self):
-		return self.place.with_name(self.place.name + ".partial")
-
-	@property
-	def old(self):
-		return self.place.with_name(self.place.name + ".old")
-
-
-MAIN = Root(UNPACKED, "testing")
-CROSS = Root(places.CROSS, "bookworm")  # compilers for other platforms, Wine, qemu
-GLIBC = {  # what a library for Linux is linked against: glibc 2.31
-	"x86_64": Root(TOOLS / "linux_x86_64", "bullseye", "amd64"),
-	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
-}
-DRIVERS = Root(places.DRIVERS, "trixie", of_cards=True)  # a stable release, so that figures of its compilers can be compared
-ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")
 MERGED = ("bin", "sbin", "lib", "lib64")  # links into usr, as on a machine; older packages still fill both
 STATUS = "var/lib/dpkg/status"  # which packages are unpacked, in the form in which apt reads it
-
-# Not unpacked: documentation, files that the machine's own Python replaces, files of compilers for other languages.
-LEFT_OUT = (
-	"./usr/share/doc/*",
-	"./usr/share/man/*",
-	"./usr/share/locale/*",
-	"./usr/share/info/*",
-	"./usr/share/lintian/*",
-	"./usr/share/zoneinfo/*",
-	"./usr/share/perl5/*",
-	"./usr/bin/*python*",
-	"./usr/bin/py*3*",
-	"./usr/lib/python3.*",
-	"./usr/lib/*/gconv/*",
-	"./usr/share/vulkan/implicit_layer.d/*",
-	"./usr/bin/*lto-dump*",
-	"./usr/bin/qemu-[!a]*",
-	"./usr/lib/gcc*/*lto1",
-	"./usr/lib/gcc*/adalib/*",
-	"./usr/lib/gcc*/libgfortran*",
-)
-OF_CARDS = (  # left out as well where nobody asks for them: cards use the system's drivers
-	"./usr/bin/spirv-*",
-	"./usr/share/vulkan/icd.d/*",
-	*(
-		f"./usr/lib/*/libvulkan_{name}.so"
-		for name in (
-			"asahi",
-			"freedreno",
-			"gfxstream",
-			"intel",
-			"intel_hasvk",
-			"nouveau",
-			"panfrost",
-			"broadcom",
-			"powervr_mesa",
-			"radeon",
-			"virtio",
-		)
-	),
-)
 
 BY_HAND = (
 	"Install them by hand, then run this again: Godot 4.6 or newer (or name one: GODOT=/path/to/godot), SCons 4, Eigen 3.4"
@@ -204,7 +123,7 @@ def download(root, packages):
 def unpack_one(archive, root):
 	"""Unpacks one archive; returns its entry for the status file."""
 	reader = subprocess.Popen(["dpkg-deb", "--fsys-tarfile", str(archive)], stdout=subprocess.PIPE, pass_fds=_held)
-	left_out = [f"--exclude={pattern}" for pattern in (*LEFT_OUT, *(() if root.of_cards else OF_CARDS))]
+	left_out = [f"--exclude={pattern}" for pattern in root.left_out]
 	command = ["tar", "-x", "-C", str(root.partial), "--no-same-owner", "--keep-directory-symlink", "--wildcards", *left_out]
 	result = subprocess.run(command, stdin=reader.stdout, capture_output=True, text=True, pass_fds=_held)
 	reader.stdout.close()

@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 from tools.fetch import machine, pip_packages
-from tools.fetch.packages import CROSS
+from tools.fetch.roots import CROSS
 from tools.pages import prose
 from tools.places import ROOT, TOOLS
 from tools.say import Failure

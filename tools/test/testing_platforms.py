@@ -10,7 +10,7 @@ import subprocess
 
 from tools.build import build, toolchains
 from tools.fetch import machine
-from tools.fetch.packages import ENGINE_ARM64, GLIBC
+from tools.fetch.roots import ENGINE_ARM64, GLIBC
 from tools.places import ADDON_BIN, BUILD
 from tools.run import engine
 from tools.say import Failure, progress

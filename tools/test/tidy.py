@@ -11,7 +11,7 @@ import subprocess
 
 from tools.build import binding, toolchains, unity
 from tools.fetch import machine
-from tools.fetch.packages import CROSS
+from tools.fetch.roots import CROSS
 from tools.places import BUILD, ROOT
 from tools.say import Failure, progress
 
