@@ -102,7 +102,7 @@ bool FieldLife::prepare_map(FrameShare::Turn &r_turn) {
 	}
 	std::unique_ptr<ShownMap> &map = _wanted.map;
 	if (!map && has_time(r_turn)) {
-		map = std::make_unique<ShownMap>(_wanted.painted, _wanted.setup, _stage == Stage::OUTDATED ? nullptr : std::move(_prepared));
+		map = ShownMap::make(_wanted.painted, _wanted.setup.map_place(), _stage == Stage::OUTDATED ? nullptr : std::move(_prepared));
 	}
 	while (map && map->has_work()) {
 		if (map->is_waiting_for_thread() || !has_time(r_turn)) {

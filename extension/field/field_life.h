@@ -33,7 +33,7 @@ public:
 	// Asks for the field that the properties describe, however many of them change. It is made as advance() comes to it.
 	void ask();
 	// Takes a map for the field, prepared by another thread; null: none.
-	void offer(std::unique_ptr<PreparedMap> p_prepared) { _prepared = std::move(p_prepared); }
+	void offer(std::unique_ptr<ShownMap> p_prepared) { _prepared = std::move(p_prepared); }
 	// Takes the field as far as this frame has time for. Returns false if a script that ran meanwhile freed it: use nothing of it then.
 	// Call it once a frame.
 	[[nodiscard]] bool advance();
@@ -62,7 +62,7 @@ private:
 	StandingField &_standing;
 	Stage _stage = Stage::NONE;
 	WantedField _wanted; // while it is being prepared
-	std::unique_ptr<PreparedMap> _prepared;
+	std::unique_ptr<ShownMap> _prepared;
 	bool _is_reading = false; // scripts run: one that asks the field finds it as it was
 	bool _is_new = false; // warnings of it are to be reported
 	double _most_ms = 0.0;

@@ -64,7 +64,7 @@ template <typename F> double FieldPlaces::read_at(const Vector3 &p_global, F &&p
 	}
 	const Eigen::Vector3d place = from_global(p_global);
 	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
-	return p_read(_standing.get_field(), ground, _standing.layers_at(ground));
+	return p_read(ground, _standing.layers_at(ground));
 }
 
 double FieldPlaces::density_at(const Vector3 &p_global) const {
@@ -72,7 +72,9 @@ double FieldPlaces::density_at(const Vector3 &p_global) const {
 }
 
 double FieldPlaces::height_at(const Vector3 &p_global) const {
-	return read_at(p_global, grass::height_at);
+	return read_at(p_global, [this](const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
+		return grass::height_at(_standing.get_field(), p_place, p_layers);
+	});
 }
 
 Vector3 FieldPlaces::bend_at(const Vector3 &p_global) const {

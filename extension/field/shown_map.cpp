@@ -1,45 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "field/shown_map.h"
 
-#include "core/field/field_setup.h"
 #include "draw/frame_share.h"
+
+#include <utility>
 
 using namespace godot;
 
 namespace grass {
 
-ShownPlace shown_place_of(const FieldSetup &p_setup) {
-	return { { p_setup.grid, double(p_setup.blade_length()), p_setup.follow_slope }, p_setup.species != nullptr };
-}
-
-PreparedMap::PreparedMap(const PaintMap &p_map, const ShownPlace &p_place, bool p_with_textures) :
-		laid(p_map, p_place.map), textures(p_place.has_species), has_species(p_place.has_species) {
-	if (!p_with_textures) {
-		return;
+void ShownMap::prepare(const PaintMap &p_map, bool p_with_textures) {
+	_prepared = p_map;
+	_layers.update(p_map, _layers.get_region());
+	if (p_with_textures) {
+		_textures.make(_layers, _layers.count_painted(p_map));
 	}
-	textures.make(laid.field.get_layers(), laid.field.count_painted(laid.map));
 }
 
-namespace {
+std::unique_ptr<ShownMap> ShownMap::make(const Ref<GrassMap> &p_map, const MapPlace &p_place, std::unique_ptr<ShownMap> p_prepared) {
+	const bool fits = p_prepared && p_prepared->_layers.get_place() == p_place;
+	std::unique_ptr<ShownMap> shown = fits ? std::move(p_prepared) : std::make_unique<ShownMap>(p_place);
+	shown->show(p_map);
+	return shown;
+}
 
-// What another thread prepared, or all of it to be laid out still.
-std::pair<FieldMap, MapTextures> begin(const PaintMap &p_map, const ShownPlace &p_place, std::unique_ptr<PreparedMap> p_prepared) {
-	if (p_prepared && p_prepared->has_species == p_place.has_species) {
-		if (std::optional<FieldMap> field = std::move(p_prepared->laid).take(p_map, p_place.map)) {
-			return { std::move(*field), std::move(p_prepared->textures) };
-		}
+void ShownMap::show(const Ref<GrassMap> &p_map) {
+	_map = p_map;
+	if (_prepared) {
+		_layers.touch(*_prepared, _map->get_map());
+		_prepared.reset();
 	}
-	return { FieldMap(p_place.map.grid, p_place.map.tallest, p_place.map.follow), MapTextures(p_place.has_species) };
+	_map->show(this, _layers.get_region().grown(MapLayers::CHANGE_MARGIN)); // what lies a little beyond blends into the border
 }
 
-} // namespace
-
-ShownMap::ShownMap(const Ref<GrassMap> &p_map, const FieldSetup &p_setup, std::unique_ptr<PreparedMap> p_prepared) :
-		ShownMap(p_map, begin(p_map->get_map(), shown_place_of(p_setup), std::move(p_prepared))) {}
-
-ShownMap::ShownMap(const Ref<GrassMap> &p_map, std::pair<FieldMap, MapTextures> &&p_begun) :
-		_map(p_map), _field(std::move(p_begun.first)), _textures(std::move(p_begun.second)) {
-	_map->show(this, _field.get_region().grown(MapLayers::CHANGE_MARGIN)); // what lies a little beyond blends into the border
+ShownMap::~ShownMap() {
+	if (_map.is_valid()) {
+		_map->hide(this);
+	}
 }
 
 void ShownMap::preview(const std::function<BrushResult(PaintMap &)> &p_change) {
@@ -63,16 +60,16 @@ bool ShownMap::end_preview() {
 	return true;
 }
 
-FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
-	FieldMap::Changes changes;
+MapLayers::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
+	MapLayers::Changes changes;
 	const bool was_growing = is_growing();
 	while (get_waiting() > 0 && p_go_on()) {
-		changes.add(_field.work(shown()));
+		changes.add(_layers.work(shown()));
 	}
 	const int64_t before = _textures.get_uploaded_bytes();
-	_textures.update(_field.get_layers(), changes.layers, 0);
+	_textures.update(_layers, changes.layers, 0);
 	while (was_growing && _textures.can_work() && p_go_on()) {
-		_textures.work(_field.get_layers());
+		_textures.work(_layers);
 	}
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 	return changes;
@@ -81,16 +78,16 @@ FieldMap::Changes ShownMap::update(const std::function<bool()> &p_go_on) {
 void ShownMap::work() {
 	const int64_t before = _textures.get_uploaded_bytes();
 	if (_textures.can_work()) {
-		_textures.work(_field.get_layers());
+		_textures.work(_layers);
 	} else {
-		_textures.update(_field.get_layers(), _field.work(shown()).layers, _field.count_painted(shown()));
+		_textures.update(_layers, _layers.work(shown()).layers, _layers.count_painted(shown()));
 	}
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 }
 
 void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set, bool p_all) {
 	if (p_all || has_new_textures()) {
-		_textures.set_uniforms(_field.get_layers(), p_set);
+		_textures.set_uniforms(_layers, p_set);
 	}
 	p_set("map_base_density", _map->get_base_density());
 }

@@ -23,7 +23,7 @@ constexpr int CHUNKS_AT_ONCE = 4;
 
 void StandingField::make(WantedField &&p_wanted, bool p_in_parts) {
 	_is_crowded = false;
-	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_field() : nullptr, patches_of(p_wanted.species),
+	_field.set(p_wanted.setup, p_wanted.bounds, p_wanted.map ? &p_wanted.map->get_layers() : nullptr, patches_of(p_wanted.species),
 			_properties.field_params(p_wanted.species));
 	_mix = std::move(p_wanted.mix);
 	_species = std::move(p_wanted.species);
@@ -116,7 +116,7 @@ bool StandingField::update_map() {
 	if (is_streamed || !are_few) { // else at once, and not from the share
 		turn.emplace(this);
 	}
-	const FieldMap::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
+	const MapLayers::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
 	turn.reset();
 	if (is_shown() && _map->has_new_textures()) { // else show() does it, for all of the map
 		_map->set_uniforms(uniform_setter(true), false);
@@ -127,7 +127,7 @@ bool StandingField::update_map() {
 	}
 	if (is_shown()) { // likewise
 		_map->set_uniforms(uniform_setter(true), false);
-		_backend->set_cover(_map->get_field().get_cover(), changes.tiles);
+		_backend->set_cover(_map->get_layers().get_cover(), changes.tiles);
 	}
 	_field.regrow(changes.tiles);
 	return !_field.get_layers()->is_full();
@@ -137,12 +137,10 @@ const MapLayers *StandingField::layers_at(const Eigen::Vector2f &p_place) const 
 	if (_properties.map.is_null()) {
 		return nullptr;
 	}
-	if (_map && _map->get_map() == _properties.map && !_map->is_preview() && !_map->get_field().is_waiting_at(p_place)) {
+	if (_map && _map->get_map() == _properties.map && !_map->is_preview() && !_map->get_layers().is_waiting_at(p_place)) {
 		return _field.get_layers();
 	}
-	MapLayers plain;
-	plain.reset(_field.get_setup().grid, _field.get_setup().blade_length());
-	plain.read(_properties.map->get_map(), p_place, _layers_there);
+	_layers_there.read(_properties.map->get_map(), _field.get_setup().map_place(), p_place);
 	return &_layers_there;
 }
 
@@ -174,7 +172,7 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	}
 	_backend->follow(p_node, p_transform);
 	const bool is_carried = _properties.has_ground;
-	if (const TileCover *cover = _map ? _map->get_field().get_cover().get() : nullptr) {
+	if (const TileCover *cover = _map ? _map->get_layers().get_cover().get() : nullptr) {
 		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());
 	}
 	_ground.follow(p_node, p_transform, is_carried);
@@ -255,7 +253,7 @@ void StandingField::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.is_waiting = r_statistics.is_waiting || is_look_waiting();
 	}
 	if (_map) {
-		r_statistics.bare_tiles = _map->get_field().get_cover()->get_bare_count();
+		r_statistics.bare_tiles = _map->get_layers().get_cover()->get_bare_count();
 		r_statistics.map_bytes = _map->get_textures().get_uploaded_bytes();
 		r_statistics.map_waiting += _map->get_waiting();
 	}

@@ -118,7 +118,7 @@ private:
 	bool wants_device() const; // and there is one
 	godot::String obstacle_warning() const;
 	void make_backend();
-	bool has_ledges() const { return _map != nullptr && !_map->get_field().get_layers().get_ledge_layers().empty(); }
+	bool has_ledges() const { return _map != nullptr && !_map->get_layers().get_ledge_layers().empty(); }
 	Look find_look() const {
 		return { shader_features(_field.get_setup()) | (has_ledges() ? SHADER_LEDGES : 0), _properties.hook.get_text() };
 	}

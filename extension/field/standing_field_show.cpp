@@ -65,7 +65,7 @@ void StandingField::show_parts(const Look &p_look, bool p_is_hidden) {
 	const int rows = _map ? grid.get_tiles_z() : 0, at_once = p_is_hidden ? std::max(TILES_AT_ONCE / grid.get_tiles_x(), 1) : rows;
 	while (_part == Part::COVER && _rows_shown < rows && may_go_on()) {
 		const int end = std::min(_rows_shown + at_once, rows);
-		_backend->set_cover(_map->get_field().get_cover(), { 0, grid.get_tiles_x(), _rows_shown, end });
+		_backend->set_cover(_map->get_layers().get_cover(), { 0, grid.get_tiles_x(), _rows_shown, end });
 		FrameShare::count_bytes(int64_t(end - _rows_shown) * grid.get_tiles_x() * int64_t(sizeof(TileCover::Tile)));
 		_rows_shown = end;
 	}

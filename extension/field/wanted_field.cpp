@@ -43,11 +43,11 @@ WantedField find_wanted(const FieldProperties &p_properties) {
 	return wanted;
 }
 
-std::optional<ShownPlace> find_shown_place(const FieldProperties &p_properties) {
+std::optional<MapPlace> find_map_place(const FieldProperties &p_properties) {
 	if (!p_properties.species.prepare_patches()) {
 		return {};
 	}
-	return shown_place_of(find_wanted(p_properties).setup);
+	return find_wanted(p_properties).setup.map_place();
 }
 
 } // namespace grass

@@ -25,6 +25,6 @@ struct WantedField {
 
 WantedField find_wanted(const FieldProperties &p_properties);
 // Returns where a map would be shown, in order to prepare it, or nothing while the patches are not made yet.
-std::optional<ShownPlace> find_shown_place(const FieldProperties &p_properties);
+std::optional<MapPlace> find_map_place(const FieldProperties &p_properties);
 
 } // namespace grass

@@ -85,10 +85,10 @@ public:
 	godot::Vector2 get_size() const { return _properties.size; }
 	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
 	godot::Ref<GrassMap> get_map() const { return value_of(_properties.map); }
-	// Instead of set_map(), for a map that another thread prepared as find_shown_place() says.
-	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared);
+	// Instead of set_map(), for a map that another thread prepared as find_map_place() says.
+	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> p_prepared);
 	// Also of a field that is not made, nor in the tree; nothing until its patches are there.
-	std::optional<ShownPlace> find_shown_place() const { return grass::find_shown_place(_properties); }
+	std::optional<MapPlace> find_map_place() const { return grass::find_map_place(_properties); }
 	bool is_made() const { return _life.get_stage() == FieldLife::Stage::SHOWN; } // as the properties have it
 	double get_build_ms() const { return _life.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades

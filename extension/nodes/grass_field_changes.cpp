@@ -73,7 +73,7 @@ void GrassField::set_map(const Ref<GrassMap> &p_map) {
 	request_rebuild();
 }
 
-void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<PreparedMap> p_prepared) {
+void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> p_prepared) {
 	set_map(p_map);
 	_life.offer(std::move(p_prepared));
 }

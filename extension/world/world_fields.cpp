@@ -91,9 +91,9 @@ void WorldFields::forget_first() {
 	_first = nullptr;
 }
 
-const std::optional<ShownPlace> &WorldFields::find_place() {
+const std::optional<MapPlace> &WorldFields::find_place() {
 	if (!_place && _first != nullptr) {
-		_place = _first->find_shown_place();
+		_place = _first->find_map_place();
 		if (_place) {
 			forget_first();
 		}

@@ -43,7 +43,7 @@ public:
 
 	const Pattern &get_pattern() const { return _pattern; }
 	// For what plots' maps are prepared; nothing until it is known.
-	const std::optional<ShownPlace> &find_place();
+	const std::optional<MapPlace> &find_place();
 	bool has_wrong_scene() const { return _has_wrong_scene; }
 	size_t count_spare() const { return _spare.size(); }
 	void forget_freed(); // by a script
@@ -68,7 +68,7 @@ private:
 	std::shared_ptr<std::set<std::string>> _warned_of = std::make_shared<std::set<std::string>>(); // by any of the fields
 	Pattern _pattern;
 	GrassField *_first = nullptr; // outside of the tree, until the place is known
-	std::optional<ShownPlace> _place;
+	std::optional<MapPlace> _place;
 	bool _has_wrong_scene = false;
 	std::vector<uint64_t> _spare; // instances' ids
 	int64_t _made = 0;

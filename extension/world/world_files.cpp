@@ -121,10 +121,11 @@ void WorldFiles::wait_until(std::unique_lock<std::mutex> &r_lock, const std::fun
 	}
 }
 
-void WorldFiles::read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const ShownPlace &p_place) {
+void WorldFiles::read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const MapPlace &p_place) {
 	add({ true, [this, p_key, p_ask, p_default, p_place] {
 			 ReadPlot plot{ p_key, p_ask, find(p_key, p_default), nullptr };
-			 plot.prepared = std::make_unique<PreparedMap>(plot.map, p_place, _makes_textures);
+			 plot.prepared = std::make_unique<ShownMap>(p_place);
+			 plot.prepared->prepare(plot.map, _makes_textures);
 			 std::lock_guard lock(_mutex);
 			 _read.push_back(std::move(plot));
 		 } });

@@ -32,7 +32,7 @@ struct ReadPlot {
 	PlotKey key;
 	int64_t ask = 0; // whose answer it is
 	PaintMap map;
-	std::unique_ptr<PreparedMap> prepared;
+	std::unique_ptr<ShownMap> prepared;
 };
 
 struct WorldFileStatistics {
@@ -51,7 +51,7 @@ public:
 	// Waits until all is written, and ends the thread.
 	void stop();
 	// p_ask: comes back with it; p_default: where there is no file. p_place: what field it is for.
-	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const ShownPlace &p_place);
+	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const MapPlace &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Changes a plot that is not in memory, and writes it.
 	void change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change);

@@ -213,7 +213,7 @@ bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const
 
 // Of the wanted plots the nearest that nobody asked for.
 void WorldPlots::ask() {
-	const std::optional<ShownPlace> &place = _fields.find_place();
+	const std::optional<MapPlace> &place = _fields.find_place();
 	if (!place) {
 		return;
 	}

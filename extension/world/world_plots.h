@@ -65,7 +65,7 @@ private:
 		int64_t ask = 0; // the ask() to answer
 		uint64_t field = 0; // the instance's id: a script may free it
 		PaintMap known; // as it is in its file
-		std::unique_ptr<PreparedMap> prepared;
+		std::unique_ptr<ShownMap> prepared;
 		FieldMemory memory; // when it was measured last
 	};
 

@@ -138,7 +138,7 @@ size_t WorldPlots::count_bytes() const {
 			bytes += plot.memory.all > 0 ? rest_of(plot.memory) + pool_of(plot.memory, field->get_pool_tiles())
 										 : _planner.expected(key) + size_t(field->get_pool_tiles()) * pools.tile_bytes;
 		} else if (plot.prepared) {
-			bytes += plot.prepared->laid.get_memory_usage();
+			bytes += plot.prepared->get_layers().get_memory_usage();
 		}
 	}
 	return bytes;

@@ -2,7 +2,7 @@
 // What a field's making takes on the CPU, piece by piece, as CSV on stdout: the median of some runs, against the number of
 // blades. The renderer's own objects are not in it.
 #include "core/base/cpu_clock.h"
-#include "core/map/field_map.h"
+#include "core/map/map_layers.h"
 #include "core/paint/brush.h"
 #include "core/solver/simulate.h"
 #include "core/tiles/tiles.h"
@@ -43,7 +43,7 @@ PaintMap paint(double p_side) {
 }
 
 void lay_out(const PaintMap &p_map, const TileGrid &p_grid) {
-	FieldMap map(p_grid, 1.0, 0.25f);
+	MapLayers map({ p_grid, 1.0, 0.25f });
 	map.update(p_map, map.get_region());
 }
 

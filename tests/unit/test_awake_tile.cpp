@@ -15,7 +15,7 @@ namespace {
 // An awake tile on a slope that is grown over.
 struct SlopeTile {
 	PaintMap map;
-	FieldMap field{ HILL_GRID, TALLEST, 1.0f };
+	MapLayers layers{ MapPlace{ HILL_GRID, TALLEST, 1.0f } };
 	CpuPool pool{ shared_patch(), 4 };
 	GrassSlot slot = fresh_slot(HILL_GRID, 50, 30);
 	StepInput input;
@@ -23,21 +23,21 @@ struct SlopeTile {
 	SlopeTile() {
 		map.set_base_density(1.0);
 		lay_slope(map);
-		field.update(map, field.get_region());
+		layers.update(map, layers.get_region());
 		input.step.field = { float(HILL_GRID.get_tile_size()), float(HILL_GRID.get_tiles_x()), float(HILL_GRID.get_tiles_z()),
 			float(GRASS_KNOTS) };
 		input.slots = { &slot, 1 };
 	}
-	FieldBlades get_blades() const { return FieldBlades(HILL_GRID, shared_patch(), ClumpParams(), 0, nullptr, &field); }
+	FieldBlades get_blades() const { return FieldBlades(HILL_GRID, shared_patch(), ClumpParams(), 0, nullptr, &layers); }
 	void cut_to_10_cm() {
 		paint(map, MapTool::CUT, 0.1, disc(5.0, -5.0, 6.0));
-		field.update(map, field.get_region());
+		layers.update(map, layers.get_region());
 	}
 };
 
 } // namespace
 
-TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so again when the map changes below it") {
+TEST_CASE("map_layers: an awake tile stands as its blades grow, and stands so again when the map changes below it") {
 	SlopeTile tile;
 	const FieldBlades blades = tile.get_blades();
 	const ClumpParams clump;
@@ -71,7 +71,7 @@ TEST_CASE("field_map: an awake tile stands as its blades grow, and stands so aga
 	}
 }
 
-TEST_CASE("field_map: an awake blade that is cut keeps its shape and its speed, in proportion [Eq M6]") {
+TEST_CASE("map_layers: an awake blade that is cut keeps its shape and its speed, in proportion [Eq M6]") {
 	SlopeTile tile;
 	const FieldBlades blades = tile.get_blades();
 	SlotGrowth growth = blades.grow(tile.slot);

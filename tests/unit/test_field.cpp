@@ -235,16 +235,16 @@ TEST_CASE("field: bounds are made anew for other blades only") {
 TEST_CASE("grass at a place: all of it without a map, and what is painted with one") {
 	FieldScene scene;
 	const Eigen::Vector2f place(0.5f, 0.5f);
-	CHECK(density_at(scene.field, place, nullptr) == 1.0);
+	CHECK(density_at(place, nullptr) == 1.0);
 	const double height = height_at(scene.field, place, nullptr);
 	CHECK(height > 0.5 * double(scene.setup.patch->mean_height));
 	CHECK(height < double(scene.setup.blade_length()));
 	PaintMap painted;
 	painted.set_base_density(0.0);
-	FieldMap map(scene.setup.grid, scene.setup.blade_length(), 0.0f);
+	MapLayers map(scene.setup.map_place());
 	map.update(painted, map.get_region());
-	CHECK(density_at(scene.field, place, &map.get_layers()) == 0.0);
-	CHECK(height_at(scene.field, place, &map.get_layers()) == 0.0);
+	CHECK(density_at(place, &map) == 0.0);
+	CHECK(height_at(scene.field, place, &map) == 0.0);
 	CHECK(kind_of(scene.field).per_area == 64.0);
 }
 

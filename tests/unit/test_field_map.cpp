@@ -3,7 +3,7 @@
 #include "hill_map.h"
 
 #include "core/blades/blade.h"
-#include "core/map/field_map.h"
+#include "core/map/map_layers.h"
 #include "core/tiles/tiles.h"
 
 #include <doctest/doctest.h>
@@ -19,11 +19,10 @@ TEST_CASE("growth: wear presses the grass and thins it out until it is gone [Eq 
 	map.set_base_density(1.0);
 	for (const double wear : { 0.2, 0.6, 1.0 }) {
 		paint(map, MapTool::FLATTEN, wear, disc(0.0, 0.0, 5.0));
-		MapLayers layers;
-		layers.reset(HILL_GRID);
-		layers.update(map, { { -20, -20 }, { 20, 20 } });
-		CHECK(layers.sample({ 0.0f, 0.0f }, 0.0f).density == doctest::Approx(1.0 - wear * wear).epsilon(0.01));
-		CHECK(layers.sample({ 0.0f, 0.0f }, 0.0f).height == doctest::Approx(1.0 - GRASS_WEAR_PRESSES * wear).epsilon(0.01));
+		MapLayers layers({ HILL_GRID });
+		layers.update(map, layers.get_region());
+		CHECK(layers.sample({ 0.0f, 0.0f }).density == doctest::Approx(1.0 - wear * wear).epsilon(0.01));
+		CHECK(layers.sample({ 0.0f, 0.0f }).height == doctest::Approx(1.0 - GRASS_WEAR_PRESSES * wear).epsilon(0.01));
 	}
 }
 
@@ -69,9 +68,9 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	PaintMap map;
 	paint(map, MapTool::PAINT, 1.0, disc(5.0, 5.0, 6.0));
 	lay_slope(map);
-	FieldMap field(HILL_GRID, TALLEST, 0.0f);
-	field.update(map, field.get_region());
-	const TileCover &cover = *field.get_cover();
+	MapLayers layers({ HILL_GRID, TALLEST, 0.0f });
+	layers.update(map, layers.get_region());
+	const TileCover &cover = *layers.get_cover();
 	int bare = 0;
 	for (int z = 0; z < 80; z++) {
 		for (int x = 0; x < 80; x++) {
@@ -80,7 +79,7 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 			double most = 0.0;
 			for (int n = 0; n < 25; n++) {
 				const Eigen::Vector3d at = HILL_GRID.get_centre(x, z) + Eigen::Vector3d((n % 5 - 2) * 0.125, 0.0, (n / 5 - 2) * 0.125);
-				const Growth here = field.get_layers().sample({ float(at.x()), float(at.z()) }, 0.0f);
+				const Growth here = layers.sample({ float(at.x()), float(at.z()) });
 				most = std::max(most, double(here.density));
 				if (!tile.is_bare()) {
 					CHECK(here.ground >= tile.low - 1e-4f);
@@ -98,43 +97,43 @@ TEST_CASE("tile_cover: a tile is bare where no texel says otherwise, and its gro
 	CHECK(bare == cover.get_bare_count());
 	CHECK(double(6400 - bare) * 0.25 == doctest::Approx(std::numbers::pi * 36.0).epsilon(0.2)); // and the tiles on the border
 	const BrushResult erased = paint(map, MapTool::ERASE, 0.0, disc(5.0, 5.0, 9.0));
-	field.update(map, { erased.min, erased.max });
+	layers.update(map, { erased.min, erased.max });
 	CHECK(cover.get_bare_count() == 6400);
 	CHECK(cover.get_low() == 0.0f);
 	CHECK(cover.get_high() == 0.0f);
 }
 
-TEST_CASE("field_map: laid out chunk by chunk, with changes in between, it says what it says when laid out at once") {
+TEST_CASE("map_layers: laid out chunk by chunk, with changes in between, it says what it says when laid out at once") {
 	PaintMap map;
 	paint(map, MapTool::PAINT, 0.6, disc(1.0, -1.0, 18.0));
 	lay_slope(map);
-	FieldMap field(HILL_GRID, TALLEST, 0.25f);
-	CHECK(field.get_waiting() == 4);
-	CHECK(field.count_painted(map) == 4);
-	CHECK(field.work(map).layers == std::vector<int>{ 0 });
-	CHECK_FALSE(field.is_waiting_at({ -5.0f, -5.0f }));
-	CHECK(field.is_waiting_at({ 5.0f, 5.0f }));
+	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	CHECK(layers.get_waiting() == 4);
+	CHECK(layers.count_painted(map) == 4);
+	CHECK(layers.work(map).layers == std::vector<int>{ 0 });
+	CHECK_FALSE(layers.is_waiting_at({ -5.0f, -5.0f }));
+	CHECK(layers.is_waiting_at({ 5.0f, 5.0f }));
 	for (const double x : { -10.0, 0.5, 10.0 }) { // in a chunk that is done, at a border, in one that waits
 		const BrushResult result = paint(map, MapTool::ERASE, 0.0, disc(x, -3.0, 2.0));
-		field.touch({ result.min, result.max });
+		layers.touch({ result.min, result.max });
 	}
-	CHECK(field.is_waiting_at({ -5.0f, -5.0f }));
-	CHECK_FALSE(field.is_waiting_at({ 1e9f, 0.0f }));
-	FieldMap::Changes changes;
-	while (field.get_waiting() > 0) {
-		changes.add(field.work(map));
+	CHECK(layers.is_waiting_at({ -5.0f, -5.0f }));
+	CHECK_FALSE(layers.is_waiting_at({ 1e9f, 0.0f }));
+	MapLayers::Changes changes;
+	while (layers.get_waiting() > 0) {
+		changes.add(layers.work(map));
 	}
 	CHECK(changes.tiles == TileRange{ 0, 80, 0, 80 });
-	FieldMap fresh(HILL_GRID, TALLEST, 0.25f);
+	MapLayers fresh({ HILL_GRID, TALLEST, 0.25f });
 	fresh.update(map, fresh.get_region());
 	for (int layer = 0; layer < 4; layer++) {
-		CHECK(field.get_layers().get_layer(layer).growth == fresh.get_layers().get_layer(layer).growth);
-		CHECK(field.get_layers().get_layer(layer).ground == fresh.get_layers().get_layer(layer).ground);
+		CHECK(layers.get_layer(layer).growth == fresh.get_layer(layer).growth);
+		CHECK(layers.get_layer(layer).ground == fresh.get_layer(layer).ground);
 	}
-	CHECK(field.get_layers().get_pages() == fresh.get_layers().get_pages());
-	CHECK(std::ranges::equal(field.get_cover()->get_tiles(), fresh.get_cover()->get_tiles()));
-	CHECK(field.get_cover()->get_bare_count() == fresh.get_cover()->get_bare_count());
-	CHECK(field.work(map).tiles.count() == 0);
+	CHECK(layers.get_pages() == fresh.get_pages());
+	CHECK(std::ranges::equal(layers.get_cover()->get_tiles(), fresh.get_cover()->get_tiles()));
+	CHECK(layers.get_cover()->get_bare_count() == fresh.get_cover()->get_bare_count());
+	CHECK(layers.work(map).tiles.count() == 0);
 }
 
 TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is") {
@@ -142,10 +141,10 @@ TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is")
 	map.set_base_density(1.0);
 	lay_slope(map);
 	paint(map, MapTool::ERASE, 0.0, disc(-10.0, 0.0, 3.0));
-	FieldMap field(HILL_GRID, TALLEST, 0.25f);
-	field.update(map, field.get_region());
+	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	layers.update(map, layers.get_region());
 	TileBounds bounds(*shared_patch(), HILL_GRID, ClumpParams(), 0);
-	bounds.set_cover(field.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
+	bounds.set_cover(layers.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
 	const auto meets = [&](double p_x, double p_y, double p_z) {
 		const TilePlace place = HILL_GRID.get_place({ p_x, 0.0, p_z });
 		const Eigen::Vector3d at(p_x, p_y, p_z);
@@ -160,14 +159,14 @@ TEST_CASE("tile_bounds: bare tiles are never met, others where their ground is")
 	CHECK(bounds.get_height() > 7.0);
 }
 
-TEST_CASE("field_map: tiles wake where bodies touch grass on a hill, and nowhere under it") {
+TEST_CASE("map_layers: tiles wake where bodies touch grass on a hill, and nowhere under it") {
 	PaintMap map;
 	map.set_base_density(1.0);
 	lay_slope(map);
-	FieldMap field(HILL_GRID, TALLEST, 0.25f);
-	field.update(map, field.get_region());
+	MapLayers layers({ HILL_GRID, TALLEST, 0.25f });
+	layers.update(map, layers.get_region());
 	auto bounds = std::make_shared<TileBounds>(*shared_patch(), HILL_GRID, ClumpParams(), 0);
-	bounds->set_cover(field.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
+	bounds->set_cover(layers.get_cover(), slope_lean(0.25f) * shared_patch()->max_length);
 	TileManager tiles;
 	tiles.set_grid(HILL_GRID);
 	TileParams params;

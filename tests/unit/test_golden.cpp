@@ -87,11 +87,11 @@ public:
 		const SpeciesParams species[] = { { 0.6, 2.0, 0.5 }, { 0.4, 4.0, 0.3 } };
 		_mix = std::make_shared<const SpeciesMix>(species, _grid, 3);
 		paint();
-		_field.update(_map, _field.get_region());
+		_layers.update(_map, _layers.get_region());
 	}
 
 	BitHash run(TileStep p_step) const {
-		const FieldBlades blades(_grid, _patch, ClumpParams(), 3, _mix, &_field);
+		const FieldBlades blades(_grid, _patch, ClumpParams(), 3, _mix, &_layers);
 		CpuPool pool(_patch, SLOTS);
 		std::vector<GrassSlot> slots;
 		std::vector<SlotGrowth> growth;
@@ -174,7 +174,7 @@ private:
 	std::shared_ptr<const Patch> _patch;
 	std::shared_ptr<const SpeciesMix> _mix;
 	PaintMap _map;
-	FieldMap _field{ _grid, 1.0, 0.5f };
+	MapLayers _layers{ MapPlace{ _grid, 1.0, 0.5f } };
 };
 
 std::vector<Step> float_steps() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ground with edges: blades are counted against the ground that was read.
 #include "core/field/bare_cause.h"
-#include "core/map/field_map.h"
+#include "core/map/map_layers.h"
 #include "core/paint/lay_ground.h"
 
 #include <doctest/doctest.h>
@@ -40,7 +40,7 @@ struct Count {
 // Places at random, as blades of a field have them, against the ground.
 Count count_off(const PaintMap &p_map, const HeightAt &p_ground, double p_half) {
 	const TileGrid grid = TileGrid::make(2.0 * p_half, 2.0 * p_half, 256.0);
-	FieldMap field(grid, 0.5, 0.25f);
+	MapLayers field({ grid, 0.5, 0.25f });
 	field.update(p_map, field.get_region());
 	std::mt19937 random(7);
 	std::uniform_real_distribution<double> along(-p_half, p_half);
@@ -51,7 +51,7 @@ Count count_off(const PaintMap &p_map, const HeightAt &p_ground, double p_half) 
 		if (!std::isfinite(ground)) {
 			continue;
 		}
-		const Growth here = field.get_layers().sample(place.cast<float>(), 0.25f);
+		const Growth here = field.sample(place.cast<float>());
 		count.blades++;
 		count.bare += here.density == 0.0f ? 1 : 0;
 		count.off += here.density > 0.0f && std::abs(double(here.ground) - ground) > 0.03 ? 1 : 0;

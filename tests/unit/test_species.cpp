@@ -45,9 +45,8 @@ MapLayers painted(double p_radius, int p_number) {
 	brush.tool = MapTool::SPECIES;
 	brush.target = p_number;
 	apply_brush(map, MapShape::stroke({ 0.0, 0.0 }, { 0.0, 0.0 }, p_radius, 1.0, Falloff::LINEAR), brush);
-	MapLayers layers;
-	layers.reset(SPECIES_GRID);
-	layers.update(map, MapRegion::of_grid(SPECIES_GRID));
+	MapLayers layers({ SPECIES_GRID });
+	layers.update(map, layers.get_region());
 	return layers;
 }
 
@@ -177,9 +176,8 @@ TEST_CASE("species: a painted border lies where it was painted, on tiles of any 
 				map.set_code(MAP_SPECIES, 0, i, j, 2);
 			}
 		}
-		MapLayers layers;
-		layers.reset(grid);
-		layers.update(map, MapRegion::of_grid(grid));
+		MapLayers layers({ grid });
+		layers.update(map, layers.get_region());
 		double sum = 0.0;
 		int blades = 0;
 		for (int z = 0; z < grid.get_tiles_z(); z++) {

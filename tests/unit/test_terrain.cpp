@@ -98,18 +98,17 @@ TEST_CASE("holes: nothing grows in them, whatever is painted, until the terrain 
 	CHECK(map.get_code(MAP_GROUND, 0, 3, 0) == info_of(MAP_GROUND).code(0.0));
 	CHECK_FALSE(laid.changed.empty());
 	CHECK(read(region, with_hole).lay(map).changed.empty());
-	MapLayers layers;
-	layers.reset(TileGrid::make(16, 16, 100.0));
+	MapLayers layers({ TileGrid::make(16, 16, 100.0) });
 	layers.update(map, region);
-	CHECK(layers.sample({ 5.0f, 0.0f }, 0.0f).density == 0.0f);
-	CHECK(layers.sample({ -5.0f, 0.0f }, 0.0f).density == 1.0f);
+	CHECK(layers.sample({ 5.0f, 0.0f }).density == 0.0f);
+	CHECK(layers.sample({ -5.0f, 0.0f }).density == 1.0f);
 	// Ground that is not known leaves holes as they are; a height closes them.
 	lay_ground(map, region, [](const Eigen::Vector2d &) { return NAN_VALUE; });
 	CHECK(hole_at(map, 5, 0) == 1);
 	CHECK_FALSE(lay_ground(map, region, [](const Eigen::Vector2d &) { return 1.0; }).changed.empty());
 	CHECK(hole_at(map, 5, 0) == 0);
 	layers.update(map, region);
-	CHECK(layers.sample({ 5.0f, 0.0f }, 0.0f).density == 1.0f);
+	CHECK(layers.sample({ 5.0f, 0.0f }).density == 1.0f);
 }
 
 TEST_CASE("terrain_ids: what has been read is known, and a change is told once") {

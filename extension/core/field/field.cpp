@@ -34,7 +34,7 @@ double FieldParams::calm_energy() const {
 	return energy;
 }
 
-void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map,
+void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const MapLayers *p_map,
 		const SpeciesPatches &p_species, const FieldParams &p_params) {
 	_setup = p_setup;
 	_bounds = p_bounds;

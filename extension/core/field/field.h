@@ -9,7 +9,7 @@
 #include "core/field/knots.h"
 #include "core/field/simulator.h"
 #include "core/lod/view.h"
-#include "core/map/field_map.h"
+#include "core/map/map_layers.h"
 #include "core/species/field_blades.h"
 #include "core/tiles/tiles.h"
 
@@ -26,8 +26,8 @@ public:
 
 	// Becomes this field, all of it at rest. p_map: what is painted on it, or null; must live until forget_map() or the field's end.
 	// p_species: the patch of each species.
-	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const FieldMap *p_map, const SpeciesPatches &p_species,
-			const FieldParams &p_params);
+	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const MapLayers *p_map,
+			const SpeciesPatches &p_species, const FieldParams &p_params);
 	void forget_map();
 	// Takes over from another field what blades of the same patch need. Call it before set().
 	void join(const Field &p_other) {
@@ -64,8 +64,7 @@ public:
 	const FieldBlades &get_blades() const { return _blades; }
 	const TileBounds *get_bounds() const { return _bounds.get(); }
 	const TileCover *get_cover() const { return _map != nullptr ? _map->get_cover().get() : nullptr; }
-	const MapLayers *get_layers() const { return _map != nullptr ? &_map->get_layers() : nullptr; }
-	const FieldMap *get_map() const { return _map; }
+	const MapLayers *get_layers() const { return _map; } // null: no map
 	const SpeciesPatches &get_species() const { return _species; }
 	double ground_relief() const; // metres that the ground rises above or falls below the field
 	double ground_range() const; // metres from the lowest ground to the highest
@@ -89,7 +88,7 @@ private:
 	FieldSetup _setup;
 	FieldParams _params;
 	std::shared_ptr<TileBounds> _bounds;
-	const FieldMap *_map = nullptr;
+	const MapLayers *_map = nullptr;
 	SpeciesPatches _species;
 	FieldBlades _blades;
 	TileManager _tiles;

@@ -6,7 +6,7 @@
 #include "core/blades/clump.h"
 #include "core/blades/patch.h"
 #include "core/lod/cull.h"
-#include "core/map/growth.h"
+#include "core/map/map_layers.h"
 #include "core/solver/solver_params.h"
 #include "core/species/species.h"
 
@@ -52,6 +52,7 @@ struct FieldSetup {
 	float tip_size() const { return std::max(card_size, plant_size); }
 	// Of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width + width_of_leaf(leaf_area, patch->mean_length), patch->mean_length }; }
+	MapPlace map_place() const { return { grid, double(blade_length()), follow_slope, species != nullptr }; }
 	CullField cull_field() const {
 		return { grid, blade_spread(), blade_height(), blade_size(), seed, { uint32_t(instance_capacity()), uint32_t(shadow_capacity()) } };
 	}

@@ -7,8 +7,8 @@ namespace grass {
 
 namespace {
 
-Growth growth_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
-	return p_layers != nullptr ? p_layers->sample(p_place, p_field.get_setup().follow_slope) : glsl::grass_unpainted(1.0f);
+Growth growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
+	return p_layers != nullptr ? p_layers->sample(p_place) : glsl::grass_unpainted(1.0f);
 }
 
 // Of the grass around a place, metres, without clump and map.
@@ -27,12 +27,12 @@ double mean_height_at(const Field &p_field, const Eigen::Vector2f &p_place, cons
 
 } // namespace
 
-double density_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
-	return growth_at(p_field, p_place, p_layers).density;
+double density_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
+	return growth_at(p_place, p_layers).density;
 }
 
 double height_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
-	const Growth here = growth_at(p_field, p_place, p_layers);
+	const Growth here = growth_at(p_place, p_layers);
 	const double clump = clump_at(p_place, p_field.get_setup().clump).height;
 	return here.density > 0.0f ? std::min(mean_height_at(p_field, p_place, p_layers) * clump * here.height, double(here.cut)) : 0.0;
 }

@@ -8,7 +8,7 @@
 namespace grass {
 
 // Returns the share of the blades that grow, from 0 to 1. p_layers: what is painted there, or null.
-double density_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers);
+double density_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers);
 // Returns the height of the grass in metres; 0 where none grows.
 double height_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers);
 // Returns the grass for mowing, mending and the bodies in it. Valid until the field is set again.

@@ -59,19 +59,89 @@ void look_beside_ledge(const MapLayer &p_layer, const Eigen::Array2f &p_share, G
 
 } // namespace
 
-void MapLayers::reset(const TileGrid &p_grid, double p_tallest) {
-	_uncut = std::min(int32_t(std::ceil(p_tallest / info_of(MAP_CUT).unit)), MAP_UNCUT_CODE);
-	const double half_x = 0.5 * p_grid.get_size_x(), half_z = 0.5 * p_grid.get_size_z();
-	const auto chunk = [](double p_place) {
-		return std::clamp(int(std::floor(p_place / MAP_CHUNK_SIZE)), -PaintMap::REACH, PaintMap::REACH - 1);
+MapLayers::MapLayers(const MapPlace &p_place) : _cover(std::make_shared<TileCover>()) {
+	begin(p_place);
+	_cover->reset(p_place.grid);
+	touch(get_region());
+}
+
+// The chunks under a field, all without a layer.
+void MapLayers::begin(const MapPlace &p_place) {
+	_place = p_place;
+	_uncut = std::min(int32_t(std::ceil(p_place.tallest / info_of(MAP_CUT).unit)), MAP_UNCUT_CODE);
+	const double half_x = 0.5 * p_place.grid.get_size_x(), half_z = 0.5 * p_place.grid.get_size_z();
+	const auto chunk = [](double p_at) {
+		return std::clamp(int(std::floor(p_at / MAP_CHUNK_SIZE)), -PaintMap::REACH, PaintMap::REACH - 1);
 	};
 	_first = { chunk(-half_x), chunk(-half_z) };
 	_width = chunk(half_x) - _first.x + 1;
 	_depth = chunk(half_z) - _first.z + 1;
 	_pages.assign(size_t(_width) * size_t(_depth), float(GRASS_NO_LAYER));
-	_layers.clear();
-	_ledge_layers.clear();
-	_is_full = false;
+}
+
+void MapLayers::Changes::add(const Changes &p_changes) {
+	layers.insert(layers.end(), p_changes.layers.begin(), p_changes.layers.end());
+	tiles = tiles.count() == 0 ? p_changes.tiles : (p_changes.tiles.count() == 0 ? tiles : tiles.joined(p_changes.tiles));
+}
+
+void MapLayers::touch(const MapRegion &p_region) {
+	for (const MapKey &key : get_chunks(p_region)) {
+		const MapRegion here = p_region.shared(MapRegion::of_chunk(key).grown(CHANGE_MARGIN));
+		const auto [entry, is_new] = _waiting.try_emplace({ key.z, key.x }, here);
+		if (!is_new) {
+			entry->second = entry->second.joined(here);
+		}
+	}
+}
+
+void MapLayers::touch(const PaintMap &p_before, const PaintMap &p_now) {
+	if (p_now.get_base_density() != p_before.get_base_density()) {
+		touch(get_region());
+	}
+	for (const MapKey &key : p_now.compare(p_before)) {
+		touch(MapRegion::of_chunk(key));
+	}
+}
+
+MapLayers::Changes MapLayers::work(const PaintMap &p_map) {
+	Changes changes;
+	if (_waiting.empty()) {
+		return changes;
+	}
+	const auto [place, region] = *_waiting.begin();
+	_waiting.erase(_waiting.begin());
+	if (const int layer = lay_out(p_map, { place.second, place.first }, region); layer != GRASS_NO_LAYER) {
+		changes.layers.push_back(layer);
+	}
+	changes.tiles = _cover->update(*this, region);
+	return changes;
+}
+
+MapLayers::Changes MapLayers::update(const PaintMap &p_map, const MapRegion &p_region) {
+	touch(p_region);
+	Changes changes;
+	while (get_waiting() > 0) {
+		changes.add(work(p_map));
+	}
+	return changes;
+}
+
+bool MapLayers::is_waiting_at(const Eigen::Vector2f &p_place) const {
+	const MapKey key = key_at(p_place.cast<double>());
+	return _waiting.contains({ key.z, key.x });
+}
+
+int MapLayers::count_painted(const PaintMap &p_map) const {
+	const std::vector<MapKey> chunks = get_chunks(get_region());
+	return int(std::count_if(chunks.begin(), chunks.end(),
+			[&](const MapKey &p_key) { return find(p_key) != GRASS_NO_LAYER || p_map.find(p_key) != nullptr; }));
+}
+
+size_t MapLayers::get_memory_usage() const {
+	constexpr size_t LAYER = size_t(MapLayer::FINE) * MapLayer::FINE * 4 + size_t(MapLayer::COARSE) * MapLayer::COARSE * 13;
+	constexpr size_t LEDGES = size_t(GRASS_LEDGE_TEXELS) * GRASS_LEDGE_TEXELS;
+	return _layers.size() * LAYER + _ledge_layers.size() * LEDGES + (_cover ? _cover->get_memory_usage() : 0) +
+			_pages.size() * sizeof(float);
 }
 
 bool MapLayers::has_chunk(const MapKey &p_key) const {
@@ -107,7 +177,8 @@ int MapLayers::add_layer(const MapKey &p_key) {
 	return layer;
 }
 
-int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region) {
+// Updates a chunk's layer in p_region. Returns the layer if it changed, else GRASS_NO_LAYER.
+int MapLayers::lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region) {
 	_base_density = float(p_map.get_base_density());
 	int layer = find(p_key);
 	const bool is_new = layer == GRASS_NO_LAYER;
@@ -131,37 +202,21 @@ int MapLayers::update(const PaintMap &p_map, const MapKey &p_key, const MapRegio
 	return differs || is_new ? layer : GRASS_NO_LAYER;
 }
 
-std::vector<int> MapLayers::update(const PaintMap &p_map, const MapRegion &p_region) {
+void MapLayers::read(const PaintMap &p_map, const MapPlace &p_place, const Eigen::Vector2f &p_at) {
+	begin(p_place);
 	_base_density = float(p_map.get_base_density());
-	std::vector<int> changed;
-	for (const MapKey &key : get_chunks(p_region)) {
-		if (const int layer = update(p_map, key, p_region); layer != GRASS_NO_LAYER) {
-			changed.push_back(layer);
-		}
-	}
-	std::sort(changed.begin(), changed.end());
-	return changed;
-}
-
-void MapLayers::read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapLayers &r_there) const {
-	r_there._first = _first;
-	r_there._width = _width;
-	r_there._depth = _depth;
-	r_there._uncut = _uncut;
-	r_there._base_density = float(p_map.get_base_density());
-	r_there._pages.assign(_pages.size(), float(GRASS_NO_LAYER));
-	const Eigen::Vector2d place = p_place.cast<double>();
-	const MapKey key = key_at(place);
-	if (!r_there.has_chunk(key) || p_map.find(key) == nullptr) {
-		r_there._layers.clear();
+	const Eigen::Vector2d at = p_at.cast<double>();
+	const MapKey key = key_at(at);
+	if (!has_chunk(key) || p_map.find(key) == nullptr) {
+		_layers.clear();
 		return;
 	}
-	if (r_there._layers.empty()) {
-		r_there.add_layer(key);
+	if (_layers.empty()) {
+		add_layer(key);
 	}
-	r_there._layers[0].ledge.clear(); // perhaps of another chunk
-	r_there._pages[index_of(key)] = 0.0f;
-	compose_layer(p_map, key, _uncut, MapRegion{ place, place }.grown(CHANGE_MARGIN), r_there._layers[0]);
+	_layers[0].ledge.clear(); // perhaps of another chunk
+	_pages[index_of(key)] = 0.0f;
+	compose_layer(p_map, key, _uncut, MapRegion{ at, at }.grown(CHANGE_MARGIN), _layers[0]);
 }
 
 int MapLayers::get_species(int p_texel_x, int p_texel_z) const {
@@ -172,7 +227,7 @@ int MapLayers::get_species(int p_texel_x, int p_texel_z) const {
 			: _layers[size_t(layer)].species[size_t(((p_texel_z & 63) + 1) * MapLayer::COARSE + (p_texel_x & 63) + 1)];
 }
 
-Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {
+Growth MapLayers::sample(const Eigen::Vector2f &p_place) const {
 	Growth here = glsl::grass_unpainted(_base_density);
 	const Eigen::Array2f chunk = (p_place.array() / float(MAP_CHUNK_SIZE)).floor();
 	if (!chunk.allFinite() || (chunk.abs() > float(PaintMap::REACH)).any()) {
@@ -197,7 +252,7 @@ Growth MapLayers::sample(const Eigen::Vector2f &p_place, float p_follow) const {
 	if (!texels.ledge.empty()) {
 		look_beside_ledge(texels, share, here, normal);
 	}
-	here.tilt = glsl::grass_ground_tilt(normal, p_follow);
+	here.tilt = glsl::grass_ground_tilt(normal, _place.follow);
 	return here;
 }
 

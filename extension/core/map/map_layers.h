@@ -1,28 +1,64 @@
 // SPDX-License-Identifier: MIT
-// The map as a field shows it: for each chunk, one layer of texels that determine what grows there, combined from all channels, with a
-// border of one texel so that a layer can be sampled by itself. The shaders read textures of these bytes; the simulation samples the same
-// bytes.
+// A map laid out for a field: for each chunk, one layer of texels that determine what grows there, combined from all channels, with a
+// border of one texel so that a layer can be sampled by itself; and the cover of each tile. The shaders read textures of these bytes; the
+// simulation samples the same bytes. It is laid out chunk by chunk, so that a large change can be spread over frames.
 #pragma once
 
 #include "core/map/growth.h"
 #include "core/map/map_layer.h"
+#include "core/map/tile_cover.h"
 
+#include <map>
+#include <memory>
 #include <vector>
 
 namespace grass {
 
+// The properties of a field that determine how a map is laid out for it and drawn.
+struct MapPlace {
+	TileGrid grid;
+	// Metres, of the longest blade. Uncut grass counts as cut at this length: what is blended between it and a cut beside it then changes
+	// where blades are.
+	double tallest = MAP_UNCUT;
+	float follow = 0.0f; // FOLLOW_SLOPE
+	bool has_species = false; // several, so that its shaders read which of them is painted
+	bool operator==(const MapPlace &) const = default;
+};
+
 class MapLayers {
 public:
-	// The chunks under a field, all without a layer. p_tallest: metres, of its longest blade. Uncut grass counts as cut at
-	// this length: what is blended between it and a cut beside it then changes where blades are.
-	void reset(const TileGrid &p_grid, double p_tallest = MAP_UNCUT);
-	// Updates a chunk's layer in p_region. Returns the layer if it changed, else GRASS_NO_LAYER. Chunks get layers in order of arrival.
-	int update(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
-	// Updates all layers in p_region. Returns those that changed, rising.
-	std::vector<int> update(const PaintMap &p_map, const MapRegion &p_region);
-	// Makes r_there the same field's layers of p_map as it is now, but around p_place only: field-space x, z in metres. The memory of
-	// r_there is used again.
-	void read(const PaintMap &p_map, const Eigen::Vector2f &p_place, MapLayers &r_there) const;
+	MapLayers() = default; // of no field, until read()
+	// Makes the whole map wait to be laid out.
+	explicit MapLayers(const MapPlace &p_place);
+	// Only moved: the cover is shared with those that read it.
+	MapLayers(MapLayers &&) = default;
+	MapLayers &operator=(MapLayers &&) = default;
+
+	// Queues a region whose texels changed.
+	void touch(const MapRegion &p_region);
+	// Queues everything in which p_now differs from p_before, which these layers are of.
+	void touch(const PaintMap &p_before, const PaintMap &p_now);
+	struct Changes {
+		std::vector<int> layers; // that look different now, in no order
+		TileRange tiles; // that may have changed
+		void add(const Changes &p_changes);
+	};
+	// Lays out one of the waiting chunks, if any. Chunks get layers in order of arrival.
+	Changes work(const PaintMap &p_map);
+	// Lays out a region, and all waiting chunks, at once.
+	Changes update(const PaintMap &p_map, const MapRegion &p_region);
+	int get_waiting() const { return int(_waiting.size()); } // chunks
+	bool is_waiting_at(const Eigen::Vector2f &p_place) const; // field-space x, z in metres
+
+	// Becomes the layers of p_map as it is now on a field, but around p_at only, field-space x, z in metres, and without cover. Uses its
+	// memory again.
+	void read(const PaintMap &p_map, const MapPlace &p_place, const Eigen::Vector2f &p_at);
+
+	const MapPlace &get_place() const { return _place; }
+	MapRegion get_region() const { return MapRegion::of_grid(_place.grid); } // the whole field
+	const std::shared_ptr<TileCover> &get_cover() const { return _cover; } // null after read()
+	int count_painted(const PaintMap &p_map) const; // chunks under the field that have or get a layer
+	size_t get_memory_usage() const; // bytes
 
 	int get_count() const { return int(_layers.size()); }
 	const MapLayer &get_layer(int p_layer) const { return _layers[size_t(p_layer)]; }
@@ -43,15 +79,18 @@ public:
 	// How much farther out a change shows, in metres: in the borders of layers, and where coarse texels blend into finer ones.
 	static constexpr double CHANGE_MARGIN = 2.0 * info_of(MAP_HEIGHT).texel_size();
 
-	// Returns what grows at a place: field-space x, z in metres. p_follow: FOLLOW_SLOPE.
-	Growth sample(const Eigen::Vector2f &p_place, float p_follow) const;
+	// Returns what grows at a place: field-space x, z in metres.
+	Growth sample(const Eigen::Vector2f &p_place) const;
 	// Returns the species painted into a texel, counted from the map's origin: 0: none, n: species n - 1.
 	int get_species(int p_texel_x, int p_texel_z) const;
 
 private:
 	size_t index_of(const MapKey &p_key) const { return size_t(p_key.z - _first.z) * size_t(_width) + size_t(p_key.x - _first.x); }
+	void begin(const MapPlace &p_place);
 	int add_layer(const MapKey &p_key);
+	int lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_region);
 
+	MapPlace _place;
 	MapKey _first;
 	int _width = 0, _depth = 0;
 	bool _is_full = false;
@@ -60,6 +99,8 @@ private:
 	std::vector<float> _pages;
 	std::vector<MapLayer> _layers;
 	std::vector<int> _ledge_layers;
+	std::shared_ptr<TileCover> _cover;
+	std::map<std::pair<int, int>, MapRegion> _waiting; // by chunk, row by row (z, x): the waiting part of it, and a little around
 };
 
 } // namespace grass

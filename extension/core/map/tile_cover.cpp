@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/map/tile_cover.h"
 
+#include "core/map/map_layers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

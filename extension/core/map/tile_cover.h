@@ -3,9 +3,15 @@
 // read it; only fields with a map have one.
 #pragma once
 
-#include "core/map/map_layers.h"
+#include "core/map/map_region.h"
+
+#include <array>
+#include <span>
+#include <vector>
 
 namespace grass {
+
+class MapLayers;
 
 class TileCover {
 public:

@@ -7,7 +7,7 @@
 namespace grass {
 
 FieldBlades::FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
-		std::shared_ptr<const SpeciesMix> p_species, const FieldMap *p_map) :
+		std::shared_ptr<const SpeciesMix> p_species, const MapLayers *p_map) :
 		_grid(p_grid), _patch(std::move(p_patch)), _clump(p_clump), _seed(p_seed), _species(std::move(p_species)), _map(p_map) {}
 
 Eigen::Vector3f FieldBlades::get_texel(int p_blade, int p_knot) const {
@@ -24,7 +24,7 @@ int FieldBlades::get_species(int p_tile_x, int p_tile_z, int p_blade) const {
 		return 0;
 	}
 	const auto root_of = [this](int p_of) -> Eigen::Vector2f { return get_texel(p_of, 0).head<2>(); };
-	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map ? &_map->get_layers() : nullptr);
+	return _species->choose(p_tile_x, p_tile_z, p_blade, root_of, _map);
 }
 
 FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade) const {
@@ -37,7 +37,7 @@ FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade)
 			Eigen::Vector2f(float(_grid.get_tiles_x()), float(_grid.get_tiles_z())), float(_grid.get_tile_size()));
 	pose.clump = clump_at(place, _clump);
 	if (_map) {
-		const Growth here = _map->get_layers().sample(place, _map->get_follow());
+		const Growth here = _map->sample(place);
 		const float length = get_texel(pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
 		pose.clump = glsl::grass_grown(pose.clump, here, length);
 		pose.ground = here.ground;

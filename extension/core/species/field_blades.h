@@ -5,7 +5,7 @@
 
 #include "core/base/standing_plant.h"
 #include "core/blades/patch.h"
-#include "core/map/field_map.h"
+#include "core/map/map_layers.h"
 #include "core/solver/step.h"
 #include "core/species/species.h"
 
@@ -18,7 +18,7 @@ public:
 	FieldBlades() = default;
 	// p_species: null: one species. p_map: null: grass everywhere; else it must outlive this.
 	FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
-			std::shared_ptr<const SpeciesMix> p_species, const FieldMap *p_map);
+			std::shared_ptr<const SpeciesMix> p_species, const MapLayers *p_map);
 
 	struct Pose {
 		int blade = 0; // in the patch, below the blades of the species before
@@ -56,7 +56,7 @@ private:
 	ClumpParams _clump;
 	uint32_t _seed = 0;
 	std::shared_ptr<const SpeciesMix> _species;
-	const FieldMap *_map = nullptr;
+	const MapLayers *_map = nullptr;
 };
 
 } // namespace grass
