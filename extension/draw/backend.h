@@ -11,6 +11,7 @@
 #include "core/lod/view.h"
 #include "core/map/tile_cover.h"
 #include "draw/drawn_plant.h"
+#include "draw/map_textures.h"
 #include "draw/shared_shader.h"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -53,6 +54,10 @@ public:
 	// The meshes of the field's species, after it was made: uniforms follow. p_plants_of: as PlantCull::choose() takes it; it must hold as
 	// long as the field.
 	virtual void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) = 0;
+	// Binds what shaders and passes read of the field's map, after set_plants() and whenever that is something else.
+	virtual void set_map(const MapBinding &p_map) {
+		p_map.set_uniforms([this](const char *p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); });
+	}
 	// Sets a uniform of the shaders of blades and plants.
 	virtual void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) = 0;
 	// Draws blades with p_look's shaders, which are ready (prepare_shaders()). Before the first call nothing is drawn.

@@ -13,8 +13,6 @@ namespace grass {
 
 namespace {
 
-constexpr const char *NAMES[] = { "map_growth", "map_form", "map_ground", "map_tint", "map_species" };
-
 Ref<Image> make_image(int p_side, Image::Format p_format, PackedByteArray p_bytes) {
 	if (p_bytes.is_empty()) {
 		p_bytes.resize(int64_t(p_side) * p_side * (p_format == Image::FORMAT_R8 ? 1 : 4));
@@ -121,22 +119,22 @@ void MapTextures::update_pages(const MapLayers &p_layers) {
 	}
 }
 
-void MapTextures::set_uniforms(const MapLayers &p_layers, const SetUniform &p_set) {
-	for (int kind = 0; kind < _arrays.get_count(); kind++) {
-		p_set(NAMES[kind], _arrays.get(kind));
-	}
-	p_set("map_pages", _pages);
-	p_set("map_ledges", _ledges.get(0));
-	p_set("map_origin", Vector2(p_layers.get_first().x, p_layers.get_first().z));
+MapBinding MapTextures::bind(const MapLayers &p_layers) {
 	_are_new = false;
+	return { _arrays.get(GROWTH), _arrays.get(FORM), _arrays.get(GROUND), _arrays.get(TINT),
+		_arrays.get_count() > SPECIES ? _arrays.get(SPECIES) : Ref<Texture2DArray>(), _ledges.get(0), _pages,
+		Vector2(p_layers.get_first().x, p_layers.get_first().z) };
 }
 
-void MapTextures::clear_uniforms(const SetUniform &p_set) {
-	for (const char *name : NAMES) {
-		p_set(name, Variant());
-	}
-	p_set("map_pages", Variant());
-	p_set("map_ledges", Variant());
+void MapBinding::set_uniforms(const SetUniform &p_set) const {
+	p_set("map_growth", growth);
+	p_set("map_form", form);
+	p_set("map_ground", ground);
+	p_set("map_tint", tint);
+	p_set("map_species", species);
+	p_set("map_ledges", ledges);
+	p_set("map_pages", pages);
+	p_set("map_origin", origin);
 }
 
 int64_t MapTextures::get_memory_usage() const {

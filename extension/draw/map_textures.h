@@ -7,16 +7,28 @@
 #include "draw/growing_arrays.h"
 
 #include <godot_cpp/classes/image_texture.hpp>
+#include <godot_cpp/variant/variant.hpp>
+#include <godot_cpp/variant/vector2.hpp>
 
 #include <algorithm>
 #include <functional>
 
 namespace grass {
 
+// What shaders and passes read of a map that a field shows: textures, null where there are none, and the chunk of the first page. Empty:
+// no map.
+struct MapBinding {
+	godot::Ref<godot::Texture2DArray> growth, form, ground, tint, species, ledges;
+	godot::Ref<godot::Texture2D> pages;
+	godot::Vector2 origin;
+
+	using SetUniform = std::function<void(const char *p_name, const godot::Variant &p_value)>;
+	// Sets the shaders' uniforms (shaders/map/map.inc).
+	void set_uniforms(const SetUniform &p_set) const;
+};
+
 class MapTextures {
 public:
-	using SetUniform = std::function<void(const char *p_name, const godot::Variant &p_value)>;
-
 	// p_species: whether the field has any.
 	explicit MapTextures(bool p_species) : _arrays(p_species ? KINDS : int(SPECIES), 4), _ledges(1, 1) {}
 
@@ -29,11 +41,9 @@ public:
 	bool can_work() const { return _arrays.can_work() || _ledges.can_work(); }
 	void work(const MapLayers &p_layers);
 	bool are_made(int p_room) const { return _arrays.get_room() >= std::max(p_room, 1) && !is_growing(); }
-	// Whether set_uniforms() would change a uniform.
+	// Whether bind() would return something else than the last time.
 	bool are_new() const { return _are_new; }
-	void set_uniforms(const MapLayers &p_layers, const SetUniform &p_set);
-	// Releases the textures of the last set_uniforms().
-	static void clear_uniforms(const SetUniform &p_set);
+	MapBinding bind(const MapLayers &p_layers);
 	int64_t get_uploaded_bytes() const { return _uploaded + _arrays.get_uploaded_bytes() + _ledges.get_uploaded_bytes(); } // since made
 	int64_t get_memory_usage() const; // bytes
 

@@ -85,11 +85,4 @@ void ShownMap::work() {
 	FrameShare::count_bytes(_textures.get_uploaded_bytes() - before);
 }
 
-void ShownMap::set_uniforms(const MapTextures::SetUniform &p_set, bool p_all) {
-	if (p_all || has_new_textures()) {
-		_textures.set_uniforms(_layers, p_set);
-	}
-	p_set("map_base_density", _map->get_base_density());
-}
-
 } // namespace grass

@@ -40,15 +40,14 @@ public:
 	// Whether a worker thread makes textures, and nothing else is to be done before they are there.
 	bool is_waiting_for_thread() const { return get_waiting() == 0 && _textures.is_growing() && !_textures.can_work(); }
 	bool is_growing() const { return _textures.is_growing(); }
-	bool has_new_textures() const { return _textures.are_new(); } // set_uniforms() is to be called
+	bool has_new_textures() const { return _textures.are_new(); } // bind() returns something else than the last time
+	MapBinding bind() { return _textures.bind(_layers); }
 	bool has_work() const { return get_waiting() > 0 || !_textures.are_made(_layers.count_painted(shown())); }
 
 	const MapLayers &get_layers() const { return _layers; }
 	const MapTextures &get_textures() const { return _textures; }
 	const godot::Ref<GrassMap> &get_map() const { return _map; }
 	int64_t get_memory_usage() const { return int64_t(_layers.get_memory_usage()) + _textures.get_memory_usage(); } // bytes
-	// Sets the shaders' uniforms: those that changed, or all of them (p_all), for new materials.
-	void set_uniforms(const MapTextures::SetUniform &p_set, bool p_all);
 
 private:
 	void show(const godot::Ref<GrassMap> &p_map);

@@ -107,6 +107,18 @@ void StandingField::set_wind_clock() {
 	_uniforms.set_wind_clock(uniform_setter(true));
 }
 
+// p_all: for a backend that knows nothing of what another was told. Else only textures that are new.
+void StandingField::bind_map(bool p_all) {
+	if (p_all || (_map && _map->has_new_textures())) {
+		const MapBinding binding = _map ? _map->bind() : MapBinding();
+		_backend->set_map(binding);
+		binding.set_uniforms([this](const char *p_name, const Variant &p_value) { _ground.set_uniform(p_name, p_value); });
+	}
+	if (_map) {
+		set_uniform("map_base_density", _map->get_map()->get_base_density());
+	}
+}
+
 bool StandingField::update_map() {
 	if (!_backend || !_map || (_map->get_waiting() == 0 && !_map->is_growing())) {
 		return true;
@@ -119,14 +131,14 @@ bool StandingField::update_map() {
 	const MapLayers::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
 	turn.reset();
 	if (is_shown() && _map->has_new_textures()) { // else show() does it, for all of the map
-		_map->set_uniforms(uniform_setter(true), false);
+		bind_map(false);
 		request_draw();
 	}
 	if (changes.tiles.count() == 0) {
 		return true;
 	}
 	if (is_shown()) { // likewise
-		_map->set_uniforms(uniform_setter(true), false);
+		bind_map(false);
 		_backend->set_cover(_map->get_layers().get_cover(), changes.tiles);
 	}
 	_field.regrow(changes.tiles);

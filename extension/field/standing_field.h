@@ -127,6 +127,7 @@ private:
 	void show_parts(const Look &p_look, bool p_is_hidden);
 	void show_part(const Look &p_look);
 	void set_wind_clock();
+	void bind_map(bool p_all);
 	void set_species_uniforms() {
 		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
 	}

@@ -96,11 +96,7 @@ void StandingField::show_part(const Look &p_look) {
 			set_species_uniforms();
 			break;
 		case Part::MAP:
-			if (_map) {
-				_map->set_uniforms(uniform_setter(true), true); // a backend knows nothing of what another was told
-			} else {
-				MapTextures::clear_uniforms(uniform_setter(true));
-			}
+			bind_map(true);
 			break;
 		default:
 			break;

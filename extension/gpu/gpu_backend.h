@@ -38,6 +38,7 @@ public:
 	void show_motion(bool p_is_read, bool p_has_blown) override;
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform) override;
 	void set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) override;
+	void set_map(const MapBinding &p_map) override;
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value) override;
 	void set_look(const Look &p_look) override;
 	void set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) override;

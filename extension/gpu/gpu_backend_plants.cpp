@@ -25,16 +25,13 @@ int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
 
 void GpuBackend::set_uniform(const StringName &p_name, const Variant &p_value) {
 	_materials.set(p_name, p_value);
-	if (_plants.is_empty()) {
-		return;
-	}
 	_plants.set_uniform(p_name, p_value);
-	if (p_name == StringName("map_pages")) {
-		_painted.pages = p_value;
-	} else if (p_name == StringName("map_species")) {
-		_painted.painted = p_value;
-	} else if (p_name == StringName("map_origin")) {
-		_painted.origin = p_value;
+}
+
+void GpuBackend::set_map(const MapBinding &p_map) {
+	Backend::set_map(p_map);
+	if (!_plants.is_empty()) {
+		_painted = { p_map.pages, p_map.species, p_map.origin };
 	}
 }
 
