@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A terrain of another addon, or of a game, that is asked by the names of its methods: docs/guide/terrain.md. One class for each way of
-// asking; terrain_sources.cpp has them. Nothing here knows fields.
+// asking; terrain_sources.cpp and h_terrain_source.cpp have them. Nothing here knows fields.
 #pragma once
 
 #include "core/fill/terrain_piece.h"
@@ -13,6 +13,7 @@
 #include <godot_cpp/variant/transform3d.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -64,6 +65,11 @@ public:
 	const godot::String &get_problem() const { return _problem; }
 
 protected:
+	static constexpr double NO_GROUND = std::numeric_limits<double>::quiet_NaN();
+	// Places that are asked at once where that costs some calls by itself. More: a slow terrain holds a frame for longer. Fewer: more
+	// calls.
+	static constexpr size_t PLACES_AT_ONCE = 16;
+
 	TerrainSource(godot::Node *p_node, godot::Object *p_data);
 	godot::Node *get_node() const;
 	godot::Object *get_data() const; // the object to query: the node itself, or its data
@@ -91,6 +97,10 @@ protected:
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
 	// Empty, with a problem reported, if it is none.
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
+	// Where nobody painted a colour, the colour maps of addons are white: it multiplies the textures, and tells nothing of the ground.
+	static TerrainColor unless_white(const TerrainColor &p_color) {
+		return p_color == TerrainColor{ 255, 255, 255, 255 } ? TerrainColor() : p_color;
+	}
 
 private:
 	void complain(const godot::Variant &p_value, const char *p_method, const godot::String &p_wanted);
