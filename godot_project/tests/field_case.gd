@@ -223,3 +223,8 @@ func bend_with_ball(field: GrassField, place := Vector3(0, 0.25, 0)) -> float:
 	var bent := farthest(tile_knots(field, tile), rest)
 	body.free()
 	return bent
+
+
+func collider_count(field: GrassField) -> int:
+	await seen()
+	return field.get_counters().colliders
