@@ -30,6 +30,7 @@ HEADLESS = (
 	*("fuzz", "mutated_files", "scripts", "scripts_terrain", "scripts_world", "threads"),
 	*("enums", "properties", "movers", "growing", "game", "field", "map"),
 )
+TEST_LIMIT = 3600  # seconds that a test in the engine may take; on a busy machine the longest took 828
 # For the engine: it frees some things only when it ends, and catches signals to print a trace.
 IN_ENGINE = "detect_leaks=0:handle_segv=2:verify_asan_link_order=0"
 
@@ -91,7 +92,8 @@ def in_engine(layer, started, only, may_be_none):
 	command, environment = started
 	said, title = [], f"sanitize, {layer}"
 	environment = {**environment, **OPTIONS, **preload(), "ASAN_OPTIONS": IN_ENGINE}
-	tally = test_runs.in_engine(layer, command, environment, only, may_be_none, title, project=COPY, said=said)
+	more = (f"--limit={TEST_LIMIT}",)
+	tally = test_runs.in_engine(layer, command, environment, only, may_be_none, title, project=COPY, said=said, more=more)
 	tally.failed += failures(layer, said)
 	return tally
 
