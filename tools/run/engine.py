@@ -69,12 +69,25 @@ def start(command, environment):
 	)  # fmt: skip
 
 
-def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT):
-	"""Runs an engine; passes each line of its output to `on_line`. Returns its exit code (negative: ended by that signal).
+def busy(process):
+	"""Seconds for which processors were busy for a running process so far, all of its threads together; 0 where the system does not say."""
+	try:
+		with open(f"/proc/{process.pid}/stat") as file:
+			fields = file.read().rpartition(")")[2].split()
+	except OSError:
+		return 0.0
+	return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def run(command, environment, on_line=print, limit=1800, silence=SILENCE_LIMIT, on_start=None):
+	"""Runs an engine; hands each line it prints to `on_line`, and its process to `on_start`. Returns its exit code (negative: ended by
+	that signal).
 
 	Failure after `limit` seconds, or after `silence` seconds without a line.
 	"""
 	process = start(command, environment)
+	if on_start:
+		on_start(process)
 	lines = queue.Queue()
 
 	def read():

@@ -18,7 +18,7 @@ ENGINE_LIMIT = 14400
 MARK = "GRASS-TEST "  # begins the runner's reports; see godot_project/tests/runner.gd
 LEAK = re.compile(r"leaked at exit|still in use at exit|were leaked")
 UNSUPPORTED = re.compile(r"is not supported yet")  # the engine about a shader of ours
-WORTH_SAYING = 5.0  # seconds that a test takes
+WORTH_SAYING = 5.0  # seconds that a test takes, or that a processor is busy for it
 CASES_A_PART = 8  # test cases that a slow program runs at a time
 
 
@@ -115,10 +115,15 @@ class Reports:
 	def __init__(self, layer, may_be_none, title="", forbidden=(), said=None):
 		"""`forbidden`: output that the engine must not print, as (pattern, what it is); `said`: gets all of its output."""
 		self.layer, self.may_be_none, self.title, self.tally = layer, may_be_none, title or layer, Tally()
-		self.open, self.running, self.began = [], None, time.monotonic()
+		self.open, self.running = [], None
+		self.process, self.began, self.busy = None, time.monotonic(), 0.0
 		self.forbidden = [(LEAK, "leaks at exit"), (UNSUPPORTED, "the engine complains of a shader"), *forbidden]
 		self.heard = {}  # lines, by what they are
 		self.said = [] if said is None else said
+
+	def follow(self, process):
+		"""`process`: the engine's, which is asked how long each test keeps processors busy."""
+		self.process = process
 
 	def line(self, text):
 		if not text.startswith(MARK):
@@ -133,16 +138,20 @@ class Reports:
 		if what in ("plan", "run"):
 			self.open += [name] if what == "plan" else []
 			if what == "run":
-				self.running, self.began = name, time.monotonic()
+				self.running, self.began, self.busy = name, time.monotonic(), engine.busy(self.process)
 			return
-		seconds = time.monotonic() - self.began
-		print(f"{what:>6} {name}" + (f" ({seconds:.0f} s)" if seconds >= WORTH_SAYING else ""), flush=True)
+		print(f"{what:>6} {name}{self.took()}", flush=True)
 		test = name.split(": ", 1)[0]
 		self.open.remove(test)
 		if what == "pass":
 			self.tally.passed += 1
 		else:
 			(self.tally.failed if what == "fail" else self.tally.skipped).append(name)
+
+	def took(self):
+		"""In words, where the running test was long."""
+		seconds, busy = time.monotonic() - self.began, engine.busy(self.process) - self.busy
+		return f" ({seconds:.0f} s, {busy:.1f} s of a processor)" if max(seconds, busy) >= WORTH_SAYING else ""
 
 	def end(self, how):
 		"""Counts tests that had not run when the engine ended as failed, and an engine that ended badly or leaked."""
@@ -170,8 +179,8 @@ def in_engine(
 	if only:
 		arguments.append(f"--only={only}")
 	try:
-		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT)
-		clean = code == 0 or code == 1 and reports.tally.failed  # 1: the runner reports a failed test, or the engine did not start
+		code = engine.run([*command, *arguments], environment, reports.line, ENGINE_LIMIT, on_start=reports.follow)
+		clean = code == 0 or code == 1 and reports.tally.failed  # 1: the runner says that a test failed, or the engine did not start
 		how = f"the engine ended with code {code}" if clean else f"the engine died with code {code} (negative: a signal)"
 	except Failure as failure:
 		how = f"the engine died: {failure}"
