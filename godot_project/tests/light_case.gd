@@ -10,8 +10,7 @@ const WINDOW := 1.2  # metres that a reference is high, at least
 const LOD_FAR := 100.0  # as fields have it
 ## Ambient light, and the sun's angle to the direction of view; INF: no sun.
 const LIGHTS := {sky = [1.0, INF], front = [0.35, 0.0], side = [0.35, 90.0], back = [0.35, 180.0]}
-const DISTANCES: Array[float] = [3.0, 5.0, 8.0, 12.0, 18.0, 27.0, 40.0, 60.0, 90.0, 130.0, 200.0, 300.0]
-const REFERENCES: Array[float] = [3.0, 8.0, 18.0, 40.0, 90.0, 200.0, 300.0]  # of these
+const DISTANCES: Array[float] = [3.0, 8.0, 18.0, 40.0, 90.0, 200.0, 300.0]
 
 var sun: DirectionalLight3D
 var world: WorldEnvironment
@@ -50,32 +49,30 @@ func look_ahead() -> void:
 	look(Vector3(0, EYE, HALF - 2.0), Vector3(0, EYE - 3.0, HALF - 12.0))
 
 
-## Mean luminance of the grass around each of DISTANCES, in one picture.
-func profile() -> PackedFloat32Array:
-	look_ahead()
-	await drawn()
-	var image := await picture()
+## Mean luminance of the grass around each of DISTANCES, in a picture of what is ahead.
+func profile_of(image: Image) -> PackedFloat32Array:
 	var means := PackedFloat32Array()
 	for distance in DISTANCES:
 		means.append(light_of(image, distance, SIZE.x / 3, SIZE.x * 2 / 3))
 	return means
 
 
-## The same for one of them, in a picture that resolves each blade, with 16 samples a pixel: through a lens under which all blades that are
-## not hidden are drawn, and at their own width.
-func reference(field: GrassField, distance: float) -> float:
+## The same of one of them, by light, as pictures would have it that resolve each blade, with 16 samples a pixel: through a lens under
+## which all blades are drawn that something else does not hide, and as wide as they are.
+func references(field: GrassField, distance: float) -> Dictionary[String, float]:
 	field.lod_far = 10000.0
 	viewport.size = SIZE / 2
 	viewport.msaa_3d = Viewport.MSAA_4X
 	camera.far = 1.3 * distance + 2.0
 	camera.fov = maxf(rad_to_deg(2.0 * atan(0.5 * WINDOW / distance)), 1.0)
 	look(Vector3(0, EYE, HALF - 2.0), Vector3(0, 0.25, HALF - 2.0 - distance))
-	var mean := light_of(await picture(), distance, 0, SIZE.x / 2)
+	await picture()
+	var lights: Dictionary[String, float] = {}
+	for light: String in LIGHTS:
+		set_light(light)
+		lights[light] = light_of(await next_picture(), distance, 0, SIZE.x / 2)
 	field.lod_far = LOD_FAR
-	viewport.size = SIZE
-	viewport.msaa_3d = Viewport.MSAA_DISABLED
-	camera.far = 420.0
-	return mean
+	return lights
 
 
 ## Mean luminance of the grass at `distance`, and a share nearer and farther, within columns of a picture.

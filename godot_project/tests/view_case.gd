@@ -56,10 +56,10 @@ func look(from: Vector3, at: Vector3) -> void:
 func fields_shown() -> void:
 	var fields := viewport.find_children("*", "GrassField", true, false)
 	var waits := func(field: GrassField) -> bool: return field.get_statistics().waiting
-	await wait_until(func() -> bool: return not fields.any(waits), "all fields are shown")
+	await wait_for_threads(func() -> bool: return not fields.any(waits), "all fields are shown")
 
 
-## Frames until what was drawn is known: the GPU's counts come about two frames late.
+## Frames until what was drawn is known: the GPU's counts come about two frames late. Who only wants a picture needs not wait for it.
 func drawn() -> void:
 	await frames(1)
 	await fields_shown()

@@ -101,7 +101,6 @@ func test_thinned_grass_covers_as_much() -> void:
 		for property: String in FULL:
 			field.set(property, FULL[property])
 		look(view[0], view[1])
-		await drawn()
 		var full := share_of(await picture(), is_green)
 		for property: String in FULL:
 			field.set(property, ClassDB.class_get_property_default_value("GrassField", property))

@@ -26,13 +26,11 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	assert_less(difference(gpu, await picture()).y, 0.003)
 	field.backend = GrassField.BACKEND_AUTO
 	violet.card.set_image(flower(Color(0.9, 0.1, 0.1)).get_image())
-	await drawn()
 	var repainted := await picture()
 	assert_near(share_of(repainted, is_red), share, 0.01)
 	_check_no_flowers(repainted)
 	violet.card.set_image(flower(Color(0.7, 0.1, 0.7)).get_image())
 	field.map.stroke(brush(GrassBrush.TOOL_CUT, 4.0, {cut_height = 0.2}), Vector2.ZERO, Vector2.ZERO)
-	await drawn()
 	_check_no_flowers(await picture())
 	field.map.clear()
 	field.map.base_density = 1.0
@@ -49,11 +47,9 @@ func test_flowers_stay_with_their_species_when_these_change_places() -> void:
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.4, 0))
 	await drawn()
 	field.species = [violet, green]
-	await drawn()
 	var changed := await picture()
 	field.free()
 	add_seen_field({species = [violet, green]})
-	await drawn()
 	assert_less(difference(changed, await picture()).y, 1e-3, "as if it had been made so")
 	assert_greater(share_of(changed, is_violet), 0.005)
 
@@ -86,7 +82,6 @@ func test_far_blades_show_the_colour_of_their_flowers() -> void:
 			violet.card = card
 			for error: float in gain:
 				field.lod_error = error
-				await drawn()
 				gain[error] = violet_of(await picture()) - gain[error]
 		print("    far, as violet as near: %.2f" % [gain[8.0] / gain[0.25]])
 		assert_near(gain[8.0] / gain[0.25], 1.0, 0.5)
@@ -136,7 +131,6 @@ func test_flowers_bend_with_their_blades() -> void:
 	body.free()
 	violet.card_share = 0.25
 	field.clump_tint = 0.0  # by which they stand in groups
-	await drawn()
 	var some := _share_of_flowers(await picture(), _tips(field))
 	print("    flowers on %.3f of the blades, where 0.25 were asked for" % some)
 	assert_near(some, 0.25, 0.12)

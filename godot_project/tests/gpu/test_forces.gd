@@ -38,19 +38,15 @@ func apart(a: Image, b: Image) -> float:
 
 func test_what_is_not_simulated_bends_as_well() -> void:
 	var field := add_meadow({simulated = false})
-	await drawn()
 	var still := await picture()
-	await drawn()
 	assert_eq(apart(still, await picture()), 0.0, "nothing moves")
 	var force := add_force(GrassForce3D.KIND_DOWNWASH, {speed = 15.0, radius = 3.5, position = Vector3(0, 2, 0)})
 	await ticks(30)
-	await drawn()
 	var blown := await picture()
 	print("    downwash changes the picture by %s" % apart(still, blown))
 	assert_greater(apart(still, blown), 0.002)
 	assert_eq(field.get_awake_tile_count(), 0)
 	force.free()
-	await drawn()
 	assert_eq(apart(still, await picture()), 0.0, "and it is as it was")
 
 
@@ -64,15 +60,12 @@ func test_waking_does_not_show() -> void:
 	var before := await picture()
 	force.speed = 3.1  # at the centre
 	await wait_until(func() -> bool: return field.get_awake_tile_count() > 50, "tiles wake", true)
-	await drawn()
 	var woken := apart(before, await picture())
 	force.speed = 3.5
 	await ticks(30)
-	await drawn()
 	var swayed := apart(before, await picture())
 	force.speed = 9.0
 	await ticks(120)
-	await drawn()
 	var bent := apart(before, await picture())
 	print("    3.1 m/s is %s from 2.7, 3.5 is %s, 9 is %s" % [woken, swayed, bent])
 	assert_less(woken, 0.25 * bent)
@@ -82,16 +75,13 @@ func test_waking_does_not_show() -> void:
 func test_simulated_grass_and_grass_that_is_not_bend_alike() -> void:
 	var field := add_meadow()
 	await compiled(field)
-	await drawn()
 	var still := await picture()
 	add_force(GrassForce3D.KIND_WIND, {speed = 8.0, radius = 30.0})
 	await ticks(240)
-	await drawn()
 	var simulated := await picture()
 	assert_greater(field.get_awake_tile_count(), 50)
 	field.simulated = false
 	await ticks(10)
-	await drawn()
 	var as_wind := await picture()
 	print(
 		(

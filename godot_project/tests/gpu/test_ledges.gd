@@ -24,13 +24,11 @@ func test_no_curtain_hangs_before_a_wall() -> void:
 		await grown(field)
 		look(Vector3(0, 1.8, 4), Vector3(0, 1.8, -3))
 		camera.fov = 20.0  # of the face what lies from 1.3 to 2.3 m above the floor
-		await drawn()
 		var image := await picture()
 		var seen_face := share_of(image, func(color: Color) -> bool: return minf(color.r, minf(color.g, color.b)) > 0.95)
 		assert_near(seen_face, 1.0, 0.0, "offset %.2f" % offset)
 		look(Vector3(0, 6, 6), Vector3(0, 2.6, -3 + offset))
 		camera.fov = 10.0
-		await drawn()
 		image = await picture()
 		var green := share_of(image, func(color: Color) -> bool: return color.g > color.b + 0.05)
 		assert_greater(green, 0.3, "grass stands on the roof")
@@ -51,7 +49,6 @@ func test_a_level_with_edges() -> void:
 	field.bake_ground()
 	await grown(field)
 	look(Vector3(-3, 9, 17), Vector3(0, 0, 0))
-	await drawn()
 	var image := await picture()
 	var green := share_of(image, func(color: Color) -> bool: return color.g > color.b + 0.05)
 	assert_greater(green, 0.2)

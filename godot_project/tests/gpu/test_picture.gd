@@ -78,7 +78,6 @@ func test_grass_covers_the_ground_green() -> void:
 	var empty := await picture()
 	assert_less(share_of(empty, is_green), 0.001, "nothing green without a field")
 	var field := add_seen_field()
-	await drawn()
 	var meadow := await picture()
 	var green := share_of(meadow, is_green)
 	var changed := share_of_changed(empty, meadow)
@@ -92,7 +91,6 @@ func test_grass_covers_the_ground_green() -> void:
 	assert_true(color.get_luminance() > 0.03 and color.get_luminance() < 0.7, "mean colour %s" % color)
 	assert_greater(color.g, 1.3 * color.b)
 	field.hide()
-	await drawn()
 	assert_less(difference(await picture(), empty).x, 0.01, "gone when hidden")
 
 
@@ -117,10 +115,8 @@ func test_the_renderer_decides_who_simulates() -> void:
 
 func test_both_backends_draw_the_same() -> void:
 	var gpu := add_seen_field()
-	await drawn()
 	var one := await picture()
 	gpu.backend = GrassField.BACKEND_CPU
-	await drawn()
 	var off := difference(one, await picture())
 	print("    GPU against CPU backend: mean difference %.5f" % off.y)
 	assert_less(off.y, 0.003)
@@ -128,7 +124,6 @@ func test_both_backends_draw_the_same() -> void:
 
 func test_wind_moves_and_stillness_does_not() -> void:
 	var field := add_seen_field()
-	await drawn()
 	var still := await picture()
 	assert_less(difference(still, await picture()).x, 0.01, "without wind")
 	field.wind_speed = 8.0
@@ -142,7 +137,6 @@ func test_wind_moves_and_stillness_does_not() -> void:
 func test_a_ball_leaves_a_mark_that_goes_away() -> void:
 	var field := add_seen_field({sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 0.5, settle_time = 0.3})
 	look(Vector3(0, 3, 0), Vector3.ZERO)
-	await drawn()
 	var before_it := await picture()
 	var body := add_ball(Vector3(0, 0.3, 0), 0.6)
 	await ticks(30)
@@ -152,7 +146,6 @@ func test_a_ball_leaves_a_mark_that_goes_away() -> void:
 	assert_greater(pressed.y, 0.001, "a dent")  # 0.0017 in a picture with 256 samples a pixel, in which every blade is seen
 	await ticks(80)
 	assert_eq(field.get_awake_tile_count(), 0)
-	await drawn()
 	assert_less(difference(before_it, await picture()).x, 0.01, "the same picture as before")
 
 
@@ -179,7 +172,6 @@ func test_waking_and_sleeping_are_not_seen() -> void:
 	print("    asleep against awake: mean %.6f, most %.3f; settling: mean %.6f" % [awake.y, awake.x, settled.y])
 	assert_less(awake.y, UNSEEN, "awake")
 	assert_less(settled.y, UNSEEN, "settling")
-	await drawn()
 	assert_less(difference(asleep, await picture()).x, 0.01, "asleep again")
 
 
@@ -188,7 +180,6 @@ func test_awake_tiles_are_shown_red() -> void:
 	look(Vector3(0, 6, 0), Vector3.ZERO)
 	add_ball(Vector3(1.5, 0.2, 0), 0.15)
 	await ticks(10)
-	await drawn()
 	var shown := await picture()
 	var red := share_of(shown, is_red)
 	var left := shown.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
@@ -197,10 +188,8 @@ func test_awake_tiles_are_shown_red() -> void:
 	assert_less(red, 0.2)
 	assert_less(share_of(left, is_red), 0.001, "nothing is awake there")
 	field.debug_view = GrassField.DEBUG_VIEW_OFF
-	await drawn()
 	assert_less(share_of(await picture(), is_red), 0.001, "switched off")
 	field.debug_view = GrassField.DEBUG_VIEW_LOD
-	await drawn()
 	assert_greater(difference(shown, await picture()).y, 0.003, "levels of detail are coloured otherwise")
 
 
@@ -210,7 +199,6 @@ func test_density_and_cost_are_heat_maps() -> void:
 	var field := add_seen_field({map = map, size = Vector2(12, 12), ground = false})
 	look(Vector3(0, 7, 0), Vector3.ZERO)
 	field.debug_view = GrassField.DEBUG_VIEW_DENSITY
-	await drawn()
 	var density := await picture()
 	density.save_png("user://heat_density.png")  # looked at by people
 	var thin := density.get_region(Rect2i(SIZE.x / 4, SIZE.y / 3, SIZE.x / 8, SIZE.y / 3))
@@ -220,12 +208,10 @@ func test_density_and_cost_are_heat_maps() -> void:
 	assert_greater(share_of(full, is_red), 0.3)
 	field.debug_view = GrassField.DEBUG_VIEW_COST
 	look(Vector3(0, 0.8, 6.5), Vector3(0, 0, 3))
-	await drawn()
 	var cost := await picture()
 	cost.save_png("user://heat_cost.png")
 	var near := mean(cost.get_region(Rect2i(0, SIZE.y * 3 / 4, SIZE.x, SIZE.y / 4)))
 	look(Vector3(0, 40, 0), Vector3.ZERO)
-	await drawn()
 	var far := mean((await picture()).get_region(Rect2i(SIZE.x * 7 / 16, SIZE.y * 7 / 16, SIZE.x / 8, SIZE.y / 8)))
 	print("    cost: %s near, %s far" % [near, far])
 	assert_greater(near.r - near.b, far.r - far.b + 0.1)
@@ -246,7 +232,6 @@ func test_grass_casts_shadows() -> void:
 	var beside := Rect2i(SIZE.x / 4, SIZE.y / 4, SIZE.x / 2, SIZE.y / 5)
 	var lit := mean((await picture()).get_region(beside)).get_luminance()
 	field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
-	await drawn()
 	var shaded := mean((await picture()).get_region(beside)).get_luminance()
 	print("    beside the field: %.3f lit, %.3f in its shadow" % [lit, shaded])
 	assert_less(shaded, 0.95 * lit)
@@ -254,11 +239,9 @@ func test_grass_casts_shadows() -> void:
 
 func test_colors_reach_the_picture() -> void:
 	var field := add_seen_field({dry = 0.0, clump_tint = 0.0})
-	await drawn()
 	var green := mean(await picture())
 	field.tip_color = Color(0.9, 0.05, 0.05)
 	field.root_color = Color(0.5, 0.02, 0.02)
-	await drawn()
 	var red := mean(await picture())
 	assert_greater(red.r, green.r + 0.05)
 	assert_less(red.g, green.g)

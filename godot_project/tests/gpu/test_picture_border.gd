@@ -59,7 +59,6 @@ func test_a_field_fades_at_its_border() -> void:
 	var widths := PackedFloat32Array()
 	for fade: float in [0.0, 1.0, 2.0]:
 		field.border_fade = fade
-		await drawn()
 		var image := await picture()
 		save(image, "border_%d" % fade)
 		assert_greater(columns(image)[-1], 0.99, "floor outside")
@@ -77,12 +76,10 @@ func test_the_soil_has_a_soft_edge() -> void:
 	var field := add_seen_field({size = Vector2(32, 32), density = 1.0, map = map, root_shade = 0.0, border_fade = 0.1})
 	await grown(field)
 	look(Vector3(7.8, 5, 0), Vector3(7.8, 0, 0))
-	await drawn()
 	var painted := await picture()
 	field.map = null
 	await grown(field)
 	look(Vector3(15, 5, 0), Vector3(15, 0, 0))
-	await drawn()
 	for picture: Array in [["painted", painted], ["own", await picture()]]:
 		var image: Image = picture[1]
 		save(image, "soil_" + picture[0])
@@ -99,7 +96,6 @@ func test_no_gap_between_adjoining_fields() -> void:
 		var field := add_seen_field({size = Vector2(16, 16), density = 1.0, border_fade = 0.0, root_shade = 0.0})
 		field.position.x = side
 	look(Vector3(0, 5, 0), Vector3.ZERO)
-	await drawn()
 	var image := await picture()
 	save(image, "soil_seam")
 	var means := columns(image)

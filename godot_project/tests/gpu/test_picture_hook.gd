@@ -50,7 +50,6 @@ func hook_of_shown() -> ShaderInclude:
 func shown(field: GrassField, what: String) -> Color:
 	assert_true(what in SHOWN, what)
 	field.set_hook_parameter("hook_shown", SHOWN.find(what))
-	await drawn()
 	return mean(await picture()).srgb_to_linear()
 
 
@@ -67,7 +66,6 @@ func test_the_hook_is_given_what_the_page_says() -> void:
 	viewport.add_child(world)
 	look(Vector3(0, 2.0, 0), Vector3(0, 0, 0.01))
 	await grown(field)
-	await drawn()
 	assert_less(mean(await picture()).get_luminance(), 0.01, "dark without a hook")
 	field.surface_hook = hook_of_shown()
 	var all := await shown(field, "0.5")
@@ -91,21 +89,17 @@ func test_a_hook_changes_blades_and_soil_and_goes() -> void:
 	add_light()
 	var field := add_seen_field({size = Vector2(12, 12)})
 	look(Vector3(0, 1.7, 5), Vector3(0, 0, 2))
-	await drawn()
 	var plain := await picture()
 	field.surface_hook = hook("uniform vec3 hook_color : source_color;\n" + HEAD + "\talbedo = grass_linear(hook_color);\n}\n")
 	field.set_hook_parameter("hook_color", Color(0.8, 0.1, 0.1))
-	await drawn()
 	var red := await picture()
 	save(red, "red")
 	assert_greater(share_of(red, is_red), 0.6)
 	assert_eq(share_of(plain, is_red), 0.0)
 	field.debug_view = GrassField.DEBUG_VIEW_LOD
-	await drawn()
 	assert_less(share_of(await picture(), is_red), 0.2, "debug views show what they are for")
 	field.debug_view = GrassField.DEBUG_VIEW_OFF
 	field.surface_hook = null
-	await drawn()
 	assert_less(difference(plain, await picture()).y, 1e-3, "as before")
 
 
@@ -113,24 +107,20 @@ func test_snow_and_wetness() -> void:
 	add_light()
 	var field := add_seen_field({size = Vector2(12, 12), surface_hook = load(HOOKS + "weather.gdshaderinc")})
 	look(Vector3(0, 1.2, 4), Vector3(0, 0, 1.5))
-	await drawn()
 	var plain := await picture()
 	save(plain, "dry")
 	field.surface_hook = null
-	await drawn()
 	assert_less(difference(plain, await picture()).y, 1e-3, "without weather the hook changes nothing")
 	field.surface_hook = load(HOOKS + "weather.gdshaderinc")
 	var whiter := mean(plain).b
 	for snow: float in [0.3, 0.6, 1.0]:
 		field.snow = snow
-		await drawn()
 		var snowy := await picture()
 		save(snowy, "snow_%d" % roundi(100 * snow))
 		assert_greater(mean(snowy).b, whiter + 0.03, "more snow is whiter: %.1f" % snow)
 		whiter = mean(snowy).b
 	field.snow = 0.0
 	field.wetness = 1.0
-	await drawn()
 	var wet := await picture()
 	save(wet, "wet")
 	assert_less(mean(wet).g, mean(plain).g - 0.02, "wet grass is darker")
@@ -141,7 +131,6 @@ func test_snow_and_wetness() -> void:
 	var shining := await picture()
 	save(shining, "wet_against_the_sun")
 	field.set_hook_parameter("wet_roughness", 0.9)
-	await drawn()
 	var dull := await picture()
 	print("    wet grass against the sun shines by %.4f" % (mean(shining.get_region(spot)).g - mean(dull.get_region(spot)).g))
 	assert_greater(mean(shining.get_region(spot)).g, mean(dull.get_region(spot)).g + 0.006, "and shines")  # by 0.012 with 64 samples a pixel

@@ -97,7 +97,6 @@ func test_all_renderers_show_the_same_colours() -> void:
 				await grown(field)
 				await under_a_sky()
 		field.cast_shadow = int(light == "side, shadows of grass") as GeometryInstance3D.ShadowCastingSetting
-		await drawn()
 		var image := await picture()
 		var file := "light_%s_%s.png" % [light.replace(",", "").replace(" ", "_"), RenderingServer.get_current_rendering_method()]
 		image.save_png(PICTURES + file)

@@ -37,11 +37,9 @@ func save(image: Image, name: String) -> void:
 func test_both_backends_draw_the_map_alike() -> void:
 	var field := add_seen_field({map = meadow(), size = Vector2(18, 18)})
 	look(Vector3(0, 4.5, 12), Vector3(0, 0, 1))
-	await drawn()
 	var gpu := await picture()
 	save(gpu, "map_gpu")
 	field.backend = GrassField.BACKEND_CPU
-	await drawn()
 	var cpu := await picture()
 	save(cpu, "map_cpu")
 	var off := difference(gpu, cpu)
@@ -89,10 +87,8 @@ func test_a_hill_is_culled_where_it_stands() -> void:
 func test_blades_are_drawn_as_they_follow_the_slope() -> void:
 	var field := add_seen_field({map = meadow(), follow_slope = 0.0})
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
-	await drawn()
 	var upright := await picture()
 	field.follow_slope = 1.0
-	await drawn()
 	assert_greater(difference(upright, await picture()).y, 0.01)
 
 
@@ -117,7 +113,6 @@ func test_mown_blades_end_in_a_pale_cut() -> void:
 		var field := add_seen_field({size = Vector2(8, 8), density = 1000.0, map = map, species = [blue], soil_color = blue.root_color})
 		await grown(field)
 		look(Vector3(0, 0.25, 0.45), Vector3(0, 0.03, 0))
-		await drawn()
 		var image := await picture()
 		save(image, "mown_close" if tool == GrassBrush.TOOL_CUT else "short_close")
 		shares.append(share_of(image.get_region(Rect2i(0, SIZE.y / 2, SIZE.x, SIZE.y / 2)), pale))

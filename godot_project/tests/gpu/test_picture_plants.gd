@@ -42,7 +42,6 @@ func test_plants_show_all_channels_of_their_vertices() -> void:
 		var color := Color(0.1, 0.1, 0.1)
 		color[channel] = 0.8
 		var field := add_boxes(color)
-		await drawn()
 		var image := await picture()
 		var shares := range(3).map(func(other: int) -> float: return share_with(image, other))
 		print("    vertices strong in channel %d: shares of pixels strong in each %s" % [channel, shares])
@@ -83,7 +82,6 @@ func test_a_far_plant_keeps_the_place_of_its_colours() -> void:
 	)
 	field.clump_height = 0.0
 	field.clump_lean = 0.0
-	await drawn()
 	var image := await picture()
 	image.save_png(PICTURES + "far_plants.png")
 	var half := Vector2i(image.get_width(), image.get_height() / 2)

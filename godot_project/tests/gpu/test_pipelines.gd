@@ -81,7 +81,6 @@ func test_a_new_field_is_drawn_when_its_shaders_are_there() -> void:
 	assert_greater(field.get_blade_count(), 0, "it stands")
 	if field.get_statistics().waiting:
 		assert_less(difference(empty, await next_picture()).x, 0.01, "nothing is drawn with shaders of the engine's")
-	await drawn()
 	assert_greater(share_of(await picture(), is_red), 0.05)
 	assert_eq(pipelines().x - before.x, 0, "none by drawing")
 

@@ -138,10 +138,8 @@ func test_both_backends_draw_the_same_plants() -> void:
 func test_mown_plants_are_cut() -> void:
 	var map := full_map()
 	var field := add_plants([plant(1.0)], {map = map})
-	await drawn()
 	var before := share_of(await picture(), is_violet)
 	map.stroke(brush(GrassBrush.TOOL_CUT, 6.0, {cut_height = 0.3}), Vector2.ZERO, Vector2.ZERO)
-	await drawn()
 	var image := await picture()
 	keep(image, "plants_mown.png")
 	print("    violet: %.4f, mown %.4f" % [before, share_of(image, is_violet)])
@@ -153,13 +151,10 @@ func test_mown_plants_are_cut() -> void:
 func test_alpha_scissor_cuts_what_is_transparent() -> void:
 	var species := plant(1.0)
 	add_plants([species])
-	await drawn()
 	assert_greater(share_of(await picture(), is_violet), 0.01)
 	species.plant_mesh = lollipop(0.12, 0.2)
-	await drawn()
 	assert_greater(share_of(await picture(), is_violet), 0.01, "0.3 is above 0.2")
 	species.plant_mesh = lollipop(0.12, 0.5)
-	await drawn()
 	assert_eq(share_of(await picture(), is_violet), 0.0, "0.3 is below 0.5")
 
 
@@ -197,10 +192,8 @@ func shades(species: GrassSpecies, mesh: Mesh, picture_name: String) -> Vector2:
 	for of_blades in 2:
 		species.plant_mesh = null if of_blades else mesh
 		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-		await drawn()
 		var without := await picture()
 		field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
-		await drawn()
 		var image := await picture()
 		shade[of_blades] = difference(without, image).y
 		if not of_blades:

@@ -37,7 +37,6 @@ func channel_of(color: Color) -> int:
 
 ## Compares what every blade is drawn as with what it is simulated as; blades that another one may hide are left out.
 func check_markers(field: GrassField) -> void:
-	await drawn()
 	var image := await picture()
 	var places: Array[Vector2] = []
 	var species: Array[int] = []
@@ -148,12 +147,10 @@ func test_a_meadow_of_four_species_looks_alike_on_both_backends() -> void:
 	var field := add_seen_field({size = Vector2(20, 20), map = full_map(), species = [fescue, sorrel, sedge, daisy]})
 	field.paint(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 3}), Vector3(-8, 0, 2), Vector3(8, 0, -5))
 	look(Vector3(0, 2.2, 9), Vector3(0, 0, 0))
-	await drawn()
 	var gpu := await picture()
 	gpu.save_png(PICTURES + "species.png")
 	print("    %s" % ProjectSettings.globalize_path(PICTURES + "species.png"))
 	field.backend = GrassField.BACKEND_CPU
-	await drawn()
 	var off := difference(gpu, await picture())
 	print("    GPU against CPU backend: mean difference %.5f" % off.y)
 	assert_less(off.y, 0.003)
