@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Makes sources that include others of one folder, since reading headers takes most of a build's time."""
+"""Sources that include others, of one folder or of several: most of a build's time goes into reading headers."""
 
 import os
 import pathlib
 import re
+from dataclasses import dataclass
 
 from tools.places import ROOT
 
 # step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework.
 ALONE = ("step_lanes", "main")
+CORE = "extension/core/"
+WORD = re.compile(r"\w+")
+ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\} // namespace$", re.MULTILINE | re.DOTALL)
+NAMES = re.compile(r"\w(?!emplate|ublic|rivate)")  # a line that may define something
+DEFINED = re.compile(r"(\w+)\s*(?:\(|=|\{|\[|;|$|(?<!:):(?!:))")
+ALSO_DEFINED = re.compile(r", (\w+) = ")
 INCLUDE = re.compile(r'^(#include (?:<[^>]+>|"([^"]+)"))', re.MULTILINE)
 
 
@@ -26,6 +33,61 @@ def by_folder(files, place, most=None, apart=False):
 		for n in range(parts):
 			made.append(write(f"{name}{n or ''}.cpp", sources[n * len(sources) // parts : (n + 1) * len(sources) // parts], apart))
 	return alone + made
+
+
+def across_folders(files, place, most):
+	"""Writes sources for `files` into folder `place` of the project, of at most `most` files of any folders each: of the core, which knows
+	nothing of Godot, and of the rest. No two files share one where the one gives a name of its own to what is another thing in the other.
+	Returns them and what stays alone."""
+	alone = [file for file in files if pathlib.Path(file).name.startswith(ALONE)]
+	core = {file for file in files if file.startswith(CORE)}
+	made = []
+	for name, chosen in (("core", core), ("rest", set(files) - core)):
+		parts = apart_by_names(sorted(chosen - set(alone)), most)
+		made += [write(f"{place}/{name}{n or ''}.cpp", part.files, False) for n, part in enumerate(parts)]
+	return alone + made
+
+
+def apart_by_names(files, most):
+	"""`files` in as few parts as can be."""
+	parts = []
+	for file in files:
+		text = (ROOT / file).read_text()
+		own, words = own_names(text), set(WORD.findall(text))
+		part = next((part for part in parts if len(part.files) < most and part.takes(own, words)), None)
+		if part is None:
+			parts.append(part := Part([], set(), set()))
+		part.files.append(file)
+		part.own |= own
+		part.words |= words
+	return parts
+
+
+@dataclass
+class Part:
+	"""Files that share a source, the names of their anonymous namespaces, and all their words."""
+
+	files: list
+	own: set
+	words: set
+
+	def takes(self, own, words):
+		"""Types and constants of the one may be mentioned nowhere in the other, functions and variables not be defined there as well."""
+		return not (self.own & own or constant(self.own) & words or self.words & constant(own))
+
+
+def constant(names):
+	return {name for name in names if name[0].isupper()}
+
+
+def own_names(text):
+	"""What a text defines in its anonymous namespaces."""
+	names = set()
+	for block in ANONYMOUS.findall(text):
+		for line in filter(NAMES.match, block.splitlines()):
+			code = line.split("//")[0].rstrip()
+			names.update([*DEFINED.findall(code)[:1], *ALSO_DEFINED.findall(code)])
+	return names
 
 
 def write(path, sources, apart):

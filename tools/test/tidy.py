@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""clang-tidy: `./grass tidy` and the layer `tidy` over the extension's rooms, `./grass tidy FILE...` over these sources.
+"""clang-tidy: `./grass tidy` and the layer `tidy` over the extension, `./grass tidy FILE...` over these sources.
 
-Most of clang-tidy's time goes into headers, Eigen's and the binding's: a room's sources are looked at as one, which includes them.
+Most of clang-tidy's time goes into headers, Eigen's and the binding's: sources are looked at by the dozen, included by one.
 """
 
 import concurrent.futures
@@ -17,6 +17,7 @@ from tools.say import Failure, progress
 
 VERSION = "14"  # Debian 12's, as of clang-format
 PLACE = "build/tidy"
+MOST = 60  # files that are looked at as one
 APART = ("binding", "old_glibc")  # the engine's interface, in godot-cpp's ways; a few symbols for the linker
 INCLUDES_SOURCES = "-bugprone-suspicious-include"  # it does so on purpose
 
@@ -38,10 +39,10 @@ def flags():
 	return ["-std=c++20", *(f"-I{folder}" for folder in folders), *(f"-isystem{folder}" for folder in system), *defines]
 
 
-def rooms():
-	"""The sources to check, each with a name: one for each room, and those that the build compiles on their own."""
+def parts():
+	"""Sources to look at, each with a name for it: some of many files of the core or of the rest, and what the build keeps alone."""
 	sources = (path.relative_to(ROOT) for path in (ROOT / "extension").rglob("*.cpp"))
-	files = unity.by_folder([str(path) for path in sources if path.parts[1] not in APART], PLACE)
+	files = unity.across_folders([str(path) for path in sources if path.parts[1] not in APART], PLACE, MOST)
 	return {file: re.sub(rf"^{PLACE}/|\.cpp$", "", file).replace("/", "_").removeprefix("extension_") for file in files}
 
 
@@ -54,10 +55,10 @@ def look(file, more=()):
 	return re.sub(r"^(/[^:\n]+)", lambda found: os.path.relpath(found[1], ROOT), result.stdout, flags=re.MULTILINE)
 
 
-def look_at_rooms(only=""):
-	"""Yields (name, messages of clang-tidy) of each room whose name contains `only`, as many at a time as there are processors."""
+def look_at_parts(only=""):
+	"""Yields (name, what clang-tidy says) of each part whose name contains `only`, as many at a time as there are processors."""
 	ensure()
-	chosen = {file: name for file, name in rooms().items() if only in f"tidy/{name}"}
+	chosen = {file: name for file, name in parts().items() if only in f"tidy/{name}"}
 	with progress("Running clang-tidy"), concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
 		running = {pool.submit(look, file, [f"--checks={INCLUDES_SOURCES}"]): name for file, name in chosen.items()}
 		for done in concurrent.futures.as_completed(running):
@@ -65,8 +66,8 @@ def look_at_rooms(only=""):
 
 
 def layer(only, tally):
-	"""The layer `tidy`: a test for each room. Returns `tally`."""
-	for name, said in look_at_rooms(only):
+	"""The layer `tidy`: a test for each part. Returns `tally`."""
+	for name, said in look_at_parts(only):
 		print(f"{'fail' if said else 'pass':>6} tidy/{name}", flush=True)
 		if said:
 			print(said, flush=True)
@@ -79,6 +80,6 @@ def layer(only, tally):
 def run(files):
 	"""Returns the exit code: 1 if something was found."""
 	ensure()
-	found = [look(file) for file in files] if files else [said for _, said in look_at_rooms()]
+	found = [look(file) for file in files] if files else [said for _, said in look_at_parts()]
 	print("".join(found), end="")
 	return 1 if any(found) else 0
