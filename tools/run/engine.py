@@ -21,8 +21,9 @@ HOME = BUILD / "home" / os.environ.get("GRASS_HOME", "")  # the engine's setting
 
 
 def private_home():
-	"""Environment additions that keep the engine out of the user's own settings."""
-	return {f"XDG_{kind}_HOME": str(HOME / kind.lower()) for kind in ("DATA", "CONFIG", "CACHE")}
+	"""Environment additions that keep the engine out of the user's own settings. What software Vulkan compiled, all homes share."""
+	homes = {f"XDG_{kind}_HOME": str(HOME / kind.lower()) for kind in ("DATA", "CONFIG", "CACHE")}
+	return {**homes, "MESA_SHADER_CACHE_DIR": str(BUILD / "home/mesa")}
 
 
 def software_vulkan():

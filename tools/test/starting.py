@@ -30,9 +30,7 @@ class Start:
 		homes = {f"XDG_{kind}_HOME": str(home / kind.lower()) for kind in ("DATA", "CONFIG", "CACHE")}
 		with engine.window(**where) as (command, environment):
 			everything = [*command, "--verbose", "--path", str(PROJECT), "--fixed-fps", "60", SCENE]
-			self.code = engine.run(
-				everything, {**environment, **homes, "MESA_SHADER_CACHE_DIR": str(home / "mesa")}, self.words.append, LIMIT
-			)
+			self.code = engine.run(everything, {**environment, **homes}, self.words.append, LIMIT)
 		self.result = "".join(line for line in self.words if line.startswith("GRASS-START "))
 		self.shaders = {found[1]: found[2] for found in map(DONE.match, self.words) if found}
 

@@ -17,6 +17,7 @@ func _ready() -> void:
 	add_child(field)
 	var deadline := Time.get_ticks_msec() + 1000.0 * PATIENCE
 	while (field.get_statistics().waiting or field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
+		OS.delay_msec(50)  # frames only take the time of the threads that compile
 		await get_tree().process_frame
 	_add_box()
 	for i in 12:

@@ -104,4 +104,5 @@ func _compiled(fields: Array[GrassField]) -> void:
 	while fields.any(func(field: GrassField) -> bool: return field.get_statistics().waiting or field.get_statistics().compiling > 0):
 		if Time.get_ticks_msec() > deadline:
 			return
+		OS.delay_msec(50)  # frames only take the time of the threads that compile, and the layer looks at each
 		await get_tree().process_frame
