@@ -191,6 +191,7 @@ Dictionary GrassEditorPlugin::get_statistics() const {
 	statistics["ring"] = _ring.is_shown();
 	statistics["preview"] = _preview.get_count();
 	statistics["watch_rays"] = _watch.get_rays();
+	statistics["watch_most_rays"] = _watch.get_most_rays();
 	statistics["watch_waiting"] = _watch.get_waiting();
 	statistics["watch_us"] = _watch.get_look_us();
 	return statistics;

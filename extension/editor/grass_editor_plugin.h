@@ -43,8 +43,8 @@ public:
 
 	// Of the last stroke: `steps`, `chunks`, `rays`, `total_us`, `worst_us` (see StrokeCosts), `active`, `left_out`; of the last movement
 	// of the mouse, with ring and steps: `event_us`, CPU microseconds; whether the `ring` is shown, and the number of fields that show a
-	// `preview`. Of ground that follows what moved: `watch_rays` so far, how many pieces wait (`watch_waiting`), and the last look at the
-	// scene (`watch_us`).
+	// `preview`. Of ground that follows what moved: `watch_rays` so far and in one frame at most (`watch_most_rays`), how many pieces wait
+	// (`watch_waiting`), and the last look at the scene (`watch_us`).
 	godot::Dictionary get_statistics() const;
 
 protected:

@@ -25,7 +25,7 @@ namespace {
 constexpr int FRAMES_A_ROUND = 15;
 // Rounds from one search for new bodies to the next. More: misses a body that is moved soon after it was added.
 constexpr int ROUNDS_A_SEARCH = 8;
-// Rays a frame, about: those of one chunk, some milliseconds. More: the editor stutters.
+// Rays a frame, at most: some milliseconds. More: the editor stutters.
 constexpr int64_t RAYS_A_FRAME = 4096;
 // Changes over less than this area are read everywhere, others only in chunks that have ground: the unpainted rest of a
 // large field stays unread. m^2.
@@ -110,11 +110,9 @@ void GroundWatch::update(Node *p_root) {
 	}
 	look(_bodies.size() / FRAMES_A_ROUND + 1);
 	_look_us = std::max(_look_us, 1000.0 * clock.lap());
-	for (int64_t rays = 0; !_pieces.empty() && rays < RAYS_A_FRAME;) {
-		const Piece piece = _pieces.front();
-		_pieces.pop_front();
-		rays += bake(piece);
-	}
+	const int64_t before = _rays;
+	read(RAYS_A_FRAME);
+	_most_rays = std::max(_most_rays, _rays - before);
 }
 
 void GroundWatch::finish(Node *p_root) {
@@ -123,11 +121,7 @@ void GroundWatch::finish(Node *p_root) {
 			look(_bodies.size());
 		}
 	}
-	while (!_pieces.empty()) {
-		const Piece piece = _pieces.front();
-		_pieces.pop_front();
-		bake(piece);
-	}
+	read(GroundPlaces::ALL - _rays);
 }
 
 // False where nothing is to be watched.
@@ -187,7 +181,7 @@ void GroundWatch::look_at_fields() {
 		if (is_new) {
 			pose.baked = now;
 		} else if (pose.last == now && pose.baked != now) {
-			add_pieces(*field, region_of(*field), {});
+			add_pieces(*field, region_of(*field), Eigen::AlignedBox3d());
 			pose.baked = now;
 		}
 		pose.last = now;
@@ -216,10 +210,10 @@ void GroundWatch::add_body(Watched<GroundBody> &r_body, const GroundBody &p_now)
 			continue;
 		}
 		if (!left.isEmpty()) {
-			add_pieces(*field, footprint(left).grown(2.0 * TEXEL), left);
+			add_pieces(*field, footprint(left).grown(GroundReading::REACH * TEXEL), left);
 		}
 		if (!now.isEmpty()) {
-			add_pieces(*field, footprint(now.transformed(to_field)).grown(2.0 * TEXEL), {});
+			add_pieces(*field, footprint(now.transformed(to_field)).grown(GroundReading::REACH * TEXEL), Eigen::AlignedBox3d());
 		}
 	}
 }
@@ -229,48 +223,67 @@ void GroundWatch::add_pieces(const GrassField &p_field, const MapRegion &p_regio
 	if (is_empty(region)) {
 		return;
 	}
+	if (!_pieces.empty()) { // what was read of it is of the moment before
+		_pieces.front().reading.reset();
+	}
 	const bool is_large = (region.max - region.min).prod() > LARGEST_REGION;
+	const auto before = p_left.isEmpty() ? nullptr : std::make_shared<const PaintMap>(p_field.get_map()->get_map());
 	for (const MapKey &key : chunks_in(region)) {
 		const MapChunk *chunk = p_field.get_map()->get_map().find(key);
 		const MapRegion part = MapRegion::of_chunk(key).shared(region);
 		if (!is_empty(part) && (!is_large || (chunk != nullptr && chunk->channels[MAP_GROUND]))) {
-			_pieces.push_back({ p_field.get_instance_id(), part, p_left });
+			_pieces.push_back({ p_field.get_instance_id(), part, p_left, before, {} });
 		}
 	}
 }
 
-// Returns the number of rays. Where no ground is left, grass keeps its height (the map may have heights without a body),
+void GroundWatch::read(int64_t p_most) {
+	const int64_t end = _rays + p_most;
+	while (!_pieces.empty() && end - _rays >= GroundReading::LEAST_PLACES && read_on(end - _rays)) {
+	}
+}
+
+// Returns whether the first piece is done. Where no ground is left, grass keeps its height (the map may have heights without a body),
 // unless it stood on the body that has gone: then it comes down to the field's plane.
-int64_t GroundWatch::bake(const Piece &p_piece) {
-	const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(p_piece.field_id));
-	if (field == nullptr || !field->is_inside_tree() || !has_ground(*field)) {
-		return 0;
-	}
-	const Ref<GrassMap> map = field->get_map();
-	GroundRays rays(field->get_world_3d(), field->field_transform());
+bool GroundWatch::read_on(int64_t p_most) {
+	Piece &piece = _pieces.front();
+	const GrassField *field = Object::cast_to<GrassField>(ObjectDB::get_instance(piece.field_id));
+	const bool is_there = field != nullptr && field->is_inside_tree() && has_ground(*field);
+	GroundRays rays(is_there ? field->get_world_3d() : Ref<World3D>(), is_there ? field->field_transform() : Transform3D());
 	if (!rays.is_usable()) {
-		return 0;
+		_pieces.pop_front();
+		return true;
 	}
-	Eigen::AlignedBox3d left = p_piece.left;
+	Eigen::AlignedBox3d left = piece.left;
 	if (!left.isEmpty()) { // heights in the map are rounded
 		left.min().y() -= TEXEL;
 		left.max().y() += TEXEL;
 	}
-	const LaidGround laid = map->change([&](PaintMap &r_map) {
-		const auto height_at = [&](const Eigen::Vector2d &p_place) {
-			const double height = rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
-			const double before = std::isnan(height) ? r_map.sample(MAP_GROUND, 0, p_place) : 0.0;
-			const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
-			return comes_down ? 0.0 : height;
-		};
-		const LedgeSearch search{ height_at, field->get_param(PARAM_LEDGE_SLOPE) };
-		return lay_ground(r_map, p_piece.region, height_at, MissingGround::STAYS, nullptr, search);
-	});
-	_rays += laid.sampled;
-	if (!laid.changed.empty()) {
-		EditorInterface::get_singleton()->set_object_edited(map.ptr(), true);
+	const auto height_at = [&](const Eigen::Vector2d &p_place) {
+		const double height = rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
+		const double before = std::isnan(height) && piece.before ? piece.before->sample(MAP_GROUND, 0, p_place) : 0.0;
+		const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
+		return comes_down ? 0.0 : height;
+	};
+	if (!piece.reading) {
+		piece.reading.emplace(piece.region, GroundRule{ MissingGround::STAYS, field->get_param(PARAM_LEDGE_SLOPE) });
 	}
-	return laid.sampled;
+	const int64_t sampled = piece.reading->get_sampled();
+	const bool is_done = piece.reading->read(height_at, height_at, p_most);
+	_rays += piece.reading->get_sampled() - sampled;
+	if (is_done) {
+		const GroundReading ground = std::move(*piece.reading);
+		_pieces.pop_front();
+		lay(field->get_map(), ground);
+	}
+	return is_done;
+}
+
+void GroundWatch::lay(const Ref<GrassMap> &p_map, const GroundReading &p_ground) {
+	const LaidGround laid = p_map.ptr()->change([&](PaintMap &r_map) { return lay_ground(r_map, p_ground); });
+	if (!laid.changed.empty()) {
+		EditorInterface::get_singleton()->set_object_edited(p_map.ptr(), true);
+	}
 }
 
 } // namespace grass

@@ -4,11 +4,13 @@
 // and brings back the ground of before.
 #pragma once
 
+#include "core/paint/lay_ground.h"
 #include "editor/ground_bodies.h"
 #include "nodes/grass_field.h"
 
 #include <deque>
 #include <map>
+#include <memory>
 
 namespace grass {
 
@@ -21,6 +23,7 @@ public:
 	void forget();
 
 	int64_t get_rays() const { return _rays; } // cast so far
+	int64_t get_most_rays() const { return _most_rays; } // cast in one update()
 	int64_t get_waiting() const { return int64_t(_pieces.size()); }
 	double get_look_us() const { return _look_us; } // CPU time of looking, the longest frame of this round, microseconds
 
@@ -30,11 +33,13 @@ private:
 		T last, baked;
 		bool is_ground = false; // grass stood on it once, as far as it was seen to move
 	};
-	// Ground to be read, and the box of a body that has left it, in the field's space.
+	// Ground to be read; the box of a body that has left it, in the field's space, and the map when it did; what of it has been read.
 	struct Piece {
 		uint64_t field_id;
 		MapRegion region;
 		Eigen::AlignedBox3d left;
+		std::shared_ptr<const PaintMap> before;
+		std::optional<GroundReading> reading;
 	};
 
 	bool begin_round(godot::Node *p_root);
@@ -44,7 +49,9 @@ private:
 	std::vector<const GrassField *> find_fields() const;
 	void add_body(Watched<GroundBody> &r_body, const GroundBody &p_now);
 	void add_pieces(const GrassField &p_field, const MapRegion &p_region, const Eigen::AlignedBox3d &p_left);
-	int64_t bake(const Piece &p_piece);
+	void read(int64_t p_most);
+	bool read_on(int64_t p_most);
+	void lay(const godot::Ref<GrassMap> &p_map, const GroundReading &p_ground);
 
 	uint64_t _root_id = 0; // of the scene that is watched; 0: none, since no field of it has ground
 	std::vector<uint64_t> _field_ids; // that have ground
@@ -53,7 +60,7 @@ private:
 	std::deque<Piece> _pieces;
 	uint64_t _next_body = 0; // id, at which this round goes on
 	int _frames_left = 0, _rounds_left = 0; // to the next round; to the next search for bodies
-	int64_t _rays = 0;
+	int64_t _rays = 0, _most_rays = 0;
 	double _look_us = 0.0;
 };
 

@@ -198,7 +198,7 @@ int64_t FieldWork::bake_ground_from(const Ref<Shape3D> &p_shape, const Transform
 	ERR_FAIL_COND_V_MSG(!is_ground_shape(p_shape), 0,
 			_host.message("bake_ground_from() reads a HeightMapShape3D or a ConcavePolygonShape3D. For other ground, use bake_ground()."));
 	const MapRegion region = ground().grown(BORDER);
-	HeightSheet sheet(region);
+	HeightSheet sheet(region.grown(GroundReading::REACH * info_of(MAP_GROUND).texel_size()));
 	add_ground_shape(sheet, p_shape, to_field() * to_eigen(p_transform));
 	return lay_ground_by(
 			region, [&](const Eigen::Vector2d &p_place) { return sheet.at(p_place); },

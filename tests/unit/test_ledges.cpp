@@ -145,7 +145,8 @@ TEST_CASE("ledges: smooth and rough ground has none, and the heights are asked a
 	PaintMap map;
 	const auto level = [](const Eigen::Vector2d &) { return 2.0; };
 	const LaidGround laid = lay_ground(map, { { -16, -16 }, { 16, 16 } }, level, MissingGround::STAYS, nullptr, { level });
-	CHECK(laid.sampled == 34 * 34 + 4 * 33 * 33);
+	constexpr int BESIDE = 4 * 33 * 4 + 4 * 6; // cells from which a ledge may be followed into one of 33 x 33
+	CHECK(laid.sampled == 42 * 42 + 4 * (33 * 33 + BESIDE));
 	CHECK_FALSE(map.uses(MAP_LEDGE));
 }
 

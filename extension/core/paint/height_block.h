@@ -3,37 +3,36 @@
 #pragma once
 
 #include "core/map/map_channels.h"
+#include "core/paint/ground_places.h"
 
 #include <Eigen/Core>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
 namespace grass {
 
-// Height of the ground at a place (x, z in metres), metres above the field; not finite where there is none.
-using HeightAt = std::function<double(const Eigen::Vector2d &p_place)>;
-
 inline constexpr double GROUND_TEXEL = info_of(MAP_GROUND).texel_size();
 
 class HeightBlock {
 public:
-	HeightBlock(const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, const HeightAt &p_height) :
-			_first(p_first - 1), _width(p_last.x() - p_first.x() + 3), _depth(p_last.y() - p_first.y() + 3) {
+	// p_margin: texels around those from p_first to p_last.
+	HeightBlock(const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, int p_margin) :
+			_first(p_first - p_margin),
+			_width(p_last.x() - p_first.x() + 1 + 2 * p_margin),
+			_depth(p_last.y() - p_first.y() + 1 + 2 * p_margin) {
 		_heights.reserve(size_t(_width) * size_t(_depth));
-		for (int j = _first.y(); j < _first.y() + _depth; j++) {
-			for (int i = _first.x(); i < _first.x() + _width; i++) {
-				_heights.push_back(p_height(centre(i, j)));
-			}
-		}
 	}
+	bool is_complete() const { return count() == int64_t(_width) * _depth; }
+	// The centre of the texel whose height comes next.
+	Eigen::Vector2d next() const { return centre(_first.x() + int(count()) % _width, _first.y() + int(count()) / _width); }
+	void put(double p_height) { _heights.push_back(p_height); }
 	static Eigen::Vector2d centre(int p_i, int p_j) { return { (p_i + 0.5) * GROUND_TEXEL, (p_j + 0.5) * GROUND_TEXEL }; }
 
 	double at(int p_i, int p_j) const { return _heights[size_t(p_j - _first.y()) * size_t(_width) + size_t(p_i - _first.x())]; }
 	int64_t count() const { return int64_t(_heights.size()); }
-	// The texels around the block are among these.
+	// The texels of the margin are among these.
 	Eigen::Array2i get_first() const { return _first; }
 	Eigen::Array2i get_size() const { return { _width, _depth }; }
 

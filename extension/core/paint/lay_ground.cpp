@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace grass {
 
@@ -67,33 +66,19 @@ private:
 // Lays the ground of a block of texels.
 class GroundLayer {
 public:
-	GroundLayer(PaintMap &r_map, const Eigen::Array2i &p_first, const Eigen::Array2i &p_last, const HeightBlock &p_heights,
-			MissingGround p_missing, const NormalAt &p_normal, const LedgeSearch &p_search, LaidGround &r_result) :
-			_map(r_map),
-			_first(p_first),
-			_last(p_last),
-			_heights(p_heights),
-			_missing(p_missing),
-			_normal(p_normal),
-			_search(p_search),
-			_result(r_result),
-			_writer(r_map, r_result) {}
+	GroundLayer(PaintMap &r_map, const GroundReading &p_ground, const NormalAt &p_normal, LaidGround &r_result) :
+			_map(r_map), _ground(p_ground), _normal(p_normal), _result(r_result), _writer(r_map, r_result) {}
 
 	void run() {
-		const Ledges ledges = find_ledges(_heights, _search, _missing == MissingGround::HOLE);
-		_result.sampled += ledges.sampled;
-		for (const LedgeCell &cell : ledges.cells) {
-			_ledges.emplace(cell.i, cell.j);
-		}
-		for (int j = _first.y(); j <= _last.y(); j++) {
-			for (int i = _first.x(); i <= _last.x(); i++) {
+		for (int j = _ground.get_first().y(); j <= _ground.get_last().y(); j++) {
+			for (int i = _ground.get_first().x(); i <= _ground.get_last().x(); i++) {
 				lay_texel(i, j);
 			}
 		}
 		for (const auto &[i, j] : find_gone()) {
 			_writer.lay_ledge(i, j, nullptr);
 		}
-		for (const LedgeCell &cell : ledges.cells) {
+		for (const LedgeCell &cell : _ground.get_ledges()) {
 			lay_cell(cell);
 		}
 		_writer.report();
@@ -101,29 +86,19 @@ public:
 
 private:
 	void lay_texel(int p_i, int p_j) {
-		const double height = _heights.at(p_i, p_j);
+		const HeightBlock &heights = _ground.get_heights();
+		const double height = heights.at(p_i, p_j);
 		if (!std::isfinite(height)) {
 			_result.missing++;
-			if (_missing == MissingGround::HOLE) {
-				_writer.open(p_i, p_j, _heights.beside(p_i, p_j));
+			if (_ground.get_rule().missing == MissingGround::HOLE) {
+				_writer.open(p_i, p_j, heights.beside(p_i, p_j));
 			}
 			return;
 		}
 		const Eigen::Vector3d given = _normal ? _normal(HeightBlock::centre(p_i, p_j)).normalized() : Eigen::Vector3d::Zero();
 		const bool is_given = given.allFinite() && given.y() > 0.0;
-		_writer.lay(p_i, p_j, height, is_given ? given : normal(p_i, p_j));
+		_writer.lay(p_i, p_j, height, is_given ? given : _ground.normal(p_i, p_j));
 	}
-
-	Eigen::Vector3d normal(int p_i, int p_j) {
-		const bool is_beside = has_ledge(p_i, p_j) || has_ledge(p_i - 1, p_j) || has_ledge(p_i, p_j - 1) || has_ledge(p_i - 1, p_j - 1);
-		if (!is_beside) {
-			return _heights.normal(p_i, p_j);
-		}
-		const Eigen::Vector2d slope = slope_beside_ledge(_heights, _search, p_i, p_j, _result.sampled);
-		return Eigen::Vector3d(-slope.x(), 1.0, -slope.y()).normalized();
-	}
-
-	bool has_ledge(int p_i, int p_j) const { return !_ledges.empty() && _ledges.contains({ p_i, p_j }); }
 
 	// The cells of the block that had a ledge in the map and have none now.
 	std::vector<std::pair<int, int>> find_gone() {
@@ -138,9 +113,10 @@ private:
 			}
 			return false;
 		};
-		for (int j = _first.y() - 1; j <= _last.y() && _map.uses(MAP_LEDGE); j++) {
-			for (int i = _first.x() - 1; i <= _last.x(); i++) {
-				if (!has_ledge(i, j) && is_marked(i, j)) {
+		const Eigen::Array2i first = _ground.get_first() - 1, last = _ground.get_last();
+		for (int j = first.y(); j <= last.y() && _map.uses(MAP_LEDGE); j++) {
+			for (int i = first.x(); i <= last.x(); i++) {
+				if (!_ground.has_ledge(i, j) && is_marked(i, j)) {
 					gone.emplace_back(i, j);
 				}
 			}
@@ -155,42 +131,35 @@ private:
 			corners[size_t(n)] = { info_of(MAP_GROUND).value(_map.get_code(MAP_GROUND, 0, i, j)),
 				{ info_of(MAP_NORMAL).value(_map.get_code(MAP_NORMAL, 0, i, j)),
 						info_of(MAP_NORMAL).value(_map.get_code(MAP_NORMAL, 1, i, j)) },
-				!std::isfinite(_heights.at(i, j)) };
+				!std::isfinite(_ground.get_heights().at(i, j)) };
 		}
-		_writer.lay_ledge(p_cell.i, p_cell.j, ledge_codes(p_cell, corners, _search.slope).data());
+		_writer.lay_ledge(p_cell.i, p_cell.j, ledge_codes(p_cell, corners, _ground.get_rule().ledge_slope).data());
 	}
 
 	PaintMap &_map;
-	Eigen::Array2i _first, _last;
-	const HeightBlock &_heights;
-	MissingGround _missing;
+	const GroundReading &_ground;
 	const NormalAt &_normal;
-	const LedgeSearch &_search;
 	LaidGround &_result;
 	GroundWriter _writer;
-	std::set<std::pair<int, int>> _ledges; // first texels of the cells that have one
 };
 
 } // namespace
 
+LaidGround lay_ground(PaintMap &r_map, const GroundReading &p_ground, const NormalAt &p_normal) {
+	LaidGround result;
+	result.sampled = p_ground.get_sampled();
+	result.out_of_room = p_ground.is_out_of_reach();
+	if (!p_ground.is_empty()) {
+		GroundLayer(r_map, p_ground, p_normal, result).run();
+	}
+	return result;
+}
+
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing,
 		const NormalAt &p_normal, const LedgeSearch &p_search) {
-	LaidGround result;
-	const double reach = PaintMap::REACH * double(info_of(MAP_GROUND).side);
-	const Eigen::Array2d low = (p_region.min.array() / GROUND_TEXEL - 0.5).ceil(),
-						 high = (p_region.max.array() / GROUND_TEXEL - 0.5).floor();
-	if (!low.allFinite() || !high.allFinite() || (low > high).any()) {
-		return result;
-	}
-	result.out_of_room = (low < -reach).any() || (high >= reach).any();
-	const Eigen::Array2i first = low.max(-reach).min(reach).cast<int>(), last = high.max(-reach - 1.0).min(reach - 1.0).cast<int>();
-	if ((first > last).any()) {
-		return result;
-	}
-	const HeightBlock heights(first, last, p_height);
-	result.sampled = heights.count();
-	GroundLayer(r_map, first, last, heights, p_missing, p_normal, p_search, result).run();
-	return result;
+	GroundReading ground(p_region, { p_missing, p_search.slope, !p_search.between });
+	ground.read(p_height, p_search.between);
+	return lay_ground(r_map, ground, p_normal);
 }
 
 } // namespace grass

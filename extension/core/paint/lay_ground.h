@@ -4,7 +4,7 @@
 
 #include "core/map/map_layers.h"
 #include "core/paint/brush.h"
-#include "core/paint/ledges.h"
+#include "core/paint/ground_reading.h"
 
 #include <functional>
 
@@ -13,17 +13,21 @@ namespace grass {
 // Normal of the ground at a place, of any length; not finite or null where there is none.
 using NormalAt = std::function<Eigen::Vector3d(const Eigen::Vector2d &p_place)>;
 
-// What a texel without a height is: ground that is not known, which stays as it was, or a hole in it, in which nothing grows.
-enum class MissingGround { STAYS, HOLE };
-
 struct LaidGround : BrushResult { // amount: 0
 	int64_t sampled = 0; // places
 	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 
-// Every texel whose centre lies in p_region and within the map's reach. p_height runs once a texel, and once for each
-// texel around the region. Normals follow from the heights where p_normal gives none. A height closes a hole. Where the ground jumps,
-// by p_search, MAP_LEDGE says which heights count.
+// Writes ground that has been read. Normals follow from the heights where p_normal gives none. A height closes a hole. Where the ground
+// jumps, MAP_LEDGE says which heights count.
+LaidGround lay_ground(PaintMap &r_map, const GroundReading &p_ground, const NormalAt &p_normal = nullptr);
+
+struct LedgeSearch {
+	HeightAt between; // at any place; null: between the centres of texels the ground is one sheet
+	double slope = LEDGE_SLOPE.initial; // degrees
+};
+
+// Reads ground and writes it at once. p_height runs once a texel, and once for each texel of the margin around the region.
 LaidGround lay_ground(PaintMap &r_map, const MapRegion &p_region, const HeightAt &p_height, MissingGround p_missing = MissingGround::STAYS,
 		const NormalAt &p_normal = nullptr, const LedgeSearch &p_search = {});
 

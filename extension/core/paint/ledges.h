@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ledges: where the ground jumps between heights one texel apart. Finds the cells (squares between the centres of four texels of
-// the ground) that have one, and says of each spot in such a cell which of the four heights belong to its side. [Eq M7]
+// Ledges: where the ground jumps between heights one texel apart. Says of each spot in a cell (a square between the centres of four
+// texels of the ground) that has one which of the four heights belong to its side. [Eq M7]
 #pragma once
 
 #include "core/base/tunable.h"
@@ -14,10 +14,11 @@ namespace grass {
 // Ground that is steeper is a ledge: nothing is blended across it, and nothing grows on its face.
 inline constexpr Tunable LEDGE_SLOPE{ "ledge_slope", "\u00b0", 30.0, 89.0, 0.5, 70.0 };
 
-struct LedgeSearch {
-	HeightAt between; // at any place; null: between the centres of texels the ground is one sheet
-	double slope = LEDGE_SLOPE.initial; // degrees
-};
+// The height at a place of a cell that a blend of its corners' heights gives; p_x, p_z: of the way through it. Corners: (0, 0), (1, 0),
+// (0, 1), (1, 1).
+double blend_corners(const std::array<double, 4> &p_corners, double p_x, double p_z);
+// Rise over run of a slope in degrees.
+double ledge_tangent(double p_slope);
 
 struct LedgeCell {
 	static constexpr int SPOTS = info_of(MAP_LEDGE).side / info_of(MAP_GROUND).side; // along a side
@@ -30,14 +31,6 @@ struct LedgeCell {
 	double at(int p_column, int p_row) const { return heights[size_t(p_row * POINTS + p_column)]; }
 };
 
-struct Ledges {
-	std::vector<LedgeCell> cells;
-	int64_t sampled = 0; // places at which `between` was called
-};
-
-// p_skips_missing: cells at a place without a height have no ledge.
-Ledges find_ledges(const HeightBlock &p_heights, const LedgeSearch &p_search, bool p_skips_missing);
-
 // One of the texels at a cell's corners, as the map has it.
 struct LedgeCorner {
 	double height = 0.0; // metres
@@ -49,8 +42,9 @@ struct LedgeCorner {
 std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 		const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, double p_slope);
 
-// The slope of the ground at a place whose neighbours may lie beyond a ledge: rise over run along x, z. r_sampled: counts the places
-// queried.
-Eigen::Vector2d slope_beside_ledge(const HeightBlock &p_heights, const LedgeSearch &p_search, int p_i, int p_j, int64_t &r_sampled);
+// The slope of the ground at a texel whose neighbours may lie beyond a ledge: rise over run along x, z. p_is_sheet: between the centres of
+// texels the ground is one sheet; else it reads SLOPE_PLACES.
+inline constexpr int SLOPE_PLACES = 4;
+Eigen::Vector2d slope_beside_ledge(const HeightBlock &p_heights, double p_slope, bool p_is_sheet, int p_i, int p_j, GroundPlaces &r_places);
 
 } // namespace grass

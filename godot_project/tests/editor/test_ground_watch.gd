@@ -130,6 +130,24 @@ func test_ground_follows_the_field_that_is_moved() -> void:
 	assert_eq(field.map.data, baked)
 
 
+func test_a_frame_casts_some_rays_and_chunks_are_as_the_whole() -> void:
+	field.size = Vector2(80, 80)  # four chunks
+	await bake()
+	var baked: PackedByteArray = field.map.data
+	var before: int = plugin.get_statistics().watch_rays
+	var at_first := field.position
+	field.position.y = -1.0
+	await settled()
+	await worked()
+	assert_near(ground(FLOOR), FLOOR_HEIGHT + 1.0, 0.1)
+	field.position = at_first
+	await settled()
+	await worked()
+	assert_eq(field.map.data, baked, "read chunk by chunk, it is as it was read whole")
+	assert_greater(plugin.get_statistics().watch_rays - before, 4 * 4096)
+	assert_less(plugin.get_statistics().watch_most_rays, 4097, "rays in a frame")
+
+
 func test_what_is_no_ground_is_not_followed() -> void:
 	await bake()
 	var baked: PackedByteArray = field.map.data
