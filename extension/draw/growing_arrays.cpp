@@ -3,7 +3,8 @@
 
 #include "draw/task_queue.h"
 
-#include <godot_cpp/classes/display_server.hpp>
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <algorithm>
@@ -22,9 +23,10 @@ constexpr int64_t MADE_AT_ONCE = 1 << 22;
 
 TaskQueue arrays_queue("GrassField's textures", TaskQueue::Priority::LOW);
 
-// Without a renderer the engine's list of textures is no other thread's (Godot 4.6: one leaked at exit in some runs).
+// Compatibility uploads on one thread, whichever asks. Without a renderer the engine's list of textures is no other thread's (Godot 4.6:
+// one leaked at exit in some runs).
 bool has_texture_threads() {
-	return DisplayServer::get_singleton()->get_name() != "headless";
+	return RenderingServer::get_singleton()->get_rendering_device() != nullptr;
 }
 
 } // namespace
@@ -36,13 +38,21 @@ struct GrowingArrays::Next {
 	Arrays arrays;
 	std::atomic<bool> is_with_thread = false, is_made = false;
 
-	void make() {
-		for (TypedArray<Ref<Image>> &list : images) {
-			arrays.emplace_back().instantiate();
-			arrays.back()->create_from_images(list);
-			list.clear();
+	// Returns the bytes of the array that it made.
+	int64_t make_one() {
+		TypedArray<Ref<Image>> list = std::exchange(images[arrays.size()], {});
+		const int64_t bytes = list.size() * Ref<Image>(list[0])->get_data_size();
+		arrays.emplace_back().instantiate();
+		arrays.back()->create_from_images(list);
+		is_made = arrays.size() == images.size();
+		return bytes;
+	}
+	int64_t make() {
+		int64_t bytes = 0;
+		while (!is_made) {
+			bytes += make_one();
 		}
-		is_made = true;
+		return bytes;
 	}
 };
 
@@ -66,8 +76,7 @@ void GrowingArrays::want_room(int p_layers, int p_filled, bool p_at_once, const 
 		while (_next->gathered < _next->room) {
 			gather(p_filled, p_make);
 		}
-		_next->make();
-		_uploaded += bytes;
+		_uploaded += _next->make();
 		work(p_filled, p_make);
 	}
 }
@@ -86,7 +95,7 @@ void GrowingArrays::gather(int p_filled, const MakeImage &p_make) {
 }
 
 bool GrowingArrays::can_work() const {
-	return _next && (_next->is_made || !_next->is_with_thread);
+	return _next && (_next->is_made || !_next->is_with_thread) && Engine::get_singleton()->get_process_frames() != _made_in;
 }
 
 void GrowingArrays::work(int p_filled, const MakeImage &p_make) {
@@ -99,7 +108,8 @@ void GrowingArrays::work(int p_filled, const MakeImage &p_make) {
 		_next->is_with_thread = true;
 		arrays_queue.push(_next.get(), [next = _next] { next->make(); });
 	} else if (!_next->is_made) {
-		_next->make();
+		_uploaded += _next->make_one();
+		_made_in = Engine::get_singleton()->get_process_frames();
 	} else if (!_stale.empty()) {
 		const int layer = *_stale.begin();
 		_stale.erase(_stale.begin());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Texture arrays of the same layers, which grow. The renderer wants all layers of an array when it makes it: small arrays are made at once;
-// for larger ones the layers are gathered, some a frame, and a worker thread makes the arrays, while the old ones show.
+// for larger ones the layers are gathered, some a frame, and a worker thread makes the arrays, while the old ones show. Compatibility
+// uploads on the thread of the frames: there it is one array a frame.
 #pragma once
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/texture2d_array.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <set>
@@ -31,7 +33,7 @@ public:
 	// The next piece; p_filled: layers that are there by now.
 	void work(int p_filled, const MakeImage &p_make);
 	bool is_growing() const { return _next != nullptr; }
-	bool can_work() const; // else a thread is at work
+	bool can_work() const; // else a thread is at work, or this frame has made an array
 
 	int get_room() const { return _room; } // layers that show
 	const godot::Ref<godot::Texture2DArray> &get(int p_array) const { return _arrays[size_t(p_array)]; }
@@ -53,6 +55,7 @@ private:
 	std::shared_ptr<Next> _next; // null: none
 	std::set<int> _stale; // layers that changed since they were gathered
 	bool _are_new = false;
+	uint64_t _made_in = UINT64_MAX; // frame in which an array was made
 	int64_t _uploaded = 0;
 };
 

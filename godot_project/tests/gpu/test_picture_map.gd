@@ -120,3 +120,43 @@ func test_mown_blades_end_in_a_pale_cut() -> void:
 	print("    pale: %.4f of the mown, %.4f of the short" % [shares[0], shares[1]])
 	assert_greater(shares[0], 0.0004)
 	assert_less(shares[1], 0.2 * shares[0])
+
+
+## The map's textures grow with the 33rd chunk. Compatibility uploads them on the thread of the frames, an array a frame; elsewhere another
+## thread does. What was drawn stays until all of them are there.
+func test_textures_grow_beside_the_frames() -> void:
+	const LAYERS := 64  # that there is room for then
+	const LARGEST := 4 * 128 * 128  # bytes of a layer in the largest array
+	const LAYER := 4 * (128 * 128 + 3 * 64 * 64)  # in all arrays
+	var map := full_map()
+	var dot := brush(GrassBrush.TOOL_HEIGHT, 4.0, {target = 0.5})
+	for n in 32:
+		var place := 64.0 * Vector2(n % 8 - 4 + 0.5, n / 8 - 4 + 0.5)
+		map.stroke(dot, place, place)
+	var field := add_seen_field({size = 64.0 * 10 * Vector2.ONE, density = 1.0, map = map})
+	look(Vector3(32, 6, -20), Vector3(32, 0, -32))  # a dot
+	await drawn()
+	var before: int = field.get_counters().map_bytes
+	var memory: int = field.get_statistics().memory
+	var picture_before := await picture()
+	map.stroke(dot, Vector2(32, 224), Vector2(32, 224))
+	var most := 0
+	var last := before
+	var is_there := false
+	for frame in 600:
+		await RenderingServer.frame_post_draw
+		is_there = field.get_statistics().memory > memory + 16 * LAYER
+		most = maxi(most, field.get_counters().map_bytes - last)
+		last = field.get_counters().map_bytes
+		if frame % 8 == 0 or is_there:
+			assert_less(difference(viewport.get_texture().get_image(), picture_before).x, 0.01, "as before, frame %d" % frame)
+		if is_there:
+			break
+	var all := last - before
+	print("    %d bytes uploaded by frames, %d in one of them at most" % [all, most])
+	assert_true(is_there, "there is room")
+	assert_less(most, LAYERS * LARGEST + 2 * LAYER, "bytes in a frame")
+	if not RenderingServer.get_rendering_device():
+		assert_greater(all, LAYERS * LAYER - 1, "all of it is counted")
+	else:
+		assert_less(all, 4 * LAYER, "the new chunk's alone")
