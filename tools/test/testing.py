@@ -22,6 +22,7 @@ from tools.test import (
 	sanitize,
 	side_by_side,
 	starting,
+	stereo,
 	testing_macos,
 	testing_platforms,
 	testing_release,
@@ -63,6 +64,7 @@ def gpu(only, hardware):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))
 	tally.add(quitting.layer(only, where))
 	tally.add(starting.layer(only, where))
+	tally.add(stereo.layer(only, where))
 	if not hardware:
 		tally.add(drivers.layer(only))
 	return tally
