@@ -166,10 +166,12 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 		return 0;
 	}
 	int64_t found = 0;
+	const MapRegion told = p_region.grown(BORDER); // of texels farther away only ledges need to know
 	map->change([&](PaintMap &r_map) {
 		const auto counted = [&](const Eigen::Vector2d &p_place) {
 			const double height = p_height(p_place);
-			found += std::isfinite(height) ? 1 : 0;
+			const bool is_told = (p_place.array() >= told.min.array()).all() && (p_place.array() <= told.max.array()).all();
+			found += is_told && std::isfinite(height) ? 1 : 0;
 			return height;
 		};
 		return lay_ground(r_map, p_region, counted, MissingGround::STAYS, nullptr, { p_between, _properties.param(PARAM_LEDGE_SLOPE) });
