@@ -57,6 +57,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["woken"] = int64_t(tiles.woken);
 	result["slept"] = int64_t(tiles.slept);
 	result["evicted"] = int64_t(tiles.evicted);
+	result["yielded"] = int64_t(tiles.yielded);
 	result["capped"] = int64_t(tiles.capped);
 	result["wheels"] = p_statistics.wheels;
 	result["bones"] = p_statistics.bones;
@@ -68,6 +69,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["shape_reads"] = p_statistics.reads.shapes;
 	result["engine_calls"] = p_statistics.reads.engine_calls;
 	result["tiles_looked_at"] = int64_t(tiles.looked_at);
+	result["tiles_ranked"] = int64_t(tiles.ranked);
 	result["colliders"] = tiles.colliders;
 	result["list_entries"] = tiles.list_entries;
 	result["bad_colliders"] = int64_t(tiles.bad_colliders);

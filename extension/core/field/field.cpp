@@ -99,14 +99,16 @@ void Field::see(const FieldView &p_view, bool p_is_visible) {
 		return;
 	}
 	std::vector<Frustum> frustums;
+	std::vector<Eigen::Vector3f> eyes;
 	for (const ViewCamera &camera : p_view.cameras) {
 		frustums.push_back(camera.planes);
+		eyes.push_back(camera.eye);
 	}
 	float margin = std::max(VIEW_MARGIN, p_view.shadow_margin);
 	for (const Eigen::Vector3f &fall : p_view.falls) {
 		margin = std::max(margin, fall.norm());
 	}
-	_tiles.get_view().see(frustums, margin);
+	_tiles.get_view().see(frustums, margin, eyes);
 	_is_seen = _tiles.is_field_seen();
 }
 

@@ -10,6 +10,9 @@ void TileMeetings::reset() {
 	_wanted.clear();
 	_place_of_tile.clear();
 	_meetings.clear();
+	_barred.clear();
+	_waiting.clear();
+	_is_short = false;
 }
 
 size_t TileMeetings::get_memory_usage() const {
@@ -20,7 +23,8 @@ size_t TileMeetings::get_memory_usage() const {
 				bytes(block.meetings_asleep) + bytes(block.known_slots) + bytes(block.known_slots_before) + block.met.get_memory_usage() +
 				block.stirred.get_memory_usage();
 	}
-	return blocks + bytes(_known) + bytes(_met) + bytes(_meetings) + bytes(_wanted) + _place_of_tile.get_memory_usage();
+	return blocks + bytes(_known) + bytes(_met) + bytes(_meetings) + bytes(_wanted) + _place_of_tile.get_memory_usage() +
+			bytes(_seen_ways) + bytes(_waiting) + bytes(_barred) + _unmet_seen.get_memory_usage();
 }
 
 // A block covers the same numbers of colliders in every step, so that Known::first holds in its lists.
@@ -31,11 +35,26 @@ void TileMeetings::begin(size_t p_colliders) {
 	_wanted.clear();
 	_meetings.clear();
 	_known.resize(p_colliders);
+	bar_yielded();
 	_met.assign(p_colliders, MET_NOTHING);
 	_block_count = count_blocks(p_colliders);
 	_blocks.resize(std::max(_blocks.size(), _block_count));
 	for (Block &block : get_blocks()) {
 		block.begin(_tiles->params.pool_size);
+	}
+}
+
+// Their slots are others', too, so that colliders that stand still have to look for them again.
+void TileMeetings::bar_yielded() {
+	for (const int tile : _barred) {
+		_place_of_tile.erase(tile);
+	}
+	_barred = _tiles->yielded;
+	for (const int tile : _barred) {
+		_place_of_tile.insert(tile, BARRED);
+	}
+	for (Known &known : _known) {
+		known.is_complete = known.is_complete && _barred.empty();
 	}
 }
 

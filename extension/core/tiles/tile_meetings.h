@@ -14,6 +14,7 @@
 #include "core/tiles/tile_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ public:
 		const TileBounds *bounds; // null: a tile's box is its square, grown
 		const TileView &view; // as of this step
 		const SlotMap &slots; // of awake tiles
+		const SlotSet &held; // awake tiles in view, as far as that is known
+		const std::vector<int> &yielded; // tiles that lost their slots at the begin of the step, and get none in it
 		SlotSet &met, &stirred; // by a collider; by one that moves
 		TileStatistics &statistics;
 	};
@@ -52,9 +55,19 @@ public:
 	bool has_met_grass(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] != MET_NOTHING; }
 	// Returns true if one of these tiles has a slot, or gets one in this step.
 	bool has_met_awake(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] == MET_AWAKE; }
+	// A tile that cameras see, and that found no slot.
+	struct Waiting {
+		int tile, band; // see TileView
+	};
+	// Returns some of those in this step, nearest first: as many as may get a slot in the next one.
+	std::span<const Waiting> get_waiting() const { return _waiting; }
+	// Returns true if there may be too few slots for the tiles that are met.
+	bool is_short() const { return _is_short; }
 	size_t get_memory_usage() const; // bytes
 
 private:
+	static constexpr int BARRED = -2; // in place of a place: the tile gets no slot in this step
+
 	// A tile below a collider's box.
 	struct Found {
 		uint16_t x, z;
@@ -68,7 +81,13 @@ private:
 		uint32_t squares = 0; // where those of its range begin
 		int asleep = 0; // tiles of the range
 		bool is_kept = false; // it meets what it met in the last step
+		bool is_seen = false; // cameras see tiles of its range; not asked while the list has room for all
 	};
+	// What ways may meet together: the most that one of them may, and what is left for those that follow.
+	struct Limits {
+		int64_t most, left;
+	};
+	using LimitsBySight = std::array<Limits, 2>; // of ways out of view, and of those in view
 	// What a collider has met.
 	enum Met : uint8_t { MET_NOTHING, MET_GRASS, MET_AWAKE };
 	// The results for a collider of the last step with a stamp.
@@ -94,9 +113,16 @@ private:
 
 		void begin(int p_pool_size);
 	};
+	// A way over tiles of which cameras see some.
+	struct SeenWay {
+		const Way *way;
+		Block *block;
+		int band; // see TileView
+	};
 
 	std::span<Block> get_blocks() { return std::span(_blocks).first(_block_count); }
 	void begin(size_t p_colliders);
+	void bar_yielded();
 	void meet_awake_tiles(std::span<const ColliderShape> p_colliders, Block &r_block);
 	static void end_way(const Way &p_way, const Block &p_block, std::vector<Meeting> &r_meetings);
 	void find_squares(Way &r_way, Block &r_block);
@@ -109,7 +135,8 @@ private:
 	void add_collider(ColliderShape &r_collider, uint32_t p_index, Block &r_block);
 	void add_ways(const ColliderShape &p_collider, uint32_t p_index, Block &r_block);
 	void limit_ranges(std::span<const ColliderShape> p_colliders);
-	int64_t limit_ways(std::span<const ColliderShape> p_colliders, int64_t p_most, int64_t p_wide, int64_t p_left, Block &r_block);
+	LimitsBySight find_limits(int64_t p_total, size_t p_ways);
+	void limit_ways(std::span<const ColliderShape> p_colliders, int64_t p_wide, LimitsBySight &r_limits, Block &r_block);
 	int64_t narrow(const ColliderShape &p_collider, const Way &p_way, int64_t p_limit, Block &r_block);
 	void add_outline(const TileFootprint &p_footprint, const Way &p_way, int p_middle, bool p_seen, int64_t &r_left, Block &r_block) const;
 	void add_span(const Way &p_way, int p_z, const TileFootprint::Span &p_span, bool p_seen, int64_t &r_left, Block &r_block) const;
@@ -121,6 +148,11 @@ private:
 	bool queue_tiles(const Way &p_way, size_t p_room, Block &r_block);
 	bool meet_queued_tiles(const Way &p_way, Block &r_block);
 	bool meets_asleep(const Way &p_way, Block &r_block) const;
+	// tile_meetings_seen.cpp
+	size_t queue_seen_tiles(size_t p_room);
+	void find_seen_ways();
+	void queue_seen_tiles_of(const SeenWay &p_seen, size_t p_room, size_t p_most_waiting);
+	int queue(int p_x, int p_z);
 
 	const Tiles *_tiles = nullptr; // during find()
 	std::vector<Block> _blocks; // the first _block_count of them in this step
@@ -129,8 +161,13 @@ private:
 	std::vector<Met> _met; // of the colliders
 	std::vector<Meeting> _meetings;
 	std::vector<int> _wanted;
-	TileMap _place_of_tile; // in _wanted
+	TileMap _place_of_tile; // in _wanted; BARRED
+	std::vector<int> _barred; // tiles
 	QueuedSquares _queued;
+	std::vector<SeenWay> _seen_ways; // of this step
+	std::vector<Waiting> _waiting;
+	SlotSet _unmet_seen; // awake tiles in view that no collider meets
+	bool _is_short = false;
 };
 
 } // namespace grass

@@ -10,8 +10,8 @@ namespace grass {
 // that nobody meets. Beyond that a crowd that covers many times the pool costs little more than looking up its squares, on all threads:
 // what is queued no longer changes.
 void TileMeetings::meet_asleep_tiles(const ParallelFor &p_parallel_for) {
-	const size_t room = size_t(_tiles->params.pool_size - _tiles->met.count());
 	_queued.clear();
+	const size_t room = queue_seen_tiles(size_t(_tiles->params.pool_size - _tiles->met.count()));
 	size_t next = 0;
 	for (; next < _block_count && _wanted.size() < room; next++) {
 		meet_asleep_tiles_of(_blocks[next], room);
@@ -55,16 +55,13 @@ bool TileMeetings::queue_tiles(const Way &p_way, size_t p_room, Block &r_block) 
 		const int x = r_block.found[size_t(n)].x, z = r_block.found[size_t(n)].z, tile = _tiles->grid.get_index(x, z);
 		int place = _place_of_tile.find(tile);
 		if (place == TileMap::NONE && _wanted.size() < p_room) {
-			place = int(_wanted.size());
-			_wanted.push_back(tile);
-			_place_of_tile.insert(tile, place);
-			_queued.add(x / SlotMap::SIDE, z / SlotMap::SIDE);
+			place = queue(x, z);
 		}
-		if (place != TileMap::NONE) {
+		if (place >= 0) {
 			r_block.meetings_asleep.push_back({ ~place, collider });
 			note_met(collider, MET_AWAKE);
 		}
-		is_refused = is_refused || place == TileMap::NONE;
+		is_refused = is_refused || place < 0;
 	}
 	r_block.refused += is_refused;
 	return met > 0;
@@ -85,7 +82,7 @@ bool TileMeetings::meet_queued_tiles(const Way &p_way, Block &r_block) {
 		const int met = keep_met(find_asleep(p_way, true, r_block), p_way.swept, r_block);
 		for (int n = 0; n < met; n++) {
 			const int place = _place_of_tile.find(_tiles->grid.get_index(r_block.found[size_t(n)].x, r_block.found[size_t(n)].z));
-			if (place != TileMap::NONE) {
+			if (place >= 0) {
 				r_block.meetings_asleep.push_back({ ~place, collider });
 				joined++;
 			}
@@ -106,7 +103,7 @@ bool TileMeetings::meets_asleep(const Way &p_way, Block &r_block) const {
 		const int x = range.x_begin + at % width, z = range.z_begin + at / width;
 		const SlotMap::Square *square =
 				all_squares[(z / SlotMap::SIDE - squares.z_begin) * squares.width() + x / SlotMap::SIDE - squares.x_begin];
-		if (square->at(x, z) != SlotMap::NONE || _place_of_tile.find(_tiles->grid.get_index(x, z)) != TileMap::NONE) {
+		if (square->at(x, z) != SlotMap::NONE || _place_of_tile.find(_tiles->grid.get_index(x, z)) >= 0) {
 			continue;
 		}
 		r_block.found[0] = { uint16_t(x), uint16_t(z), SlotMap::NONE };

@@ -90,28 +90,50 @@ void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
 	if (_tiles->bounds && total > GRASS_START_COUNT / 4) {
 		_tiles->bounds->prefetch();
 	}
-	const int64_t pool = _tiles->params.pool_size, capacity = _tiles->params.list_capacity();
-	const int64_t share = total <= capacity ? capacity : std::max<int64_t>(1, capacity / int64_t(ways));
-	const int64_t most = std::min(share, pool), wide = total > pool ? std::max(LARGE, pool / WIDE_PART) : most;
-	if (total <= capacity && widest <= std::min(most, wide)) {
+	const int64_t pool = _tiles->params.pool_size;
+	LimitsBySight limits = find_limits(total, ways);
+	const int64_t most = std::min(limits[0].most, limits[1].most), wide = total > pool ? std::max(LARGE, pool / WIDE_PART) : most;
+	if (total <= _tiles->params.list_capacity() && widest <= std::min(most, wide)) {
 		return;
 	}
-	int64_t left = capacity;
 	for (Block &block : get_blocks()) {
-		left -= limit_ways(p_colliders, most, wide, left, block);
+		limit_ways(p_colliders, wide, limits, block);
 	}
 }
 
-// Returns how many tiles the ways may meet then, p_left at most.
-int64_t TileMeetings::limit_ways(
-		std::span<const ColliderShape> p_colliders, int64_t p_most, int64_t p_wide, int64_t p_left, Block &r_block) {
+// Where the list has no room for all that ways reach, those in view are served first, and the others share what is left.
+TileMeetings::LimitsBySight TileMeetings::find_limits(int64_t p_total, size_t p_ways) {
+	constexpr int64_t OTHERS_PART = 4; // of the list is kept for a tile each of the ways out of view
+	const int64_t pool = _tiles->params.pool_size, capacity = _tiles->params.list_capacity();
+	if (p_total <= capacity) {
+		return { { { pool, capacity }, { pool, capacity } } };
+	}
+	int64_t seen_ways = 0, seen_total = 0;
+	for (Block &block : get_blocks()) {
+		for (Way &way : block.ways) {
+			way.is_seen = !_tiles->view.sees_all() && _tiles->view.get_band(way.range, TileParams::SEEN_MARGIN) != TileView::UNSEEN;
+			seen_ways += way.is_seen;
+			seen_total += way.is_seen ? way.range.count() : 0;
+		}
+	}
+	const int64_t other_ways = int64_t(p_ways) - seen_ways;
+	const int64_t seen_room = seen_ways == 0 ? 0 : std::min(seen_total, capacity - std::min(other_ways, capacity / OTHERS_PART));
+	const auto share = [pool](int64_t p_room, int64_t p_sharing) {
+		return std::min(pool, std::max<int64_t>(1, p_room / std::max<int64_t>(1, p_sharing)));
+	};
+	_tiles->statistics.ranked += _tiles->view.sees_all() ? 0 : p_ways;
+	return { { { share(capacity - seen_room, other_ways), capacity - seen_room },
+			{ seen_room == seen_total ? pool : share(seen_room, seen_ways), seen_room } } };
+}
+
+void TileMeetings::limit_ways(std::span<const ColliderShape> p_colliders, int64_t p_wide, LimitsBySight &r_limits, Block &r_block) {
 	std::vector<Way> &whole = r_block.whole;
 	whole.swap(r_block.ways);
 	r_block.ways.clear();
-	int64_t taken = 0;
 	for (size_t i = 0; i < whole.size(); i++) {
 		const ColliderShape &collider = p_colliders[whole[i].collider];
-		const int64_t limit = std::min(p_most, p_left - taken), count = whole[i].range.count();
+		Limits &limits = r_limits[size_t(whole[i].is_seen)];
+		const int64_t limit = std::min(limits.most, limits.left), count = whole[i].range.count();
 		const bool is_hiding =
 				count > p_wide && collider.force == ColliderShape::NO_FORCE && whole[i].swept.max.y() >= _tiles->params.height;
 		const bool is_piece = (i > 0 && whole[i - 1].collider == whole[i].collider) ||
@@ -129,9 +151,8 @@ int64_t TileMeetings::limit_ways(
 			kept = narrow(collider, whole[i], limit, r_block);
 		}
 		_tiles->statistics.capped += uint64_t(count - kept);
-		taken += kept;
+		limits.left -= kept;
 	}
-	return taken;
 }
 
 // Puts ways around the body's outline, where blades are bent out, in the place of one over all that is under it: first those in view. A

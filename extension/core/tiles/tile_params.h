@@ -44,6 +44,14 @@ struct TileParams {
 
 	// Returns the same params within limits; NaN becomes the default.
 	TileParams sanitised() const;
+	// While the pool is too small, a tile gets a slot before others if it is as near to the picture as the first of these, and keeps it
+	// as long as it is as near as the second. Equal: tiles at the edge take slots from each other as a camera trembles. Metres.
+	static constexpr float SEEN_MARGIN = 1.0f, HELD_MARGIN = 3.0f;
+	// And takes one from a tile farther away if the bands of their distances (see TileView) differ by so much: 1.15 to 1.5 times as far.
+	static constexpr int FARTHER_BANDS = 2;
+	// Most slots that tiles under bodies lose in a step to tiles that are seen better. Fewer: a camera that turns quickly sees bodies in
+	// grass that stands for longer than a quarter of a second. More: a step wakes many tiles at once.
+	int most_yielding() const { return std::max(MIN_YIELDING, pool_size / YIELDING_PART); }
 	// Never more pairs of a tile and a collider than this, for buffers made once.
 	int list_capacity() const { return std::max(MIN_LIST_CAPACITY, ENTRIES_PER_SLOT * pool_size); }
 	bool operator==(const TileParams &) const = default;
@@ -51,6 +59,7 @@ struct TileParams {
 private:
 	static constexpr int ENTRIES_PER_SLOT = 16; // The paper's scene has one (128 objects on 32 tiles, 4,096 slots).
 	static constexpr int MIN_LIST_CAPACITY = 4096;
+	static constexpr int YIELDING_PART = 16, MIN_YIELDING = 16;
 };
 
 // now: after the last update. The rest counts since the last reset.
@@ -68,8 +77,10 @@ struct TileStatistics {
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest
+	uint64_t yielded = 0; // tiles under colliders that lost it to one that cameras see better
 	uint64_t refused = 0; // colliders, one a step, that met tiles without a slot when the full pool had none to give
 	uint64_t looked_at = 0; // tiles tested against a collider
+	uint64_t ranked = 0; // tiles and ways of colliders that were tested for who sees them, since the pool was too small
 	uint64_t capped = 0; // tiles under a collider that were not looked at, since work a step is bounded
 	uint64_t bad_colliders = 0; // shapes left out since ColliderShape::sanitise() refused them
 };

@@ -2,12 +2,14 @@
 #include "core/tiles/tile_view.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace grass {
 
-void TileView::see(std::span<const Frustum> p_frustums, float p_margin) {
+void TileView::see(std::span<const Frustum> p_frustums, float p_margin, std::span<const Eigen::Vector3f> p_eyes) {
 	_sees_all = false;
 	_frustums.assign(p_frustums.begin(), p_frustums.end());
+	_eyes.assign(p_eyes.begin(), p_eyes.end());
 	_margin = p_margin;
 }
 
@@ -35,6 +37,12 @@ void TileView::prepare(const TileGrid &p_grid, const TileParams &p_params) {
 			_tile_frustums[i][k] = Eigen::Vector3d(side * normal.x(), side * normal.z(), room).cast<float>();
 		}
 	}
+	_tile_size = float(side);
+	_tile_eyes.clear();
+	for (const Eigen::Vector3f &eye : _eyes) {
+		const Eigen::Vector3d way = eye.cast<double>() - first;
+		_tile_eyes.push_back(Eigen::Vector3d(way.x() / side, way.y(), way.z() / side).cast<float>());
+	}
 }
 
 bool TileView::sees(int p_x, int p_z) const {
@@ -43,6 +51,33 @@ bool TileView::sees(int p_x, int p_z) const {
 		return std::none_of(p_frustum.begin(), p_frustum.end(),
 				[x, z](const Eigen::Vector3f &p_plane) { return x * p_plane.x() + z * p_plane.y() > p_plane.z(); });
 	});
+}
+
+int TileView::get_band(const TileRange &p_tiles, float p_margin) const {
+	if (_sees_all) {
+		return 0;
+	}
+	const float left = float(p_tiles.x_begin), right = float(p_tiles.x_end - 1), back = float(p_tiles.z_begin),
+				front = float(p_tiles.z_end - 1), narrower = std::max(_margin - p_margin, 0.0f);
+	int band = UNSEEN;
+	for (size_t i = 0; i < _tile_frustums.size(); i++) {
+		const bool is_outside = std::ranges::any_of(_tile_frustums[i], [&](const Eigen::Vector3f &p_plane) {
+			const float x = p_plane.x() > 0.0f ? left : right, z = p_plane.y() > 0.0f ? back : front;
+			return x * p_plane.x() + z * p_plane.y() > p_plane.z() - narrower;
+		});
+		if (!is_outside) {
+			band = std::min(band, i < _tile_eyes.size() ? band_from(_tile_eyes[i], left, right, back, front) : 0);
+		}
+	}
+	return band;
+}
+
+// Of the tile that is nearest to the eye. The square of the distance has two bands for each doubling: exponent and first digit.
+int TileView::band_from(const Eigen::Vector3f &p_eye, float p_left, float p_right, float p_back, float p_front) const {
+	constexpr int FIRST = 127 << 1, DIGITS = 22;
+	const float x = p_eye.x() - std::clamp(p_eye.x(), p_left, p_right), z = p_eye.z() - std::clamp(p_eye.z(), p_back, p_front);
+	const float square = (x * x + z * z) * _tile_size * _tile_size + p_eye.y() * p_eye.y();
+	return square >= 1.0f ? std::min(int(std::bit_cast<uint32_t>(square) >> DIGITS) - FIRST, FARTHEST) : 0;
 }
 
 } // namespace grass

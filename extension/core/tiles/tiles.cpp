@@ -39,7 +39,7 @@ void TileManager::reset() {
 	_bends.clear();
 	_reported_step = _bend_step = 0;
 	_free.reset(_params.pool_size, true);
-	for (SlotSet *set : { &_used, &_settling, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
+	for (SlotSet *set : { &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		set->reset(_params.pool_size, false);
 	}
 	_slot_of_tile.reserve(_params.pool_size);
@@ -57,7 +57,7 @@ void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, c
 	_time += delta;
 	_step_number++;
 	begin_step();
-	_meetings.find({ _grid, _params, _bounds.get(), _view, _slot_of_tile, _met, _stirred, _statistics }, p_colliders,
+	_meetings.find({ _grid, _params, _bounds.get(), _view, _slot_of_tile, _held, _yielded, _met, _stirred, _statistics }, p_colliders,
 			p_parallel_for); // lines 1 to 9
 	activate_tiles(); // lines 11 to 16
 	sign_meetings(p_colliders);
@@ -71,6 +71,7 @@ void TileManager::begin_step() {
 	_yielding_known = false;
 	_record_count = 0;
 	_view.prepare(_grid, _params);
+	yield_to_waiting();
 }
 
 void TileManager::activate_tiles() {
@@ -131,12 +132,13 @@ Eigen::Vector3f TileManager::get_bend(int p_tile) const {
 size_t TileManager::get_memory_usage() const {
 	const auto bytes = [](const auto &p_vector) { return p_vector.capacity() * sizeof(p_vector[0]); };
 	size_t sets = 0;
-	for (const SlotSet *set : { &_free, &_used, &_settling, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
+	for (const SlotSet *set : { &_free, &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		sets += set->get_memory_usage();
 	}
 	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_forces) + bytes(_bends) +
 			bytes(_signatures) + bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + _meetings.get_memory_usage() +
-			bytes(_given_slots) + bytes(_calm) + bytes(_yielding) + bytes(_records) + _colliders.get_memory_usage() + bytes(_collider_list);
+			bytes(_given_slots) + bytes(_calm) + bytes(_yielding) + bytes(_yielded) + bytes(_seen_worst) + bytes(_records) +
+			_colliders.get_memory_usage() + bytes(_collider_list);
 }
 
 } // namespace grass

@@ -110,10 +110,10 @@ private:
 		float blend = 0.0f; // while settling: of this step's record; 1: at rest after it
 	};
 
-	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Settling tiles before others,
-	// then by energy where it was reported, then by who was met longest ago, up to some minutes.
+	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Tiles out of view before others,
+	// then settling ones, then by energy where it was reported, then by who was met longest ago, up to some minutes.
 	using Calm = uint64_t;
-	static constexpr int SLOT_BITS = 14, AGE_BITS = 18; // and 31 of a positive float, and one
+	static constexpr int SLOT_BITS = 14, AGE_BITS = 17; // and 31 of a positive float, and two
 	static_assert(TileParams::MAX_POOL_SIZE <= 1 << SLOT_BITS);
 
 	void begin_step();
@@ -122,6 +122,7 @@ private:
 	int take_calmest_slot(size_t p_wanted);
 	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
+	void yield_to_waiting();
 
 	void sign_meetings(std::span<const ColliderShape> p_colliders);
 	void deactivate_tiles(double p_delta);
@@ -156,6 +157,7 @@ private:
 	std::vector<uint32_t> _entries; // of this step: colliders; then where in the collider list the next of them is written
 	std::vector<uint16_t> _forces; // of this step: bits of those that move the tile
 	SlotSet _free, _used, _settling;
+	SlotSet _held; // in view, at the begin of a step in which slots are short; else empty
 	// Of this step: met by a collider; by one that moves, comes or has left; by none; awake since; not simulated, since calm and out of
 	// view or since still; the others.
 	SlotSet _met, _stirred, _unmet, _fresh, _skipped, _simulated;
@@ -171,6 +173,8 @@ private:
 	std::vector<Calm> _calm; // of all that may give way
 	std::vector<Calm> _yielding; // those that will, calmest last
 	bool _yielding_known = false;
+	std::vector<int> _yielded; // tiles that lost their slots to others that cameras see better
+	std::vector<int> _seen_worst; // awake tiles: band of their distance (see TileView) and slot
 
 	std::vector<GrassSlot> _records; // room for all there can be
 	size_t _record_count = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tiles give their slots to others while the pool is full: the calmest.
+// Which tiles give their slots to others while the pool is full: the calmest of those that nothing touches, and those under bodies that
+// cameras see less well than others.
 #include "core/tiles/tiles.h"
 
 #include <array>
@@ -25,8 +26,39 @@ TileManager::Calm TileManager::calm_of(int p_slot) const {
 	const Motion &motion = _motions[size_t(p_slot)];
 	constexpr uint32_t OLDEST = (1u << AGE_BITS) - 1;
 	const uint32_t age = std::min(uint32_t(_step_number) - motion.met_step, OLDEST); // steps since the last meeting
-	const Calm is_up = _settling.has(p_slot) ? 0 : 1;
-	return (((is_up << 31 | std::bit_cast<uint32_t>(motion.energy)) << AGE_BITS) | (OLDEST - age)) << SLOT_BITS | Calm(p_slot);
+	const Calm is_held = _held.has(p_slot) ? 1 : 0, is_up = _settling.has(p_slot) ? 0 : 1;
+	return (((is_held << 32 | is_up << 31 | std::bit_cast<uint32_t>(motion.energy)) << AGE_BITS) | (OLDEST - age)) << SLOT_BITS |
+			Calm(p_slot);
+}
+
+// Retires awake tiles in favour of those in view that waited in the last step, the least well seen first: out of view, then far away. Each
+// gives way to one that is seen clearly better, so that no two of them take a slot from each other in turns.
+void TileManager::yield_to_waiting() {
+	_held.clear();
+	_yielded.clear();
+	if (!_meetings.is_short() || _view.sees_all()) {
+		return;
+	}
+	_seen_worst.clear();
+	for (const int slot : _used) {
+		const TileBounds::Tile tile = _places[size_t(slot)].tile;
+		const int band = _view.get_band({ tile.x, tile.x + 1, tile.z, tile.z + 1 }, TileParams::HELD_MARGIN);
+		_held.insert_if(slot, band != TileView::UNSEEN);
+		_seen_worst.push_back(band << SLOT_BITS | slot);
+	}
+	_statistics.ranked += _seen_worst.size();
+	const std::span<const TileMeetings::Waiting> waiting = _meetings.get_waiting();
+	const size_t most = std::min(waiting.size(), _seen_worst.size());
+	std::partial_sort(_seen_worst.begin(), _seen_worst.begin() + std::ptrdiff_t(most), _seen_worst.end(), std::greater());
+	size_t yielded = 0;
+	while (yielded < most && waiting[yielded].band + TileParams::FARTHER_BANDS <= _seen_worst[yielded] >> SLOT_BITS) {
+		const int slot = _seen_worst[yielded++] & ((1 << SLOT_BITS) - 1);
+		retire(slot, blend_of(slot) >= 1.0f);
+		_free.give_back(slot);
+		_held.erase(slot);
+		_yielded.push_back(_grid.get_index(_places[size_t(slot)].tile.x, _places[size_t(slot)].tile.z));
+	}
+	_statistics.yielded += yielded;
 }
 
 // The calmest p_wanted tiles, calmest last.
