@@ -21,7 +21,7 @@ constexpr double CONVEX_ENOUGH = 0.04;
 constexpr double REACHED_FROM = 1.5;
 // Up to so many times the pairs of tiles and colliders that the box around the mesh has, any cut is made. Beyond, only one that takes away
 // this share of all that is hollow: the hole of a ring is worth it. An estimate from above: where it is 3.2, tiles count 2.4 times.
-constexpr double MOST_PAIRS = 3.2, WORTH = 0.25;
+constexpr double MOST_MEETINGS = 3.2, WORTH = 0.25;
 constexpr size_t REMEMBERED = 16; // meshes
 
 struct Part {
@@ -87,7 +87,7 @@ std::vector<Part> split(const MeshCells &p_cells) {
 		const auto [low, high] = cut(p_cells, worst->box);
 		finer[size_t(worst - parts.begin())] = low;
 		finer.push_back(high);
-		if (count_pairs(p_cells, finer) > MOST_PAIRS && sum_hollows(finer) > (1.0 - WORTH) * sum_hollows(parts)) {
+		if (count_pairs(p_cells, finer) > MOST_MEETINGS && sum_hollows(finer) > (1.0 - WORTH) * sum_hollows(parts)) {
 			break;
 		}
 		parts.swap(finer);

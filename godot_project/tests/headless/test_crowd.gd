@@ -5,7 +5,7 @@ extends "res://tests/field_case.gd"
 const SIDE := 20  # bodies along a side of the crowd
 const APART := 2.0  # metres
 const RADIUS := 0.15  # metres
-const POOL := 256  # tiles; the crowd touches several times as many
+const POOL := 1024  # tiles; the crowd touches several times as many
 const EYE := Vector3(0, 2, 0)  # amid the crowd
 const TURNING := 40  # ticks in which all slots may have gone where a camera has turned to
 
@@ -28,6 +28,12 @@ func add_camera() -> Camera3D:
 	return camera
 
 
+## Turns the camera and lets the field know, as a frame that is drawn does.
+func turn(camera: Camera3D, degrees: float) -> void:
+	camera.rotation_degrees = Vector3(-10, degrees, 0)
+	RenderingServer.frame_pre_draw.emit()
+
+
 ## Tiles that a body of the crowd touches and whose middle the camera sees.
 func tiles_in_sight(field: GrassField, camera: Camera3D, crowd: Array[AnimatableBody3D]) -> Array[Vector2i]:
 	var tiles: Array[Vector2i] = []
@@ -48,7 +54,7 @@ func test_all_that_a_camera_sees_is_awake_wherever_it_turns() -> void:
 	var camera := add_camera()
 	var crowd := add_crowd()
 	for degrees: float in [0.0, 90.0, 200.0]:
-		camera.rotation_degrees = Vector3(-10, degrees, 0)
+		turn(camera, degrees)
 		var before := field.get_counters()
 		await ticks(TURNING)
 		var in_sight := tiles_in_sight(field, camera, crowd)
