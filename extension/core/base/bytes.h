@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What files are written with: numbers as bytes, little-endian, and a checksum.
+// Writes numbers as little-endian bytes, reads them back, and computes checksums, for files.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ inline uint32_t get_u32(std::span<const uint8_t> p_bytes, size_t p_at) {
 	return value;
 }
 
-// CRC-32 (ISO 3309) of some bytes.
+// Returns the CRC-32 (ISO 3309) of the bytes.
 uint32_t checksum(std::span<const uint8_t> p_bytes);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Processor time of a stage of the work.
+// Measures how long a stage of the work takes.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@ namespace grass {
 
 class CpuClock {
 public:
-	// Milliseconds since construction or the last call.
+	// Returns the milliseconds since construction or the last call.
 	double lap() {
 		const auto now = std::chrono::steady_clock::now();
 		const std::chrono::duration<double, std::milli> time = now - _begin;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Functions whose last bit differs between C libraries and processors, for everything that shapes and moves blades: by operations that
-// round alike everywhere.
+// Replaces functions whose last bit differs between C libraries and processors, for everything that shapes and moves blades. These use only
+// operations that round the same way everywhere.
 #pragma once
 
 #include <cmath>
 
 namespace grass {
 
-// Of an angle in radians up to about 1e6. To the nearest half turn, then the series: sin(x + n pi) = (-1)^n sin x.
+// Returns the sine of an angle in radians, up to about 1e6. Reduces it to the nearest half turn, then sums the series: sin(x + n pi) =
+// (-1)^n sin x.
 inline double sine(double p_angle) {
 	constexpr double PI = 3.14159265358979323846;
 	const double half_turns = std::floor(p_angle / PI + 0.5);
@@ -26,7 +27,7 @@ inline double cosine(double p_angle) {
 	return sine(p_angle + 1.57079632679489661923);
 }
 
-// To the nearest power of two, then the series: exp(x + n log 2) = 2^n exp(x).
+// Reduces the power to the nearest multiple of log 2, then sums the series: exp(x + n log 2) = 2^n exp(x).
 inline double exponential(double p_power) {
 	constexpr double LOG_2 = 0.69314718055994530942;
 	const double twos = std::floor(p_power / LOG_2 + 0.5);
@@ -46,7 +47,7 @@ inline double hyperbolic_sine(double p_x) {
 	if (!(std::fabs(p_x) < 1.0)) {
 		return 0.5 * (exponential(p_x) - exponential(-p_x));
 	}
-	double term = p_x; // the difference would lose what is small
+	double term = p_x; // the difference of exponentials would lose small values
 	double sum = p_x;
 	for (int n = 2; n <= 16; n += 2) {
 		term *= p_x * p_x / double(n * (n + 1));

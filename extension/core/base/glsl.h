@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// As much of GLSL as the shared texts in shaders/ need to be C++: what blades/, detail/, and map/growth.inc say once for the compute
-// passes, the blade shader and the core. Such a text has constructors in place of swizzles, literals with an f, numbers of constants.inc
-// in float(), and GRASS_FUNCTION before each function. Everything rounds as Eigen's expressions of the same form do.
+// Enough of GLSL for C++ to compile the shared texts in shaders/: blades/, detail/ and map/growth.inc, which the compute passes, the blade
+// shader and the core all use. Such a text uses constructors in place of swizzles, literals with an f, float() around numbers of
+// constants.inc, and GRASS_FUNCTION before each function. Everything rounds as Eigen's expressions of the same form do.
 #pragma once
 
 #include "core/base/hash.h"
@@ -51,7 +51,7 @@ constexpr ivec2 operator&(const ivec2 &p_a, const ivec2 &p_b) {
 	return { p_a.x & p_b.x, p_a.y & p_b.y };
 }
 
-// Component by component.
+// Apply p_body component by component.
 template <class Body> vec2 each(const vec2 &p_a, const vec2 &p_b, const Body &p_body) {
 	return { p_body(p_a.x, p_b.x), p_body(p_a.y, p_b.y) };
 }
@@ -89,7 +89,7 @@ template <Vector V> V &operator+=(V &r_a, const V &p_b) {
 	return r_a = r_a + p_b;
 }
 
-// What GLSL has built in.
+// GLSL's built-in functions.
 
 inline float floor(float p_a) {
 	return std::floor(p_a);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of the texts over T in shaders/ (shaders/base/lanes.inc says what they mean) as C++, where T is any lane type. A header that
-// includes such a text includes this before it, and lane_words_end.h after it: so it has no guard.
+// Defines, as C++ over any lane type T, the words that the texts over T in shaders/ use (shaders/base/lanes.inc explains them). A header
+// includes this before such a text, and lane_words_end.h after it; so this file has no include guard.
 #define GRASS_LANES template <class T> GRASS_INLINE
 #define GRASS_RECORD template <class T>
 #define VEC3 Vec3<T>
@@ -12,4 +12,4 @@
 #define IN(m_type) const m_type &
 #define INOUT(m_type) m_type &
 #define TO_T(m_value) widened<T>(m_value)
-#define precise // every sum is, without an option that allows more
+#define precise // every sum is precise already, unless a compiler option relaxes it

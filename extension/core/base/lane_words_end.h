@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ends what lane_words.h began.
+// Undefines what lane_words.h defines.
 #undef GRASS_LANES
 #undef GRASS_RECORD
 #undef VEC3

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers that one blade step may be written over: float, double, or Lanes, which holds the same number of four or eight
-// blades side by side (of sixteen: lanes_16.h). A comparison gives a mask (bool, or one per lane); select() takes the place of
-// `if`.
+// Number types that one blade step can run on: float, double, or Lanes, which holds the same number of four or eight blades side by side
+// (lanes_16.h adds sixteen). A comparison gives a mask (a bool, or one per lane); select() replaces `if`.
 #pragma once
 
 #include <bit>
@@ -13,8 +12,8 @@
 #include <emmintrin.h>
 #endif
 
-// The step is one function to the compiler, so that it keeps vectors in registers and a caller compiled for a
-// newer instruction set takes all of it along. Sanitizers would make that one function too long to compile.
+// The step is a single function to the compiler. It keeps vectors in registers, and a caller compiled for a newer instruction set compiles
+// all of it for that set. Under sanitizers that one function would take too long to compile.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define GRASS_IS_SANITIZED 1
 #elif defined(__has_feature) // clang
@@ -28,18 +27,18 @@
 #define GRASS_INLINE inline __attribute__((always_inline))
 #define GRASS_IS_ONE_FUNCTION 1
 #endif
-// For a lambda that apart() runs.
+// Marks a lambda that apart() runs.
 #define GRASS_APART __attribute__((always_inline))
 
 namespace grass {
 
-// Eight blades need AVX2, which a function asks for by GRASS_WIDE; whoever calls it has asked the processor.
+// Eight blades need AVX2. GRASS_WIDE enables it for a function; the caller must check first that the processor supports it.
 #if defined(__x86_64__) && defined(GRASS_IS_ONE_FUNCTION)
 #define GRASS_HAS_WIDE 1
 #define GRASS_WIDE __attribute__((target("avx2")))
 #endif
 
-// The compiler's own vectors.
+// The compiler's built-in vector types.
 template <int N> struct LaneVectors;
 template <> struct LaneVectors<4> {
 	typedef float Floats __attribute__((vector_size(16)));
@@ -52,7 +51,7 @@ template <> struct LaneVectors<8> {
 	typedef int64_t Quads __attribute__((vector_size(32)));
 };
 
-// True or false for each of N lanes: all bits set or none.
+// A mask for N lanes: all bits of a lane are set (true) or clear (false).
 template <int N> struct LaneMask {
 	using Values = typename LaneVectors<N>::Floats;
 	typename LaneVectors<N>::Bits bits;
@@ -65,7 +64,7 @@ template <int N> struct LaneMask {
 	friend GRASS_INLINE LaneMask operator!(const LaneMask &p_a) { return { ~p_a.bits }; }
 };
 
-// N floats. Arithmetic is lane by lane and rounds as a plain float does: the same bits for any N.
+// N floats. Arithmetic works lane by lane and rounds as a plain float does, so results have the same bits for any N.
 template <int N> struct Lanes {
 	static constexpr int COUNT = N;
 	using Values = typename LaneVectors<N>::Floats;
@@ -98,8 +97,9 @@ template <class Body> __attribute__((noinline)) GRASS_WIDE auto run_apart_wide(c
 }
 #endif
 
-// Runs p_body, which is over T, in a function of its own: what few blades need would push the others' vectors out of their registers, and
-// take minutes to compile in one function with the rest. It returns no single vector, which instruction sets would pass in different ways.
+// Runs p_body, which works on T, in a separate function. Code that only a few blades need would otherwise push the others' vectors out of
+// their registers, and would take minutes to compile in one function with the rest. It must not return a plain vector, since calling
+// conventions for these differ between instruction sets.
 template <class T, class Body> GRASS_INLINE auto apart(const Body &p_body) {
 #if defined(GRASS_HAS_WIDE)
 	if constexpr (std::is_same_v<T, Lanes<8>>) {
@@ -109,7 +109,7 @@ template <class T, class Body> GRASS_INLINE auto apart(const Body &p_body) {
 	return run_apart(p_body);
 }
 
-// p_a where the mask is true, else p_b.
+// Returns p_a where the mask is true, else p_b.
 GRASS_INLINE float select(bool p_mask, float p_a, float p_b) {
 	return p_mask ? p_a : p_b;
 }
@@ -120,7 +120,7 @@ template <int N> GRASS_INLINE Lanes<N> select(const LaneMask<N> &p_mask, const L
 	return Lanes<N>(p_mask.bits ? p_a.values : p_b.values);
 }
 
-// Whether any lane's mask is true: the condition of a branch.
+// Returns whether the mask of any lane is true: the condition of a branch.
 GRASS_INLINE bool any(bool p_mask) {
 	return p_mask;
 }
@@ -141,7 +141,7 @@ template <int N> GRASS_INLINE bool any(const LaneMask<N> &p_mask) {
 #endif
 }
 
-// As logical operators, which lanes do not have.
+// Logical "and" and "or", since lanes have no && and ||.
 template <class Mask> GRASS_INLINE Mask both(const Mask &p_a, const Mask &p_b) {
 	return p_a & p_b;
 }
@@ -161,7 +161,7 @@ GRASS_INLINE double square_root(double p_a) {
 }
 template <int N> GRASS_INLINE Lanes<N> square_root(const Lanes<N> &p_a) {
 	Lanes<N> root;
-	for (int lane = 0; lane < N; lane++) { // one instruction, as -fno-math-errno is set; two of half the width wait for each other
+	for (int lane = 0; lane < N; lane++) { // one instruction with -fno-math-errno; two of half the width would wait for each other
 		root.values[lane] = std::sqrt(p_a.values[lane]);
 	}
 	return root;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is special about sixteen blades in lanes.h: masks. By the instructions' own names: compilers make no masks of AVX-512's of
-// plain comparisons.
+// Masks for sixteen blades, which differ from those in lanes.h. Uses intrinsics, since compilers do not turn plain comparisons into AVX-512
+// masks.
 #pragma once
 
 #include "core/base/lanes.h"
@@ -11,7 +11,7 @@ namespace grass {
 
 template <> struct LaneVectors<16> { typedef __m512 Floats; };
 
-// True or false for each of sixteen lanes: a bit.
+// A mask for sixteen lanes: one bit each.
 template <> struct LaneMask<16> {
 	__mmask16 bits;
 
@@ -31,7 +31,7 @@ template <> GRASS_INLINE bool any(const LaneMask<16> &p_mask) {
 	return p_mask.bits != 0;
 }
 template <> GRASS_INLINE Lanes<16> square_root(const Lanes<16> &p_a) {
-	return Lanes<16>(_mm512_mask_sqrt_ps(p_a.values, __mmask16(-1), p_a.values)); // what has no mask warns in GCC 12's own header
+	return Lanes<16>(_mm512_mask_sqrt_ps(p_a.values, __mmask16(-1), p_a.values)); // GCC 12's own header warns about the unmasked form
 }
 
 } // namespace grass

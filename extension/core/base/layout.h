@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C++ meaning of the shader records: what shaders/base declares, in namespace grass, laid out as std430
-// lays it out. Knows neither Godot nor Eigen, so that anything may include it.
+// The C++ form of the shader records that shaders/base declares, in namespace grass and with the layout of std430. Includes neither Godot
+// nor Eigen, so that any file may include it.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct alignas(16) uvec4 {
 #include "base/constants.inc"
 #include "base/structs.inc"
 
-// Every member is one 16-byte vector, so member n of a record stands at 16 n: in std430 and here.
+// Every member is one 16-byte vector, so member n of a record is at offset 16 n, in std430 and here.
 static_assert(sizeof(vec4) == 16 && sizeof(ivec4) == 16 && sizeof(uvec4) == 16);
 
 static_assert(sizeof(GrassSlot) == 48 && std::is_trivially_copyable_v<GrassSlot>);

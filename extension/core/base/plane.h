@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured in a plane.
+// Geometry in the plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// Positive where p_b is counter-clockwise of p_a.
+// Returns the cross product of two vectors: positive where p_b is counter-clockwise of p_a.
 inline double cross(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
 	return p_a.x() * p_b.y() - p_a.y() * p_b.x();
 }

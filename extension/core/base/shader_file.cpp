@@ -20,7 +20,7 @@ std::span<const uint8_t> bytes_of(std::string_view p_text) {
 	return { reinterpret_cast<const uint8_t *>(p_text.data()), p_text.size() };
 }
 
-// FNV-1a.
+// The FNV-1a hash.
 uint64_t hash_bytes(std::span<const uint8_t> p_bytes) {
 	uint64_t hash = 0xcbf29ce484222325u;
 	for (const uint8_t byte : p_bytes) {
@@ -37,7 +37,7 @@ std::string to_hex(uint64_t p_value) {
 	return text;
 }
 
-// Of a file's bytes, but for those of the checksum itself.
+// Returns the checksum of a file's bytes, leaving out those of the checksum itself.
 uint32_t sum_of(std::span<const uint8_t> p_bytes) {
 	std::vector<uint8_t> summed(p_bytes.begin(), p_bytes.begin() + SUM_AT);
 	const std::span<const uint8_t> rest = p_bytes.subspan(SHADER_HEADER_BYTES);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A blade of a tile that its species draws as a mesh. The choice of species passes it on to culling.
+// A blade of a tile that its species draws as a mesh. The pass that chooses species hands it on to culling.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// A plant of a tile.
+// A plant in a tile.
 struct StandingPlant {
 	uint8_t blade, species;
 	Eigen::Vector2f root; // place in the tile, 0..1

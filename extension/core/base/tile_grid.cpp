@@ -8,7 +8,7 @@ namespace grass {
 
 namespace {
 
-// p_value within the limits; NaN becomes the lower one. Notes in r_limited that something had to give.
+// Returns p_value clamped to the limits; NaN becomes the lower one. Sets r_limited if p_value was not within them.
 double limit(double p_value, double p_min, double p_max, bool &r_limited) {
 	const bool inside = p_value >= p_min && p_value <= p_max;
 	r_limited = r_limited || !inside;
@@ -20,7 +20,7 @@ int count_tiles(double p_size, double p_tile_size, bool &r_limited) {
 	return int(limit(whole, 1.0, TileGrid::MAX_TILES_PER_SIDE, r_limited));
 }
 
-// The tile along one axis that holds p_tiles, a coordinate in tiles; clamped so that int cannot overflow.
+// Returns the tile that contains p_tiles, a coordinate in tiles along one axis. Clamped so that int cannot overflow.
 int floor_to_int(double p_tiles) {
 	const double limited = std::clamp(p_tiles, -16777216.0, 16777216.0);
 	const int whole = int(limited); // towards zero; std::floor() is a call on older processors
@@ -32,7 +32,7 @@ int floor_to_int(double p_tiles) {
 TileGrid TileGrid::make(double p_size_x, double p_size_z, double p_density) {
 	TileGrid grid;
 	const double density = limit(p_density, MIN_DENSITY, MAX_DENSITY, grid._limited);
-	// Rounded to float, for the shaders to work with the very same size.
+	// Rounded to float, so that the shaders use exactly the same size.
 	grid._tile_size = double(float(std::sqrt(GRASS_BLADES_PER_TILE / density)));
 	grid._tiles_x = count_tiles(p_size_x, grid._tile_size, grid._limited);
 	grid._tiles_z = count_tiles(p_size_z, grid._tile_size, grid._limited);
@@ -51,7 +51,7 @@ TileRange TileGrid::get_range(double p_min_x, double p_max_x, double p_min_z, do
 	if (!(p_min_x <= p_max_x && p_min_z <= p_max_z && p_margin >= 0.0)) {
 		return {};
 	}
-	// Tile i spans [i, i + 1] in tiles from the field's corner. Closed intervals: to touch is to meet.
+	// Tile i spans [i, i + 1] in tiles from the field's corner. Intervals are closed: touching counts as overlap.
 	const double corner_x = 0.5 * _tiles_x, corner_z = 0.5 * _tiles_z;
 	TileRange range;
 	range.x_begin = std::max(0, -floor_to_int((p_margin - p_min_x) / _tile_size - corner_x) - 1);

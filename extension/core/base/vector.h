@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vectors and rotations over any lane type: shaders/base/vector.inc, and what GLSL has built in. Every sum is written out (Eigen's
-// reductions leave their order open and know no lanes).
+// Vectors and rotations over any lane type: shaders/base/vector.inc, and GLSL's built-in functions. Every sum is written out, since Eigen's
+// reductions leave their order open and do not support lanes.
 #pragma once
 
 #include "core/base/lanes.h"
@@ -42,7 +42,7 @@ template <class T> GRASS_INLINE Vec3<T> maximum(const Vec3<T> &p_a, const Vec3<T
 template <class T, class Mask> GRASS_INLINE Vec3<T> select(const Mask &p_mask, const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return { select(p_mask, p_a.x, p_b.x), select(p_mask, p_a.y, p_b.y), select(p_mask, p_a.z, p_b.z) };
 }
-// For products of all pairs.
+// Swizzles for products of all pairs.
 template <class T> GRASS_INLINE Vec3<T> xxy_of(const Vec3<T> &p_a) {
 	return { p_a.x, p_a.x, p_a.y };
 }
@@ -50,7 +50,7 @@ template <class T> GRASS_INLINE Vec3<T> yzz_of(const Vec3<T> &p_a) {
 	return { p_a.y, p_a.z, p_a.z };
 }
 
-// A rotation: unit quaternion, axis part and w.
+// A rotation as a unit quaternion: its axis part and w.
 template <class T> struct Turn {
 	Vec3<T> axis;
 	T w = T(1.0f);
@@ -68,7 +68,7 @@ template <class T, class Mask> GRASS_INLINE Turn<T> select(const Mask &p_mask, c
 	return { select(p_mask, p_a.axis, p_b.axis), select(p_mask, p_a.w, p_b.w) };
 }
 
-// A tile's number as one of all its blades.
+// Widen a tile's number to a number for all its blades.
 template <class T> GRASS_INLINE T widened(float p_a) {
 	return T(p_a);
 }
@@ -79,12 +79,12 @@ template <class T> GRASS_INLINE Turn<T> widened(const Turn<float> &p_a) {
 	return { widened<T>(p_a.axis), T(p_a.w) };
 }
 
-// A record of these members.
+// Returns a record made of these members.
 template <class Record, class... Members> GRASS_INLINE Record made(const Members &...p_members) {
 	return Record{ p_members... };
 }
 
-// GLSL's own, whose products its compiler may fuse into sums; here all are alike.
+// GLSL's own functions. Its compiler may fuse their products into sums; here all of them round alike.
 template <class T> GRASS_INLINE T dot(const Vec3<T> &p_a, const Vec3<T> &p_b) {
 	return p_a.x * p_b.x + p_a.y * p_b.y + p_a.z * p_b.z;
 }

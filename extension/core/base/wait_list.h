@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Things that wait to be done one after the other, and the order in which that is.
+// A list of things that wait to be done one after the other, in order of their need.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace grass {
 
-// Whether somebody waits for a thing now, or will perhaps need it later.
+// Whether somebody waits for a thing now, or may need it later.
 enum class Need { WANTED, PREPARED };
 
-// Whatever is wanted comes before all that is only prepared. Among these a smaller order comes first, and then what came first.
+// Everything WANTED comes before everything PREPARED. Within each, smaller orders come first, and equal orders in the order of arrival.
 template <typename Item> class WaitList {
 public:
 	void add(Item p_item, int p_order, Need p_need) { _waiting.push_back({ std::move(p_item), p_order, p_need }); }
@@ -22,7 +22,7 @@ public:
 			found->need = Need::WANTED;
 		}
 	}
-	// The next one, which leaves the list; it must not be empty.
+	// Removes the next item from the list and returns it. The list must not be empty.
 	Item take() {
 		const auto next = std::ranges::min_element(_waiting,
 				[](const Waiting &p_a, const Waiting &p_b) { return p_a.need != p_b.need ? p_a.need < p_b.need : p_a.order < p_b.order; });
@@ -44,7 +44,7 @@ private:
 		int order;
 		Need need;
 	};
-	std::vector<Waiting> _waiting; // as they came
+	std::vector<Waiting> _waiting; // in the order of arrival
 };
 
 } // namespace grass
