@@ -6,13 +6,13 @@
 
 namespace grass {
 
-// Field-space x, z (metres) of a root: see grass_root_place().
+// Returns a root's place in field space, x and z in metres: see grass_root_place().
 inline Eigen::Vector2f root_place(
 		const Eigen::Vector2f &p_tile, const Eigen::Vector2f &p_root, const Eigen::Vector2f &p_tiles, float p_tile_size) {
 	return from_glsl(glsl::grass_root_place(to_glsl(p_tile), to_glsl(p_root), to_glsl(p_tiles), p_tile_size));
 }
 
-// [Eq B4] Knot p_k of the rest pose, in blade space, from the patch's texel.
+// [Eq B4] Returns knot p_k of the rest pose in blade space, from the patch's texel.
 inline Eigen::Vector3f rest_knot(const Eigen::Vector3f &p_texel, int p_k, const Clump &p_clump) {
 	return from_glsl(glsl::grass_rest_knot(to_glsl(p_texel), p_k, p_clump));
 }

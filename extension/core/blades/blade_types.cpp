@@ -15,7 +15,7 @@ constexpr double DEGREE = PI / 180.0;
 
 using Controls = std::array<double, BladeType::CONTROLS>;
 
-// Catmull-Rom through the control numbers; p_along: 0 = root, 1 = tip.
+// Interpolates the control numbers with a Catmull-Rom spline. p_along: 0 = root, 1 = tip.
 double control_at(const Controls &p_controls, double p_along) {
 	const double place = p_along * (BladeType::CONTROLS - 1);
 	const int i = std::clamp(int(place), 0, BladeType::CONTROLS - 2);
@@ -34,7 +34,7 @@ BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist) {
 	curve.knots[0].setZero();
 	curve.twist[0] = 0.0;
 	for (int k = 1; k < GRASS_KNOTS; ++k) {
-		// Directions at the middle of each segment, laid end to end: equal lengths by construction.
+		// Each segment takes the direction at its middle. Laid end to end, all have equal lengths by construction.
 		const double middle = (k - 0.5) / GRASS_SEGMENTS;
 		const double inclination = DEGREE * p_bend * control_at(p_type.inclination, middle);
 		const double bearing = DEGREE * control_at(p_type.bearing, middle);

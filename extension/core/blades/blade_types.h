@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The blade types: shapes of real blades, given by hand as a few control numbers, and resampled to knots.
-// May include Eigen, never Godot.
+// The blade types: shapes of real blades, set by hand as a few control numbers and resampled to knots. May include Eigen, never Godot.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +16,7 @@ struct BladeType {
 
 	const char *name;
 	std::array<double, CONTROLS> inclination; // of the tangent from the vertical
-	std::array<double, CONTROLS> bearing; // of the tangent about the vertical, from the way the blade leans
+	std::array<double, CONTROLS> bearing; // of the tangent about the vertical, relative to the direction in which the blade leans
 	std::array<double, CONTROLS> twist; // of the width about the tangent, relative to the root
 };
 
@@ -33,7 +32,7 @@ struct BladeCurve {
 	std::array<double, GRASS_KNOTS> twist; // radians, 0 at the root
 };
 
-// p_type resampled to knots. p_bend multiplies the inclination (1 = as drawn by hand), p_twist the twist.
+// Returns p_type resampled to knots. p_bend multiplies the inclination (1 = as set by hand), p_twist the twist.
 BladeCurve blade_curve(const BladeType &p_type, double p_bend, double p_twist);
 
 } // namespace grass

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clumps: low-frequency noise of the place in the field that makes neighbouring blades alike in height, lean
-// and colour (shaders/blades/clump.inc).
+// Clumps: low-frequency noise over the field that makes neighbouring blades alike in height, lean and colour (shaders/blades/clump.inc).
 #pragma once
 
 #include "core/base/tunable.h"
@@ -14,14 +13,14 @@ namespace grass {
 using Clump = glsl::GrassClump;
 inline constexpr Clump NO_CLUMP{ 1.0f, glsl::vec2(0.0f), 0.0f };
 
-// Below 0.05 m neighbouring blades differ at random; above 1000 m a field shows one value.
+// Below 0.05 m neighbouring blades differ at random; above 1000 m the whole field has one value.
 inline constexpr Tunable CLUMP_SIZE{ "clump_size", "m", 0.05, 1000.0, 0.05, 1.6 };
 // 0 = off, 1 = the full range. Above 1 blades could dip into the ground.
 inline constexpr Tunable CLUMP_HEIGHT{ "clump_height", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CLUMP_LEAN{ "clump_lean", "", 0.0, 1.0, 0.01, 1.0 };
 inline constexpr Tunable CLUMP_TINT{ "clump_tint", "", 0.0, 1.0, 0.01, 1.0 };
 
-// The shader's vec4 `clump`, in this order, and `clump_origin`.
+// In the order of the shader's vec4 `clump`; then its `clump_origin`.
 struct ClumpParams {
 	float size = float(CLUMP_SIZE.initial); // metres
 	float height = float(CLUMP_HEIGHT.initial);
@@ -29,8 +28,8 @@ struct ClumpParams {
 	float tint = float(CLUMP_TINT.initial);
 	std::array<float, 4> origin{}; // see set_origin()
 
-	// The field's centre in the noise, metres. The lattices repeat, so that the rest of a division is enough: wherever that is,
-	// places keep their precision.
+	// Sets the field's centre in the noise, metres. The lattices repeat, so only the remainder of a division is kept: places keep their
+	// precision wherever the field is.
 	void set_origin(const Eigen::Vector2d &p_metres) {
 		const double finer = double(GRASS_CLUMP_FINER);
 		const auto rest = [](double p_cells) { return float(p_cells - GRASS_LATTICE_CELLS * std::floor(p_cells / GRASS_LATTICE_CELLS)); };
@@ -44,7 +43,7 @@ struct ClumpParams {
 // No blade grows by more than this factor.
 inline constexpr float CLUMP_TALLEST = float(1.0 + GRASS_CLUMP_TALLER);
 
-// [Eq B2] The clump at p_place (field-space x, z in metres).
+// [Eq B2] Returns the clump at p_place (field-space x, z in metres).
 inline Clump clump_at(const Eigen::Vector2f &p_place, const ClumpParams &p_clump) {
 	return glsl::grass_clump_at(to_glsl(p_place), glsl::vec4(p_clump.size, p_clump.height, p_clump.lean, p_clump.tint),
 			glsl::vec4(p_clump.origin[0], p_clump.origin[1], p_clump.origin[2], p_clump.origin[3]));

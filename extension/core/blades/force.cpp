@@ -11,13 +11,13 @@ namespace grass {
 
 namespace {
 
-// A blast's front, m/s: so slow that it is seen to run. Slower: a large blast is over before it is out.
+// Speed of a blast's front, m/s. Slow enough to be seen running outwards. Slower: a large blast ends before its front arrives.
 constexpr double FRONT_SPEED = 40.0;
-// Swellings of the air a second.
+// How many times a second the air swells.
 constexpr double BEATS = 1.3;
-// How much of a vortex's air goes inwards.
+// Share of a vortex's air that flows inwards.
 constexpr double INFLOW = 0.3;
-// All but a blast comes up in this time, seconds, or in this share of its duration: a jump of the drawn wind would show.
+// Every force but a blast rises within this time, seconds, or within this share of its duration. A sudden start would show as a jump.
 constexpr double RISE = 0.25, RISE_SHARE = 0.1;
 
 double finite(double p_value, double p_default) {
@@ -53,7 +53,7 @@ double Force::reach() const {
 	if (most <= GRASS_FORCE_WAKES) {
 		return 0.0;
 	}
-	// The farthest place at which its profile, which falls from there on, is still so strong.
+	// Search the farthest place where the profile, which falls from here on, still reaches this strength.
 	const double wanted = GRASS_FORCE_WAKES / most;
 	double inside = is_ring() ? std::sqrt(0.2) : 0.0, outside = 1.0;
 	for (int i = 0; i < 12; i++) {

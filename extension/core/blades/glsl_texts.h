@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shaders/blades/ says of clumps, rest poses, colours and wind, as C++.
+// Compiles the texts in shaders/blades/ about clumps, rest poses, colours and wind as C++.
 #pragma once
 
 #include "core/base/glsl.h"

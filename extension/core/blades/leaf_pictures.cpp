@@ -13,14 +13,14 @@ namespace grass {
 namespace {
 
 constexpr int TEXELS = LEAF_ACROSS * LEAF_ALONG;
-constexpr int SPOTS = 14; // of a picture, at most
+constexpr int SPOTS = 14; // most spots in a picture
 
-// Random numbers of one picture.
+// The random numbers of one picture.
 class Chance {
 public:
 	explicit Chance(int p_picture) : _salt(grass_hash(uint32_t(p_picture) + 77u)) {}
 	float at(uint32_t p_number) const { return float(grass_hash(p_number ^ _salt) >> 8u) / float(1 << 24); }
-	// Value noise of lattice points.
+	// Returns value noise over the points of a lattice.
 	float noise(float p_x, float p_y) const {
 		const float x = std::floor(p_x), y = std::floor(p_y);
 		const auto point = [&](float p_dx, float p_dy) { return at(uint32_t(int(x + p_dx) * 131 + int(y + p_dy) * 7919)); };
@@ -32,8 +32,8 @@ private:
 	uint32_t _salt;
 };
 
-// Where a place of a leaf stands in its histogram: low in furrows, higher on ridges, highest where it withers. p_across: -1..1; p_along:
-// 0..1, root to tip; p_age: 0 fresh .. 1 ageing.
+// Returns where a place on a leaf ranks in its histogram: low in furrows, higher on ridges, highest where it withers. p_across: -1..1;
+// p_along: 0..1, root to tip; p_age: 0 fresh .. 1 ageing.
 float rank_of(const Chance &p_chance, float p_across, float p_along, float p_age) {
 	const float off = std::abs(p_across);
 	const float veins = std::cos(21.0f * off + 1.2f * p_chance.noise(3.0f * p_across + 40.0f, 5.0f * p_along));
@@ -54,7 +54,7 @@ float rank_of(const Chance &p_chance, float p_across, float p_along, float p_age
 	return rank;
 }
 
-// What makes the mean of a histogram 1, by channel.
+// Returns the mean of a histogram for each channel.
 std::array<float, 3> mean_of(std::span<const LeafTone> p_tones) {
 	std::array<float, 3> mean{};
 	for (const LeafTone &tone : p_tones) {
@@ -75,7 +75,7 @@ std::span<const LeafTone> leaf_tones_of(int p_picture) {
 	return p_picture < GRASS_LEAF_PICTURES / 2 ? std::span<const LeafTone>(FRESH_LEAF) : std::span<const LeafTone>(AGEING_LEAF);
 }
 
-// The texels' ranks decide which of them have which colour of the histogram: so many as it says, however the ranks are spread.
+// The ranks of the texels decide which texel gets which colour of the histogram. Each colour keeps its share, however the ranks are spread.
 std::vector<uint8_t> make_leaf_picture(int p_picture) {
 	const std::span<const LeafTone> tones = leaf_tones_of(p_picture);
 	const Chance chance(p_picture);

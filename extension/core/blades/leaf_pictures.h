@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What blades look like from near: small pictures across and along a blade, made from histograms of leaf colours (paper 3.2). The blade
-// shader multiplies its colours with them where a blade is some pixels wide.
+// Pictures of blades up close: small ones, across and along a blade, made from histograms of leaf colours (paper 3.2). The blade shader
+// multiplies its colours by them where a blade is several pixels wide.
 #pragma once
 
 #include "core/base/layout.h"
@@ -13,14 +13,14 @@ namespace grass {
 
 // Texels of a picture: across the blade, and along it from root to tip.
 inline constexpr int LEAF_ACROSS = GRASS_LEAF_ACROSS, LEAF_ALONG = 128;
-// What a texel of 255 multiplies a colour with.
+// The factor that a texel of 255 stands for.
 inline constexpr float LEAF_BRIGHTEST = float(GRASS_LEAF_BRIGHTEST);
 
-// RGBA8, linear, LEAF_ALONG rows of LEAF_ACROSS texels: picture p_picture of GRASS_LEAF_PICTURES, of which the first half are fresh and the
-// others ageing.
+// Returns picture p_picture of GRASS_LEAF_PICTURES: RGBA8, linear, LEAF_ALONG rows of LEAF_ACROSS texels. The first half of the pictures
+// are fresh leaves, the others ageing ones.
 std::vector<uint8_t> make_leaf_picture(int p_picture);
 
-// Of a picture.
+// Returns the histogram of a picture.
 std::span<const LeafTone> leaf_tones_of(int p_picture);
 
 } // namespace grass

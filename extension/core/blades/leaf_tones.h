@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Histograms of the colours that a blade of grass shows from near (paper 3.2), one for each kind of leaf. They are ours: set by hand and
-// judged in pictures, not measured on plants. Each says what share of the leaf has which colour, as a multiple of its mean colour in linear
-// light; leaf_pictures.cpp makes the mean exact. Sorted as the pictures use them: from the furrows beside the veins to what has withered.
+// Histograms of the colours that a blade of grass shows up close (paper 3.2), one for each kind of leaf. They are our own: set by hand and
+// judged in pictures, not measured on plants. Each entry gives a colour, as a multiple of the leaf's mean colour in linear light, and the
+// share of the leaf that has it; leaf_pictures.cpp makes the mean exact. Sorted as the pictures use them: from the furrows beside the veins
+// to the withered parts.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 namespace grass {
 
 struct LeafTone {
-	float share; // of the leaf, 0..1; all of a kind together 1
+	float share; // of the leaf, 0..1; the shares of one kind add up to 1
 	float red, green, blue;
 };
 

@@ -15,23 +15,23 @@ namespace {
 
 constexpr double TURN = 2.0 * 3.14159265358979323846;
 
-// A blade shorter than this has segments that the simulation could not tell from zero.
+// The segments of a shorter blade would be too short for the simulation to tell from zero.
 constexpr double SHORTEST = 0.01; // metres
 
-// Roots: the R2 sequence (Roberts 2018), whose every run of consecutive points is an even sample of the
-// square. The jitter hides its lattice; it is a third of the distance between 64 points.
+// Roots follow the R2 sequence (Roberts 2018): any run of consecutive points samples the square evenly. The jitter hides its lattice; it is
+// a third of the distance between 64 points.
 constexpr double R2_X = 0.7548776662466927;
 constexpr double R2_Y = 0.5698402909980532;
 constexpr double JITTER = 0.04;
-// The golden ratio does the same for the azimuth.
+// The golden ratio spreads the azimuths in the same way.
 constexpr double GOLDEN = 0.6180339887498949;
 
-// How much one blade's bend and lean direction differ from its type's.
+// How much a blade's bend and its direction of lean may differ from those of its type.
 constexpr double BEND_MIN = 0.7;
 constexpr double BEND_MAX = 1.2;
 constexpr double SWAY = 0.4; // radians
 
-// What is random about a blade, one hash channel each.
+// The random properties of a blade, one hash channel each.
 enum Channel : uint32_t { JITTER_X, JITTER_Y, AZIMUTH, TYPE, LENGTH, LENGTH_MORE, WIDTH, BEND, TWIST, SWAY_ANGLE };
 
 // The random numbers of one blade, each from 0 up to but not including 1.
@@ -96,7 +96,7 @@ void store(Patch &r_patch, int p_blade, int p_knot, double p_x, double p_y, doub
 	texel[3] = float_to_half(float(p_w));
 }
 
-// The derived numbers come from the stored halves: they are the rest shape.
+// Derives lengths and heights from the stored halves, since those are the rest shape.
 void measure(Patch &r_patch, int p_blade) {
 	Eigen::Vector3f before = Eigen::Vector3f::Zero();
 	float length = 0.0f;
@@ -144,7 +144,7 @@ void plant(Patch &r_patch, const PatchParams &p_params, int p_blade) {
 	measure(r_patch, p_blade);
 }
 
-// Turns a blade to its place around the root that it shares: p_stems of them, the first of which keeps its azimuth.
+// Turns a blade to its place around the root that p_stems blades share. The first of them keeps its azimuth.
 void spread_stem(Patch &r_patch, int p_blade, int p_stems) {
 	const int stem = p_blade % p_stems;
 	uint16_t *root = &r_patch.texels[Patch::texel_index(p_blade, 0)];
@@ -205,7 +205,7 @@ Patch join_patches(
 			uint16_t *root = &joined.texels[Patch::texel_index(int(s) * GRASS_PATCH_BLADES + blade, 0)];
 			const int stems = s < p_stems.size() ? p_stems[s] : 1;
 			const uint16_t *place =
-					&first.texels[Patch::texel_index(blade / stems, 0)]; // plants side by side: every nth would stand in rows
+					&first.texels[Patch::texel_index(blade / stems, 0)]; // take neighbouring plants: every nth would grow in rows
 			root[0] = place[0];
 			root[1] = place[1];
 			root[3] = p_patches[s]->is_empty() ? 0 : root[3];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The patch (paper 3.1): 16,384 blades made once, of which every tile of the field borrows 64 consecutive
-// ones. May include Eigen, never Godot.
+// The patch (paper 3.1): 16,384 blades made once; every tile of the field borrows 64 consecutive ones. May include Eigen, never Godot.
 #pragma once
 
 #include <array>
@@ -16,11 +15,11 @@
 namespace grass {
 
 inline constexpr Tunable PATCH_SEED{ "seed", "", 0.0, 4294967295.0, 1.0, 1.0 };
-// Lengths of 0 make an empty patch. Blades longer than about three tiles reach beyond the bounds that
-// wake tiles; below 0.05 m a meadow reads as moss.
+// Lengths of 0 make an empty patch. Blades longer than about three tiles reach beyond the bounds that wake tiles; below 0.05 m a meadow
+// looks like moss.
 inline constexpr Tunable LENGTH_MIN{ "length_min", "m", 0.0, 3.0, 0.01, 0.3 };
 inline constexpr Tunable LENGTH_MAX{ "length_max", "m", 0.0, 3.0, 0.01, 0.7 };
-// Full width at the root. Beyond 0.05 m blades read as reed or leaves.
+// Full width at the root. Beyond 0.05 m blades look like reed or leaves.
 inline constexpr Tunable WIDTH_MIN{ "width_min", "m", 0.0005, 0.2, 0.0005, 0.01 };
 inline constexpr Tunable WIDTH_MAX{ "width_max", "m", 0.0005, 0.2, 0.0005, 0.02 };
 // Shares of the blade types, relative to each other; all 0 make an empty patch.
@@ -31,8 +30,7 @@ inline constexpr std::array<Tunable, BLADE_TYPES.size()> TYPE_WEIGHTS{ {
 		{ "weight_wavy", "", 0.0, 1.0, 0.01, 0.15 },
 } };
 
-// Values outside the tunables' ranges are clamped, NaN counts as the default, a maximum below its minimum as
-// the minimum.
+// Values outside the range of their Tunable are clamped, NaN becomes the default, and a maximum below its minimum becomes the minimum.
 struct PatchParams {
 	uint32_t seed = uint32_t(PATCH_SEED.initial);
 	double length_min = LENGTH_MIN.initial; // metres
@@ -44,13 +42,13 @@ struct PatchParams {
 	PatchParams();
 };
 
-// Blades as the patch texture holds them, and what follows from them. Immutable once made.
+// Blades as the patch texture holds them, and values derived from them. Immutable once made.
 struct Patch {
 	static constexpr int WIDTH = GRASS_KNOTS * GRASS_PATCH_BLADES_PER_ROW; // texels
 	static constexpr int HEIGHT = GRASS_PATCH_BLADES / GRASS_PATCH_BLADES_PER_ROW;
 
 	std::vector<uint16_t> texels; // 16-bit floats, 4 a texel, WIDTH x HEIGHT row by row for each species; zeros if empty
-	int species = 1; // whose blades are stored one below the other
+	int species = 1; // number of species, whose blades are stored one below the other
 	const char *empty_because = nullptr; // why there are no blades, for a warning; nullptr if there are
 	float max_length = 0.0f; // metres, along the blade
 	float max_spread = 0.0f; // metres, horizontally from the root
@@ -59,20 +57,21 @@ struct Patch {
 	float mean_length = 0.0f, mean_width = 0.0f; // metres: along the blade, full width at the root
 
 	bool is_empty() const { return empty_because != nullptr; }
-	// First of the four halves of knot p_knot of blade p_blade; the blades of species s begin at GRASS_PATCH_BLADES s.
+	// Returns the index of the first of the four halves of knot p_knot of blade p_blade. The blades of species s begin at
+	// GRASS_PATCH_BLADES s.
 	static size_t texel_index(int p_blade, int p_knot) {
 		const size_t row = size_t(p_blade / GRASS_PATCH_BLADES_PER_ROW), column = size_t(p_blade % GRASS_PATCH_BLADES_PER_ROW);
 		return ((row * GRASS_KNOTS + size_t(p_knot)) * GRASS_PATCH_BLADES_PER_ROW + column) * 4;
 	}
 };
 
-// The same bits for the same parameters, on every machine.
-// p_stop: when it becomes true, on whatever thread, what is not made yet is left out.
+// Makes a patch: the same bits for the same parameters, on every machine. p_stop: once it is true, set by any thread, the blades not made
+// yet are left out.
 Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop = nullptr);
 
-// The patches of several species as one. Blade b of each stands where blade b of the first one does, so that a root is known
-// before its species is. p_shares: of the species, for what is a mean. Species without blades get some of no width.
-// p_stems: of the species, powers of two: so many blades of one share a root and spread from it. Without: 1 each.
+// Joins the patches of several species into one. Blade b of each has the root of blade b of the first, so that a root is known before its
+// species is. p_shares: weights of the species in the means. A species without blades gets some of zero width. p_stems: for each species a
+// power of two, the number of its blades that share a root and spread from it; 1 each if empty.
 Patch join_patches(
 		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a patch on its own thread: it needs a tenth of a second, far more than a frame has.
+// Makes a patch on a thread of its own, since that takes a tenth of a second, far longer than a frame.
 #pragma once
 
 #include "core/blades/patch.h"
@@ -17,13 +17,13 @@ public:
 	PatchMaker &operator=(const PatchMaker &) = delete;
 	~PatchMaker() { stop(); }
 
-	// Begins another patch; gives up the one begun before.
+	// Begins another patch and abandons the one begun before.
 	void start(const PatchParams &p_params);
 	bool is_started() const { return _made.valid(); }
 	bool is_done() const;
-	// Waits for the patch that was begun and returns it. Afterwards none is under way.
+	// Waits for the patch that was begun and returns it. Afterwards none is being made.
 	std::shared_ptr<const Patch> take() { return _made.get(); }
-	// Gives up what was begun, in microseconds.
+	// Abandons the patch that was begun. Returns within microseconds.
 	void stop();
 
 private:

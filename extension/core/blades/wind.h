@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wind (paper 4.3): a function of place and time alone, added by the drawing to whatever pose a blade has, at
-// rest or simulated (shaders/blades/wind.inc); and the clock that it reads.
+// Wind (paper 4.3): a function of place and time alone, which the draw shaders add to any pose of a blade, at rest or simulated
+// (shaders/blades/wind.inc); and the clock that it reads.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -10,17 +10,17 @@ namespace grass {
 
 // A light breeze moves leaves at 2 m/s, a gale bends trees at 17; 0 is calm, and skips the wind code.
 inline constexpr Tunable WIND_SPEED{ "wind_speed", "m/s", 0.0, 40.0, 0.1, 3.0 };
-// Where the wind blows to, from +x towards +z.
+// The direction in which the wind blows, from +x towards +z.
 inline constexpr Tunable WIND_DIRECTION{ "wind_direction", "\u00b0", -360.0, 360.0, 1.0, 20.0 };
-// From front to front, about. Below 1 m gusts read as trembling.
+// The approximate distance between fronts. Below 1 m gusts look like trembling.
 inline constexpr Tunable GUST_SIZE{ "gust_size", "m", 0.5, 200.0, 0.1, 7.0 };
-// 0 = an even wind, 1 = lulls of 0.4 and gusts of twice the wind's speed.
+// 0 = a steady wind, 1 = lulls of 0.4 and gusts of twice the wind's speed.
 inline constexpr Tunable GUST_STRENGTH{ "gust_strength", "", 0.0, 1.0, 0.01, 0.6 };
 
-// The wind's time, wrapped where that does not show: over days a float would lose its precision.
+// The wind's time, wrapped where the wrap does not show: over days a float would lose its precision.
 struct WindClock {
 	double sway = 0.0; // seconds
-	double roll = 0.0; // gust sizes that the wind has travelled: a change of the wind moves no gust
+	double roll = 0.0; // distance that the wind has travelled, in gust sizes: a change of the wind moves no gust
 
 	void advance(double p_delta, double p_speed, double p_gust_size);
 };
