@@ -5,11 +5,11 @@
 
 namespace grass {
 
-// What finding out where bodies are took, counted since a field began to watch them.
+// What it cost to find out where bodies are, counted since a field began to watch them.
 struct BodyReads {
-	int64_t poses = 0; // one a body and tick
-	int64_t shapes = 0; // shapes looked at for changes
-	int64_t engine_calls = 0; // of the physics server and of nodes: most of what bodies cost
+	int64_t poses = 0; // one for each body and tick
+	int64_t shapes = 0; // shapes checked for changes
+	int64_t engine_calls = 0; // calls of the physics server and of nodes: most of the cost of bodies
 
 	void add(const BodyReads &p_others) {
 		poses += p_others.poses;

@@ -10,7 +10,7 @@ namespace grass {
 
 namespace {
 
-// True too if p_value is NaN.
+// Returns whether a component exceeds p_limit. NaN counts as exceeding it.
 bool exceeds(const Eigen::Vector3d &p_value, double p_limit) {
 	return !(p_value.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= p_limit);
 }
@@ -101,10 +101,10 @@ void ColliderShape::scale(const Eigen::Vector3d &p_scale) {
 	const Eigen::Vector3d factors = p_scale.cwiseAbs();
 	if (type == GRASS_BOX || type == GRASS_HULL) {
 		size = size.cwiseProduct(factors);
-	} else { // round about y: radius, half length along y
+	} else { // rotationally symmetric about y: radius, half length along y
 		size = { size.x() * std::max(factors.x(), factors.z()), size.y() * factors.y(), 0.0 };
 	}
-	for (Eigen::Vector4f &plane : planes) { // all other shapes are like themselves inside out
+	for (Eigen::Vector4f &plane : planes) { // all other shapes are symmetric about the origin
 		const Eigen::Vector3f normal = plane.head<3>().cwiseQuotient(p_scale.cast<float>());
 		plane = Eigen::Vector4f(normal.x(), normal.y(), normal.z(), plane.w()) / normal.norm();
 	}
@@ -135,7 +135,7 @@ bool ColliderShape::sanitise(const char *&r_reason) {
 Bounds ColliderShape::get_swept_bounds() const {
 	const Eigen::Vector3d half = get_half_extents();
 	const Bounds a = get_bounds(half, before), b = get_bounds(half, now);
-	// On its way a point turns along an arc, which leaves its chord by at most r (1 - cos(angle / 2)).
+	// On its way a point turns along an arc, which departs from its chord by at most r (1 - cos(angle / 2)).
 	const double cosine = std::min(1.0, std::abs(before.rotation.dot(now.rotation)));
 	const double arc = type == GRASS_SPHERE ? 0.0 : half.norm() * (1.0 - cosine);
 	return { (a.min.cwiseMin(b.min).array() - arc).matrix(), (a.max.cwiseMax(b.max).array() + arc).matrix() };
@@ -155,7 +155,7 @@ GrassCollider ColliderShape::pack(const TileGrid &p_grid, int p_first_plane) con
 	collider.position = to_vec4(place.offset, float(friction));
 	collider.rotation = to_vec4(now.rotation);
 	collider.position_before = to_vec4(p_grid.get_offset(before.position, place.x, place.z), is_hull ? float(planes.size()) : 0.0f);
-	// Both of one half of the sphere of rotations, so that a blend of the two takes the short way.
+	// Keep both rotations in one half of the sphere, so that a blend of the two takes the short way.
 	Quaternion turned = before.rotation;
 	if (turned.dot(now.rotation) < 0.0) {
 		turned.coeffs() = -turned.coeffs();

@@ -19,7 +19,7 @@ float total(const vec4 &p_a) {
 	return std::abs(p_a.x) + std::abs(p_a.y) + std::abs(p_a.z) + std::abs(p_a.w);
 }
 
-// How far the nearest of a hull's planes is from its centre, metres.
+// Returns the distance of a hull's nearest plane from its centre, metres.
 float least_plane(const TileCollider &p_collider) {
 	float least = p_collider.bound;
 	for (const Eigen::Vector4f &plane : p_collider.planes) {
@@ -72,7 +72,7 @@ bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_til
 	r_collider.turn_before = turn_of(p_collider.rotation_before);
 	r_collider.friction = std::max(p_collider.position.w, 0.0f);
 	const Turn<float> &turn = r_collider.turn, &before = r_collider.turn_before;
-	const float cosine = dot(turn.axis, before.axis) + turn.w * before.w; // of half the turn
+	const float cosine = dot(turn.axis, before.axis) + turn.w * before.w; // of half the turn's angle
 	r_collider.spin = 2.0f * std::sqrt(std::max(1.0f - cosine * cosine, 0.0f));
 	Vec3<float> box;
 	measure(r_collider.shape, r_collider.size, r_collider.bound, box, r_collider.thin, r_collider.blunt);

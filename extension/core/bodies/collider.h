@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a knot stands to a collider: surface, entry point of a path, contact. shaders/bodies/leaves.inc as C++, and the twin of
-// shaders/bodies/collider.inc.
-// Every shape is convex, and a face is a supporting plane: what is outside of the plane is outside of the shape.
+// How a knot relates to a collider: the nearest surface, the entry point of a path, the contact. Compiles shaders/bodies/leaves.inc as C++,
+// and is the twin of shaders/bodies/collider.inc. Every shape is convex, and a face is a supporting plane: whatever is outside the plane is
+// outside the shape.
 #pragma once
 
 #include "core/base/layout.h"
@@ -17,7 +17,7 @@ namespace grass {
 #include "bodies/constants.inc"
 #undef GRASS_CONSTANT
 
-// A plane n.x = d that the shape lies behind, and how far in front of it a point is (metres, negative inside).
+// A plane n.x = d with the shape behind it, and a point's distance in front of it (metres, negative inside).
 template <class T> struct Face {
 	Vec3<T> normal;
 	T distance{};
@@ -35,30 +35,32 @@ template <class T, class Mask> GRASS_INLINE Face<T> select(const Mask &p_mask, c
 	return { select(p_mask, p_a.normal, p_b.normal), select(p_mask, p_a.distance, p_b.distance) };
 }
 
-// A collider as one tile's blades see it: turned into numbers that do not differ between them.
+// A collider as the blades of one tile see it: everything about it that is the same for all of them.
 struct TileCollider {
 	int shape = GRASS_SPHERE;
-	Vec3<float> size, centre, centre_before; // metres, from the tile's centre on the ground
-	Turn<float> turn, turn_before; // from the collider's own axes to the field's
+	Vec3<float> size, centre, centre_before; // metres, relative to the tile's centre on the ground
+	Turn<float> turn, turn_before; // from the collider's axes to the field's
 	float friction = 0.0f;
-	float bound = 0.0f; // radius about the centre, metres
-	Vec3<float> box; // half extents of a box about the centre, the field's axes, at the end of the step, metres
-	float shortfall = 0.0f; // how many times farther away than a face in front of a point the shape can be
-	float spin = 0.0f; // how far its turn during the step moves a point, shares of the distance from the centre
-	float moved = 0.0f; // how far the step takes a point of it that a blade may meet, at most, metres
-	float thin = 0.0f; // no path shorter than this can cross the shape, metres
-	float blunt = 0.0f; // what knots no farther apart than this show is all that edges cut, metres
-	std::span<const Eigen::Vector4f> planes; // hulls
+	float bound = 0.0f; // radius of a sphere about the centre, metres
+	Vec3<float> box; // half extents of a box about the centre, along the field's axes, at the end of the step, metres
+	float shortfall = 0.0f; // the most by which the shape can be farther from a point than a face in front of it, as a factor
+	float spin = 0.0f; // how far its turn during the step moves a point, as a share of the point's distance from the centre
+	float moved = 0.0f; // the farthest that the step moves any point of it that a blade may meet, metres
+	float thin = 0.0f; // no shorter path can cross the shape, metres
+	float blunt = 0.0f; // knots up to this far apart reveal whatever its edges cut, metres
+	std::span<const Eigen::Vector4f> planes; // of hulls
 };
 
-// Whether a blade with segments of p_segment metres can cut the collider where no knot of it shows that, however far a solve stretches it.
+// Returns whether a blade with segments of p_segment metres can cut the collider without any of its knots revealing it, however far a solve
+// stretches the blade.
 bool is_sharp(const GrassCollider &p_collider, float p_segment);
 
-// p_collider for the tile at (p_tile_x, p_tile_z). False if a number in it is not finite or a plane is missing.
+// Converts p_collider for the tile at (p_tile_x, p_tile_z). Returns false if one of its numbers is not finite or a plane is missing.
 bool make_tile_collider(const GrassCollider &p_collider, int p_tile_x, int p_tile_z, float p_tile_size,
 		std::span<const Eigen::Vector4f> p_planes, TileCollider &r_collider);
 
-// The colliders as they are on the way from share p_from to share p_to of the step. What it returns holds until the thread calls it again.
+// Returns the colliders as they move from share p_from to share p_to of the step. The result is valid until the same thread calls this
+// again.
 std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_colliders, float p_from, float p_to);
 
 #include "core/base/lane_words.h"
@@ -67,7 +69,7 @@ std::span<const TileCollider> colliders_between(std::span<const TileCollider> p_
 
 #include "core/base/lane_words_end.h"
 
-// [Eq 10] The face nearest to a point in the shape's own axes.
+// [Eq 10] Returns the face nearest to a point in the shape's own axes.
 template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point, const Ground<T> &p_ground) {
 	const Vec3<T> size = widened<T>(p_collider.size);
 	switch (p_collider.shape) {
@@ -89,12 +91,12 @@ template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider
 			return sphere_face(size, p_point, p_ground);
 	}
 }
-// The same for a point that is outside, or where the ground does not matter.
+// Returns the same for a point that is outside, or where the ground does not matter.
 template <class T> GRASS_INLINE Face<T> find_face(const TileCollider &p_collider, const Vec3<T> &p_point) {
 	return find_face(p_collider, p_point, Ground<T>{ {}, T(0.0f) });
 }
 
-// Whether the collider stands still in this step.
+// Returns whether the collider does not move in this step.
 GRASS_INLINE bool stands_still(const TileCollider &p_collider) {
 	const Vec3<float> way = p_collider.centre - p_collider.centre_before;
 	const Vec3<float> axis = p_collider.turn.axis - p_collider.turn_before.axis;
@@ -102,7 +104,7 @@ GRASS_INLINE bool stands_still(const TileCollider &p_collider) {
 	return dot(way, way) + dot(axis, axis) + w * w <= 0.0f;
 }
 
-// A path of a knot during the step, from and to, in the shape's own axes at that time.
+// A knot's path during the step: from its start to its end, each in the shape's own axes at that time.
 template <class T> struct Path { Vec3<T> from, to; };
 
 template <class T>
@@ -110,14 +112,14 @@ GRASS_INLINE Path<T> relative_path(const TileCollider &p_collider, const Vec3<T>
 	return { place_before(p_collider, p_root, p_from), place_now(p_collider, p_root, p_to) };
 }
 
-// [Eq 11] The face that a path meets, moved along to the path's end: its distance says how far the end is behind it.
-// Outside, and without a face met, the distance is not negative.
+// [Eq 11] Returns the face that a path meets, moved along to the path's end: its distance says how far the end is behind it. The distance
+// is not negative if the end is outside and the path met no face.
 template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, const Path<T> &p_path, const Ground<T> &p_ground) {
 	const Vec3<T> way = p_path.to - p_path.from;
 	const T squared = dot(way, way);
 	Face<T> face = find_face(p_collider, p_path.to, p_ground);
 
-	// Where the path comes nearest to the centre, and whether that is within the bounding sphere.
+	// Find where the path comes nearest to the centre, and whether that is within the bounding sphere.
 	const T safe = maximum(squared, T(TINY_SQUARED));
 	const T nearest = -dot(p_path.from, way) / safe;
 	const Vec3<T> middle = p_path.from + way * minimum(maximum(nearest, T(0.0f)), T(1.0f));
@@ -144,15 +146,15 @@ template <class T> GRASS_INLINE Face<T> sweep(const TileCollider &p_collider, co
 	if (!any(may_meet & (t <= T(1.0f)))) {
 		return face;
 	}
-	// A path that began inside has no entry, and one that met a face above the ground no way out there: both leave by
-	// the nearest face.
+	// A path that began inside has no entry. A path that met a face above the ground has no way out through it. Both leave by the nearest
+	// face.
 	const Face<T> met{ entry.normal, dot(entry.normal, p_path.to - place) + entry.distance };
 	const auto is_met = may_meet & (t <= T(1.0f)) & (entry.distance < near) & !is_blocked(met, p_ground) &
 			(find_face(p_collider, p_path.from).distance > -near);
 	return { select(is_met, met.normal, face.normal), select(is_met, met.distance, face.distance) };
 }
 
-// The contact of a knot that went from p_from to p_to (blade space) while the collider went from its pose before to its pose now.
+// Returns the contact of a knot that moved from p_from to p_to (blade space) while the collider moved from its pose before to its pose now.
 template <class T>
 GRASS_INLINE Correction<T> find_correction(
 		const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from, const Vec3<T> &p_to, const T &p_friction) {

@@ -19,7 +19,7 @@ struct Plane {
 	double distance;
 };
 
-// How far the points reach along p_normal.
+// Returns how far the points reach along p_normal.
 double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 	double support = p_normal.dot(p_points.front());
 	for (const Eigen::Vector3d &point : p_points) {
@@ -28,7 +28,7 @@ double get_support(const Points &p_points, const Eigen::Vector3d &p_normal) {
 	return support;
 }
 
-// The usable points, each once.
+// Returns the valid points, each once.
 Points collect(std::span<const Eigen::Vector3d> p_points) {
 	Points points;
 	std::copy_if(p_points.begin(), p_points.end(), std::back_inserter(points),
@@ -41,7 +41,7 @@ Points collect(std::span<const Eigen::Vector3d> p_points) {
 	return points;
 }
 
-// Moves the points so that their box is centred at the origin; returns where its centre was.
+// Moves the points so that their box is centred at the origin. Returns where its centre was.
 Eigen::Vector3d centre_points(Points &r_points) {
 	Eigen::Vector3d low = r_points.front(), high = r_points.front();
 	for (const Eigen::Vector3d &point : r_points) {
@@ -55,7 +55,8 @@ Eigen::Vector3d centre_points(Points &r_points) {
 	return centre;
 }
 
-// Doubles flat, straight or single points along each direction in which they are thinner than MIN_THICKNESS to both sides.
+// Doubles points that lie in a plane, on a line or in one place, to both sides of each direction in which they are thinner than
+// MIN_THICKNESS.
 void thicken(Points &r_points) {
 	Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 	for (const Eigen::Vector3d &point : r_points) {
@@ -74,7 +75,7 @@ void thicken(Points &r_points) {
 	}
 }
 
-// Adds the plane through p_point unless the points reach beyond it or it is there already.
+// Adds the plane through p_point, unless points lie beyond it or it was added already.
 void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eigen::Vector3d &p_normal, double p_tolerance,
 		std::vector<Plane> &r_planes) {
 	constexpr double SAME_DIRECTION = 1.0 - 5e-9; // cosine of 1e-4 rad
@@ -87,8 +88,8 @@ void add_face(const Points &p_points, const Eigen::Vector3d &p_point, const Eige
 	}
 }
 
-// Looks along the line through two points: if all others lie within half a turn, it is an edge of the hull, and the
-// outermost on either side span the two faces that meet there.
+// Looks along the line through two points. If all others are within half a turn of it, the line is an edge of the hull, and the outermost
+// points on either side span the two faces that meet there.
 void add_faces_at_edge(const Points &p_points, size_t p_from, size_t p_to, const Eigen::Vector3d &p_inside, double p_tolerance,
 		std::vector<Plane> &r_planes) {
 	const Eigen::Vector3d along = (p_points[p_to] - p_points[p_from]).normalized();
@@ -99,13 +100,13 @@ void add_faces_at_edge(const Points &p_points, size_t p_from, size_t p_to, const
 	};
 	const Eigen::Vector2d middle = see(p_inside);
 	if (middle.norm() <= p_tolerance) {
-		return; // through the inside
+		return; // the line passes through the inside
 	}
 	Eigen::Vector2d left = middle, right = middle;
 	for (const Eigen::Vector3d &point : p_points) {
 		const Eigen::Vector2d direction = see(point);
 		if (direction.norm() <= p_tolerance) {
-			continue; // on the line
+			continue; // the point is on the line
 		}
 		if (cross(middle, direction) >= 0.0) {
 			left = cross(left, direction) > 0.0 ? direction : left;
@@ -122,7 +123,7 @@ void add_faces_at_edge(const Points &p_points, size_t p_from, size_t p_to, const
 	add_face(p_points, p_points[p_from], right.y() * u - right.x() * v, p_tolerance, r_planes);
 }
 
-// The hull's faces, or more than MAX_PLANES of them if it has too many.
+// Returns the hull's faces. If there are more than MAX_PLANES, it stops soon after that number.
 std::vector<Plane> find_faces(const Points &p_points, double p_size) {
 	Eigen::Vector3d inside = Eigen::Vector3d::Zero();
 	for (const Eigen::Vector3d &point : p_points) {
@@ -131,18 +132,18 @@ std::vector<Plane> find_faces(const Points &p_points, double p_size) {
 	std::vector<Plane> planes;
 	for (size_t i = 0; i < p_points.size(); i++) {
 		for (size_t j = i + 1; j < p_points.size() && planes.size() <= size_t(Hull::MAX_PLANES); j++) {
-			add_faces_at_edge(p_points, i, j, inside, p_size * 1e-6, planes); // the points were single precision once
+			add_faces_at_edge(p_points, i, j, inside, p_size * 1e-6, planes); // the points may come from single precision
 		}
 	}
 	return planes;
 }
 
-// A bound with the directions to the faces, edges and corners of a cube as its normals.
+// Returns a bound whose normals are the directions to the faces, edges and corners of a cube.
 std::vector<Plane> find_bound(const Points &p_points) {
 	std::vector<Plane> planes;
 	for (int i = 0; i < 27; i++) {
 		const Eigen::Vector3d direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
-		if (i != 13) { // not the cube's own middle
+		if (i != 13) { // skip the cube's centre
 			planes.push_back({ direction.normalized(), get_support(p_points, direction.normalized()) });
 		}
 	}

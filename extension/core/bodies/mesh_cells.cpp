@@ -8,11 +8,11 @@ namespace grass {
 
 namespace {
 
-// Along the longest side. More: finer cuts, and time by its third power.
+// Cells along the longest side. More: finer cuts, and time by its third power.
 constexpr int CELLS = 20;
-// Cells of a box between which ways are looked at, and places looked at on each.
+// Number of a box's cells between which ways are tested, and number of places tested on each way.
 constexpr int STATIONS = 48, STOPS = 3;
-// A line or a point has a volume, too. Metres.
+// The least size in metres, so that a line or a point has a volume too.
 constexpr double SIZE_MIN = 1e-4;
 
 } // namespace
@@ -24,7 +24,7 @@ MeshCells::MeshCells(std::span<const Eigen::Vector3d> p_corners) {
 		high = high.cwiseMax(corner);
 	}
 	_side = std::max((high - low).maxCoeff(), SIZE_MIN) / (CELLS - 1);
-	_origin = low.array() - 0.5 * _side; // nothing lies at the border
+	_origin = low.array() - 0.5 * _side; // keeps everything away from the border
 	_counts = ((high - _origin) / _side).array().floor().cast<int>() + 1;
 	_kinds.assign(size_t(_counts.prod()), ENCLOSED);
 	_places.resize(_kinds.size());
@@ -39,7 +39,7 @@ Eigen::Vector3i MeshCells::cell_at(const Eigen::Vector3d &p_place) const {
 	return cell.cwiseMax(0).cwiseMin(_counts - Eigen::Vector3i::Ones());
 }
 
-// By places on it, at most half a cell apart.
+// Marks the cells of a face by testing places on it, at most half a cell apart.
 void MeshCells::mark_face(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c) {
 	const double longest = std::max({ (p_b - p_a).norm(), (p_c - p_b).norm(), (p_a - p_c).norm() });
 	const int steps = std::max(1, int(std::ceil(longest / (0.5 * _side))));
@@ -55,7 +55,7 @@ void MeshCells::mark_face(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b
 	}
 }
 
-// What can be reached from the border is outside; what remains is enclosed.
+// Marks what can be reached from the border as outside; what remains is enclosed.
 void MeshCells::flood() {
 	std::vector<Eigen::Vector3i> open;
 	const auto reach = [&](const Eigen::Vector3i &p_cell) {
@@ -125,7 +125,7 @@ std::vector<Eigen::Vector3d> MeshCells::enclosed_corners(const CellBox &p_box) c
 	for (int i = 0; i < 8; i++) {
 		const Eigen::Vector3i corner(
 				i & 1 ? p_box.high.x() : p_box.low.x(), i & 2 ? p_box.high.y() : p_box.low.y(), i & 4 ? p_box.high.z() : p_box.low.z());
-		// Those at the grid's border lie outside, and those clamped to it as well.
+		// Corners at the grid's border are outside, and so are those clamped to it.
 		if (_kinds[size_t(index_of(corner.cwiseMin(_counts - Eigen::Vector3i::Ones())))] == ENCLOSED) {
 			corners.push_back(corner_of(corner));
 		}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh in a coarse grid: which cells it passes or encloses, and how convex a box of them is.
+// A mesh in a coarse grid: which cells its surface passes or encloses, and how convex a box of cells is.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace grass {
 
-// Of cells: low is within it, high is not.
+// A box of cells: low is inside it, high is not.
 struct CellBox {
 	Eigen::Vector3i low, high;
 };
@@ -19,16 +19,16 @@ class MeshCells {
 public:
 	struct Shape {
 		int count; // cells that the mesh passes or encloses
-		double concavity; // share of the ways between them that lead outside of the mesh
+		double concavity; // share of the ways between these cells that lead outside the mesh
 	};
 
-	// Three corners a face, finite; at least one face.
+	// p_corners: three for each face, finite; at least one face.
 	explicit MeshCells(std::span<const Eigen::Vector3d> p_corners);
 
 	CellBox get_box() const { return { Eigen::Vector3i::Zero(), _counts }; }
 	Shape look_at(const CellBox &p_box) const;
 	Eigen::Vector3d corner_of(const Eigen::Vector3i &p_cell) const { return _origin + _side * p_cell.cast<double>(); }
-	// The corners of a box that lie within the mesh and at a cut.
+	// Returns the corners of a box that are inside the mesh and at a cut.
 	std::vector<Eigen::Vector3d> enclosed_corners(const CellBox &p_box) const;
 
 private:
@@ -44,7 +44,7 @@ private:
 	double _side; // of a cell, metres
 	Eigen::Vector3i _counts;
 	std::vector<Kind> _kinds;
-	std::vector<Eigen::Vector3d> _places; // of each cell that is not outside: a place within the mesh
+	std::vector<Eigen::Vector3d> _places; // for each cell that is not outside, a place within the mesh
 };
 
 } // namespace grass

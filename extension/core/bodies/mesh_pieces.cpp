@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mesh is laid into a coarse grid of cells, what it encloses is found by a flood from outside, and the boxes of cells that are least
-// convex are cut in two where that helps most. A piece is the hull of all faces within its box.
+// Puts the mesh into a coarse grid of cells, finds what it encloses by a flood from outside, and cuts the least convex boxes of cells in
+// two where that helps most. A piece is the hull of all faces within its box.
 #include "core/bodies/mesh_pieces.h"
 
 #include "core/bodies/mesh_cells.h"
@@ -15,7 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// What is less concave is not cut: share of the way between its cells that leads outside.
+// Boxes less concave than this are not cut: share of the ways between their cells that lead outside.
 constexpr double CONVEX_ENOUGH = 0.04;
 // A piece meets the tiles from which blades reach it, too: as if it were so much larger. Metres.
 constexpr double REACHED_FROM = 1.5;
@@ -26,7 +26,7 @@ constexpr size_t REMEMBERED = 16; // meshes
 
 struct Part {
 	CellBox box;
-	double hollow; // cells' worth of concavity
+	double hollow; // concavity times the number of cells
 	double concavity;
 };
 
@@ -35,7 +35,7 @@ Part make_part(const MeshCells &p_cells, const CellBox &p_box) {
 	return { p_box, shape.concavity * double(shape.count), shape.concavity };
 }
 
-// The two halves that are least hollow together.
+// Returns the two halves that are least hollow together.
 std::pair<Part, Part> cut(const MeshCells &p_cells, const CellBox &p_box) {
 	std::pair<Part, Part> best;
 	double least = std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ std::vector<Part> split(const MeshCells &p_cells) {
 	return parts;
 }
 
-// What of a polygon lies beyond p_at along an axis (p_sign 1: above it, -1: below).
+// Returns the part of a polygon beyond p_at along an axis (p_sign 1: above it, -1: below).
 Points clip(const Points &p_polygon, int p_axis, double p_at, double p_sign) {
 	Points kept;
 	for (size_t i = 0; i < p_polygon.size(); i++) {

@@ -8,14 +8,14 @@ namespace grass {
 
 namespace {
 
-// Velocities are alike that differ by this share. Smaller: a fast body that turns or brakes leaves a gap. Larger: a fast body may
-// be teleported and mow.
+// Share by which two velocities may differ and still count as alike. Smaller: a fast body that turns or brakes leaves a gap. Larger: a fast
+// body may mow when it is teleported.
 constexpr double ALIKE = 0.5;
-// Seconds of standing still after which the motion before explains nothing. Bodies that are moved once a frame stand still in
-// the ticks between. Shorter: they leave gaps at low frame rates. Longer: two teleports one after the other count as motion.
+// Seconds at rest after which earlier motion explains nothing. Bodies that are moved once a frame rest in the ticks between. Shorter: they
+// leave gaps at low frame rates. Longer: two teleports in a row count as motion.
 constexpr double MEMORY = 0.1;
 
-// Whether p_velocity could be p_expected in a tick in which something slowed, turned or stopped it; and p_slack faster.
+// Returns whether p_velocity could be p_expected, or up to p_slack faster, in a tick in which something slowed, turned or stopped the body.
 bool is_explained(const Eigen::Vector3d &p_velocity, const Eigen::Vector3d &p_expected, double p_slack) {
 	const double square = p_expected.squaredNorm();
 	const double along = square > 0.0 ? std::clamp(p_velocity.dot(p_expected) / square, 0.0, 1.0) : 0.0;
@@ -24,8 +24,8 @@ bool is_explained(const Eigen::Vector3d &p_velocity, const Eigen::Vector3d &p_ex
 
 } // namespace
 
-// A body that comes from outside of the watched box was in it for a tick before it is found, and came in one tick earlier.
-// One that appeared inside was there for one tick.
+// A body that enters the watched box has been inside for one tick when it is found, so it entered one tick earlier. A body that appeared
+// inside has been there for one tick.
 Eigen::Vector3d Motion::start(
 		const Eigen::Vector3d &p_place, const Eigen::Vector3d &p_seen, const Eigen::Vector3d &p_own, const MotionTick &p_tick) {
 	*this = Motion();

@@ -14,10 +14,10 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-// Fewer are not divided.
+// A part with fewer faces is not divided.
 constexpr size_t FACES_MIN = 8;
 
-// Points at the same place are one: a mesh has a point twice where its normals or UVs differ.
+// Merges points at the same place: a mesh has a point twice where its normals or UVs differ.
 std::vector<int> weld(std::span<const Eigen::Vector3d> p_points) {
 	std::map<std::array<double, 3>, int> first;
 	std::vector<int> welded;
@@ -44,7 +44,7 @@ std::vector<Triangle> find_faces(std::span<const int> p_faces, const std::vector
 	return faces;
 }
 
-// Whether every edge lies between two faces.
+// Returns whether every edge is shared by two faces.
 bool is_closed(const std::vector<Triangle> &p_faces) {
 	std::map<std::pair<int, int>, int> edges;
 	for (const Triangle &face : p_faces) {
@@ -56,7 +56,7 @@ bool is_closed(const std::vector<Triangle> &p_faces) {
 	return !edges.empty() && std::all_of(edges.begin(), edges.end(), [](const auto &p_edge) { return p_edge.second == 2; });
 }
 
-// Into halves across the longest side, again and again.
+// Divides the faces into halves across the longest side, recursively.
 void divide(std::vector<Triangle> p_faces, std::span<const Eigen::Vector3d> p_points, int p_parts,
 		std::vector<std::vector<Triangle>> &r_parts) {
 	if (p_parts < 2 || p_faces.size() < FACES_MIN) {
@@ -79,7 +79,7 @@ void divide(std::vector<Triangle> p_faces, std::span<const Eigen::Vector3d> p_po
 	divide({ half, p_faces.end() }, p_points, p_parts / 2, r_parts);
 }
 
-// The points of faces, thinned out where they are too many.
+// Returns the points of the faces, thinned out where there are too many.
 std::vector<int> find_points(const std::vector<Triangle> &p_faces) {
 	std::vector<int> points;
 	for (const Triangle &face : p_faces) {
@@ -139,7 +139,7 @@ void SoftParts::bound(std::span<const Eigen::Vector3d> p_places, std::vector<Hul
 			is_sound = is_sound && places.back().cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= Hull::MAX_COORDINATE;
 		}
 		if (_is_closed) {
-			places.push_back(middle); // a part reaches from the surface to the middle
+			places.push_back(middle); // a part extends from the surface to the middle
 		}
 		if (is_sound) {
 			r_hulls[i] = Hull::make_bound(places, MARGIN);
