@@ -12,23 +12,23 @@ namespace grass {
 namespace {
 
 constexpr const MapChannelInfo &DENSITY = info_of(MAP_DENSITY);
-constexpr size_t BATCH = 128; // chunks that are worked out before they are written: 2 MiB
+constexpr size_t BATCH = 128; // chunks that are computed before they are written: 2 MiB
 
-// Of another chunk, which holds nothing of the area.
+// A texel in a neighbouring chunk that has no part of the area.
 struct RimTexel {
 	int i, j;
 	int32_t code;
 };
 
 struct FilledChunk {
-	std::shared_ptr<const MapTexels> texels; // null: none but the base density
+	std::shared_ptr<const MapTexels> texels; // null: nothing but the base density
 	std::vector<RimTexel> rim;
 	double amount = 0.0;
 	int64_t cells = 0;
 	bool has_changed = false;
 };
 
-// Works out one chunk. Only reads the map.
+// Computes one chunk. Only reads the map.
 class ChunkFill {
 public:
 	ChunkFill(const PaintMap &p_map, const MapKey &p_key, const MapRegion &p_area, FillRim p_rim, const FillRule *p_rule,
@@ -85,12 +85,12 @@ public:
 
 private:
 	static Eigen::Vector2d centre_of(int p_i, int p_j) { return Eigen::Vector2d(p_i + 0.5, p_j + 0.5) * DENSITY.texel_size(); }
-	// The far border belongs to the next area.
+	// A texel on the far border belongs to the next area.
 	static bool is_in(const MapRegion &p_area, const Eigen::Vector2d &p_at) {
 		return (p_at.array() >= p_area.min.array()).all() && (p_at.array() < p_area.max.array()).all();
 	}
 
-	// p_texel: of the chunk, the one itself or the nearest.
+	// p_texel: index in the chunk of this texel, or of the nearest one.
 	int32_t filled_code(int p_i, int p_j, size_t p_texel) {
 		const Eigen::Vector2d centre = centre_of(p_i, p_j);
 		const int32_t filling =
@@ -98,13 +98,13 @@ private:
 		return HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) }.over(filling);
 	}
 
-	// Where the area ends at the chunk's border, the texels that blend into it lie in the next chunk, which is not filled for itself.
+	// Where the area ends at the chunk's border, the texels that blend into it are in the next chunk, which is not filled itself.
 	void fill_rim(FilledChunk &r_filled) {
 		for (int row = -1; row <= DENSITY.side; row++) {
 			for (int column = -1; column <= DENSITY.side; column++) {
 				const int inside_row = std::clamp(row, 0, DENSITY.side - 1), inside_column = std::clamp(column, 0, DENSITY.side - 1);
 				if (row == inside_row && column == inside_column) {
-					column = DENSITY.side - 1; // on to the other end of the row
+					column = DENSITY.side - 1; // skip to the other end of the row
 					continue;
 				}
 				const int i = _key.x * DENSITY.side + column, j = _key.z * DENSITY.side + row;
@@ -120,7 +120,7 @@ private:
 		}
 	}
 
-	// The density that the rule gives a place: cheap conditions first, and none after one that leaves nothing.
+	// Returns the density that the rule gives a place. Tests cheap conditions first, and stops when a condition leaves nothing.
 	double ask(const Eigen::Vector2d &p_at, size_t p_texel) {
 		double share = _rule->get(FILL_DENSITY) * _rule->mask_share(p_at);
 		share *= _mesh_shares.empty() ? 1.0 : _mesh_shares[p_texel];
@@ -137,7 +137,7 @@ private:
 		return share > 0.0 ? share * _rule->noise_share(p_at) : 0.0;
 	}
 
-	// The density by what plants: only obstacles take of it.
+	// Returns the density from obstacles that plant; only obstacles reduce it.
 	double plant(const Eigen::Vector2d &p_at) {
 		double share = 0.0;
 		for (const FillObstacle *planted : _planted) {
@@ -153,7 +153,7 @@ private:
 	const PaintMap &_map;
 	MapKey _key;
 	const MapRegion &_area;
-	MapRegion _filled; // _area, and its rim
+	MapRegion _filled; // _area with its rim
 	const FillRule *_rule;
 	const FillSources &_sources;
 	MapReader _ground, _normal, _density, _paint;
@@ -189,7 +189,7 @@ FillResult fill(PaintMap &r_map, std::span<const MapKey> p_keys, const MapRegion
 		p_parallel_for(int(keys.size()), [&](int p_index) {
 			filled[size_t(p_index)] = ChunkFill(r_map, keys[size_t(p_index)], p_area, p_rim, p_rule, p_sources).run();
 		});
-		for (size_t n = 0; n < keys.size(); n++) { // a chunk's filling depends on no other's
+		for (size_t n = 0; n < keys.size(); n++) { // filling a chunk does not depend on other chunks
 			result.cells += filled[n].cells;
 			for (const RimTexel &texel : filled[n].rim) {
 				result.out_of_room = !r_map.set_code(MAP_DENSITY, 0, texel.i, texel.j, texel.code) || result.out_of_room;

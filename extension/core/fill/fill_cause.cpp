@@ -59,7 +59,7 @@ FillCause find_fill_cause(const PaintMap &p_map, const FillRule &p_rule, const F
 	for (const std::shared_ptr<const FillObstacle> &obstacle : p_sources.obstacles) {
 		const double share = obstacle->is_planting() ? 1.0 : obstacle->get_share(place);
 		cause.density *= share;
-		if (share < 1.0 && share <= cause.share) { // a node says more than a number
+		if (share < 1.0 && share <= cause.share) { // name a node rather than a number
 			cause.condition = FillCondition::OBSTACLE;
 			cause.share = share;
 			cause.obstacle = obstacle;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const MapChannelInfo &DENSITY_TEXELS = info_of(MAP_DENSITY);
 
-// A triangle seen from above: the barycentric weights of a place.
+// A triangle seen from above; gives the barycentric weights of a place.
 struct Flat {
 	Eigen::Vector2d corner, edge_b, edge_c;
 	double area;
@@ -50,7 +50,7 @@ void FillMesh::add(const Corner &p_a, const Corner &p_b, const Corner &p_c) {
 		}
 	}
 	if (!(std::abs(Flat(triangle).area) > 1e-12)) {
-		return; // a wall
+		return; // a vertical triangle
 	}
 	constexpr double REACH = PaintMap::REACH;
 	const Eigen::Array2i first = (least(triangle) / MAP_CHUNK_SIZE).floor().max(-REACH).min(REACH).cast<int>(),

@@ -13,17 +13,17 @@ namespace grass {
 namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
-// A shape that ends no farther below the ground than this still lies on it: a floor flush with the ground. Metres.
+// A shape that ends up to this far below the ground still counts as lying on it: a floor flush with the ground. Metres.
 constexpr double SUNK = 0.25;
-// Rounds of the search for the nearest height, each of which cuts a third off the column: to 1/400 of it.
+// Iterations of the search for the nearest height. Each cuts a third off the column; together they narrow it to 1/400.
 constexpr int SEARCH_STEPS = 15;
 
-// Distance of a point from a box, by its distances from the sides; negative inside.
+// Returns a point's distance from a box, given its distances from the sides; negative inside.
 template <int N> double out_of(const Eigen::Array<double, N, 1> &p_distances) {
 	return p_distances.max(0.0).matrix().norm() + std::min(p_distances.maxCoeff(), 0.0);
 }
 
-// In the shape's own space; convex along every line.
+// Returns a distance in the shape's own space. It is convex along every line.
 double distance_to(const ColliderShape &p_shape, const Eigen::Vector3d &p_at) {
 	switch (p_shape.type) {
 		case GRASS_CAPSULE:
@@ -117,7 +117,7 @@ void FillObstacle::set_clearance(double p_distance, double p_fade) {
 	_fade = std::max(p_fade, 0.0);
 }
 
-// The box around a winding path holds many squares that the path does not come near to.
+// The box around a winding path contains many squares that the path does not come near to.
 bool FillObstacle::reaches(const Eigen::Array2d &p_low, const Eigen::Array2d &p_high) const {
 	if (is_nowhere() || (get_min().array() > p_high).any() || (get_max().array() < p_low).any()) {
 		return false;
@@ -148,8 +148,8 @@ double FillObstacle::get_distance(const FillPlace &p_place) const {
 	}
 }
 
-// To the column that stands on the ground. The distance to a convex shape is a convex function along it: a search by
-// thirds finds its least value.
+// Returns the distance to the column above the ground at p_place. The distance to a convex shape is convex along the column, so a ternary
+// search finds its minimum.
 double FillObstacle::solid_distance(const FillPlace &p_place) const {
 	const auto distance_at = [&](double p_y) {
 		const Eigen::Vector4d at(p_place.at.x(), p_y, p_place.at.y(), 1.0);
@@ -203,7 +203,7 @@ double FillObstacle::mesh_distance(const FillPlace &p_place) const {
 			left += turn >= 0.0;
 			right += turn <= 0.0;
 		}
-		const bool has_area = std::abs(cross(flat[1] - flat[0], flat[2] - flat[0])) > 1e-12; // seen from above a wall has none
+		const bool has_area = std::abs(cross(flat[1] - flat[0], flat[2] - flat[0])) > 1e-12; // a vertical triangle has none from above
 		nearest = has_area && (left == 3 || right == 3) ? 0.0 : nearest;
 	}
 	return nearest;

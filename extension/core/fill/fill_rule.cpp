@@ -11,7 +11,7 @@ namespace grass {
 
 namespace {
 
-// The lattice point's random number, 0 <= h < 1. Without a period, so that fields of any size do not repeat.
+// Returns the random number of a lattice point, 0 <= h < 1. Has no period, so that fields of any size do not repeat.
 double lattice_number(int64_t p_x, int64_t p_z, uint32_t p_seed) {
 	return double(grass_tile_bits(uint32_t(p_x), uint32_t(p_z), p_seed)) / 4294967296.0;
 }
@@ -24,7 +24,7 @@ double smooth(double p_t) {
 	return p_t * p_t * (3.0 - 2.0 * p_t);
 }
 
-// The lattice's numbers, blended: mean 1/2.
+// Interpolates the lattice's numbers; their mean is 1/2.
 double blended_noise(const Eigen::Vector2d &p_place, uint32_t p_seed) {
 	const Eigen::Array2d corner = p_place.array().floor();
 	const double s = smooth(p_place.x() - corner.x()), t = smooth(p_place.y() - corner.y());
@@ -43,8 +43,8 @@ double fade_out(double p_value, double p_limit, double p_fade) {
 	return p_value < p_limit + p_fade ? 1.0 - smooth((p_value - p_limit) / p_fade) : 0.0;
 }
 
-// Three octaves of 4/7, 2/7 and 1/7. Of blended lattice numbers the variance is 1/12 (26/35)^2, of their sum (16 + 4 + 1)/49
-// of that. The sum of so many is nearly normal, so the cumulative normal distribution spreads it evenly.
+// Three octaves of 4/7, 2/7 and 1/7. The variance of interpolated lattice numbers is 1/12 (26/35)^2, that of the sum (16 + 4 + 1)/49 of it.
+// A sum of so many is nearly normal, so the cumulative normal distribution spreads it evenly.
 double fill_noise(const Eigen::Vector2d &p_place, double p_size, uint32_t p_seed) {
 	const Eigen::Vector2d place = p_place / p_size;
 	const double sum =
@@ -58,7 +58,7 @@ double FillMask::sample(const Eigen::Vector2d &p_at) const {
 	if (!is_usable() || !(p_at.array() >= 0.0).all() || !(p_at.array() <= 1.0).all()) {
 		return 0.0;
 	}
-	const Eigen::Array2d between(p_at.x() * width - 0.5, p_at.y() * height - 0.5); // texel centres are whole numbers
+	const Eigen::Array2d between(p_at.x() * width - 0.5, p_at.y() * height - 0.5); // texel centres have integer coordinates
 	const Eigen::Array2d corner = between.floor(), t = between - corner;
 	const auto texel = [&](int p_i, int p_j) {
 		return double(texels[size_t(std::clamp(p_j, 0, height - 1)) * size_t(width) + size_t(std::clamp(p_i, 0, width - 1))]);
@@ -88,7 +88,7 @@ double FillRule::height_share(double p_height) const {
 	return fade_out(p_height, get(FILL_HEIGHT_MAX), fade) * fade_out(-p_height, -get(FILL_HEIGHT_MIN), fade);
 }
 
-// The border lies in the middle of the fade, so that the cover stays what it is.
+// The border is in the middle of the fade, so that the fade does not change the cover.
 double FillRule::noise_share(const Eigen::Vector2d &p_place) const {
 	const double cover = get(FILL_NOISE_COVER);
 	if (cover >= 1.0 || cover <= 0.0) {

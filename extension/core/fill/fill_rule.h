@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The density by a fill rule at one place: the product of what slope, height, noise, mask and obstacles leave, 0..1 each.
+// Computes the density that a fill rule gives one place: the product of what slope, height, noise, mask and obstacles leave, 0..1 each.
 #pragma once
 
 #include "core/fill/fill_params.h"
@@ -18,7 +18,8 @@ struct FillMask {
 	int width = 0, height = 0;
 	std::vector<uint8_t> texels; // row by row, the first row at the least z
 
-	// Blended between the centres of the four nearest texels. p_at: share of the way across, 0..1; beyond that nothing grows.
+	// Returns the mask, interpolated between the centres of the four nearest texels. p_at: position in the mask, 0..1 along each side;
+	// nothing grows outside.
 	double sample(const Eigen::Vector2d &p_at) const;
 	bool is_usable() const { return width > 0 && height > 0 && texels.size() == size_t(width) * size_t(height); }
 };
@@ -26,13 +27,13 @@ struct FillMask {
 struct FillRule {
 	std::array<double, FILL_PARAM_COUNT> params; // FILL_PARAMS, in their units
 	uint32_t seed = 0;
-	bool has_mask = false; // without a picture yet, nothing grows
+	bool has_mask = false; // while its picture is not loaded, nothing grows
 	std::shared_ptr<const FillMask> mask;
 	bool inverts_mask = false;
-	Eigen::Vector2d mask_min = Eigen::Vector2d::Zero(), mask_max = Eigen::Vector2d::Zero(); // what it covers, metres; equal: nothing
+	Eigen::Vector2d mask_min = Eigen::Vector2d::Zero(), mask_max = Eigen::Vector2d::Zero(); // the area that it covers, metres; equal: none
 
 	Eigen::Vector2d noise_origin = Eigen::Vector2d::Zero(); // the map's origin in the noise, metres
-	std::vector<uint8_t> texture_ids; // of the terrain, on which grass grows; none: on all
+	std::vector<uint8_t> texture_ids; // textures of the terrain on which grass grows; empty: all
 
 	FillRule();
 	bool operator==(const FillRule &) const = default;
@@ -47,14 +48,14 @@ struct FillRule {
 	double height_share(double p_height) const;
 	double noise_share(const Eigen::Vector2d &p_place) const;
 	double mask_share(const Eigen::Vector2d &p_place) const;
-	// By how much of the terrain's picture is of such textures. p_texel: null: not known yet.
+	// Returns the share of the terrain's picture that such textures have. p_texel: null: not known yet.
 	double texture_share(const TerrainTexel *p_texel) const;
 };
 
-// 1 up to p_limit, 0 from p_limit + p_fade on, smooth between.
+// Returns 1 up to p_limit and 0 from p_limit + p_fade on, with a smooth transition.
 double fade_out(double p_value, double p_limit, double p_fade);
 
-// Noise with patches of p_size metres, spread evenly over 0..1: below s lies a share s of the ground.
+// Returns noise with patches of p_size metres, distributed evenly over 0..1: a share s of the ground is below s.
 double fill_noise(const Eigen::Vector2d &p_place, double p_size, uint32_t p_seed);
 
 } // namespace grass

@@ -48,7 +48,7 @@ void LiveFill::touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool
 		const MapRegion chunk = MapRegion::of_chunk(key);
 		const auto filled = _filled_on.find(key);
 		if (asks_ground() && filled != _filled_on.end() && filled->second != ground_of(p_map, key)) {
-			wait(chunk.grown(info_of(MAP_GROUND).texel_size())); // its border blends into the chunks beside
+			wait(chunk.grown(info_of(MAP_GROUND).texel_size())); // its border blends into the neighbouring chunks
 		} else if (p_replaced) {
 			wait(chunk);
 		}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps a map filled by a rule while rule, sources, ground and map change: queues the chunks to fill again, and fills a
-// few at a time.
+// Keeps a map filled by a rule while rule, sources, ground and map change: queues the chunks to fill again, and fills a few at a time.
 #pragma once
 
 #include "core/fill/fill.h"
@@ -11,17 +10,17 @@ namespace grass {
 
 class LiveFill {
 public:
-	// Sets what the map shall be filled by. Queues only the chunks that this changes: call it as often as you like.
+	// Sets the rule, sources and area to fill by. Queues only the chunks that this changes, so it may be called as often as needed.
 	void set(const FillRule &p_rule, const FillSources &p_sources, const MapRegion &p_area);
-	// Somebody else changed these chunks. p_replaced: anything in them may differ (a snapshot, a file). Otherwise only new
-	// ground counts, since the fill already respects what hands painted.
+	// Queues chunks that somebody else changed. p_replaced: anything in them may differ (a snapshot, a file). Otherwise only new ground
+	// counts, since filling respects paint by hand already.
 	void touch(const PaintMap &p_map, std::span<const MapKey> p_keys, bool p_replaced);
 	void touch_all() { wait(_area); }
-	// The terrain's textures are others there.
+	// Queues the chunks of a region where the terrain shows other textures.
 	void touch_textures(const MapRegion &p_region);
-	// Fills up to p_count of the chunks that wait; all, if negative.
+	// Fills up to p_count of the waiting chunks; all of them if negative.
 	FillResult work(PaintMap &r_map, int p_count, const ParallelFor &p_parallel_for = serial_for);
-	// Removes the rule and what it filled: all of it returns to the map's base density.
+	// Removes the rule and what it filled: everything returns to the map's base density.
 	FillResult remove(PaintMap &r_map, const ParallelFor &p_parallel_for = serial_for);
 
 	bool is_set() const { return _is_set; }
@@ -39,7 +38,7 @@ private:
 	FillSources _sources;
 	MapRegion _area;
 	std::set<MapKey> _waiting;
-	// The ground that each chunk was filled on. While this holds the texels, a change makes the map copy them: a new pointer.
+	// The ground on which each chunk was filled. While this shares the texels, the map copies them before a change: a new pointer.
 	std::map<MapKey, Ground> _filled_on;
 };
 

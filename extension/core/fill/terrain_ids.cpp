@@ -8,7 +8,7 @@ namespace grass {
 
 namespace {
 
-constexpr int LAST = TerrainIds::SIDE - 1; // also the mask of a texel's place within its chunk
+constexpr int LAST = TerrainIds::SIDE - 1; // also masks a texel's position within its chunk
 static_assert((TerrainIds::SIDE & LAST) == 0);
 
 uint8_t to_number(double p_value) {

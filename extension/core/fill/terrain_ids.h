@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which textures a terrain shows, one texel a square metre, as far as they have been read. Fill rules query it.
+// Which textures a terrain shows, one texel for each square metre that has been read. Fill rules query it.
 #pragma once
 
 #include "core/map/paint_map.h"
@@ -9,20 +9,20 @@ namespace grass {
 struct TerrainTexel {
 	static constexpr int FULL = 255;
 	uint8_t base = 0, overlay = 0; // numbers of textures
-	uint8_t blend = 0; // how much of the overlay shows: 0 .. FULL
+	uint8_t blend = 0; // how much of the overlay is visible: 0 .. FULL
 
-	// Shares and numbers as a terrain reports them. Values out of bounds are clamped; those that are not finite become 0.
+	// Converts shares and numbers as a terrain reports them. Values out of bounds are clamped; those that are not finite become 0.
 	static TerrainTexel of(double p_base, double p_overlay, double p_blend);
 	bool operator==(const TerrainTexel &) const = default;
 };
 
 class TerrainIds {
 public:
-	static constexpr int SIDE = info_of(MAP_GROUND).side; // texels along a chunk, as of its ground
+	static constexpr int SIDE = info_of(MAP_GROUND).side; // texels along a chunk, as for its ground
 
-	// Texel i, j as the map counts its ground's. True if it is another than before.
+	// Sets texel i, j in the map's numbering of ground texels. Returns true if it changed.
 	bool set(int p_i, int p_j, const TerrainTexel &p_texel);
-	// At a place (x, z in metres); null where nothing has been read. Holds until the next set().
+	// Returns the texel at a place (x, z in metres); null where nothing has been read. Valid until the next set().
 	const TerrainTexel *find(const Eigen::Vector2d &p_place) const;
 	size_t get_memory_usage() const; // bytes
 

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Texels without a colour copy the colour beside them, since filtering would pale it otherwise. Their weight stays 0.
+// Makes the picture. Texels without a colour copy a neighbour's, since filtering would pale it otherwise. Their weight stays 0.
 std::vector<TerrainColor> picture_of(const TerrainColors &p_colors);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a terrain that is being read, row by row, and the queue of those that wait: what changed, the nearest to a camera first.
+// A part of a terrain that is being read, row by row, and the queue of parts to read: what changed, the nearest to a camera first.
 #pragma once
 
 #include "core/fill/terrain_colors.h"
@@ -21,17 +21,17 @@ struct TerrainSample {
 
 class TerrainPiece {
 public:
-	// The texels whose centres lie in p_region. Asked are those around it, too: slopes follow from them.
+	// Reads the texels whose centres are in p_region. The texels around it are queried too, since slopes need them.
 	explicit TerrainPiece(const MapRegion &p_region);
 
 	bool is_complete() const { return _samples.size() >= size_t(_size.x()) * size_t(_size.y()); }
-	// Where the next row's texels have their centres: x, z in metres.
+	// Returns the centres of the next row's texels: x, z in metres.
 	std::vector<Eigen::Vector2d> get_row() const;
 	void put_row(std::span<const TerrainSample> p_samples); // as many as get_row() has
 
-	// Once it is complete.
+	// These write the result once all rows are read.
 	LaidGround lay(PaintMap &r_map, double p_ledge_slope = LEDGE_SLOPE.initial) const; // degrees
-	// True if any of them is another than before.
+	// Returns true if any texture changed.
 	bool put_textures(TerrainIds &r_ids) const;
 	void put_colors(TerrainColors &r_colors) const;
 	const MapRegion &get_region() const { return _region; }
@@ -46,14 +46,15 @@ private:
 
 class TerrainQueue {
 public:
-	// What is read at all; what waited is forgotten.
+	// Sets the area to read, and empties the queue.
 	void set_area(const MapRegion &p_area);
 	const MapRegion &get_area() const { return _area; }
 	void add(const MapRegion &p_region);
 	void add_all() { add(_area); }
 	void clear() { _waiting.clear(); }
 	int64_t get_waiting() const { return int64_t(_waiting.size()); } // chunks
-	// The part of the chunk nearest to one of the places (x, z in metres; none: the map's origin). Nothing where nothing waits.
+	// Removes and returns the waiting part nearest to one of the places (x, z in metres; none: the map's origin), no larger than a chunk.
+	// Returns nothing if the queue is empty.
 	std::optional<MapRegion> take(std::span<const Eigen::Vector2d> p_eyes);
 
 private:
