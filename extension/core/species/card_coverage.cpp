@@ -22,19 +22,19 @@ double card_coverage(std::span<const uint8_t> p_rgba) {
 }
 
 void keep_card_coverage(std::span<uint8_t> r_rgba, double p_coverage) {
-	std::array<size_t, 256> texels{}; // of each alpha
+	std::array<size_t, 256> texels{}; // count for each alpha
 	for (size_t i = ALPHA; i < r_rgba.size(); i += TEXEL) {
 		texels[r_rgba[i]]++;
 	}
 	const size_t all = r_rgba.size() / TEXEL, wanted = size_t(std::lround(p_coverage * double(all)));
-	// All above this alpha are drawn, and some of those that have it.
+	// All texels above this alpha are drawn, and some of those that have exactly this alpha.
 	size_t edge = 255, above = 0;
 	while (edge > 0 && above + texels[edge] < wanted) {
 		above += texels[edge];
 		edge--;
 	}
 	const size_t some = std::min(wanted - std::min(above, wanted), texels[edge]);
-	size_t sum = texels[edge] / 2; // of `some`, spread evenly over those that have this alpha
+	size_t sum = texels[edge] / 2; // accumulates `some`, to spread it evenly over the texels with this alpha
 	for (size_t i = ALPHA; i < r_rgba.size(); i += TEXEL) {
 		const size_t alpha = r_rgba[i];
 		sum += alpha == edge ? some : 0;

@@ -46,7 +46,7 @@ FieldBlades::Pose FieldBlades::get_pose(int p_tile_x, int p_tile_z, int p_blade)
 	return pose;
 }
 
-// As BladePoint::presence of shaders/draw/pose.gdshaderinc has it.
+// Equals BladePoint::presence in shaders/draw/pose.gdshaderinc.
 bool FieldBlades::stands(int p_tile_x, int p_tile_z, int p_blade) const {
 	const Pose pose = get_pose(p_tile_x, p_tile_z, p_blade);
 	const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) + uint32_t(p_blade + GRASS_BLADES_PER_TILE);

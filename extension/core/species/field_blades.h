@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each blade of a field at rest: its species, the clump it grows in, and what a map makes of both. The CPU's
-// twin of begin_point() in shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
+// Each blade of a field at rest: its species, its clump, and how a map changes both. The CPU's twin of begin_point() in
+// shaders/draw/pose.gdshaderinc. Lives as long as the field is built.
 #pragma once
 
 #include "core/base/standing_plant.h"
@@ -16,39 +16,39 @@ namespace grass {
 class FieldBlades {
 public:
 	FieldBlades() = default;
-	// p_species: null: one species. p_map: null: grass everywhere; else it must outlive this.
+	// p_species: null: one species. p_map: null: grass everywhere; otherwise it must outlive this object.
 	FieldBlades(const TileGrid &p_grid, std::shared_ptr<const Patch> p_patch, const ClumpParams &p_clump, uint32_t p_seed,
 			std::shared_ptr<const SpeciesMix> p_species, const MapLayers *p_map);
 
 	struct Pose {
-		int blade = 0; // in the patch, below the blades of the species before
+		int blade = 0; // in the patch, after the blades of earlier species
 		int species = 0;
 		Eigen::Vector2f root = Eigen::Vector2f::Zero(); // place in the tile, 0..1; stems of a plant share it
 		Clump clump = NO_CLUMP;
 		float ground = 0.0f; // metres above the field
 		float density = 1.0f;
 	};
-	// Place of blade p_blade (0..63) in its tile, 0..1, by which its species is chosen.
+	// Returns the place in its tile, 0..1, of blade p_blade (0..63). It decides the blade's species.
 	Eigen::Vector2f get_root(int p_tile_x, int p_tile_z, int p_blade) const {
 		return get_texel(first_of(p_tile_x, p_tile_z) + p_blade, 0).head<2>();
 	}
-	// Species of such a blade.
+	// Returns the blade's species.
 	int get_species(int p_tile_x, int p_tile_z, int p_blade) const;
-	// Of such a blade.
+	// Returns the blade's pose.
 	Pose get_pose(int p_tile_x, int p_tile_z, int p_blade) const;
-	// Whether such a blade exists: the map may thin the grass out there, and a species may have none.
+	// Returns whether the blade exists: the map may thin out the grass there, and a species may have no blades.
 	bool stands(int p_tile_x, int p_tile_z, int p_blade) const;
-	// Knot p_knot of such a blade at rest, blade space, metres.
+	// Returns knot p_knot of a blade at rest in blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
-	// Adds the blades of a tile that are of one of p_species (bits).
+	// Appends the blades of a tile whose species is in the bit mask p_species.
 	void find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const;
-	// All blades of an awake tile, as the simulation reads them.
+	// Returns all blades of an awake tile, as the simulation reads them.
 	SlotGrowth grow(const GrassSlot &p_slot) const;
-	// Whether the simulation needs grow(); otherwise it works the blades out by itself.
+	// Returns whether the simulation needs grow(); otherwise it computes the blades itself.
 	bool needs_growth() const { return _species || _map || _clump.is_elsewhere(); }
 
 private:
-	int first_of(int p_tile_x, int p_tile_z) const; // blade of a tile, in the patch
+	int first_of(int p_tile_x, int p_tile_z) const; // index in the patch of a tile's first blade
 	Eigen::Vector3f get_texel(int p_blade, int p_knot) const;
 
 	TileGrid _grid;

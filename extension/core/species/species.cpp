@@ -16,11 +16,11 @@ namespace {
 constexpr double PI = 3.14159265358979323846;
 constexpr double LIMIT = 256.0 * 65536.0; // one more than the greatest sum in grass_species_takes()
 
-// The quantiles of stand noise, rising. They are the same wherever the lattice lies.
+// The quantiles of stand noise, ascending. They do not depend on where the lattice is.
 const std::vector<uint32_t> &noise_values() {
 	static const std::vector<uint32_t> values = [] {
 		constexpr uint32_t CELL = 8, SIDE = 64 * CELL; // 4096 cells, 64 places in each
-		std::vector<uint32_t> counts(65536); // of each value
+		std::vector<uint32_t> counts(65536); // for each value
 		for (uint32_t z = 0; z < SIDE; z++) {
 			for (uint32_t x = 0; x < SIDE; x++) {
 				counts[grass_stand_noise(x, z, CELL, 1, 0, 0)]++;
@@ -36,18 +36,18 @@ const std::vector<uint32_t> &noise_values() {
 	return values;
 }
 
-// p_a / p_b, rounded down.
+// Returns p_a / p_b, rounded down.
 int64_t floor_of(int64_t p_a, int64_t p_b) {
 	return p_a / p_b - (p_a % p_b < 0 ? 1 : 0);
 }
 
-// Share of the blades whose number is below p_limit where the noise is p_noise.
+// Returns the share of the blades whose number is below p_limit where the noise is p_noise.
 double share_below(double p_limit, double p_noise, double p_strength) {
 	const double left = p_limit - p_noise * p_strength, span = (256.0 - p_strength) * 65536.0;
 	return span > 0.0 ? std::clamp(left / span, 0.0, 1.0) : (left > 0.0 ? 1.0 : 0.0);
 }
 
-// [Eq P2] The limit below which the numbers of a share of all blades lie.
+// [Eq P2] Returns the limit below which the numbers of a share of all blades are.
 int32_t search_limit(double p_share, int32_t p_strength) {
 	if (p_share <= 0.0) {
 		return 0;
@@ -59,7 +59,7 @@ int32_t search_limit(double p_share, int32_t p_strength) {
 	if (p_strength == 0) {
 		return int32_t(std::lround(p_share * LIMIT));
 	}
-	constexpr size_t STRIDE = 16; // rising, so that every sixteenth says the same
+	constexpr size_t STRIDE = 16; // the values ascend, so every sixteenth represents them
 	const size_t count = noise.size() / STRIDE;
 	int32_t low = 0, high = int32_t(LIMIT);
 	while (high - low > 16) {
@@ -73,7 +73,7 @@ int32_t search_limit(double p_share, int32_t p_strength) {
 	return high;
 }
 
-// The same mix is made for every plot of a world, and a search takes a tenth of a millisecond.
+// Returns search_limit(), cached: every plot of a world makes the same mix, and a search takes a tenth of a millisecond.
 int32_t find_limit(double p_share, int32_t p_strength) {
 	constexpr size_t MOST = 256;
 	static std::mutex mutex;
@@ -93,10 +93,10 @@ int32_t find_limit(double p_share, int32_t p_strength) {
 
 SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed, const Eigen::Vector2d &p_origin) :
 		_grid(p_grid), _seed(p_seed), _count(int(std::min<size_t>(p_species.size(), GRASS_MAX_SPECIES))) {
-	const double units = GRASS_ROOT_UNITS / p_grid.get_tile_size(); // a metre
+	const double units = GRASS_ROOT_UNITS / p_grid.get_tile_size(); // units in a metre
 	_texel_units = int(std::lround(units * GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS));
 	const int64_t x = std::llround(p_origin.x() * units), z = std::llround(p_origin.y() * units);
-	double total = 0.0; // of the species up to this one: later ones choose first
+	double total = 0.0; // of the species so far: later ones choose first
 	for (int s = 0; s < _count; s++) {
 		const SpeciesParams &params = p_species[size_t(s)];
 		const double share = SPECIES_SHARE.clamp(params.share);
@@ -118,16 +118,16 @@ SpeciesMix::SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid 
 	}
 }
 
-// The species that somebody painted, or -1.
+// Returns the painted species, or -1.
 int SpeciesMix::find_painted(int p_texel_x, int p_texel_z, const MapLayers *p_layers) const {
 	const int painted = p_layers ? p_layers->get_species(p_texel_x, p_texel_z) - 1 : -1;
 	return painted < _count ? painted : -1;
 }
 
-// What choose() knows of a blade, or of a plant of several.
+// What choose() needs to know of a blade, or of a plant with several.
 struct SpeciesMix::Place {
 	int x, z; // units
-	uint32_t bits, blade; // of the tile; whose random numbers count
+	uint32_t bits, blade; // bits of the tile; the blade whose random numbers decide
 };
 
 int SpeciesMix::find_painted(const Place &p_place, const MapLayers *p_layers) const {
@@ -150,12 +150,12 @@ int SpeciesMix::choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_
 		const Eigen::Vector2f root = p_root_of(p_in_patch);
 		return Place{ grass_root_units(p_tile_x, root.x()), grass_root_units(p_tile_z, root.y()), bits, uint32_t(p_of) };
 	};
-	const auto plant_of = [&](int p_stems) { // that the blade is a stem of
+	const auto plant_of = [&](int p_stems) { // the plant that the blade is a stem of
 		const int first = p_blade - p_blade % p_stems;
 		return place_of(first, (start + first) / p_stems);
 	};
 	const Place own = place_of(p_blade, start + p_blade);
-	for (int s = 0; s < _count && p_layers != nullptr; s++) { // a plant is painted whole, where it stands
+	for (int s = 0; s < _count && p_layers != nullptr; s++) { // paint covers a whole plant or none of it, by its root
 		const int stems = _records[size_t(s)].stems;
 		if (stems > 1 && find_painted(plant_of(stems), p_layers) == s) {
 			return s;

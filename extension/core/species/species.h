@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The species of a field: the share of each, and which one a blade is. shaders/species/species.inc as C++, and the numbers
-// that its functions read. docs/internals/species.md, [Eq P1] to [Eq P4].
+// The species of a field: the share of each, and which species a blade has. shaders/species/species.inc as C++, and the numbers that its
+// functions read. docs/internals/species.md, [Eq P1] to [Eq P4].
 #pragma once
 
 #include "core/base/hash.h"
@@ -26,39 +26,40 @@ using std::floor;
 
 class MapLayers;
 
-// Share of the field's blades, relative to those of the other species. 0: only where it is painted.
+// Share of the field's blades, relative to the other species. 0: only where it is painted.
 inline constexpr Tunable SPECIES_SHARE{ "share", "", 0.0, 1.0, 0.01, 0.5 };
-// How wide the stands are that a species grows in. Below 0.5 stands are no larger than clumps.
+// The width of the stands that a species grows in. Below 0.5 stands are no larger than clumps.
 inline constexpr Tunable STAND_SIZE{ "stand_size", "m", 0.2, 64.0, 0.1, 4.0 };
-// 0: blade by blade among the others; 1: in stands of its own, with sharp borders.
+// 0: single blades among those of other species; 1: separate stands with sharp borders.
 inline constexpr Tunable STAND_STRENGTH{ "stand_strength", "", 0.0, 1.0, 0.01, 0.6 };
 
 // Share of a species' blades that have a flower or seed head.
 inline constexpr Tunable CARD_SHARE{ "card_share", "", 0.0, 1.0, 0.01, 1.0 };
-// Of a flower or seed head. Above 0.3 cards look like paper.
+// Size of a flower or seed head. Above 0.3 cards look like paper.
 inline constexpr Tunable CARD_WIDTH{ "card_width", "m", 0.005, 1.0, 0.005, 0.05 };
 inline constexpr Tunable CARD_HEIGHT{ "card_height", "m", 0.005, 1.0, 0.005, 0.05 };
-// 0: a card is upright and faces the eye; 1: it lies across its blade's tip, as a daisy.
+// 0: a card is upright and faces the eye; 1: it lies across the tip of its blade, like a daisy.
 inline constexpr Tunable CARD_FLATNESS{ "card_flatness", "", 0.0, 1.0, 0.01, 0.0 };
-// Pictures side by side in a card's texture, of which each blade has one.
+// Number of pictures side by side in a card's texture. Each blade shows one of them.
 inline constexpr Tunable CARD_PICTURES{ "card_pictures", "", 1.0, 8.0, 1.0, 1.0, true };
 // Side of a leaf. Above 0.15 single leaves look like paper.
 inline constexpr Tunable LEAF_SIZE{ "leaf_size", "m", 0.005, 1.0, 0.005, 0.05 };
 
-// From there on a plant with a mesh is drawn as a blade. Each costs its mesh's vertices until then.
+// The distance from which a plant with a mesh is drawn as a blade. Up to it each plant costs the vertices of its mesh.
 inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0, 30.0 };
-// Blades that share a root: 1, 2, 4 or 8. As many as grass_tile_start() is a multiple of, at most.
+// Number of blades that share a root: 1, 2, 4 or 8. The largest must divide every grass_tile_start().
 inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0, true };
 static_assert(GRASS_START_STRIDE % int(PLANT_STEMS.maximum) == 0);
 
-// Vertices of a species' plants around a camera, all the way round, at most: each is posed in the depth prepass, the picture and each
-// cascade of a shadow.
+// Most vertices of a species' plants all around a camera: each is posed in the depth prepass, in the picture and in each cascade of a
+// shadow.
 inline constexpr double NEAR_PLANT_VERTICES = 2e6;
 
-// How far plants are drawn by their mesh, metres: p_distance, or less where more vertices would be near. p_density: plants a square metre.
+// Returns the distance up to which plants are drawn by their mesh, metres: p_distance, or less if that would be too many vertices.
+// p_density: plants per square metre.
 double near_plants(double p_distance, double p_density, int64_t p_vertices);
 
-// Values outside of the tunables' ranges are clamped, NaN counts as the default.
+// Values outside the range of their Tunable are clamped, NaN becomes the default.
 struct SpeciesParams {
 	double share = SPECIES_SHARE.initial;
 	double stand_size = STAND_SIZE.initial; // metres
@@ -70,28 +71,28 @@ struct SpeciesParams {
 // What grass_species_takes() reads of a species.
 struct SpeciesRecord {
 	int32_t cell = 1, strength = 0, limit = 0, salt = 0;
-	int32_t stems = 1; // that are chosen together
-	// The field's first corner in the noise: units in a cell, and which cell.
+	int32_t stems = 1; // chosen together
+	// The field's first corner in the noise: units within a cell, and which cell.
 	int32_t x = 0, z = 0, column = 0, row = 0;
 };
 
 class SpeciesMix {
 public:
-	// Species beyond GRASS_MAX_SPECIES are ignored. Where all shares are 0 the first species grows.
-	// p_origin: the field's place in the noise, metres. Fields of one size and one p_origin apart from each other continue.
+	// Species beyond GRASS_MAX_SPECIES are ignored. If all shares are 0, the first species grows. p_origin: the field's place in the noise,
+	// metres. Adjacent fields of equal size continue each other if their p_origin differs by that size.
 	SpeciesMix(std::span<const SpeciesParams> p_species, const TileGrid &p_grid, uint32_t p_seed,
 			const Eigen::Vector2d &p_origin = Eigen::Vector2d::Zero());
 
 	int get_count() const { return _count; }
 	std::span<const SpeciesRecord> get_records() const { return { _records.data(), size_t(_count) }; }
-	int get_texel_units() const { return _texel_units; } // of a texel of the map
-	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades that nobody painted, 0..1
+	int get_texel_units() const { return _texel_units; } // units along a texel of the map
+	double get_share(int p_species) const { return _shares[size_t(p_species)]; } // of all blades without paint, 0..1
 
-	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // of a blade of the patch: its place in a tile, 0..1
-	// The species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
+	using RootOf = std::function<Eigen::Vector2f(int p_blade)>; // returns the place in a tile, 0..1, of a blade of the patch
+	// Returns the species of blade p_blade (0..63) of a tile. p_layers: of the map, or null.
 	int choose(int p_tile_x, int p_tile_z, int p_blade, const RootOf &p_root_of, const MapLayers *p_layers) const;
-	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // of one stem each
-	// [Eq P4] The shares of the species among the blades around a place of the field: x, z in metres. They add up to 1.
+	int choose(int p_tile_x, int p_tile_z, int p_blade, const Eigen::Vector2f &p_root, const MapLayers *p_layers) const; // of single stems
+	// [Eq P4] Returns the shares of the species among the blades around a place in the field: x, z in metres. They add up to 1.
 	std::array<float, GRASS_MAX_SPECIES> get_shares_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) const;
 
 private:

@@ -13,11 +13,11 @@ namespace grass {
 namespace {
 
 constexpr int BLADES = 90;
-constexpr int FINE = 2; // texels that are drawn for each of the picture, along a side
-constexpr int STEPS = 6; // of a segment, at least
-constexpr float FILLED = 0.9f; // of the height, by the tallest blade
-constexpr float DEEP = 0.12f; // how much higher the hindmost roots stand, shares of the height
-constexpr float WIDER = 1.5f; // than they are: thin blades would be lost in a small picture
+constexpr int FINE = 2; // drawn texels for each texel of the picture, along a side
+constexpr int STEPS = 6; // least number of steps along a segment
+constexpr float FILLED = 0.9f; // share of the height that the tallest blade fills
+constexpr float DEEP = 0.12f; // height of the hindmost roots above the foremost, as a share of the picture's height
+constexpr float WIDER = 1.5f; // factor on the width: thin blades would be lost in a small picture
 
 float from_srgb(uint8_t p_byte) {
 	return std::pow(float(p_byte) / 255.0f, 2.2f);
@@ -53,7 +53,7 @@ public:
 		}
 	}
 
-	// The mean of FINE x FINE texels each.
+	// Returns the picture: each texel is the mean of FINE x FINE.
 	std::vector<uint8_t> shrunk() const {
 		std::vector<uint8_t> bytes;
 		for (int y = 0; y < _side; y += FINE) {
@@ -73,20 +73,20 @@ public:
 
 private:
 	int _side;
-	std::vector<Eigen::Vector4f> _texels; // linear colour, and 1 where something is
+	std::vector<Eigen::Vector4f> _texels; // linear colour, and 1 where anything is drawn
 };
 
 // A blade on the canvas.
 struct DrawnBlade {
 	std::array<Eigen::Vector2f, GRASS_KNOTS> knots; // texels
 	float width; // at the root, texels
-	float depth; // 0 before, 1 behind
+	float depth; // 0 in front, 1 behind
 	uint32_t hash;
 
 	float chance(int p_which) const { return float(grass_hash(hash + uint32_t(p_which)) >> 8) / float(1 << 24); }
 };
 
-// p_texels: of a metre.
+// p_texels: number of texels in a metre.
 DrawnBlade make_blade(const Patch &p_patch, int p_blade, int p_side, float p_texels) {
 	const auto knot = [&](int p_knot) { return &p_patch.texels[Patch::texel_index(p_blade, p_knot)]; };
 	DrawnBlade blade;
@@ -113,7 +113,7 @@ Eigen::Vector3f color_of(const PictureLook &p_look, const DrawnBlade &p_blade, f
 	return 1.3f * light * color;
 }
 
-// A flower or a leaf. p_texels: RGBA8, sRGB, p_side squared; p_tint: times these; p_width, p_height: on the canvas.
+// Draws a flower or a leaf. p_texels: RGBA8, sRGB, p_side squared; p_tint multiplies them; p_width, p_height: texels on the canvas.
 void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint8_t> p_texels, int p_side, const Eigen::Vector3f &p_tint,
 		float p_width, float p_height) {
 	const Eigen::Vector2f middle = p_blade.knots.back();
@@ -147,7 +147,7 @@ void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p
 		draw_card(r_canvas, p_blade, p_look.card, p_look.card_side, p_look.card_color, width, height);
 	} else if (!p_look.leaf.empty()) {
 		const float side = p_look.leaf_size * p_texels;
-		const float grey = 1.5f; // leaves are multiples of their blade's colour
+		const float grey = 1.5f; // a leaf's texels multiply its blade's colour
 		draw_card(r_canvas, p_blade, p_look.leaf, p_look.card_side, grey * color_of(p_look, p_blade, 1.0f), side, 0.6f * side);
 	}
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small picture of a species: some of its blades, side by side, as an artist would note them down. For the editor.
+// Draws a small picture of a species for the editor: some of its blades side by side, as an artist would sketch them.
 #pragma once
 
 #include "core/blades/patch.h"
@@ -18,12 +18,13 @@ struct PictureLook {
 	float dry = 0.0f; // 0..1
 	std::span<const uint8_t> card, leaf; // RGBA8, sRGB, card_side squared texels each; empty: none
 	int card_side = 0;
-	Eigen::Vector3f card_color = Eigen::Vector3f::Ones(); // times the card's, linear
+	Eigen::Vector3f card_color = Eigen::Vector3f::Ones(); // multiplies the card's colours, linear
 	float card_share = 0.0f; // of the blades
 	float card_width = 0.0f, card_height = 0.0f, leaf_size = 0.0f; // metres
 };
 
-// RGBA8, sRGB, p_side squared texels; clear where no blade is. The tallest blades fill the height. A patch without blades leaves it clear.
+// Returns RGBA8, sRGB, p_side squared texels, transparent where there is no blade. The tallest blades fill the height. A patch without
+// blades leaves the picture transparent.
 std::vector<uint8_t> draw_species(const PatchParams &p_patch, const PictureLook &p_look, int p_side);
 
 } // namespace grass
