@@ -10,11 +10,12 @@ namespace grass {
 
 namespace {
 
-// [Eq L7] [Eq L9] Share of the tile's blades that p_camera needs. p_middle: of its box; p_pixel: metres of the tile in one.
+// [Eq L7] [Eq L9] Returns the share of the tile's blades that p_camera needs. p_middle: middle of its box; p_pixel: metres of the tile in
+// one pixel.
 float in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
 		const Eigen::Vector3f &p_middle, float p_pixel) {
 	if (p_camera.pixel_slope <= 0.0f || p_lod.pixels_min <= 0.0f) {
-		return 1.0f; // an orthogonal camera has no eye
+		return 1.0f; // an orthogonal camera has no eye position
 	}
 	const float height = p_ground.cut < float(GRASS_UNCUT) ? std::min(p_field.size.length, p_ground.cut) : p_field.size.length;
 	const float cover = p_ground.grown * grass_lod_cover(p_field.size.width, height, float(p_field.grid.get_tile_size()));
@@ -59,7 +60,7 @@ void TileCull::choose_tile(
 	LodNeed seen, casting;
 	for (const ViewCamera &camera : p_view.cameras) {
 		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
-		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all alike
+		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all distances alike
 		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
 			const float shown = in_sight(p_field, camera, p_view.lod, p_ground, middle, pixel);
 			seen.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel, shown);
@@ -87,8 +88,8 @@ void TileCull::add_tile(
 	const int slot = p_slot_of(p_field.grid.get_index(p_x, p_z));
 	const int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
-	const auto start = grass_tile_start(x, z, p_field.seed) / GRASS_START_STRIDE; // no remainder
-	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, 0.0f, // the shader puts it at its tile's place
+	const auto start = grass_tile_start(x, z, p_field.seed) / GRASS_START_STRIDE; // divides without remainder
+	const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, 0.0f, // the shader moves it to its tile's place
 		0.0f, 1.0f, 0.0f, 0.0f, //
 		0.0f, 0.0f, 1.0f, 0.0f, //
 		float(p_x), float(p_z), blades, grass_lod_morph(p_need.segments, segments), //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tiles are drawn and cast shadows, and how finely (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/lod/cull.glsl.
+// Chooses which tiles are drawn and cast shadows, and how finely (Fan et al. 2015, sections 3.1 and 5.1). Twin of shaders/lod/cull.glsl.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -14,33 +14,33 @@
 
 namespace grass {
 
-// Places of an instance's numbers, behind its transform: DrawnTile in shaders/draw/drawn_tile.gdshaderinc.
+// Offsets of an instance's numbers after its transform: DrawnTile in shaders/draw/drawn_tile.gdshaderinc.
 inline constexpr size_t INSTANCE_TILE = 12, INSTANCE_BLADES = 14, INSTANCE_MORPH = 15;
 
 // What culling reads of a field.
 struct CullField {
 	TileGrid grid;
-	float overhang = 0.0f; // that blades lean out over their tile's square, metres
+	float overhang = 0.0f; // how far blades lean out over their tile's square, metres
 	float height = 0.0f; // of the tallest blade above its ground, metres
 	BladeSize size; // of the mean blade
 	uint32_t seed = 0;
-	std::array<uint32_t, 2> room = {}; // tiles that the MultiMeshes of picture and shadows hold
+	std::array<uint32_t, 2> room = {}; // capacity of the MultiMeshes of picture and shadows, tiles
 };
 
-// Whether a camera sees a box within the margin, or its shadow.
+// Returns whether a camera sees a box within the margin, or its shadow.
 bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half);
 
 class TileCull {
 public:
-	using SlotOf = std::function<int(int)>; // of a tile in the pool; GRASS_NO_SLOT while it sleeps
+	using SlotOf = std::function<int(int)>; // returns a tile's slot in the pool; GRASS_NO_SLOT while it sleeps
 
-	// Chooses anew. p_cover: null on level ground that is full of grass.
+	// Chooses the tiles anew. p_cover: null on level ground that is fully covered by grass.
 	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const SlotOf &p_slot_of);
 
-	// Of the last choice. The instances of one of GRASS_ALL_LEVELS, GRASS_INSTANCE_FLOATS each:
+	// The result of the last choice: the instances of one of GRASS_ALL_LEVELS, GRASS_INSTANCE_FLOATS each.
 	std::span<const float> get_instances(int p_level) const { return _instances[size_t(p_level)]; }
 	int get_count(int p_level) const { return int(_instances[size_t(p_level)].size()) / GRASS_INSTANCE_FLOATS; }
-	// In picture and shadows: blades, and tiles without room.
+	// For picture and shadows each: the number of blades drawn, and of tiles that did not fit.
 	const std::array<int64_t, 2> &get_blades() const { return _blades; }
 	const std::array<int64_t, 2> &get_left_out() const { return _left_out; }
 	size_t get_memory_usage() const; // bytes
@@ -50,7 +50,7 @@ private:
 			const CullField &p_field, const FieldView &p_view, const TileCover::Tile &p_ground, int p_x, int p_z, const SlotOf &p_slot_of);
 	// Adds the tile to one of the levels in [p_first, p_end).
 	void add_tile(const CullField &p_field, int p_x, int p_z, const LodNeed &p_need, int p_first, int p_end, const SlotOf &p_slot_of);
-	// Removes the tiles of the levels in [p_first, p_end) that do not fit. Returns how many.
+	// Removes the tiles of the levels in [p_first, p_end) that do not fit. Returns their number.
 	int64_t leave_out(int p_first, int p_end, uint32_t p_room, uint32_t p_seed);
 	int64_t count_blades(int p_first, int p_end) const;
 

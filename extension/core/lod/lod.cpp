@@ -10,8 +10,8 @@ namespace {
 
 using glsl::GRASS_BLADES_OF, glsl::GRASS_SEGMENTS_OF;
 
-// What grass_lod_level() requires of the levels from p_first to p_end: the first level of each segment count holds all blades;
-// segments fall, and blades fall within a segment count.
+// Checks what grass_lod_level() requires of the levels from p_first to p_end: the first level of each segment count has all blades, segment
+// counts descend, and within one segment count so do blades.
 consteval bool are_ordered(int p_first, int p_end) {
 	for (int i = p_first; i < p_end; i++) {
 		const bool begins = i == p_first || GRASS_SEGMENTS_OF[i] < GRASS_SEGMENTS_OF[i - 1];
@@ -22,13 +22,13 @@ consteval bool are_ordered(int p_first, int p_end) {
 	}
 	return true;
 }
-// An array of a given length has zeros where its list is too short.
+// An array of a given length is padded with zeros if its list is too short.
 static_assert(GRASS_SEGMENTS_OF[GRASS_ALL_LEVELS - 1] > 0 && GRASS_BLADES_OF[GRASS_ALL_LEVELS - 1] > 0);
 static_assert(are_ordered(0, GRASS_LOD_LEVELS) && are_ordered(GRASS_LOD_LEVELS, GRASS_ALL_LEVELS));
 static_assert(GRASS_ALL_LEVELS <= GRASS_CULL_GROUP, "a thread of a workgroup counts each level");
 static_assert(GRASS_TURNS == GRASS_CULL_GROUP, "a thread of a workgroup counts each turn");
 
-// At least p_min; NaN becomes p_min too.
+// Returns p_value, at least p_min; NaN becomes p_min.
 float at_least(float p_value, float p_min) {
 	return p_value > p_min ? p_value : p_min;
 }

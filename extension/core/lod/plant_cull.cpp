@@ -9,7 +9,7 @@ namespace grass {
 
 namespace {
 
-// Tiles whose plants are kept. Less: a camera that turns about has them chosen again.
+// Most tiles whose plants are cached. Fewer: when a camera turns, they are computed again.
 constexpr size_t KNOWN_TILES = 65536;
 
 bool is_wanted(const FieldView &p_view, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half, float p_distance) {
@@ -29,7 +29,7 @@ bool is_near(const FieldView &p_view, const Eigen::Vector3f &p_root, const TileC
 
 using Shares = std::array<float, GRASS_MAX_SPECIES>;
 
-// [Eq L13] Of the plants of a tile, by species: what is drawn. p_middle: of its box.
+// [Eq L13] Returns the share of a tile's plants to draw, for each species. p_middle: middle of the tile's box.
 Shares find_shares(const FieldView &p_view, const PlantCull::Kinds &p_kinds, const std::vector<StandingPlant> &p_plants,
 		const TileCover::Tile &p_ground, const Eigen::Vector3f &p_middle) {
 	Shares counts{}, shares{};
@@ -45,7 +45,7 @@ Shares find_shares(const FieldView &p_view, const PlantCull::Kinds &p_kinds, con
 		const float cover = counts[species] * p_ground.grown * kind.cover * height / kind.length;
 		for (const ViewCamera &camera : p_view.cameras) {
 			const Eigen::Vector3f to_eye = camera.eye - p_middle;
-			const bool hides = camera.pixel_slope > 0.0f && p_view.lod.pixels_min > 0.0f; // an orthogonal camera has no eye
+			const bool hides = camera.pixel_slope > 0.0f && p_view.lod.pixels_min > 0.0f; // an orthogonal camera has no eye position
 			const float share =
 					hides ? grass_lod_in_sight(0.5f * cover, std::hypot(to_eye.x(), to_eye.z()), to_eye.y(), height, p_ground.slope) : 1.0f;
 			shares[species] = std::max(shares[species], share);
@@ -55,7 +55,7 @@ Shares find_shares(const FieldView &p_view, const PlantCull::Kinds &p_kinds, con
 	return shares;
 }
 
-// The tiles within p_distance of a camera.
+// Returns the tiles within p_distance of a camera.
 TileRange around(const CullField &p_field, const FieldView &p_view, float p_distance) {
 	Eigen::Vector2d low(1e30, 1e30), high(-1e30, -1e30);
 	for (const ViewCamera &camera : p_view.cameras) {

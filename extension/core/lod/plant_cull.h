@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which plants are drawn by a mesh: those near the cameras that see their tiles. Twin of shaders/species/plants.glsl.
+// Chooses which plants are drawn by a mesh: those near the cameras that see their tiles. Twin of shaders/species/plants.glsl.
 #pragma once
 
 #include "core/base/standing_plant.h"
@@ -9,25 +9,25 @@
 
 namespace grass {
 
-// Plants of one species that are drawn by a mesh.
+// The plants of one species that are drawn by a mesh.
 struct PlantKind {
-	float distance = 0.0f; // metres, from there on they are blades; 0: no mesh
-	float length = 0.0f; // of the mean one, metres
-	float cover = 0.0f; // what one shows to an eye beside it, over a tile's ground
-	int stems = 1; // that stay together
+	float distance = 0.0f; // metres; farther plants are drawn as blades; 0: no mesh
+	float length = 0.0f; // of the mean plant, metres
+	float cover = 0.0f; // the cover of one plant over its tile's ground, seen from the side
+	int stems = 1; // blades that make one plant
 };
 
 class PlantCull {
 public:
-	// Adds the plants of a tile to a list.
+	// Appends the plants of a tile to a list.
 	using PlantsOf = std::function<void(int p_x, int p_z, std::vector<StandingPlant> &r_plants)>;
 	using Kinds = std::array<PlantKind, GRASS_MAX_SPECIES>;
 
-	// What is known of tiles no longer holds: another field or another map.
+	// Discards what is cached of tiles, for another field or another map.
 	void forget() { _known.clear(); }
 	void choose(const CullField &p_field, const FieldView &p_view, const TileCover *p_cover, const TileCull::SlotOf &p_slot_of,
 			const PlantsOf &p_plants_of, const Kinds &p_kinds);
-	// Of the last choice: GRASS_INSTANCE_FLOATS each.
+	// The result of the last choice: GRASS_INSTANCE_FLOATS for each instance.
 	std::span<const float> get_instances(int p_species) const { return _instances[size_t(p_species)]; }
 	int get_count(int p_species) const { return int(_instances[size_t(p_species)].size()) / GRASS_INSTANCE_FLOATS; }
 	size_t get_memory_usage() const; // bytes
@@ -37,7 +37,7 @@ private:
 
 	const Plants &find(int p_index, int p_x, int p_z, const PlantsOf &p_plants_of);
 
-	std::unordered_map<int, Plants> _known; // by tile; looked up only, so its order does not matter
+	std::unordered_map<int, Plants> _known; // by tile; only looked up, so its order does not matter
 	std::array<std::vector<float>, GRASS_MAX_SPECIES> _instances;
 };
 

@@ -9,9 +9,9 @@ Frustum frustum_of(const Eigen::Matrix4d &p_clip) {
 	Frustum planes;
 	for (int i = 0; i < 6; i++) {
 		const double sign = i % 2 == 0 ? 1.0 : -1.0;
-		const Eigen::RowVector4d outward = sign * p_clip.row(i / 2) - p_clip.row(3); // above zero: beyond w
+		const Eigen::RowVector4d outward = sign * p_clip.row(i / 2) - p_clip.row(3); // positive: beyond w
 		const double length = outward.head<3>().norm();
-		// A far plane that is infinitely far away has no direction: all is inside.
+		// An infinitely distant far plane has no direction: everything is inside.
 		planes[size_t(i)] = length > 1e-12 * p_clip.row(3).norm()
 				? Eigen::Vector4f(Eigen::Vector4d(outward.x(), outward.y(), outward.z(), -outward.w()).cast<float>() / float(length))
 				: Eigen::Vector4f(0.0f, 0.0f, 0.0f, 1.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a field is seen from, and how finely it is drawn.
+// From where a field is seen, and how finely it is drawn.
 #pragma once
 
 #include "core/lod/lod.h"
@@ -15,29 +15,29 @@ struct ViewCamera {
 	Frustum planes = {}; // n.x <= d inside
 	Eigen::Vector3f eye = Eigen::Vector3f::Zero();
 	float near = 0.05f; // distance of its near plane
-	float pixel = 0.0f, pixel_slope = 0.0f; // metres in a pixel at a distance: pixel + pixel_slope * distance
+	float pixel = 0.0f, pixel_slope = 0.0f; // size of a pixel at a distance, metres: pixel + pixel_slope * distance
 
 	float pixel_at(float p_distance) const { return pixel + pixel_slope * p_distance; }
 	bool operator==(const ViewCamera &) const = default;
 };
 
-// What the six planes of a projection hold. p_clip: from the planes' space to clip space (OpenGL's: -w <= x, y, z <= w is seen).
+// Returns the six planes of a projection. p_clip: from the planes' space to clip space (OpenGL's: -w <= x, y, z <= w is visible).
 Frustum frustum_of(const Eigen::Matrix4d &p_clip);
 
-// One eye of a headset. p_projection: from its own space to clip space; p_eye: its pose in field space (orthonormal); p_near: metres;
-// p_pixels: height of its picture. A field that two eyes see has two cameras: no plane of one eye takes away what the other sees, and
-// the eye that is nearer decides how fine a tile is drawn.
+// Returns the camera of one eye of a headset. p_projection: from its own space to clip space; p_eye: its pose in field space (orthonormal);
+// p_near: metres; p_pixels: height of its picture. A field seen by two eyes has two cameras: no plane of one eye culls what the other sees,
+// and the nearer eye decides how finely a tile is drawn.
 ViewCamera view_of_eye(const Eigen::Matrix4d &p_projection, const Eigen::Affine3d &p_eye, double p_near, double p_pixels);
 
-// Where the field is seen from in a frame, and how finely it is drawn. Field space, metres.
+// From where the field is seen in a frame, and how finely it is drawn. Field space, metres.
 struct FieldView {
-	std::vector<ViewCamera> cameras; // all whose picture this frame shows, and that see the field's layers; two of a headset
-	bool is_watched = false; // a picture of the field's world is shown, whatever layers it leaves out; else nobody knows who looks at it
+	std::vector<ViewCamera> cameras; // all that render in this frame and see the field's layers; a headset has two
+	bool is_watched = false; // a picture of the field's world is rendered, with whatever layers; otherwise it is unknown who looks at it
 	LodParams lod;
-	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none does
-	float shadow_margin = 0.0f; // how far outside of a frustum a tile still casts its shadow, whatever the light
-	std::vector<Eigen::Vector3f> falls; // of each directional light: from the tallest tip to where its shadow ends
-	bool has_motion = false; // somebody reads the picture's motion vectors
+	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none do
+	float shadow_margin = 0.0f; // how far outside a frustum a tile still casts its shadow, for any light
+	std::vector<Eigen::Vector3f> falls; // for each directional light: from the tallest tip to the end of its shadow
+	bool has_motion = false; // something reads the picture's motion vectors
 
 	bool operator==(const FieldView &) const = default;
 };
