@@ -19,7 +19,7 @@ struct GroupHash {
 	size_t operator()(const GroupKey &p_key) const { return PlotHash()(p_key.plot) ^ size_t(std::bit_cast<uint64_t>(p_key.radius)); }
 };
 
-// Metres along one axis from plot p_plot to what lies between p_min and p_max, in plot p_own.
+// Returns the distance in metres along one axis from plot p_plot to the span from p_min to p_max in plot p_own.
 double gap(double p_side, int p_plot, int p_own, double p_min, double p_max) {
 	const double low = p_side * p_plot;
 	return std::max(0.0, p_plot > p_own ? low - p_max : (p_plot < p_own ? p_min - (low + p_side) : 0.0));

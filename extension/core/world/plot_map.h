@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What of a plot's map is its own, to be kept in a file; and changes that are put back, whether the plot is in memory or not.
+// The part of a plot's map that is saved to a file, and undo of changes, whether the plot is in memory or not.
 #pragma once
 
 #include "core/map/paint_map.h"
 
 namespace grass {
 
-// p_map without its ground, where a terrain supplies it anew whenever the plot loads.
+// Returns p_map, without its ground if a terrain supplies that anew whenever the plot loads.
 inline PaintMap kept_of(PaintMap p_map, bool p_has_terrain) {
 	if (p_has_terrain) {
 		for (const MapKey &key : p_map.get_keys()) {
@@ -23,7 +23,7 @@ inline bool is_same(const PaintMap &p_one, const PaintMap &p_other) {
 	return p_one.get_base_density() == p_other.get_base_density() && p_one.compare(p_other).empty();
 }
 
-// Makes r_map what p_to says, wherever that differs from p_from. What else r_map holds stays.
+// Changes r_map to what p_to holds, wherever that differs from p_from. Leaves everything else in r_map as it is.
 inline void put_back(PaintMap &r_map, const PaintMap &p_from, const PaintMap &p_to) {
 	const auto texels_of = [](const PaintMap &p_map, const MapKey &p_key, size_t p_channel) {
 		const MapChunk *chunk = p_map.find(p_key);

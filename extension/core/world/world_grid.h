@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plots of a world: squares side by side, each with a field and a map of its own. Places are x, z in metres from the world's centre,
-// where four plots meet.
+// The plots of a world: adjacent squares, each with its own field and map. Places are x, z in metres from the world's centre, where four
+// plots meet.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -15,7 +15,7 @@
 
 namespace grass {
 
-// A plot: covers x * size to (x + 1) * size metres, z likewise.
+// A plot, which covers x * size to (x + 1) * size metres, and z likewise.
 struct PlotKey {
 	int x = 0, z = 0;
 	auto operator<=>(const PlotKey &) const = default;
@@ -29,7 +29,7 @@ struct PlotHash {
 
 class WorldGrid {
 public:
-	// Metres. Whole chunks of the map, so that neighbours' chunks meet.
+	// In metres. A plot has whole chunks of the map, so that the chunks of neighbours meet.
 	static constexpr Tunable SIZE{ "size", "m", 128.0, 65536.0, 1.0, 16384.0 };
 	static constexpr Tunable PLOT_SIZE{ "plot_size", "m", 64.0, 1024.0, 64.0, 256.0 };
 
@@ -42,14 +42,14 @@ public:
 	bool has(const PlotKey &p_key) const {
 		return p_key.x >= -_reach_x && p_key.x < _reach_x && p_key.z >= -_reach_z && p_key.z < _reach_z;
 	}
-	// The plot of a place, which may lie outside of the world.
+	// Returns the plot of a place, which may be outside the world.
 	PlotKey at(const Eigen::Vector2d &p_place) const { return { index(p_place.x()), index(p_place.y()) }; }
 	Eigen::Vector2d centre(const PlotKey &p_key) const { return _plot * Eigen::Vector2d(p_key.x + 0.5, p_key.z + 0.5); }
-	// Metres from a place to the nearest point of the plot: 0 inside.
+	// Returns the distance in metres from a place to the nearest point of the plot: 0 inside.
 	double distance(const PlotKey &p_key, const Eigen::Vector2d &p_place) const {
 		return ((p_place - centre(p_key)).cwiseAbs().array() - 0.5 * _plot).cwiseMax(0.0).matrix().norm();
 	}
-	// The same of the nearest point of a line. The distance is convex along it.
+	// Returns the distance to the nearest point of a line. The distance is convex along the line.
 	double distance(const PlotKey &p_key, const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
 		double low = 0.0, high = 1.0;
 		const auto at = [&](double p_share) { return distance(p_key, p_from + p_share * (p_to - p_from)); };
@@ -67,7 +67,7 @@ public:
 
 private:
 	int index(double p_place) const {
-		constexpr double FAR = 1 << 20; // out of every world
+		constexpr double FAR = 1 << 20; // outside every world
 		return int(std::floor(std::clamp(p_place / _plot, -FAR, FAR)));
 	}
 

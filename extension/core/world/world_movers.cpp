@@ -7,11 +7,11 @@ namespace grass {
 
 namespace {
 
-// Whether a line meets the square of a plot, grown by BUSY_AROUND.
+// Returns whether a line meets the square of a plot, grown by BUSY_AROUND.
 bool meets(const WorldGrid &p_grid, const PlotKey &p_key, const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_way) {
 	const double reach = 0.5 * p_grid.get_plot_size() + BUSY_AROUND;
 	const Eigen::Vector2d from = p_from - p_grid.centre(p_key);
-	double begin = 0.0, end = 1.0; // the part of the line that is within
+	double begin = 0.0, end = 1.0; // the part of the line inside the square
 	for (int axis = 0; axis < 2; axis++) {
 		if (p_way[axis] == 0.0) {
 			if (std::abs(from[axis]) > reach) {

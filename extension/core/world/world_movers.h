@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves in a world, and in which plots it will be soon: there more grass is simulated at once.
+// Things that move in a world, and the plots in which they will be soon: more grass is simulated there at once.
 #pragma once
 
 #include "core/world/world_grid.h"
@@ -15,15 +15,15 @@ struct WorldMover {
 };
 
 struct BusyPlots {
-	std::vector<PlotKey> plots; // in order, each once
-	int64_t tests = 0; // of a way and a plot
+	std::vector<PlotKey> plots; // ascending, each once
+	int64_t tests = 0; // tests of a path against a plot
 	bool has(const PlotKey &p_key) const;
 };
 
-// Metres around a mover, however slow it is, and of its way, however fast it is.
+// Metres around a mover, even a slow one, and the longest path of a fast one.
 inline constexpr double BUSY_AROUND = 16.0, BUSY_WAY = 400.0;
 
-// Plots within BUSY_AROUND of what a mover covers in p_seconds.
+// Returns the plots within BUSY_AROUND of the path of a mover in p_seconds.
 BusyPlots find_busy(const WorldGrid &p_grid, std::span<const WorldMover> p_movers, double p_seconds);
 
 } // namespace grass

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double FAR = std::numeric_limits<double>::infinity();
 
-// A plot, and metres to the nearest eye.
+// A plot and its distance to the nearest eye, metres.
 struct Candidate {
 	double rank;
 	PlotKey key;
@@ -21,7 +21,7 @@ size_t minus(size_t p_from, size_t p_amount) {
 	return p_from - std::min(p_from, p_amount);
 }
 
-// One plan in the making.
+// A plan that is being made.
 class Draft {
 public:
 	Draft(const WorldPlanner &p_planner, const WorldGrid &p_grid, const WorldNeeds &p_needs) :
@@ -49,12 +49,12 @@ private:
 		const auto found = _loaded.find(p_key);
 		return found != _loaded.end() ? found->second : nullptr;
 	}
-	// Bytes, with the pool that it has or comes with.
+	// Returns the bytes of a plot with its pool: the one it has, or the one that it starts with.
 	size_t cost(const PlotKey &p_key) const {
 		const LoadedPlot *plot = loaded(p_key);
 		return _planner.expected(p_key) + (plot != nullptr ? plot->pool : size_t(_needs.pools.quiet) * _needs.pools.tile_bytes);
 	}
-	// Not for those under the eyes.
+	// Returns the bytes that are left. Plots under the eyes are not limited by this.
 	size_t left() const { return minus(_needs.budget, _bytes + _needs.held_back); }
 	bool fits(const PlotKey &p_key) const { return cost(p_key) <= left(); }
 	void hold(const PlotKey &p_key) {
@@ -75,15 +75,16 @@ private:
 	const WorldNeeds &_needs;
 	std::vector<EyeGroup> _groups;
 	std::unordered_map<PlotKey, const LoadedPlot *, PlotHash> _loaded;
-	std::unordered_map<PlotKey, double, PlotHash> _near; // metres from the nearest eye, of loaded plots that are wanted or may linger
-	std::unordered_map<PlotKey, double, PlotHash> _open; // the same of plots that are wanted, and not judged yet
+	std::unordered_map<PlotKey, double, PlotHash> _near; // metres to the nearest eye, of loaded plots that are wanted or may linger
+	std::unordered_map<PlotKey, double, PlotHash> _open; // the same for plots that are wanted and not judged yet
 	std::unordered_set<PlotKey, PlotHash> _held, _judged;
-	size_t _bytes = 0; // of those that are held
-	bool _is_full = false; // nothing more comes
+	size_t _bytes = 0; // of all plots held
+	bool _is_full = false; // no more plots are accepted
 	WorldPlan _plan;
 };
 
-// The budget does not matter: a world whose grass is gone where somebody stands is no world. Their pools are paid for before other plots.
+// Holds the plots under the eyes whatever the budget is, since grass must not be missing where somebody is. Their pools are allotted before
+// other plots.
 void Draft::hold_under_eyes() {
 	for (const EyeGroup &group : _groups) {
 		if (_grid.has(group.plot) && _judged.insert(group.plot).second) {
@@ -100,7 +101,7 @@ void Draft::hold_under_eyes() {
 	}
 }
 
-// A plot that wants a pool gets at most half of what is left, so that the next one gets some, and never less than it has.
+// Gives a plot a pool if it wants one: at most half of the bytes left, so that the next plot gets some, and never less than it has.
 void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
 	const PlotPools &pools = _needs.pools;
 	if (pools.busy <= pools.quiet || !std::ranges::binary_search(_needs.busy, p_key)) {
@@ -117,7 +118,7 @@ void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
 	_bytes += more(tiles);
 }
 
-// Plots are looked at in rings around the eyes' own, and only as many as the budget holds.
+// Visits plots in rings around the eyes' own plots, only as many as the budget holds.
 void Draft::hold_around() {
 	int rings = 0;
 	for (const EyeGroup &group : _groups) {
@@ -128,7 +129,7 @@ void Draft::hold_around() {
 		for (const EyeGroup &group : _groups) {
 			add_ring(group, n);
 		}
-		const double known = n < rings ? n * _grid.get_plot_size() : FAR; // a plot of the next ring is no nearer
+		const double known = n < rings ? n * _grid.get_plot_size() : FAR; // no plot of the next ring is nearer
 		ring.clear();
 		std::erase_if(_open, [&](const auto &p_entry) {
 			const bool is_near = p_entry.second < known;
@@ -158,7 +159,7 @@ void Draft::add_ring(const EyeGroup &p_group, int p_ring) {
 	const int low_x = std::max(first.x, p_group.plot.x - p_ring), high_x = std::min(last.x, p_group.plot.x + p_ring),
 			  low_z = std::max(first.z, p_group.plot.z - p_ring), high_z = std::min(last.z, p_group.plot.z + p_ring);
 	for (int z = low_z; z <= high_z; z++) {
-		const bool is_whole = std::abs(z - p_group.plot.z) == p_ring; // else the ring has two plots in this row
+		const bool is_whole = std::abs(z - p_group.plot.z) == p_ring; // otherwise the ring has two plots in this row
 		for (int x = low_x; x <= high_x; x++) {
 			if (!is_whole && x > p_group.plot.x - p_ring && x < p_group.plot.x + p_ring) {
 				x = p_group.plot.x + p_ring - 1;
@@ -169,8 +170,8 @@ void Draft::add_ring(const EyeGroup &p_group, int p_ring) {
 	}
 }
 
-// Behind one that does not fit nothing comes: else a small far plot would take the place of a large near one, by turns. One that is larger
-// than the whole budget keeps nobody away.
+// Stops at the first plot that does not fit: otherwise a small distant plot would replace a large near one, and they would alternate. A
+// plot larger than the whole budget is only skipped.
 void Draft::hold_near(std::vector<Candidate> &r_ring) {
 	std::ranges::sort(r_ring);
 	for (const Candidate &candidate : r_ring) {
@@ -190,7 +191,7 @@ void Draft::hold_near(std::vector<Candidate> &r_ring) {
 	}
 }
 
-// Loaded plots within LINGER of what an eye wants, the nearest first; those that are wanted are among them.
+// Returns the loaded plots within LINGER of what an eye wants, nearest first, including those that are wanted.
 std::vector<Candidate> Draft::find_lingering() {
 	const auto look = [this](const EyeGroup &p_group, const PlotKey &p_key) {
 		_plan.tests++;
