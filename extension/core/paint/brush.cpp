@@ -14,14 +14,14 @@ namespace grass {
 
 namespace {
 
-using Codes = std::array<int32_t, 4>; // of a texel's components; of wear, the second is MAP_WEAR_REST
+using Codes = std::array<int32_t, 4>; // of a texel's components; for wear, the second is MAP_WEAR_REST
 
-// The texel's random number, 0 <= h < 1.
+// Returns the texel's random number, 0 <= h < 1.
 double texel_hash(int p_i, int p_j) {
 	return double(grass_hash(uint32_t(p_i) ^ grass_hash(uint32_t(p_j)))) / 4294967296.0;
 }
 
-// One step of a brush over one channel.
+// One step of a brush on one channel.
 class Dab {
 public:
 	Dab(const PaintMap &p_map, const Brush &p_brush) :
@@ -51,7 +51,7 @@ public:
 		return codes;
 	}
 
-	// What the texel holds after the step.
+	// Returns what the texel holds after the step.
 	Codes changed(const Codes &p_now, int p_i, int p_j, double p_weight) {
 		Codes codes = p_now;
 		switch (_brush.tool) {
@@ -59,7 +59,7 @@ public:
 				codes[0] = texel_hash(p_i, p_j) < p_weight ? _target[0] : p_now[0];
 				break;
 			case MapTool::TINT:
-				for (size_t c = 0; c < 3; c++) { // a colour that did not show yet leaves no trace
+				for (size_t c = 0; c < 3; c++) { // a colour that was not visible leaves no trace
 					codes[c] = p_now[3] == 0 ? _target[c] : toward(p_now[c], _target[c], p_weight);
 				}
 				codes[3] = toward(p_now[3], _target[3], p_weight);
@@ -85,7 +85,7 @@ public:
 		return codes;
 	}
 
-	// A boot has its full effect wherever it stands on the grid of texels: each texel counts its most trodden point.
+	// A boot has its full effect wherever it is on the grid of texels, since each texel counts its most trodden point.
 	double weight_at(const MapShape &p_shape, const Eigen::Vector2d &p_centre) const {
 		return _brush.tool == MapTool::FLATTEN ? p_shape.get_most_weight(p_centre, 0.5 * _info.texel_size()) : p_shape.get_weight(p_centre);
 	}
@@ -95,7 +95,7 @@ public:
 	HandPaint read_paint(int p_i, int p_j) {
 		return paints() ? HandPaint{ _paint.code(0, p_i, p_j), _paint.code(1, p_i, p_j) } : HandPaint();
 	}
-	// The hand's channel keeps what the brush changed, and also what it found and left unchanged.
+	// The channel of paint by hand records what the brush changed, and also what it met and left unchanged.
 	HandPaint painted(const HandPaint &p_paint, const Codes &p_now, int p_i, int p_j, double p_weight) {
 		return paints() ? p_paint.brushed(aim(p_now, 0, p_i, p_j), p_weight) : p_paint;
 	}
@@ -103,7 +103,7 @@ public:
 	MapChannel channel() const { return _channel; }
 
 private:
-	// Where the step goes.
+	// Returns the code that the step moves towards.
 	int32_t aim(const Codes &p_now, int p_component, int p_i, int p_j) {
 		const size_t c = size_t(p_component);
 		switch (_brush.tool) {
@@ -118,7 +118,7 @@ private:
 		}
 	}
 
-	// The mean of the 3 x 3 texels around, weighted 1 2 1 both ways.
+	// Returns the mean of the 3 x 3 texels around, weighted 1 2 1 along both axes.
 	int32_t mean(int p_component, int p_i, int p_j) {
 		double sum = 0.0;
 		for (int dj = -1; dj <= 1; dj++) {
@@ -142,7 +142,7 @@ private:
 struct Edit {
 	int i, j;
 	Codes before, after;
-	HandPaint paint; // of density only
+	HandPaint paint; // only for density
 };
 
 } // namespace
@@ -190,7 +190,7 @@ BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p
 	MapReader ground(r_map, MAP_GROUND), normal(r_map, MAP_NORMAL);
 	const MapChannelInfo &info = info_of(dab.channel());
 	const double size = info.texel_size(), reach = PaintMap::REACH * double(info.side);
-	// Texels that the shape may hold. All are read before any is written, so that their order does not matter.
+	// The texels that the shape may contain. All are read before any is written, so that their order does not matter.
 	const Eigen::Array2d min = p_shape.get_min().array().max(p_brush.area.min.array()),
 						 max = p_shape.get_max().array().min(p_brush.area.max.array());
 	const Eigen::Array2d low = (min / size).floor(), high = (max / size).ceil() - 1.0;

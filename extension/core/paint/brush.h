@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a brush does to the map. Each tool works on one channel; a game's mower and boots use the same tools.
+// Applies brushes to the map. Each tool changes one channel; a game's mower and boots use the same tools.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -12,14 +12,14 @@ enum class MapTool {
 	PAINT, // raises density to the target, never lowers it
 	ERASE, // lowers density to 0
 	SMOOTH, // evens out `channel`
-	DENSITY, // brings density to the target, up or down
-	HEIGHT, // brings height to the target
-	SPECIES, // plants species `target`; at the soft border, mixed in texel by texel
-	TINT, // brings the tint to `color`, as strong as the target
-	COMB, // leans the grass along `direction`, as far as the target
+	DENSITY, // moves density to the target, up or down
+	HEIGHT, // moves height to the target
+	SPECIES, // plants species `target`; mixes it in texel by texel at the soft border
+	TINT, // moves the tint to `color`; the target is its strength
+	COMB, // leans the grass along `direction`; the target is how far
 	CUT, // cuts what is longer than the target, metres, wherever the shape has at least half of its effect
 	FLATTEN, // tramples: raises wear to the target
-	REGROW, // lets what was cut grow by the target, metres
+	REGROW, // lets cut grass grow by the target, metres
 	RECOVER, // lowers wear by the target
 	COUNT,
 };
@@ -35,29 +35,29 @@ struct MapLimits {
 
 struct Brush {
 	MapTool tool = MapTool::PAINT;
-	double strength = 1.0; // 0..1; values beyond are clamped, NaN does nothing
+	double strength = 1.0; // 0..1; values outside are clamped, NaN does nothing
 	double target = 1.0; // in units of the tool's channel
 	Eigen::Array3d color = Eigen::Array3d::Ones(); // TINT
-	Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // COMB: along x, z; its length does not count
+	Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // COMB: along x, z; its length is ignored
 	MapChannel channel = MAP_DENSITY; // SMOOTH
 	MapLimits limits;
-	MapRegion area{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // nothing beyond is changed; everywhere
+	MapRegion area{ Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9) }; // limits the change; default: everywhere
 };
 
 // What a tool did.
 struct BrushResult {
-	std::vector<MapKey> changed; // chunks, rising
-	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero(); // the rectangle that holds all of it, metres
-	// Sum over the texels of the change of their first component times their area: for density, square metres of full
-	// grass, for height, cut and wear their own unit times m^2.
+	std::vector<MapKey> changed; // chunks, ascending
+	Eigen::Vector2d min = Eigen::Vector2d::Zero(), max = Eigen::Vector2d::Zero(); // the rectangle that contains all changes, metres
+	// Sum over the texels of the change of their first component times their area: for density, square metres of full grass; for height,
+	// cut and wear, their own unit times m^2.
 	double amount = 0.0;
-	bool out_of_room = false; // some of it lay out of reach, or the map is full
+	bool out_of_room = false; // part of it was out of reach, or the map is full
 };
 
-// The channel that a tool changes.
+// Returns the channel that a tool changes.
 MapChannel channel_of(const Brush &p_brush);
 
-// One step of a brush. A shape that is nowhere and a brush of strength 0 change nothing.
+// Applies one step of a brush. An empty shape or a strength of 0 changes nothing.
 BrushResult apply_brush(PaintMap &r_map, const MapShape &p_shape, const Brush &p_brush);
 
 } // namespace grass

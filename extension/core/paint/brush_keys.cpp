@@ -5,8 +5,8 @@ namespace grass {
 
 namespace {
 
-constexpr double GROWTH = 1.15; // of a radius, a notch
-constexpr double STEPS = 5.0; // of everything else, a notch
+constexpr double GROWTH = 1.15; // factor on a radius for each notch
+constexpr double STEPS = 5.0; // steps for each notch, for all other numbers
 
 } // namespace
 
@@ -64,7 +64,7 @@ double nudged(const Tunable &p_tunable, double p_value, int p_notches) {
 	const double value = p_tunable.clamp(p_value);
 	double next = value + STEPS * p_tunable.step * p_notches;
 	if (p_tunable.minimum > 0.0) {
-		const double least = value + p_tunable.step * p_notches; // small values move, too
+		const double least = value + p_tunable.step * p_notches; // small values must change too
 		next = value * std::pow(GROWTH, p_notches);
 		next = p_notches > 0 ? std::max(next, least) : std::min(next, least);
 	}

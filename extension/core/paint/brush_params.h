@@ -23,18 +23,18 @@ enum BrushParamId {
 };
 
 inline constexpr std::array<Tunable, BRUSH_PARAM_COUNT> BRUSH_PARAMS = { {
-		// Below 0.1 m a brush falls between the texels; above 64 m one step touches a hundred thousand of them.
+		// Below 0.1 m a brush may miss every texel; above 64 m one step changes a hundred thousand of them.
 		{ "radius", "m", 0.1, 64.0, 0.1, 3.0 },
-		// Share of the way to the target in one step.
+		// Share of the way to the target that one step moves.
 		{ "strength", "", 0.0, 1.0, 0.01, 0.5 },
-		// Share of the radius that feels the full effect.
+		// Share of the radius that gets the full effect.
 		{ "hardness", "", 0.0, 1.0, 0.01, 0.5 },
-		// How far the stamp is turned, and up to how far more each one is, at random.
+		// The rotation of the stamp, and the largest random rotation added to each stamp.
 		{ "stamp_rotation", "\u00b0", 0.0, 360.0, 1.0, 0.0 },
 		{ "stamp_random", "\u00b0", 0.0, 360.0, 1.0, 0.0 },
 		// The value that density, height, tint, lean or wear approaches.
 		{ "target", "", 0.0, 1.0, 0.01, 1.0 },
-		// Cutting leaves this much, regrowing adds it.
+		// The height that cutting leaves, and that regrowing adds.
 		{ "cut_height", "m", 0.0, MAP_UNCUT, 0.01, 0.05 },
 		// The ground that may change; heights above the field.
 		{ "slope_min", "\u00b0", 0.0, 90.0, 0.1, 0.0 },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texels that a tool has changed, as a BrushResult reports them: by chunks, and by the rectangle around them.
+// Collects the texels that a tool has changed, as a BrushResult reports them: by chunk, and by the rectangle around them.
 #pragma once
 
 #include "core/paint/brush.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wear in 256ths of a code. A thousand light steps add up to a path, though each is less than a code: MAP_WEAR_REST keeps the
-// remainder.
+// Wear in 256ths of a code. A thousand light steps add up to a path, though each is less than a code: MAP_WEAR_REST stores the remainder.
 #pragma once
 
 #include "core/map/map_channels.h"

@@ -9,12 +9,12 @@ namespace grass {
 
 namespace {
 
-// The part of a straight line, origin + t * direction, that lies in a convex solid.
+// The part of a straight line, origin + t * direction, inside a convex solid.
 class Line {
 public:
 	Line(const Eigen::Vector3d &p_origin, const Eigen::Vector3d &p_direction) : _origin(p_origin), _direction(p_direction) {}
 
-	// Leaves what lies in n.x <= d.
+	// Keeps the part with n.x <= d.
 	void clip(const Eigen::Vector3d &p_normal, double p_distance) {
 		const double speed = p_normal.dot(_direction), left = p_distance - p_normal.dot(_origin);
 		if (speed > 0.0) {
@@ -25,7 +25,7 @@ public:
 			_is_empty = true;
 		}
 	}
-	// Leaves what lies within p_radius of the y axis, or of a point on it where p_centre is given.
+	// Keeps the part within p_radius of the y axis, or of a point on it if p_centre is given.
 	void clip_round(double p_radius, std::optional<double> p_centre = {}) {
 		const Eigen::Vector3d weights(1.0, p_centre ? 1.0 : 0.0, 1.0);
 		const Eigen::Vector3d from = (_origin - Eigen::Vector3d(0.0, p_centre.value_or(0.0), 0.0)).cwiseProduct(weights);
@@ -83,7 +83,7 @@ std::optional<Footprint::Span> Footprint::get_span(const Eigen::Vector2d &p_plac
 			line.clip_round(_shape.size.x());
 			line.clip_ends(_shape.size.y());
 			break;
-		case GRASS_CAPSULE: { // a cylinder and two balls: the hull of what the line has of each
+		case GRASS_CAPSULE: { // a cylinder and two balls: the hull of the line's parts in each
 			Line parts[] = { line, line, line };
 			parts[0].clip_round(_shape.size.x());
 			parts[0].clip_ends(_shape.size.y());

@@ -10,7 +10,7 @@ namespace grass {
 
 class Footprint {
 public:
-	// p_shape at its pose `now`, field space. What ColliderShape::sanitise() refuses covers nothing.
+	// Takes p_shape at its pose `now`, field space. A shape that ColliderShape::sanitise() rejects covers nothing.
 	explicit Footprint(const ColliderShape &p_shape);
 
 	bool is_empty() const { return !_usable; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Paint by hand covers what rules fill, and no rule changes it (docs/decisions/0007). MAP_PAINT keeps the hand's
-// density h and how much of the rule it covers, c; what grows, MAP_DENSITY, is rule (1 - c) + h c.
+// Paint by hand covers what rules fill, and no rule changes it (docs/decisions/0007). MAP_PAINT stores the painted density h and how much
+// of the rule it covers, c; what grows, MAP_DENSITY, is rule (1 - c) + h c.
 #pragma once
 
 #include "core/map/map_channels.h"
@@ -9,7 +9,7 @@
 
 namespace grass {
 
-// p_weight of the way from one code to another, and at least one code, so that a weak brush arrives, too.
+// Returns the code p_weight of the way from one code to another, moving by at least one code, so that a weak brush reaches its target too.
 inline int32_t toward(int32_t p_from, int32_t p_to, double p_weight) {
 	const double way = double(p_to) - p_from;
 	const double step = std::round(way * p_weight);
@@ -25,10 +25,10 @@ struct HandPaint {
 
 	bool operator==(const HandPaint &) const = default;
 
-	// What grows where a rule fills p_rule.
+	// Returns what grows where a rule fills p_rule.
 	int32_t over(int32_t p_rule) const { return (p_rule * (FULL - cover) + density * cover + FULL / 2) / FULL; }
 
-	// The hand's paint after a brush went p_weight of the way to density p_aim: over() has then gone as far, whatever the rule.
+	// Returns the paint after a brush moved p_weight of the way to density p_aim: over() has then moved equally far, whatever the rule.
 	HandPaint brushed(int32_t p_aim, double p_weight) const {
 		HandPaint after;
 		after.cover = toward(cover, FULL, p_weight);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far along its axis a handle is that the cursor drags.
+// Computes how far along its axis a dragged handle is.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace grass {
 
-// Where the line through the origin along p_axis (unit) comes closest to the ray from p_eye along p_way: metres along the axis.
-// Nothing where the ray runs along the axis, or looks away from that place.
+// Returns where the line through the origin along p_axis (unit) comes closest to the ray from p_eye along p_way: metres along the axis.
+// Returns nothing if the ray is parallel to the axis, or points away from that place.
 inline std::optional<double> drag_along(const Eigen::Vector3d &p_axis, const Eigen::Vector3d &p_eye, const Eigen::Vector3d &p_way) {
-	constexpr double PARALLEL = 1e-6; // square of the sine of the angle between both
+	constexpr double PARALLEL = 1e-6; // square of the sine of the angle between them
 	const double along = p_axis.dot(p_way), way = p_way.squaredNorm(), across = way - along * along;
 	if (!(across > PARALLEL * way)) {
 		return {};

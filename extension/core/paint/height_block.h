@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heights of the ground at the centres of a block of texels and of those around it: what a part of the map is laid from.
+// Heights of the ground at the centres of a block of texels and of the texels around it: the source of a part of the map's ground.
 #pragma once
 
 #include "core/map/map_channels.h"
@@ -36,7 +36,7 @@ public:
 	Eigen::Array2i get_first() const { return _first; }
 	Eigen::Array2i get_size() const { return { _width, _depth }; }
 
-	// The mean of those beside a texel; not finite where there is none.
+	// Returns the mean height of a texel's neighbours; not finite if none has a height.
 	double beside(int p_i, int p_j) const {
 		double sum = 0.0;
 		int count = 0;

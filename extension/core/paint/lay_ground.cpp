@@ -12,7 +12,7 @@ namespace {
 
 static_assert(GROUND_TEXEL == info_of(MAP_NORMAL).texel_size() && GROUND_TEXEL == info_of(MAP_HOLE).texel_size());
 
-// Writes a texel's channels and remembers what changed.
+// Writes a texel's channels and records what changed.
 class GroundWriter {
 public:
 	GroundWriter(PaintMap &r_map, LaidGround &r_result) : _map(r_map), _result(r_result), _changed(MAP_GROUND) {}
@@ -24,13 +24,13 @@ public:
 		differs = write(MAP_HOLE, 0, p_i, p_j, 0) || differs;
 		note(differs, p_i, p_j);
 	}
-	// p_rim: height of the ground beside it, which blades at its rim would else leave for 0.
+	// p_rim: height of the ground beside it. Without it, blades at the rim would drop to 0.
 	void open(int p_i, int p_j, double p_rim) {
 		bool differs = std::isfinite(p_rim) && write(MAP_GROUND, 0, p_i, p_j, info_of(MAP_GROUND).code(p_rim));
 		differs = write(MAP_HOLE, 0, p_i, p_j, 1) || differs;
 		note(differs, p_i, p_j);
 	}
-	// p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: it has no ledge.
+	// p_codes: of the spots of the cell whose first texel is p_i, p_j. Null: the cell has no ledge.
 	void lay_ledge(int p_i, int p_j, const uint8_t *p_codes) {
 		const Eigen::Array2i first = LedgeCell::first_spot(p_i, p_j);
 		bool differs = false;

@@ -10,11 +10,11 @@
 
 namespace grass {
 
-// Normal of the ground at a place, of any length; not finite or null where there is none.
+// Returns the normal of the ground at a place, of any length; not finite or zero where there is none.
 using NormalAt = std::function<Eigen::Vector3d(const Eigen::Vector2d &p_place)>;
 
 struct LaidGround : BrushResult { // amount: 0
-	int64_t sampled = 0; // places
+	int64_t sampled = 0; // number of places
 	int64_t missing = 0; // texels for which there was no height; see MissingGround
 };
 

@@ -29,7 +29,7 @@ std::array<double, 16> errors_at(const LedgeCell &p_cell, const std::array<Ledge
 	}
 	std::array<double, 16> errors{};
 	for (unsigned code = 1; code < 16; code++) {
-		if (!std::isfinite(there)) { // what was no ground before stays so
+		if (!std::isfinite(there)) { // where there was no ground before, there is still none
 			errors[code] = (code & ~missing) == 0 ? 0.0 : std::numeric_limits<double>::infinity();
 			continue;
 		}
@@ -83,7 +83,7 @@ std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 			for (const size_t point : { first, first + 1, first + size_t(POINTS), first + size_t(POINTS) + 1 }) {
 				error = std::max(error, errors[point][code]);
 			}
-			// The most corners that fit: what lies beside the cell blends with them.
+			// Prefer the code with the most corners that fit, since the cell's surroundings blend with them.
 			const double score = std::popcount(code) + 1.0 - error;
 			if (is_allowed[code] && error <= FITS && score > best) {
 				best = score;
@@ -108,7 +108,7 @@ Eigen::Vector2d slope_beside_ledge(
 			return std::abs(known) > tangent ? 0.0 : known;
 		}
 		const double mean = 0.5 * (ahead + behind), least = std::abs(ahead) < std::abs(behind) ? ahead : behind;
-		const double chosen = std::abs(ahead - behind) < 0.2 ? mean : least; // else one of them is beyond the ledge
+		const double chosen = std::abs(ahead - behind) < 0.2 ? mean : least; // otherwise one of them is beyond the ledge
 		return std::abs(chosen) > tangent ? 0.0 : chosen;
 	};
 	return { slope(1, 0), slope(0, 1) };

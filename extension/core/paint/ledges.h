@@ -11,7 +11,7 @@
 
 namespace grass {
 
-// Ground that is steeper is a ledge: nothing is blended across it, and nothing grows on its face.
+// Steeper ground is a ledge: nothing is blended across it, and nothing grows on its face.
 inline constexpr Tunable LEDGE_SLOPE{ "ledge_slope", "\u00b0", 30.0, 89.0, 0.5, 70.0 };
 
 // The height at a place of a cell that a blend of its corners' heights gives; p_x, p_z: of the way through it. Corners: (0, 0), (1, 0),
@@ -23,7 +23,7 @@ double ledge_tangent(double p_slope);
 struct LedgeCell {
 	static constexpr int SPOTS = info_of(MAP_LEDGE).side / info_of(MAP_GROUND).side; // along a side
 	static constexpr int POINTS = SPOTS + 1;
-	int i = 0, j = 0; // its first texel
+	int i = 0, j = 0; // the cell's first texel
 	static Eigen::Array2i first_spot(int p_i, int p_j) { return Eigen::Array2i(p_i, p_j) * SPOTS + SPOTS / 2; } // texel of MAP_LEDGE
 	std::array<double, size_t(POINTS *POINTS)> heights{}; // at the corners of its spots, row by row along x
 
@@ -35,10 +35,10 @@ struct LedgeCell {
 struct LedgeCorner {
 	double height = 0.0; // metres
 	Eigen::Vector2d normal = Eigen::Vector2d::Zero(); // x, z
-	bool is_missing = false; // there is no ground below it
+	bool is_missing = false; // there is no ground at the corner
 };
 
-// The codes of a cell's spots, row by row along x. p_corners: (0, 0), (1, 0), (0, 1), (1, 1) along x, z.
+// Returns the codes of a cell's spots, row by row along x. p_corners: (0, 0), (1, 0), (0, 1), (1, 1) along x, z.
 std::array<uint8_t, size_t(LedgeCell::SPOTS *LedgeCell::SPOTS)> ledge_codes(
 		const LedgeCell &p_cell, const std::array<LedgeCorner, 4> &p_corners, double p_slope);
 

@@ -19,10 +19,10 @@ Eigen::Vector2d centre_of(int p_i, int p_j) {
 }
 
 struct TexelBlock {
-	Eigen::Array2i first, last; // both included; none if first > last
+	Eigen::Array2i first, last; // both inclusive; empty if first > last
 };
 
-// Texels whose centres lie in a rectangle, within the map's reach.
+// Returns the texels whose centres are in a rectangle, within the map's reach.
 TexelBlock texels_within(const Eigen::Vector2d &p_min, const Eigen::Vector2d &p_max) {
 	constexpr double REACH = PaintMap::REACH * double(SIDE);
 	const Eigen::Array2d low = (p_min.array() / CUT_TEXEL - 0.5).ceil(), high = (p_max.array() / CUT_TEXEL - 0.5).floor();
@@ -40,7 +40,7 @@ void visit(const TexelBlock &p_block, const std::function<void(int p_i, int p_j)
 	}
 }
 
-// What a texel's grass is made of, quick for texels side by side.
+// What a texel's grass consists of; fast for neighbouring texels.
 class Stand {
 public:
 	Stand(const PaintMap &p_map, const GrassKind &p_kind) :
@@ -61,7 +61,7 @@ public:
 		const double height = _kind.height_at ? _kind.height_at(place) : _kind.height;
 		return height * _height.sample(0, place) * (1.0 - GRASS_WEAR_PRESSES * _wear.value(0, p_i, p_j));
 	}
-	// How high grass stands on average, metres. [Eq M1]
+	// Returns the mean height of the grass, metres. [Eq M1]
 	double standing(int p_i, int p_j) { return std::min(uncut(p_i, p_j), _cut.value(0, p_i, p_j)); }
 	bool is_cut(int p_i, int p_j) {
 		const int32_t code = _cut.code(0, p_i, p_j);
@@ -73,7 +73,7 @@ private:
 	MapReader _density, _height, _wear, _cut, _hole;
 };
 
-// Writes codes one by one and remembers what changed.
+// Writes single codes and records what changed.
 class Writer {
 public:
 	Writer(PaintMap &r_map, BrushResult &r_result) : _map(r_map), _result(r_result) {}
@@ -90,7 +90,7 @@ public:
 		const Eigen::Vector2d low(p_i * CUT_TEXEL, p_j * CUT_TEXEL), high = low.array() + CUT_TEXEL;
 		_result.min = _keys.empty() ? low : Eigen::Vector2d(_result.min.cwiseMin(low));
 		_result.max = _keys.empty() ? high : Eigen::Vector2d(_result.max.cwiseMax(high));
-		if (p_channel == MAP_CUT) { // metres and shares of wear do not add up
+		if (p_channel == MAP_CUT) { // metres and shares of wear cannot be added
 			_result.amount += (double(p_code) - before) * info_of(p_channel).unit * CUT_TEXEL * CUT_TEXEL;
 		}
 		_keys.insert(key_of(p_channel, p_i, p_j));
@@ -139,7 +139,7 @@ CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind 
 		const MapChannelInfo &info = info_of(MAP_CUT);
 		const int32_t code = info.code(std::max(span->low - ground, 0.0));
 		if (span->high < ground || code >= r_map.get_code(MAP_CUT, 0, p_i, p_j) || info.value(code) >= p_kind.tallest) {
-			return; // below the ground, or above the grass
+			return; // the shape is below the ground or above the grass
 		}
 		Stand stand(r_map, p_kind);
 		const double fallen = stand.standing(p_i, p_j) - info.value(code), share = stand.density(p_i, p_j) * CUT_TEXEL * CUT_TEXEL;
@@ -206,7 +206,7 @@ BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const Grass
 			if (has_wear && wear > 0) {
 				const int32_t left = std::max(wear - codes(MAP_WEAR, p_wear(centre_of(p_i, p_j))), 0);
 				writer.write(MAP_WEAR, p_i, p_j, left);
-				if (left == 0) { // healed: a chunk without wear uses no memory
+				if (left == 0) { // recovered: a chunk without wear uses no memory
 					writer.write(MAP_WEAR_REST, p_i, p_j, 0);
 				}
 			}

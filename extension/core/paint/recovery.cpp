@@ -14,7 +14,7 @@ double whole_codes(double p_from, double p_to) {
 	return std::floor(p_to) - std::floor(p_from);
 }
 
-// [Eq P5] A sum that each species adds its share to.
+// [Eq P5] Returns the mean of the values, weighted by the species' shares.
 double mixed(const std::array<double, GRASS_MAX_SPECIES> &p_values, const std::array<float, GRASS_MAX_SPECIES> &p_shares) {
 	double sum = 0.0;
 	for (size_t s = 0; s < p_values.size(); s++) {
@@ -29,7 +29,7 @@ bool RecoveryRates::is_none() const {
 	return !(growth > 0.0) && std::none_of(wear.begin(), wear.end(), [](double p_rate) { return p_rate > 0.0; });
 }
 
-// Where species mix, a code may have become whole though it has for none of them alone. The next whole code makes up for it.
+// Where species mix, the sum may reach a whole code though no single species does. The next whole code makes up for it.
 bool Recovery::is_due(const Healed &p_done, const Healed &p_all) {
 	bool is_due = whole_codes(p_done.growth, p_all.growth) > 0.0;
 	for (size_t s = 0; s < p_all.wear.size(); s++) {
@@ -54,10 +54,10 @@ BrushResult Recovery::step(PaintMap &r_map, const MapRegion &p_region, const Gra
 	const MapChunk &chunk = next->second;
 	_last = key;
 	if (!chunk.channels[MAP_WEAR] && !chunk.channels[MAP_CUT]) {
-		_done.erase(key); // what is worn later must not heal at once
+		_done.erase(key); // later wear must not heal at once
 		return {};
 	}
-	Healed &done = _done.try_emplace(key, _all).first->second; // a chunk that was not known begins to heal now
+	Healed &done = _done.try_emplace(key, _all).first->second; // a chunk that was not known starts to heal now
 	if (!is_due(done, _all)) {
 		return {};
 	}
@@ -67,8 +67,8 @@ BrushResult Recovery::step(PaintMap &r_map, const MapRegion &p_region, const Gra
 	if ((region.rectangle.min.array() >= region.rectangle.max.array()).any()) {
 		return {};
 	}
-	constexpr int SIDE = int(MAP_CHUNK_SIZE); // a square metre shares its species, which are costly to find
-	std::vector<double> healed(p_shares ? SIDE * SIDE : 1, -1.0); // below 0: not known yet
+	constexpr int SIDE = int(MAP_CHUNK_SIZE); // the species of a square metre are costly to find, so its texels share them
+	std::vector<double> healed(p_shares ? SIDE * SIDE : 1, -1.0); // below 0: not computed yet
 	const auto healed_at = [&](const Eigen::Vector2d &p_place) {
 		const Eigen::Array2d metre = p_place.array().floor();
 		const Eigen::Array2i cell = (metre - square.min.array()).cast<int>();

@@ -19,7 +19,7 @@ std::vector<StrokeStep> StrokePath::move(const Eigen::Vector2d &p_place, double 
 		return steps;
 	}
 	const double length = std::max(p_spacing, distance / MAX_STEPS);
-	// A hair less than a whole step counts as one: rounding must not lose the last of MAX_STEPS.
+	// Slightly less than a whole step counts as one, so that rounding does not lose the last of MAX_STEPS.
 	const int count = int(std::min(std::floor(distance / length + 1e-9), double(MAX_STEPS)));
 	for (int i = 0; i < count; i++) {
 		const Eigen::Vector2d next = _last + way * (length / distance);

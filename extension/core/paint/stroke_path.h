@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path of a brush over the ground, in steps of even length: what a stroke leaves depends neither on how fast the
-// cursor moves nor on how often the editor sees it move.
+// The path of a brush over the ground, in steps of even length: the result of a stroke depends neither on the speed of the cursor nor on
+// how often the editor reports its place.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,12 @@ struct StrokeStep {
 class StrokePath {
 public:
 	static constexpr double SPACING = 0.25; // of the radius: eight steps overlap at each place
-	static constexpr int MAX_STEPS = 64; // a move; beyond, steps grow longer instead of more
+	static constexpr int MAX_STEPS = 64; // for each move; a longer move makes the steps longer, not more
 
-	// The step at the place where the stroke begins.
+	// Returns the step at the place where the stroke begins.
 	StrokeStep begin(const Eigen::Vector2d &p_place);
-	// The steps towards a place, p_spacing metres long. What is left over counts with the next move.
-	// Places that are not finite make no step.
+	// Returns the steps towards a place, each p_spacing metres long. The remainder counts with the next move. Places that are not finite
+	// make no step.
 	std::vector<StrokeStep> move(const Eigen::Vector2d &p_place, double p_spacing);
 
 private:
