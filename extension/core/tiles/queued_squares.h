@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds which squares of tiles may hold a tile that waits for a slot: these set a bit, which other squares may share.
+// Finds which squares of tiles may contain a tile that waits for a slot. Such a tile sets a bit, which other squares may share.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace grass {
 class QueuedSquares {
 public:
 	void clear() { _bits.fill(0); }
-	// p_x, p_z: of the square, see SlotMap.
+	// p_x, p_z: number of the square, see SlotMap.
 	void add(int p_x, int p_z) { _bits[bit_of(p_x, p_z) / 64] |= uint64_t(1) << bit_of(p_x, p_z) % 64; }
 	bool may_have(int p_x, int p_z) const { return (_bits[bit_of(p_x, p_z) / 64] >> bit_of(p_x, p_z) % 64 & 1) != 0; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps a tile to its slot of the pool, for a bounded number of tiles whatever the field's size. Each square of 4 x 4 tiles is in one cache
+// Maps a tile to its slot in the pool, for a bounded number of tiles whatever the field's size. Each square of 4 x 4 tiles fits one cache
 // line and is found by open addressing: a collider looks up a few squares, not each of its tiles.
 #pragma once
 
@@ -28,12 +28,12 @@ public:
 		static size_t place(int p_x, int p_z) { return size_t(p_z) % SIDE * SIDE + size_t(p_x) % SIDE; }
 	};
 
-	// The squares, as if they were tiles, that hold tiles of the range (no negative ones).
+	// Returns the range of squares that contain tiles of the range (which has no negative numbers).
 	static TileRange squares_of(const TileRange &p_tiles) {
 		return { p_tiles.x_begin / SIDE, (p_tiles.x_end + SIDE - 1) / SIDE, p_tiles.z_begin / SIDE, (p_tiles.z_end + SIDE - 1) / SIDE };
 	}
 
-	// Empties it, with room for p_capacity tiles.
+	// Empties the map and makes room for p_capacity tiles.
 	void reserve(int p_capacity) {
 		_entries.assign(FIRST_ENTRIES, {});
 		_squares.resize(size_t(p_capacity));
@@ -50,7 +50,7 @@ public:
 		const Entry &entry = _entries[seek(key_of(p_x, p_z))];
 		const Square &square = entry.key == NO_KEY ? NO_SLOTS : _squares[entry.square];
 #ifdef __GNUC__
-		__builtin_prefetch(&square); // it will be read soon
+		__builtin_prefetch(&square); // it is read soon
 #endif
 		return square;
 	}
@@ -59,7 +59,7 @@ public:
 		return find_square(p_x, p_z).at(p_x, p_z);
 	}
 
-	// The map must not hold its full capacity.
+	// Adds a tile. The map must have room for it.
 	void insert(int p_x, int p_z, int p_slot) {
 		const uint32_t key = key_of(p_x, p_z);
 		uint32_t place = seek(key);
@@ -74,7 +74,7 @@ public:
 		_squares[_entries[place].square].slots[Square::place(p_x, p_z)] = p_slot;
 	}
 
-	// Does nothing if the tile is not in the map.
+	// Removes a tile. Does nothing if the tile is not in the map.
 	void erase(int p_x, int p_z) {
 		const uint32_t place = seek(key_of(p_x, p_z));
 		if (_entries[place].key == NO_KEY) {
@@ -89,7 +89,7 @@ public:
 		}
 	}
 
-	// Bytes.
+	// Returns bytes.
 	size_t get_memory_usage() const {
 		return _entries.capacity() * sizeof(Entry) + _squares.capacity() * sizeof(Square) + _free.get_memory_usage();
 	}
@@ -99,7 +99,7 @@ private:
 	static constexpr uint32_t NO_KEY = 0xffffffffu; // fields have up to 2^13 tiles along a side
 	struct Entry {
 		uint32_t key = NO_KEY;
-		uint32_t square = 0; // which of _squares
+		uint32_t square = 0; // index in _squares
 	};
 	static constexpr Square NO_SLOTS = [] {
 		Square square;
@@ -145,9 +145,9 @@ private:
 		}
 	}
 
-	std::vector<Entry> _entries = std::vector<Entry>(2); // as few as its contents so far allow, so that they stay in the caches
+	std::vector<Entry> _entries = std::vector<Entry>(2); // as few as its contents so far allow, so that they stay in the cache
 	size_t _count = 0; // squares in use, at most half of the entries
-	std::vector<Square> _squares; // those in use come first: what a step needs lies close together
+	std::vector<Square> _squares; // those in use come first, so that what a step needs is close together
 	SlotSet _free;
 	uint32_t _mask = 1;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of slots of the pool, one bit each: lowest first, in time that does not grow with how many are in it.
+// A set of slots of the pool, one bit for each. Finds the lowest slot in a time that does not depend on the number of slots in the set.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class SlotSet {
 public:
 	static constexpr int NONE = -1;
 
-	// Slots 0 .. p_size - 1, all in the set or none.
+	// Resets the set to slots 0 .. p_size - 1: all in the set, or none.
 	void reset(int p_size, bool p_full) {
 		_words.assign(size_t(p_size + 63) / 64, p_full ? ~uint64_t(0) : 0);
 		if (p_full && p_size % 64 != 0) {
@@ -25,10 +25,10 @@ public:
 
 	void insert(int p_slot) { insert_if(p_slot, true); }
 
-	// Inserts it or does nothing, branch-free: the branch would be mispredicted.
+	// Inserts the slot or does nothing. Branch-free, since the branch would be mispredicted.
 	void insert_if(int p_slot, bool p_condition) { _words[size_t(p_slot) / 64] |= uint64_t(p_condition) << (p_slot % 64); }
 
-	// Inserts it into a set that take_lowest() takes slots from.
+	// Returns a slot to a set from which take_lowest() takes slots.
 	void give_back(int p_slot) {
 		insert(p_slot);
 		_first = std::min(_first, size_t(p_slot) / 64);
@@ -48,7 +48,7 @@ public:
 		return count;
 	}
 
-	// Becomes the slots in p_a that are not in p_b, which has the same size.
+	// Sets this to the slots in p_a that are not in p_b, a set of the same size.
 	void take_difference(const SlotSet &p_a, const SlotSet &p_b) {
 		_words.resize(p_a._words.size());
 		for (size_t i = 0; i < _words.size(); i++) {
@@ -68,7 +68,7 @@ public:
 		return std::all_of(_words.begin(), _words.end(), [](uint64_t p_word) { return p_word == 0; });
 	}
 
-	// All slots, rising: `for (const int slot : set)`. The one at hand may be taken out meanwhile.
+	// Iterates over all slots, ascending: `for (const int slot : set)`. The current slot may be removed meanwhile.
 	class Iterator {
 	public:
 		Iterator(const uint64_t *p_word, const uint64_t *p_end) : _begin(p_word), _word(p_word), _end(p_end) { skip_empty(); }
@@ -90,12 +90,12 @@ public:
 		}
 
 		const uint64_t *_begin, *_word, *_end;
-		uint64_t _bits = 0; // of the word, from the slot at hand on
+		uint64_t _bits = 0; // of the word, from the current slot on
 	};
 	Iterator begin() const { return { _words.data(), _words.data() + _words.size() }; }
 	Iterator end() const { return { _words.data() + _words.size(), _words.data() + _words.size() }; }
 
-	// Takes the lowest slot out of the set, or returns NONE.
+	// Removes the lowest slot and returns it, or NONE if the set is empty.
 	int take_lowest() {
 		while (_first < _words.size() && _words[_first] == 0) {
 			_first++;
@@ -112,7 +112,7 @@ public:
 
 private:
 	std::vector<uint64_t> _words;
-	size_t _first = 0; // No word below this one holds a slot that was given back.
+	size_t _first = 0; // No word below this one has a slot that was given back.
 };
 
 } // namespace grass

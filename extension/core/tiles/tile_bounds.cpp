@@ -15,7 +15,7 @@ struct TileBounds::Blade {
 	float x, z;
 };
 
-// p_taller: factor on the blade's length; p_chord: how far it is tilted, shares of a knot's distance from the root.
+// p_taller: factor on the blade's length; p_chord: how far it is tilted, as a share of a knot's distance from the root.
 void TileBounds::extend(Box &r_box, const Patch &p_patch, int p_blade, float p_taller, float p_chord) {
 	for (int k = 1; k < GRASS_KNOTS; k++) {
 		const uint16_t *halves = &p_patch.texels[Patch::texel_index(p_blade, k)];
@@ -32,8 +32,8 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 	if (p_patch.is_empty()) {
 		return;
 	}
-	// A clump makes blades taller by at most this factor and tilts them by at most this angle (tangent of its half is the
-	// lean, on both axes at once): a knot moves by at most the chord.
+	// A clump makes blades taller by at most this factor and tilts them by at most this angle (the tangent of half the angle is the lean,
+	// on both axes at once): a knot moves by at most the chord.
 	const float taller = 1.0f + p_clump.height * (CLUMP_TALLEST - 1.0f);
 	const float half_tangent = std::sqrt(2.0f) * p_clump.lean * float(GRASS_CLUMP_LEAN);
 	const float chord = 2.0f * half_tangent / std::sqrt(1.0f + half_tangent * half_tangent);
@@ -41,7 +41,7 @@ TileBounds::TileBounds(const Patch &p_patch, const TileGrid &p_grid, const Clump
 	auto blades = std::make_shared<std::vector<Blade>>(GRASS_PATCH_BLADES);
 	for (int b = 0; b < GRASS_PATCH_BLADES; b++) {
 		Box box{ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-		for (int species = 0; species < p_patch.species; species++) { // whichever it will be
+		for (int species = 0; species < p_patch.species; species++) { // of any species, since it is not known which one grows
 			extend(box, p_patch, species * GRASS_PATCH_BLADES + b, taller, chord);
 		}
 		const uint16_t *root = &p_patch.texels[Patch::texel_index(b, 0)];
@@ -92,7 +92,7 @@ bool TileBounds::meets(int p_x, int p_z, const Bounds &p_bounds) const {
 void TileBounds::prefetch() const {
 #ifdef __GNUC__
 	const char *const bytes = reinterpret_cast<const char *>(_boxes.data());
-	for (size_t i = 0; i < _boxes.size() * sizeof(Box); i += 64) { // a line of the cache
+	for (size_t i = 0; i < _boxes.size() * sizeof(Box); i += 64) { // a cache line
 		__builtin_prefetch(bytes + i);
 	}
 #endif

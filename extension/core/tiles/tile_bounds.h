@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box around a tile's blades at rest, against which Algorithm 1 tests a body's box. It is much tighter than the longest overhang on all
-// sides, and still only a few numbers for each of the 2,040 places where a tile may start in the patch.
+// sides, and still needs only a few numbers for each of the 2,040 places where a tile may start in the patch.
 #pragma once
 
 #include "core/blades/clump.h"
@@ -22,7 +22,7 @@ public:
 	// Uses the same blades on another grid, which is much less work.
 	TileBounds(const TileBounds &p_other, const TileGrid &p_grid);
 
-	// A body that rises no higher above the ground bends nothing: a deck under a field, with its rounding. Metres.
+	// A body that rises no higher above the ground bends nothing: a deck below a field, with its rounding. Metres.
 	static constexpr double LEAST_RISE = 1e-3;
 
 	// A tile's place in the grid.
@@ -31,13 +31,13 @@ public:
 	};
 	// Returns true if p_bounds (field space, metres) meets the box around the blades of tile x, z.
 	bool meets(int p_x, int p_z, const Bounds &p_bounds) const;
-	// Drops those of p_count tiles (anything with x and z) that are not met. Returns the number of tiles that stay, in their order.
-	// Branch-free, since it is unpredictable whether a tile is met.
+	// Removes the tiles that are not met from p_count tiles (of any type with x and z). Returns the number of tiles left, which keep their
+	// order. Branch-free, since it is unpredictable whether a tile is met.
 	template <typename T> int keep_met(T *r_tiles, int p_count, const Bounds &p_bounds) const {
 		if (_boxes.empty()) {
 			return 0;
 		}
-		const TileGrid grid = _grid; // copies, so that the compiler knows that writing r_tiles does not change them
+		const TileGrid grid = _grid; // a copy, so that the compiler knows that writing r_tiles does not change it
 		const TileCover *cover = _cover.get();
 		const Box *boxes = _boxes.data();
 		const uint32_t seed = _seed;
@@ -46,7 +46,7 @@ public:
 		for (int n = 0; n < p_count; n++) {
 			const T tile = r_tiles[n];
 			const TileCover::Tile ground = cover != nullptr ? cover->get(tile.x, tile.z) : TileCover::FULL;
-			// Rounded once, after the difference: exact to a few nanometres on any field.
+			// Rounded once, after the difference: accurate to a few nanometres on any field.
 			const Eigen::Vector3d centre = grid.get_centre(tile.x, tile.z);
 			const Box box{ float(p_bounds.min.x() - centre.x() - lean), float(p_bounds.max.x() - centre.x() + lean),
 				float(p_bounds.min.z() - centre.z() - lean), float(p_bounds.max.z() - centre.z() + lean), 0.0f };
@@ -67,17 +67,17 @@ public:
 	double get_overhang() const { return _overhang + _lean; }
 	double get_low() const { return _cover ? double(_cover->get_low()) : 0.0; }
 	double get_height() const { return _height + _lean + (_cover ? double(_cover->get_high()) : 0.0); }
-	// Prefetches what the next keep_met() of many tiles reads: it lies in the order of a hash.
+	// Prefetches what the next keep_met() of many tiles reads, since it is scattered by a hash.
 	void prefetch() const;
 	size_t get_memory_usage() const; // bytes
 
 private:
-	// A blade's box from its root, and where in its tile the root stands, 0..1 each.
+	// A blade's box relative to its root, and the place of the root in its tile, 0..1 each.
 	struct Blade;
 	struct Box {
 		float min_x, max_x, min_z, max_z, height; // metres from the tile's centre, above the ground
 
-		// Branch-free: which of the sides decides is unpredictable.
+		// Branch-free, since it is unpredictable which side decides.
 		bool meets(const Box &p_other, float p_other_bottom) const {
 			const float x = std::min(max_x - p_other.min_x, p_other.max_x - min_x),
 						z = std::min(max_z - p_other.min_z, p_other.max_z - min_z);

@@ -31,7 +31,7 @@ void add_hull(const ColliderShape &p_collider, Planes &r_planes) {
 	}
 }
 
-// Of a body that holds the shape.
+// Returns the planes of a body that contains the shape.
 Planes planes_around(const ColliderShape &p_collider) {
 	Planes planes;
 	if (p_collider.type == GRASS_HULL) {
@@ -42,7 +42,7 @@ Planes planes_around(const ColliderShape &p_collider) {
 	return planes;
 }
 
-// Of a body that the shape holds.
+// Returns the planes of a body inside the shape.
 Planes planes_within(const ColliderShape &p_collider) {
 	constexpr int SIDES = 8;
 	Planes planes;
@@ -52,7 +52,7 @@ Planes planes_within(const ColliderShape &p_collider) {
 		add_box(p_collider.size, planes);
 	} else if (p_collider.type == GRASS_SPHERE) {
 		add_box(Eigen::Vector3d::Constant(p_collider.size.x() / std::numbers::sqrt3), planes);
-	} else { // round about y; a capsule without its caps
+	} else { // rotationally symmetric about y; a capsule without its caps
 		for (int i = 0; i < SIDES; i++) {
 			const double angle = 2.0 * std::numbers::pi * i / SIDES;
 			planes.push_back({ std::cos(angle), 0.0, std::sin(angle), p_collider.size.x() * std::cos(std::numbers::pi / SIDES) });
@@ -84,7 +84,7 @@ TileFootprint::TileFootprint(const ColliderShape &p_collider, const Bounds &p_sw
 	_is_tall = p_swept.max.y() >= p_params.height;
 }
 
-// Wider by as much as it moves in the step: its outline may be anywhere between.
+// Adds the outline, widened by as much as the collider moves in the step, since it may be anywhere in between.
 void TileFootprint::add_outer(const ColliderShape &p_collider, const Bounds &p_swept) {
 	ColliderShape still = p_collider;
 	still.before = still.now;
@@ -98,7 +98,7 @@ void TileFootprint::add_outer(const ColliderShape &p_collider, const Bounds &p_s
 	}
 }
 
-// Its section at the height of the grass, or at its own where it does not reach so far.
+// Adds its section at the height of the grass, or at its own top or bottom if it does not reach that height.
 void TileFootprint::add_inner(const ColliderShape &p_collider, const ColliderPose &p_pose) {
 	constexpr double MARGIN = 0.02; // share of its height: at its very top or bottom there may be no section
 	ColliderShape still = p_collider;
@@ -113,7 +113,7 @@ void TileFootprint::add_inner(const ColliderShape &p_collider, const ColliderPos
 	}
 }
 
-// p_room: of the centre of a tile on the plane y = 0.
+// p_room: for the centre of a tile on the plane y = 0.
 void TileFootprint::add_side(const Eigen::Vector3d &p_normal, double p_room, std::vector<Side> &r_sides) const {
 	const Eigen::Vector3d first = _grid.get_centre(0, 0);
 	const double size = _grid.get_tile_size();
@@ -121,7 +121,7 @@ void TileFootprint::add_side(const Eigen::Vector3d &p_normal, double p_room, std
 }
 
 TileFootprint::Span TileFootprint::clip(const std::vector<Side> &p_sides, int p_z, const Span &p_limits) {
-	constexpr double UPRIGHT = 1e-9; // metres a column: all of a row lies on one side
+	constexpr double UPRIGHT = 1e-9; // metres for each column: the whole row is on one side
 	double low = p_limits.begin, high = p_limits.end - 1;
 	for (const Side &side : p_sides) {
 		const double room = side.room - side.z * p_z;

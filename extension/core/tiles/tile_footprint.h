@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds which of the many tiles below a large body have blades whose motion can be seen: those around its outline in the grass, not those
-// wholly under it.
+// Finds which of the many tiles below a large body have blades whose motion is visible: those around its outline in the grass, not those
+// completely under it.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -15,24 +15,24 @@ namespace grass {
 
 class TileFootprint {
 public:
-	// Tiles begin <= x < end of a row.
+	// The tiles begin <= x < end of a row.
 	struct Span {
 		int begin = 0, end = 0;
 		bool is_empty() const { return end <= begin; }
 	};
 
-	// p_swept: the box around the collider's way.
+	// p_swept: the box around the collider's path.
 	TileFootprint(const ColliderShape &p_collider, const Bounds &p_swept, const TileGrid &p_grid, const TileParams &p_params);
 
-	// Returns, of a row within p_limits, the tiles whose blades it may meet, including some that it does not meet.
+	// Returns the tiles of a row within p_limits whose blades the body may meet. May include some that it does not meet.
 	Span find_reached(int p_z, const Span &p_limits) const { return clip(_outer, p_z, p_limits); }
-	// Returns the tiles that are wholly under it, at the start of the step and at its end.
+	// Returns the tiles that are completely under it, both at the start of the step and at its end.
 	Span find_covered(int p_z, const Span &p_limits) const { return clip(_inner, p_z, p_limits); }
-	// Returns true if it is taller than the grass, so that nobody sees what is under it.
+	// Returns true if it is taller than the grass, so that what is under it is hidden.
 	bool is_tall() const { return _is_tall; }
 
 private:
-	// A tile is within if x * its column + z * its row <= room.
+	// A tile is inside if x * its column + z * its row <= room.
 	struct Side {
 		double x, z, room;
 	};

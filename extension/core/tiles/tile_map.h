@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps a tile's index to a number, by open addressing. It is as small as its contents so far allow, so that it stays in the caches.
+// Maps a tile's index to a number, by open addressing. As small as its contents so far allow, so that it stays in the cache.
 #pragma once
 
 #include "core/base/hash.h"
@@ -12,16 +12,16 @@ class TileMap {
 public:
 	static constexpr int NONE = -1;
 
-	// Empties it.
+	// Empties the map.
 	void clear() {
 		_places.assign(FIRST_PLACES, {});
 		_count = 0;
 	}
 
-	// The tile's number, or NONE.
+	// Returns the tile's number, or NONE.
 	int find(int p_tile) const { return _places[seek(p_tile)].value; }
 
-	// p_tile must not be in the map.
+	// Adds a tile that must not be in the map.
 	void insert(int p_tile, int p_value) {
 		if (++_count * 2 > _places.size()) {
 			grow();
@@ -29,7 +29,7 @@ public:
 		_places[seek(p_tile)] = { p_tile, p_value };
 	}
 
-	// Does nothing if p_tile is not in the map.
+	// Removes a tile. Does nothing if it is not in the map.
 	void erase(int p_tile) {
 		uint32_t hole = seek(p_tile);
 		if (_places[hole].tile == NONE) {
@@ -57,7 +57,7 @@ private:
 		int value = NONE;
 	};
 
-	// Eight neighbours in a row share a line of the cache: colliders meet tiles row by row.
+	// Eight neighbours in a row share a cache line, since colliders meet tiles row by row.
 	uint32_t home_of(int p_tile) const { return (grass_hash(uint32_t(p_tile) / ROW) * ROW + uint32_t(p_tile) % ROW) & mask(); }
 
 	// Returns the place of the tile, or the empty place where it belongs.

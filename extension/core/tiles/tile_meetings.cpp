@@ -27,7 +27,7 @@ size_t TileMeetings::get_memory_usage() const {
 			bytes(_seen_ways) + bytes(_waiting) + bytes(_barred) + _unmet_seen.get_memory_usage();
 }
 
-// A block covers the same numbers of colliders in every step, so that Known::first holds in its lists.
+// A block covers the same indices of colliders in every step, so that Known::first stays valid in its lists.
 void TileMeetings::begin(size_t p_colliders) {
 	for (const int tile : _wanted) {
 		_place_of_tile.erase(tile);
@@ -108,7 +108,7 @@ void TileMeetings::meet_awake_tiles(std::span<const ColliderShape> p_colliders, 
 	}
 }
 
-// What all blocks have found, rising by collider.
+// Merges what all blocks found, ascending by collider.
 void TileMeetings::gather() {
 	for (const Block &block : get_blocks()) {
 		const size_t first = _meetings.size();
@@ -121,7 +121,8 @@ void TileMeetings::gather() {
 	}
 }
 
-// After the last of several pieces of a collider's way: drops its second meeting with a tile, for boxes of neighbouring pieces overlap.
+// Runs after the last of several pieces of a collider's path. Removes the collider's second meeting with the same tile, since the boxes of
+// adjacent pieces overlap.
 void TileMeetings::end_way(const Way &p_way, const Block &p_block, std::vector<Meeting> &r_meetings) {
 	const Way *const next = &p_way + 1, *const before = &p_way - 1;
 	const bool ends = next == p_block.ways.data() + p_block.ways.size() || next->collider != p_way.collider;
@@ -135,8 +136,8 @@ void TileMeetings::end_way(const Way &p_way, const Block &p_block, std::vector<M
 	r_meetings.erase(end, r_meetings.end());
 }
 
-// Appends those of the range, row by row. Runs for all colliders of a block before any of them is used, so that the memory is fetched side
-// by side.
+// Appends the squares of the range, row by row. Runs for all colliders of a block before any of the squares is used, so that the memory is
+// fetched in parallel.
 void TileMeetings::find_squares(Way &r_way, Block &r_block) {
 	const TileRange squares = SlotMap::squares_of(r_way.range);
 	r_way.squares = uint32_t(r_block.squares.size());
@@ -147,7 +148,7 @@ void TileMeetings::find_squares(Way &r_way, Block &r_block) {
 	}
 }
 
-// The same collider, where it was in the last step: the tiles that it met then have kept their slots.
+// Repeats the meetings of a collider that is where it was in the last step: the tiles that it met then have kept their slots.
 void TileMeetings::meet_again(const Way &p_way, Block &r_block) {
 	Known &known = _known[p_way.collider];
 	const std::span<const int> slots = std::span(r_block.known_slots_before).subspan(known.first, known.count);
@@ -160,7 +161,7 @@ void TileMeetings::meet_again(const Way &p_way, Block &r_block) {
 	note_met(p_way.collider, known.count > 0 ? MET_AWAKE : MET_NOTHING);
 }
 
-// Notes the awake tiles of the range whose blades' box meets the collider's. Squares without any cost one look.
+// Records the awake tiles of the range whose blades' box meets the collider's. A square without awake tiles costs one look-up.
 void TileMeetings::meet_awake(Way &r_way, bool p_moves, Block &r_block) {
 	const TileRange range = r_way.range, squares = SlotMap::squares_of(range);
 	r_block.found.resize(std::max(r_block.found.size(), size_t(range.count()) + 1));
@@ -203,7 +204,7 @@ void TileMeetings::meet_awake(Way &r_way, bool p_moves, Block &r_block) {
 	}
 }
 
-// Keeps those of the first p_count tiles in r_block.found whose blades' box meets the collider's. Returns how many.
+// Keeps those of the first p_count tiles in r_block.found whose blades' box meets the collider's. Returns their number.
 int TileMeetings::keep_met(int p_count, const Bounds &p_swept, Block &r_block) const {
 	r_block.looked_at += uint64_t(p_count);
 	return _tiles->bounds ? _tiles->bounds->keep_met(r_block.found.data(), p_count, p_swept) : p_count;

@@ -27,8 +27,8 @@ public:
 	struct Tiles {
 		const TileGrid &grid;
 		const TileParams &params;
-		const TileBounds *bounds; // null: a tile's box is its square, grown
-		const TileView &view; // as of this step
+		const TileBounds *bounds; // null: a tile's box is its square, enlarged
+		const TileView &view; // in this step
 		const SlotMap &slots; // of awake tiles
 		const SlotSet &held; // awake tiles in view, as far as that is known
 		const std::vector<int> &yielded; // tiles that lost their slots at the begin of the step, and get none in it
@@ -43,15 +43,16 @@ public:
 	};
 
 	void reset();
-	// Drops what is known about colliders that stand still, since the tiles' boxes or limits have changed.
+	// Forgets the colliders that do not move, since the tiles' boxes or limits have changed.
 	void forget() { _known.clear(); }
-	// Repairs p_colliders, see ColliderShape::sanitise(). The result and its order are the same with any number of threads.
+	// Finds the meetings. Repairs p_colliders, see ColliderShape::sanitise(). The result and its order are the same with any number of
+	// threads.
 	void find(const Tiles &p_tiles, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for);
 
-	std::vector<Meeting> &get() { return _meetings; } // rising by collider
+	std::vector<Meeting> &get() { return _meetings; } // ascending by collider
 	// Returns the sleeping tiles that are met, as many as can get a slot: the paper's ToActivateTileList without the active tiles.
 	const std::vector<int> &get_wanted() const { return _wanted; }
-	// Returns true if collider p_collider met grass: the box around the blades of a tile on which some grow.
+	// Returns true if collider p_collider met grass: the box around the blades of a tile with any.
 	bool has_met_grass(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] != MET_NOTHING; }
 	// Returns true if one of these tiles has a slot, or gets one in this step.
 	bool has_met_awake(size_t p_collider) const { return p_collider < _met.size() && _met[p_collider] == MET_AWAKE; }
@@ -73,13 +74,13 @@ private:
 		uint16_t x, z;
 		int slot;
 	};
-	// A collider's way in the step, or a piece of a long one.
+	// A collider's path in the step, or a piece of a long one.
 	struct Way {
 		Bounds swept; // the box around it
 		TileRange range; // tiles that it may meet
 		uint32_t collider;
-		uint32_t squares = 0; // where those of its range begin
-		int asleep = 0; // tiles of the range
+		uint32_t squares = 0; // index of the first square of its range
+		int asleep = 0; // number of sleeping tiles in the range
 		bool is_kept = false; // it meets what it met in the last step
 		bool is_seen = false; // cameras see tiles of its range; not asked while the list has room for all
 	};
@@ -90,24 +91,24 @@ private:
 	using LimitsBySight = std::array<Limits, 2>; // of ways out of view, and of those in view
 	// What a collider has met.
 	enum Met : uint8_t { MET_NOTHING, MET_GRASS, MET_AWAKE };
-	// The results for a collider of the last step with a stamp.
+	// The results for a collider with a stamp in the last step.
 	struct Known {
-		uint64_t stamp = 0; // 0: nothing is known
+		uint64_t stamp = 0; // 0: unknown
 		Bounds swept;
-		TileRange whole, range; // as it is, and as far as the list had room
+		TileRange whole, range; // the full range, and the range that the list had room for
 		uint32_t first = 0, count = 0; // its slots
-		bool is_good = false; // else it was refused
+		bool is_good = false; // otherwise it was rejected
 		bool is_complete = false; // all tiles that it meets have slots
 	};
 
-	// PARALLEL_BLOCK colliders that follow each other, for one thread at a time. All but known_slots_before is of one step.
+	// A group of PARALLEL_BLOCK consecutive colliders, for one thread at a time. All of it but known_slots_before is for one step.
 	struct Block {
-		std::vector<Way> ways; // of the colliders, rising
-		std::vector<Way> whole; // the same before they were limited
-		std::vector<const SlotMap::Square *> squares; // of the ranges, one after the other, row by row
+		std::vector<Way> ways; // of the colliders, ascending
+		std::vector<Way> whole; // the same before limits were applied
+		std::vector<const SlotMap::Square *> squares; // of the ranges, in order, row by row
 		std::vector<Found> found; // of a range
-		std::vector<Meeting> meetings, meetings_asleep; // with tiles that have slots, and that have none
-		std::vector<int> known_slots, known_slots_before; // of the colliders with stamps, one after the other; in the last step
+		std::vector<Meeting> meetings, meetings_asleep; // with tiles that have slots, and with tiles that have none
+		std::vector<int> known_slots, known_slots_before; // of the colliders with stamps, in order; in this step and the last one
 		SlotSet met, stirred; // as in Tiles
 		uint64_t bad_colliders = 0, looked_at = 0, refused = 0; // as in TileStatistics
 
@@ -155,7 +156,7 @@ private:
 	int queue(int p_x, int p_z);
 
 	const Tiles *_tiles = nullptr; // during find()
-	std::vector<Block> _blocks; // the first _block_count of them in this step
+	std::vector<Block> _blocks; // in this step the first _block_count are used
 	size_t _block_count = 0;
 	std::vector<Known> _known; // of the colliders
 	std::vector<Met> _met; // of the colliders

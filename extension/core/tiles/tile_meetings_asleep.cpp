@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which tiles that sleep are met by a collider, and which of them get a slot.
+// Which sleeping tiles a collider meets, and which of them get a slot.
 #include "core/tiles/tile_meetings.h"
 
 #include <algorithm>
 
 namespace grass {
 
-// Queues the tiles for activation that meet a collider without a slot, as many as can get one: slots that are free, and those of tiles
-// that nobody meets. Beyond that a crowd that covers many times the pool costs little more than looking up its squares, on all threads:
-// what is queued no longer changes.
+// Queues the tiles for activation that meet a collider and have no slot, as many as can get one: from free slots, and from tiles that no
+// collider meets. A crowd that covers the pool many times over costs little more than looking up its squares, on all threads, since the
+// queue no longer changes then.
 void TileMeetings::meet_asleep_tiles(const ParallelFor &p_parallel_for) {
 	_queued.clear();
 	const size_t room = queue_seen_tiles(size_t(_tiles->params.pool_size - _tiles->met.count()));
@@ -28,7 +28,7 @@ void TileMeetings::meet_asleep_tiles_of(Block &r_block, size_t p_room) {
 	}
 }
 
-// Writes those of the range's tiles that sleep to r_block.found, row by row. p_queued: only those that may be queued. Returns how many.
+// Writes the sleeping tiles of the range to r_block.found, row by row. p_queued: only those that may be queued. Returns their number.
 int TileMeetings::find_asleep(const Way &p_way, bool p_queued, Block &r_block) const {
 	const TileRange range = p_way.range, squares = SlotMap::squares_of(range);
 	const SlotMap::Square *const *all_squares = r_block.squares.data() + p_way.squares;
@@ -45,7 +45,7 @@ int TileMeetings::find_asleep(const Way &p_way, bool p_queued, Block &r_block) c
 	return count;
 }
 
-// Returns whether it meets any that sleeps.
+// Queues the sleeping tiles that the collider meets. Returns whether there are any.
 bool TileMeetings::queue_tiles(const Way &p_way, size_t p_room, Block &r_block) {
 	const uint32_t collider = p_way.collider;
 	const int met = keep_met(find_asleep(p_way, false, r_block), p_way.swept, r_block);
@@ -67,7 +67,7 @@ bool TileMeetings::queue_tiles(const Way &p_way, size_t p_room, Block &r_block) 
 	return met > 0;
 }
 
-// The same once no more slots are left.
+// Does the same when no more slots are left.
 bool TileMeetings::meet_queued_tiles(const Way &p_way, Block &r_block) {
 	const TileRange squares = SlotMap::squares_of(p_way.range);
 	const uint32_t collider = p_way.collider;
@@ -94,7 +94,7 @@ bool TileMeetings::meet_queued_tiles(const Way &p_way, Block &r_block) {
 	return joined > 0 || is_refused;
 }
 
-// Whether the collider meets any tile that sleeps and is not queued. Those in the middle of the range are met most likely.
+// Returns whether the collider meets any tile that sleeps and is not queued. Tests the middle of the range first, which is most likely met.
 bool TileMeetings::meets_asleep(const Way &p_way, Block &r_block) const {
 	const TileRange range = p_way.range, squares = SlotMap::squares_of(range);
 	const SlotMap::Square *const *all_squares = r_block.squares.data() + p_way.squares;

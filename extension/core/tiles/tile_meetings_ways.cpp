@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where colliders go in a step: the tiles that each of them may meet.
+// The paths of colliders in a step: the tiles that each of them may meet.
 #include "core/tiles/tile_meetings.h"
 
 #include <algorithm>
@@ -9,10 +9,10 @@ namespace grass {
 
 namespace {
 
-// Tiles up to which a body is small: its outline is most of it.
+// Up to this number of tiles a body is small: most of its tiles are at its outline.
 constexpr int64_t LARGE = 64;
 
-// At most p_limit tiles of the range: those around (p_x, p_z).
+// Returns at most p_limit tiles of the range: those around (p_x, p_z).
 TileRange shrink(const TileRange &p_range, int64_t p_limit, int p_x, int p_z) {
 	if (p_range.count() <= p_limit) {
 		return p_range;
@@ -50,8 +50,8 @@ void TileMeetings::add_collider(ColliderShape &r_collider, uint32_t p_index, Blo
 	}
 }
 
-// The tiles that the collider may meet: those under the box around all of its way. Where these are more than can be awake, those under
-// boxes around pieces of it: what crosses the field aslant in one step passes over few of the tiles between its ends.
+// Adds the tiles that the collider may meet: those under the box around its whole path. If these are more than can be awake, those under
+// boxes around pieces of the path: a body that crosses the field diagonally in one step passes few of the tiles between its ends.
 void TileMeetings::add_ways(const ColliderShape &p_collider, uint32_t p_index, Block &r_block) {
 	constexpr double MOST_PIECES = 256.0;
 	const Bounds swept = p_collider.get_swept_bounds();
@@ -75,9 +75,10 @@ void TileMeetings::add_ways(const ColliderShape &p_collider, uint32_t p_index, B
 	}
 }
 
-// Large bodies while not all tiles can be awake that are met, and bodies that together fill the list, get those around their outlines.
+// Limits bodies to the tiles around their outlines: large ones if more tiles are met than can be awake, and all of them if together they
+// fill the list.
 void TileMeetings::limit_ranges(std::span<const ColliderShape> p_colliders) {
-	constexpr int64_t WIDE_PART = 8; // a body is large, too, that covers such a part of the pool
+	constexpr int64_t WIDE_PART = 8; // a body that covers such a part of the pool is large too
 	int64_t total = 0, widest = 0;
 	size_t ways = 0;
 	for (const Block &block : get_blocks()) {
@@ -155,8 +156,8 @@ void TileMeetings::limit_ways(std::span<const ColliderShape> p_colliders, int64_
 	}
 }
 
-// Puts ways around the body's outline, where blades are bent out, in the place of one over all that is under it: first those in view. A
-// body lower than the grass gets what is left around its middle. Returns how many tiles they may meet, p_limit at most.
+// Replaces a range over everything under the body with ranges around its outline, where blades bend outwards, those in view first. A body
+// lower than the grass gets the rest around its middle. Returns how many tiles they may meet, at most p_limit.
 int64_t TileMeetings::narrow(const ColliderShape &p_collider, const Way &p_way, int64_t p_limit, Block &r_block) {
 	_known[p_way.collider].stamp = 0;
 	_known[p_way.collider].is_complete = false;
@@ -168,7 +169,7 @@ int64_t TileMeetings::narrow(const ColliderShape &p_collider, const Way &p_way, 
 	}
 	int64_t inner = left;
 	if (footprint.is_tall()) {
-		inner = left == p_limit ? std::min<int64_t>(left, 1) : 0; // one, to know that it is in grass
+		inner = left == p_limit ? std::min<int64_t>(left, 1) : 0; // one, to find out whether it is in grass
 	}
 	if (inner > 0) {
 		r_block.ways.push_back({ p_way.swept, shrink(p_way.range, inner, centre.x, centre.z), p_way.collider });
@@ -177,7 +178,7 @@ int64_t TileMeetings::narrow(const ColliderShape &p_collider, const Way &p_way, 
 	return p_limit - left;
 }
 
-// From the row of its middle outwards. p_seen: those in view, or the others.
+// Adds the outline from the middle row outwards. p_seen: the tiles in view, or the others.
 void TileMeetings::add_outline(
 		const TileFootprint &p_footprint, const Way &p_way, int p_middle, bool p_seen, int64_t &r_left, Block &r_block) const {
 	const TileRange &range = p_way.range;
@@ -198,7 +199,7 @@ void TileMeetings::add_outline(
 	}
 }
 
-// In pieces without gaps, of tiles that it meets.
+// Adds a span in gapless pieces, of tiles that the body meets.
 void TileMeetings::add_span(
 		const Way &p_way, int p_z, const TileFootprint::Span &p_span, bool p_seen, int64_t &r_left, Block &r_block) const {
 	const auto is_wanted = [&](int p_x) {
@@ -218,7 +219,8 @@ void TileMeetings::add_span(
 	r_block.looked_at += uint64_t(std::max(p_span.end - p_span.begin, 0));
 }
 
-// The tiles whose box could meet the collider's: squares grown by the widest overhang, lowest ground to highest tip.
+// Returns the tiles whose box could meet the collider's: their squares enlarged by the widest overhang, from the lowest ground to the
+// highest tip.
 TileRange TileMeetings::find_range(const Bounds &p_swept) const {
 	if (p_swept.max.y() <= _tiles->params.low + TileBounds::LEAST_RISE || p_swept.min.y() > _tiles->params.height) {
 		return {};

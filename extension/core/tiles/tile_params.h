@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters by which awake tiles are chosen, and the counts of that choice.
+// The parameters for choosing awake tiles, and statistics of that choice.
 #pragma once
 
 #include "core/solver/solver_params.h"
@@ -9,40 +9,40 @@
 
 namespace grass {
 
-// SleepMode::TIMER: time from the last meeting to settling. Usual 1 to 5. Below 1 s blades still swing when they are put to
-// rest; above 5 s tiles are simulated in which nothing moves.
+// SleepMode::TIMER: time from the last meeting to settling. Usually 1 to 5. Below 1 s blades still swing when they are put to rest; above 5
+// s tiles are simulated in which nothing moves.
 inline constexpr Tunable SLEEP_DELAY{ "sleep_delay", "s", 0.0, 60.0, 0.1, 2.0 };
-// SleepMode::ENERGY: how far from rest a calm blade is, or swings, at most. Usual 0.5 to 3. Above 5 mm blades are seen to
-// stop; below 0.1 mm tiles are simulated that nobody sees move.
+// SleepMode::ENERGY: the most by which a calm blade is away from rest, or swings. Usually 0.5 to 3. Above 5 mm blades visibly stop; below
+// 0.1 mm tiles are simulated whose motion is invisible.
 inline constexpr Tunable SLEEP_MOTION{ "sleep_motion", "mm", 0.01, 50.0, 0.01, 1.0 };
-// Time that a blade takes to return to rest. Usual 0.2 to 1. 0: it jumps there.
+// Time in which a blade returns to rest. Usually 0.2 to 1. 0: it jumps there.
 inline constexpr Tunable SETTLE_TIME{ "settle_time", "s", 0.0, 10.0, 0.05, 0.5 };
 
 // When a tile that no collider meets goes to sleep.
 enum class SleepMode {
-	TIMER, // sleep_delay after the last meeting: the paper's
+	TIMER, // sleep_delay after the last meeting, as in the paper
 	ENERGY, // once its blades have been calm for a while
 };
 
 struct TileParams {
-	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has a row a slot; GPUs allow 16,384 rows.
+	static constexpr int MAX_POOL_SIZE = 16384; // The pool texture has one row for each slot; GPUs allow 16,384 rows.
 
-	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: far bodies bend nothing.
+	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: distant bodies bend nothing.
 	SleepMode sleep_mode = SleepMode::ENERGY;
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
-	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Up to here blades are calm. J/kg.
+	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Largest energy of calm blades. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.
-	// SleepMode::ENERGY: a tile on which nothing changed for so long is left as it is. Too short: blades stop while they still swing.
-	// Seconds.
+	// SleepMode::ENERGY: a tile on which nothing changed for this time is no longer simulated. Too short: blades stop while they still
+	// swing. Seconds.
 	double still_delay = SolverParams().calm_time();
 	double overhang = 0.3; // Metres that blades lean out over their tile's square. Too small: bodies pass through tips.
-	double low = 0.0; // Metres above the field: the lowest ground that tiles stand on.
+	double low = 0.0; // Metres above the field: the lowest ground below a tile.
 	double height = 1.0; // Metres above the field: the highest tip. Too small: bodies pass through tips.
 	uint32_t seed = 0; // Of the tiles' starts in the patch.
 	double segment = 0.0; // Metres, of the longest blade. Too short: its edges meet no sharp bodies, see is_sharp().
-	bool is_mapped = false; // StepInput::growth says how the blades grow.
+	bool is_mapped = false; // StepInput::growth describes how the blades grow.
 
-	// Returns the same params within limits; NaN becomes the default.
+	// Returns the same parameters within limits; NaN becomes the default.
 	TileParams sanitised() const;
 	// While the pool is too small, a tile gets a slot before others if it is as near to the picture as the first of these, and keeps it
 	// as long as it is as near as the second. Equal: tiles at the edge take slots from each other as a camera trembles. Metres.
@@ -62,18 +62,18 @@ private:
 	static constexpr int YIELDING_PART = 16, MIN_YIELDING = 16;
 };
 
-// now: after the last update. The rest counts since the last reset.
+// now: after the last update. Everything else is counted since the last reset.
 struct TileStatistics {
 	int awake = 0; // now: tiles that have a slot
-	int simulated = 0; // now: those of them that this step moves
-	int settling = 0; // now: those of them that are on the way back to rest
-	int still = 0; // now: awake tiles that are left as they are, since nothing on them changes
-	int colliders = 0; // now: that meet an awake tile
-	int list_entries = 0; // now: sum over the simulated tiles of their colliders
+	int simulated = 0; // now: awake tiles that this step simulates
+	int settling = 0; // now: awake tiles on the way back to rest
+	int still = 0; // now: awake tiles that are not simulated, since nothing on them changes
+	int colliders = 0; // now: colliders that meet an awake tile
+	int list_entries = 0; // now: total number of colliders of the simulated tiles
 	int high_water = 0; // most tiles ever awake at once
-	uint64_t tile_steps = 0; // awake tiles that were simulated, summed over the steps
-	uint64_t unseen_steps = 0; // awake tiles that were not, since they are calm and out of view
-	uint64_t still_steps = 0; // awake tiles that were not, since nothing changed on them
+	uint64_t tile_steps = 0; // simulated tiles, summed over the steps
+	uint64_t unseen_steps = 0; // awake tiles that were not simulated since they were calm and out of view
+	uint64_t still_steps = 0; // awake tiles that were not simulated since nothing on them changed
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest

@@ -23,7 +23,7 @@ bool TileView::sees_field(const TileGrid &p_grid, const TileParams &p_params) co
 	});
 }
 
-// grass_tile_visible() of all tiles' boxes, which differ in x and z only.
+// Prepares grass_tile_visible() for all tiles' boxes, which differ in x and z only.
 void TileView::prepare(const TileGrid &p_grid, const TileParams &p_params) {
 	const Eigen::Vector3d first = p_grid.get_centre(0, 0) + Eigen::Vector3d(0.0, 0.5 * (p_params.height + p_params.low), 0.0);
 	const double side = p_grid.get_tile_size(), half_side = 0.5 * side + p_params.overhang;

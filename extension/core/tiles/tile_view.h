@@ -33,7 +33,7 @@ public:
 	int get_band(const TileRange &p_tiles, float p_margin) const;
 
 private:
-	// A frustum as tiles meet it: outside of a plane are those with x * first + z * second > third.
+	// A frustum for tiles: outside a plane are the tiles with x * first + z * second > third.
 	using TileFrustum = std::array<Eigen::Vector3f, 6>;
 
 	int band_from(const Eigen::Vector3f &p_eye, float p_left, float p_right, float p_back, float p_front) const;

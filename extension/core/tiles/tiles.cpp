@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tiles wake. What meets them: tile_meetings.cpp; who gives way: tiles_yield.cpp; how they sleep: tiles_sleep.cpp; what comes of it:
-// tiles_records.cpp.
+// Which tiles wake. Other parts: meetings in tile_meetings.cpp, yielding of slots in tiles_yield.cpp, sleep in tiles_sleep.cpp, the
+// resulting records in tiles_records.cpp.
 #include "core/tiles/tiles.h"
 
 #include <cmath>
@@ -44,14 +44,14 @@ void TileManager::reset() {
 	}
 	_slot_of_tile.reserve(_params.pool_size);
 	_meetings.reset();
-	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be given away and live on
+	_records.assign(2 * size_t(_params.pool_size), {}); // each slot may be taken away and used again in the same step
 	_record_count = 0;
 	_colliders.clear();
 	_collider_list.clear();
 	_statistics = {};
 }
 
-// Algorithm 1. One line each of the paper's three loops is one function here.
+// Algorithm 1. Each line of the paper's three loops is one function here.
 void TileManager::update(double p_delta, std::span<ColliderShape> p_colliders, const ParallelFor &p_parallel_for) {
 	const double delta = std::isfinite(p_delta) ? std::max(p_delta, 0.0) : 0.0;
 	_time += delta;

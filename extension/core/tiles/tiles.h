@@ -32,16 +32,16 @@ public:
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
 
-	// Forgets all awake tiles and counts, without records: the backend empties its tile table too.
+	// Forgets all awake tiles and statistics, without making records: the backend empties its tile table too.
 	void reset();
 
-	// Sets the views of the field. Out of view, a tile is simulated only while something moves in it. In view again, it continues where it
-	// stopped, or is at rest by then.
+	// Gives access to the views of the field. Out of view, a tile is simulated only while something moves in it. In view again, it
+	// continues where it stopped, or is at rest by then.
 	TileView &get_view() { return _view; }
 	bool is_field_seen() const { return _view.sees_field(_grid, _params); }
-	// Call it when the ground changed under these tiles: the next step moves those that are awake, even out of view.
+	// Must be called when the ground under these tiles has changed: the next step simulates those that are awake, even out of view.
 	void stir(const TileRange &p_tiles);
-	// Call it when p_delta seconds have passed in which nobody saw any of the field and update() was not called.
+	// Must be called after p_delta seconds in which no part of the field was visible and update() was not called.
 	void pass_unseen(double p_delta);
 
 	// Takes one step of p_delta seconds (not finite or negative: 0). Repairs p_colliders, see ColliderShape::sanitise(). The same calls
@@ -50,64 +50,65 @@ public:
 	// Returns the number of the last update, 0 before the first. It never falls, not even by reset().
 	uint64_t get_step_number() const { return _step_number; }
 
-	// Retired tiles first, then the live ones that are simulated by rising slot. A slot can be in both parts: given away at once.
+	// The records: retired tiles first, then the live tiles that are simulated, ascending by slot. A slot can be in both parts, if it was
+	// taken away and used again at once.
 	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders.get(); }
-	std::span<const uint8_t> get_sharp() const { return _colliders.get_sharp(); } // of the colliders, see is_sharp()
+	std::span<const uint8_t> get_sharp() const { return _colliders.get_sharp(); } // for each collider, see is_sharp()
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
 	std::span<const Eigen::Vector4f> get_planes() const { return _colliders.get_planes(); }
 	const TileStatistics &get_statistics() const { return _statistics; }
 
-	// Never more entries than this in get_collider_list(), for buffers made once.
+	// Returns the most entries in get_collider_list(), for buffers that are made once.
 	int get_list_capacity() const { return _params.list_capacity(); }
 
 	// Determines which tiles are calm: these go to sleep, or give way in a full pool. Ignores values that are not finite, and those
-	// measured before the tile was last met, which includes the energies of slots that other tiles had then.
+	// measured before the tile was last met, which excludes energies of another tile in the same slot.
 	void report_energy(const EnergyReport &p_report);
 
-	// [Eq M5] Returns the reported bend of an awake tile; zero for a tile at rest, and while nothing is known.
+	// [Eq M5] Returns the reported bend of an awake tile; zero for a tile at rest, and until one is reported.
 	Eigen::Vector3f get_bend(int p_tile) const;
-	// Returns true if collider p_collider of the last update met grass: the box around the blades of a tile on which some grow.
+	// Returns true if collider p_collider of the last update met grass: the box around the blades of a tile with any.
 	bool has_met_grass(size_t p_collider) const { return _meetings.has_met_grass(p_collider); }
 	// Returns true if one of these tiles is awake now.
 	bool has_met_awake(size_t p_collider) const { return _meetings.has_met_awake(p_collider); }
 
 	int get_slot_of(int p_tile) const; // GRASS_NO_SLOT if it has none.
 	int get_tile_of(int p_slot) const; // TileMap::NONE if the slot is free or does not exist.
-	bool is_awake(int p_tile) const; // Has a slot.
+	bool is_awake(int p_tile) const; // It has a slot.
 	bool is_settling(int p_tile) const; // Awake, and on the way back to rest.
 	size_t get_memory_usage() const; // Bytes; does not depend on the field's size.
 
 private:
-	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: gives way last
+	static constexpr float NO_ENERGY = std::numeric_limits<float>::infinity(); // not reported yet: such tiles give way last
 	static constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-	// What is known of an awake tile, in parts: a step goes through all awake tiles, and what costs then is the memory that it has
-	// to fetch. When things happened, seconds on _time:
+	// The state of an awake tile, in parts. A step visits all awake tiles, and its cost is the memory that it fetches. These are points in
+	// time, seconds on _time:
 	struct Times {
 		double met = 0.0; // the last step in which a collider was in the tile
 		double stirred = 0.0; // the last step in which a collider moved in the tile, came or left
 		double calm_since = NEVER;
-		double simulated = 0.0; // not when: for how long since it was stirred
+		double simulated = 0.0; // a duration: how long the tile has been simulated since it was stirred
 	};
 
-	// How calm it is.
+	// The motion of a tile.
 	struct Motion {
 		float energy = NO_ENERGY; // since the last meeting
-		uint32_t met_step = 0; // number of the step of Times::met, its lower half
+		uint32_t met_step = 0; // lower half of the number of the step of Times::met
 	};
 
-	// Where it is.
+	// The place of a tile.
 	struct Place {
 		TileBounds::Tile tile;
 		uint32_t start = 0; // first blade in the patch
 	};
 
-	// What is seldom read.
+	// State that is seldom read.
 	struct Life {
 		uint64_t woken_step = 0; // number of the step
 		double settle_left = 0.0; // seconds to rest, while settling
-		float blend = 0.0f; // while settling: of this step's record; 1: at rest after it
+		float blend = 0.0f; // while settling: blend of this step's record; 1: at rest after it
 	};
 
 	// How calm a tile is that may give way, and its slot in the lowest bits: the calmest is least. Tiles out of view before others,
@@ -149,13 +150,13 @@ private:
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
 
-	// The pool: memory of every slot, made once. _used is the paper's ActivatedTileList.
+	// The pool: the state of every slot, allocated once. _used is the paper's ActivatedTileList.
 	std::vector<Times> _times;
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
-	std::vector<uint32_t> _entries; // of this step: colliders; then where in the collider list the next of them is written
-	std::vector<uint16_t> _forces; // of this step: bits of those that move the tile
+	std::vector<uint32_t> _entries; // in this step: number of colliders; later the index in the collider list for the next one
+	std::vector<uint16_t> _forces; // in this step: bits of the forces that move the tile
 	SlotSet _free, _used, _settling;
 	SlotSet _held; // in view, at the begin of a step in which slots are short; else empty
 	// Of this step: met by a collider; by one that moves, comes or has left; by none; awake since; not simulated, since calm and out of
@@ -164,19 +165,19 @@ private:
 	std::vector<uint64_t> _signatures,
 			_signatures_before; // by slot: which colliders stand where in its tile, in this step and the last one
 	SlotMap _slot_of_tile;
-	uint64_t _reported_step = 0, _bend_step = 0; // of the last report, and of the one that had bends
+	uint64_t _reported_step = 0, _bend_step = 0; // steps of the last report, and of the last one with bends
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
 
-	// Of one step.
+	// For one step.
 	TileMeetings _meetings;
-	std::vector<int> _given_slots; // to the tiles that the meetings want
-	std::vector<Calm> _calm; // of all that may give way
-	std::vector<Calm> _yielding; // those that will, calmest last
+	std::vector<int> _given_slots; // for the tiles that the meetings want
+	std::vector<Calm> _calm; // all that may give way
+	std::vector<Calm> _yielding; // those that will give way, calmest last
 	bool _yielding_known = false;
 	std::vector<int> _yielded; // tiles that lost their slots to others that cameras see better
 	std::vector<int> _seen_worst; // awake tiles: band of their distance (see TileView) and slot
 
-	std::vector<GrassSlot> _records; // room for all there can be
+	std::vector<GrassSlot> _records; // room for the largest possible number
 	size_t _record_count = 0;
 	TileColliders _colliders;
 	std::vector<uint32_t> _collider_list;

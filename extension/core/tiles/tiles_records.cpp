@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What TileManager hands to the backend.
+// The records that TileManager hands to the backend.
 #include "core/tiles/tiles.h"
 
 #include <limits>
@@ -7,8 +7,8 @@
 
 namespace grass {
 
-// Drops the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use. Forces have no entries in
-// the list: a bit in each tile's record is all.
+// Removes the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use. Forces have no entries
+// in the list: each is only a bit in a tile's record.
 void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_colliders.clear();
 	std::fill(_entries.begin(), _entries.end(), 0);
@@ -16,7 +16,7 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	uint32_t last = std::numeric_limits<uint32_t>::max(), number = 0;
 	std::vector<TileMeetings::Meeting> &meetings = _meetings.get();
 	std::fill(_forces.begin(), _forces.end(), 0);
-	for (const TileMeetings::Meeting &meeting : meetings) { // rising by collider
+	for (const TileMeetings::Meeting &meeting : meetings) { // ascending by collider
 		const int slot = meeting.slot, force = p_colliders[meeting.collider].force;
 		if (force != ColliderShape::NO_FORCE) {
 			_forces[size_t(slot)] |= uint16_t(1u << force);
@@ -33,7 +33,7 @@ void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
 	_statistics.list_entries = int(kept);
 }
 
-// One record each of the awake tiles that are simulated.
+// Writes one record for each awake tile that is simulated.
 void TileManager::write_records() {
 	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
 	uint32_t entries = 0;
@@ -61,7 +61,7 @@ void TileManager::write_records() {
 	_fresh.clear();
 }
 
-// Each tile's colliders, in the order in which update() got them.
+// Writes each tile's colliders, in the order in which update() got them.
 void TileManager::write_list() {
 	_collider_list.resize(_meetings.get().size());
 	for (const TileMeetings::Meeting &meeting : _meetings.get()) {

@@ -10,16 +10,16 @@ namespace grass {
 
 namespace {
 
-// Seconds for which blades must be calm.
+// Seconds for which blades must stay calm.
 constexpr double CALM_TIME = 0.5;
-// A tile is no longer calm above this multiple of the energy up to which it becomes so: twice the motion.
+// A calm tile stops being calm above this multiple of the energy at which it became calm: twice the motion.
 constexpr float CALM_ENDS = 4.0f;
-// Seconds that a calm tile takes to rest, at most: nobody sees it move.
+// The most seconds that a calm tile takes to settle, since its motion is invisible.
 constexpr double CALM_SETTLE_TIME = 0.1;
 // Seconds after the last meeting at which a tile that never calmed down settles. Very soft blades swing this long.
 constexpr double LONGEST_AWAKE = 10.0;
 
-// A collider counts as another one once it has moved by these steps: metres, and shares of a turn.
+// A collider counts as changed once it has moved by these steps: metres, and shares of a turn.
 constexpr double PLACE_STEP = 1e-3, TURN_STEP = 5e-3;
 
 uint64_t mix(uint64_t p_signature, uint64_t p_word) {
@@ -42,7 +42,7 @@ uint64_t sign_of(const ColliderShape &p_shape) {
 
 void TileManager::report_energy(const EnergyReport &p_report) {
 	if (p_report.step == _reported_step) {
-		return; // nothing new, and it knows nothing of who was met since
+		return; // nothing new, and it does not know which tiles were met since
 	}
 	_reported_step = p_report.step;
 	if (!p_report.bends.empty()) {
@@ -59,7 +59,7 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 		if (is_older || !std::isfinite(energy)) {
 			continue;
 		}
-		motion.energy = energy > 0.0f ? energy : 0.0f; // and no zero with a sign
+		motion.energy = energy > 0.0f ? energy : 0.0f; // removes a negative zero
 		double &calm_since = _times[size_t(slot)].calm_since;
 		if (motion.energy > CALM_ENDS * float(_params.sleep_energy)) {
 			calm_since = NEVER;
@@ -69,15 +69,15 @@ void TileManager::report_energy(const EnergyReport &p_report) {
 	}
 }
 
-// Notes which colliders stand where, so coarsely that trembling does not show but creeping does. A tile is stirred where these differ from
-// the last step's.
+// Computes a signature of which colliders are where, so coarse that trembling does not change it but creeping does. A tile is stirred if
+// its signature differs from that of the last step.
 void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 	std::swap(_signatures, _signatures_before);
 	std::fill(_signatures.begin(), _signatures.end(), 0);
 	uint32_t last = std::numeric_limits<uint32_t>::max();
 	uint64_t sign = 0;
 	_statistics.colliders = 0;
-	for (TileMeetings::Meeting &meeting : _meetings.get()) { // rising by collider
+	for (TileMeetings::Meeting &meeting : _meetings.get()) { // ascending by collider
 		meeting.slot = meeting.slot >= 0 ? meeting.slot : _given_slots[size_t(~meeting.slot)];
 		if (meeting.collider != last) {
 			last = meeting.collider;
@@ -92,7 +92,7 @@ void TileManager::sign_meetings(std::span<const ColliderShape> p_colliders) {
 	}
 }
 
-// First the tiles that are met, then the others: a branch between the two in one loop would be mispredicted.
+// Handles the tiles that are met first, then the others: a branch between the two in one loop would be mispredicted.
 void TileManager::deactivate_tiles(double p_delta) {
 	_skipped.clear();
 	_settling.take_difference(_settling, _met);
@@ -126,13 +126,13 @@ void TileManager::keep_awake(int p_slot, bool p_is_stirred) {
 	_motions[size_t(p_slot)] = { NO_ENERGY, uint32_t(_step_number) };
 }
 
-// No collider has moved in it for a while.
+// Returns whether no collider has moved in the tile for a while.
 bool TileManager::is_unstirred(int p_slot) const {
 	return _time - _times[size_t(p_slot)].stirred >= CALM_TIME && !_stirred.has(p_slot);
 }
 
-// Simulated for so long since it was stirred that its blades stand where they will stay. Those that two bodies mash would tremble
-// for ever.
+// Returns whether the tile was simulated for so long since it was stirred that its blades have reached their final pose. Blades that two
+// bodies crush would tremble for ever.
 bool TileManager::is_still(int p_slot) const {
 	return _params.sleep_mode == SleepMode::ENERGY && _times[size_t(p_slot)].simulated >= _params.still_delay;
 }
@@ -142,7 +142,7 @@ bool TileManager::is_calm(int p_slot) const {
 			_time - _times[size_t(p_slot)].calm_since >= CALM_TIME;
 }
 
-// Whether it would be at rest by now, as far as anybody who did not see it can tell.
+// Returns whether the tile, while out of view, would have come to rest by now.
 bool TileManager::is_past(int p_slot) const {
 	return _settling.has(p_slot) || is_calm(p_slot) || _time - _times[size_t(p_slot)].met >= _params.sleep_delay + _params.settle_time;
 }
@@ -152,20 +152,20 @@ bool TileManager::should_settle(int p_slot) const {
 		return true;
 	}
 	double delay = _params.sleep_delay;
-	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer holds where nothing is reported
+	if (_params.sleep_mode == SleepMode::ENERGY) { // the timer applies where nothing is reported
 		delay = _motions[size_t(p_slot)].energy == NO_ENERGY ? std::max(delay, CALM_TIME) : LONGEST_AWAKE;
 	}
 	return _time - _times[size_t(p_slot)].met >= delay;
 }
 
-// Goes the share of the remaining way that brings the tile to rest in time, at an even pace.
+// Moves the tile by the share of the remaining way that brings it to rest in time, at an even pace.
 void TileManager::settle(int p_slot, double p_delta) {
 	Life &life = _lives[size_t(p_slot)];
 	if (!_settling.has(p_slot)) {
 		_settling.insert(p_slot);
 		life.settle_left = is_calm(p_slot) ? std::min(_params.settle_time, CALM_SETTLE_TIME) : _params.settle_time;
 	}
-	// What rounding leaves of a step is no step of its own.
+	// A remainder due to rounding is not a step of its own.
 	const bool arrives = life.settle_left <= p_delta * 1.0001;
 	life.blend = arrives ? 1.0f : float(p_delta / life.settle_left);
 	life.settle_left -= p_delta;
@@ -175,7 +175,7 @@ void TileManager::stir(const TileRange &p_tiles) {
 	if (p_tiles.count() == 0) {
 		return;
 	}
-	_meetings.forget(); // what stands on them, and how high
+	_meetings.forget(); // their grass, or its height, has changed
 	for (const int slot : _used) {
 		const TileBounds::Tile tile = _places[size_t(slot)].tile;
 		if (p_tiles.has(tile.x, tile.z)) {
@@ -194,7 +194,7 @@ bool TileManager::is_seen(int p_slot) const {
 	return _view.sees(tile.x, tile.z);
 }
 
-// Announces that the slot's tile is at rest from now on, and leaves the slot to the caller. p_is_at_rest: the tile was at rest before.
+// Records that the slot's tile is at rest from now on, and leaves the slot to the caller. p_is_at_rest: the tile was at rest before.
 void TileManager::retire(int p_slot, bool p_is_at_rest) {
 	const Place &place = _places[size_t(p_slot)];
 	const int x = place.tile.x, z = place.tile.z;

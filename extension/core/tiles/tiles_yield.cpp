@@ -9,8 +9,8 @@
 
 namespace grass {
 
-// Retires the calmest tile that no collider meets in this step and returns its slot; there must be one. Never one that is met: two tiles
-// under colliders would take the slot from each other in every step. p_wanted: how many slots this step still needs.
+// Retires the calmest tile that no collider meets in this step, and returns its slot. There must be such a tile. Never takes one that is
+// met, since two tiles under colliders would take the slot from each other in every step. p_wanted: how many slots this step still needs.
 int TileManager::take_calmest_slot(size_t p_wanted) {
 	if (!_yielding_known) {
 		_yielding_known = true;
@@ -61,7 +61,7 @@ void TileManager::yield_to_waiting() {
 	_statistics.yielded += yielded;
 }
 
-// The calmest p_wanted tiles, calmest last.
+// Finds the calmest p_wanted tiles, calmest last.
 void TileManager::find_yielding(size_t p_wanted) {
 	constexpr size_t SAMPLES = 64;
 	_calm.resize(size_t(_params.pool_size));
@@ -71,7 +71,7 @@ void TileManager::find_yielding(size_t p_wanted) {
 	for (const int slot : _unmet) {
 		_calm[count++] = calm_of(slot);
 	}
-	// Few of many are wanted: a sample shows roughly how calm those are, and the rest drop out unsorted.
+	// Few of many are wanted: a sample shows roughly how calm these are, and the others drop out unsorted.
 	Calm bound = ~Calm(0);
 	if (count > SAMPLES * 4) {
 		std::array<Calm, SAMPLES> samples;
@@ -87,7 +87,7 @@ void TileManager::find_yielding(size_t p_wanted) {
 		_yielding[chosen] = _calm[i];
 		chosen += _calm[i] <= bound ? 1 : 0;
 	}
-	if (chosen < p_wanted) { // the sample was wrong
+	if (chosen < p_wanted) { // the sample was not representative
 		std::copy_n(_calm.begin(), count, _yielding.begin());
 		chosen = count;
 	}
