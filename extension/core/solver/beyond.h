@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT: the part of a blade beyond a joint, as the sweep from tip to root models it, and the contributions of knots, edges,
-// surfaces and joints. Twin of shaders/solver/beyond.inc.
+// METHOD_DIRECT: the part of a blade beyond a joint, as the sweep from tip to root models it, and what knots, edges, surfaces and joints
+// add to it. Twin of shaders/solver/beyond.inc.
 #pragma once
 
 #include "core/base/matrix.h"
@@ -9,22 +9,22 @@
 
 namespace grass {
 
-// The results of one solve about surfaces.
+// What one solve found about surfaces.
 template <class T> struct Touches {
-	T depth; // of the deepest touch below its skin, metres; 0: nothing is touched
-	T deepest; // of the touches of colliders, skins
+	T depth; // of the deepest touch below its skin, metres; 0: nothing touches
+	T deepest; // deepest touch of a collider, in skins
 	T grip; // limit of the blade's motion that friction at colliders can remove, metres times the inertia of a mean knot without drag
-	T blow; // depth of the deepest touch that the solve had to leave out, metres; 0: there was none
+	T blow; // depth of the deepest touch that the solve had to leave out, metres; 0: none
 };
 
 // An implicit step of `span` seconds from a base position; the target is where the knots would go without springs and contact.
 template <class T> struct Stage {
-	T span; // seconds
-	bool is_part; // one of the parts of a step among far-moving colliders
-	T most_depth; // of a contact that a solve can undo, metres; a deeper one is a blow
+	T span; // of the step in seconds
+	bool is_part; // one of several parts of a step beside far-moving colliders
+	T most_depth; // deepest contact that a solve can undo, metres; a deeper one is a blow
 	MaskOf<T> is_buried; // [Eq 46] a blow would not free it
-	T caution; // resistance of the joints to one solve, shares of their stiffness
-	T weight; // of a knot's inertia: 1 + drag; of a free blade divided by the weight of its step's end, as its forces are taken at a mean
+	T caution; // resistance of the joints to one solve, as a share of their stiffness
+	T weight; // of a knot's inertia: 1 + drag; of a free blade divided by its step's end's weight, since its forces are computed at a mean
 	Vec3<T> base[GRASS_KNOTS]; // metres
 	Vec3<T> target[GRASS_KNOTS]; // metres
 };
@@ -47,8 +47,8 @@ template <class T> struct Beyond {
 	Touches<T> touches;
 };
 
-// [Eq 31] Adds the effect of a surface on a point at p_lever (metres) beyond the end that the model is a function of; a turn of the lever
-// moves the point along. p_weight: the knot's inertia, p_own: this point's share of the push. Returns the greatest pull of friction.
+// [Eq 31] Adds the effect of a surface on a point at p_lever (metres) beyond the end that the model is a function of; turning the lever
+// moves the point. p_weight: the knot's inertia, p_own: this point's share of the push. Returns the greatest pull of friction.
 template <class T>
 GRASS_INLINE T add_touch(Beyond<T> &r_beyond, const Touch<T> &p_touch, const Stage<T> &p_stage, const Vec3<T> &p_lever, const T &p_length,
 		const T &p_weight, const T &p_bending, const T &p_own) {
@@ -97,7 +97,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 	add_identity(r_beyond.P, weight);
 	Touch<T> ground = find_ground_touch(p_stage.base[p_knot], p_blade.knots[p_knot], p_blade.lengths[p_knot - 1], p_terms.ground_gap,
 			p_blade.rest[p_knot].y, p_terms.friction);
-	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // a blade near nothing would hook itself there
+	ground.friction = select(p_stage.caution > T(0.0f), ground.friction, T(0.0f)); // else a free blade would hook into it
 	if (any(ground.depth > T(0.0f))) {
 		add_touch(r_beyond, ground, p_stage, Vec3<T>{}, p_blade.lengths[p_knot - 1], weight, p_bending, T(1.0f));
 	}
@@ -110,7 +110,7 @@ GRASS_INLINE void add_knot(Beyond<T> &r_beyond, const Blade<T> &p_blade, const S
 }
 
 // Adds the touches of the edge from knot p_knot - 1 to p_knot, as a function of the shift of the former. p_first, p_second: the touches of
-// these knots; the edge does not count again what they feel of its surface.
+// these knots; the edge does not count again what these already feel of its surface.
 template <class T>
 GRASS_INLINE void add_edge(Beyond<T> &r_beyond, const Blade<T> &p_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain,
 		const Stage<T> &p_stage, int p_knot, const Touch<T> &p_first, const Touch<T> &p_second, const T &p_bending) {

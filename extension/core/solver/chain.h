@@ -25,13 +25,13 @@ template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p
 	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
-// [Eq 24] Sets where the knots would go without springs and contact: p_way from p_base.
+// Sets where the knots would go without springs and contact: by p_way from p_base.
 template <class T> GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_way) {
 	r_stage.base[p_knot] = p_base;
 	r_stage.target[p_knot] = p_base + p_way;
 }
 
-// [Eq 17] Makes the first guess: the targets, moved from root to tip to their segments' lengths. p_lacks: the rest of the way, metres.
+// [Eq 17] Makes the first guess: the targets, moved to their segments' lengths from root to tip. p_lacks: the rest of the way, metres.
 template <class T> GRASS_INLINE void follow_targets(Blade<T> &r_blade, const Stage<T> &p_stage, const Vec3<T> &p_lacks) {
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -48,7 +48,7 @@ template <class T> GRASS_INLINE Vec3<T> face_of(const Vec3<T> &p_width, const Ve
 	return normal * (T(1.0f) / square_root(maximum(dot(normal, normal), T(TINY_SQUARED))));
 }
 
-// [Eq 5] Finds how far every joint is from its shape at rest, bent and twisted, [Eq 45] and the axis about which it is stiffer.
+// [Eq 5] Measures how far every joint is bent and twisted from its shape at rest, [Eq 45] and the axis about which it is stiffer.
 template <class T>
 GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p_chain, JointGain<T> (&r_gains)[GRASS_SEGMENTS]) {
 	Turn<T> frame;
@@ -66,7 +66,7 @@ GRASS_INLINE void measure_joints(const Blade<T> &p_blade, const ChainTerms<T> &p
 	}
 }
 
-// [Eq 30] Does one solve: tip to root, then root to tip. p_active: the lanes whose blades move.
+// [Eq 30] Performs one solve: from tip to root, then from root to tip. p_active: the lanes whose blades move.
 template <class T, class Mask>
 GRASS_INLINE Touches<T> solve_chain(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Stage<T> &p_stage, const Mask &p_active) {
@@ -99,7 +99,7 @@ GRASS_INLINE Touches<T> solve_chain(
 		turn = gain.turn + product_of(gain.spring, stiffened) - (gain.shift.x * shift.x + gain.shift.y * shift.y + gain.shift.z * shift.z);
 		const Vec3<T> knot = r_blade.knots[s + 1];
 		const Vec3<T> e = knot - parent;
-		// The part about the segment itself is twist; it would spoil the turn, being much larger.
+		// The part of the turn about the segment itself is twist. It is much larger, and would spoil the turn.
 		const T along = dot(turn, e) / maximum(dot(e, e), T(TINY_SQUARED));
 		const T twist = along * r_blade.lengths[s];
 		const T twisted = minimum(maximum(r_blade.twist[s] + (twist - twist_before), T(-MOST_TWIST)), T(MOST_TWIST));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shaders/solver/constants.inc as C++: the numbers of the solver.
+// shaders/solver/constants.inc as C++: the constants of the solver.
 #pragma once
 
 namespace grass {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The effect of colliders and the ground on a blade: the deepest correction bends it, and finish() leaves no knot inside. Twin of
+// How colliders and the ground act on a blade: the deepest correction bends it, and finish() leaves no knot inside. Twin of
 // shaders/solver/contact.inc.
 #pragma once
 
@@ -23,7 +23,7 @@ template <class T> struct DeepestCorrection {
 	T knot = T(0.0f);
 };
 
-// Returns the correction of the edge that ends at knot p_knot, if it is between its knots. r_share: its place on the edge.
+// Returns the correction of the edge that ends at knot p_knot, if its contact is between the edge's knots. r_share: its place on the edge.
 template <class T>
 GRASS_INLINE Correction<T> find_edge_correction(
 		const TileCollider &p_collider, const Blade<T> &p_blade, int p_knot, const T &p_friction, T &r_share) {
@@ -76,14 +76,14 @@ template <class T> GRASS_INLINE DeepestCorrection<T> find_deepest_correction(con
 	return deepest;
 }
 
-// Returns the moment at hinge p_knot of a force along the correction; none beyond the corrected place.
+// Returns the moment at hinge p_knot of a force along the correction; zero beyond the corrected place.
 template <class T> GRASS_INLINE Vec3<T> moment(const DeepestCorrection<T> &p_deepest, const Vec3<T> &p_hinge, int p_knot) {
 	const Vec3<T> moment = cross(p_deepest.place - p_hinge, p_deepest.correction.direction);
 	return select(p_deepest.knot > T(float(p_knot)), moment, Vec3<T>{});
 }
 
-// [Eq 13] Bends the blade by a correction as a force there would: every hinge below it turns by the force's moment about that hinge, so
-// much in all that the knot comes out. Lengths stay; the part above that place turns along.
+// [Eq 13] Bends the blade by a correction as a force there would: every hinge below it turns by the force's moment about that hinge, by as
+// much in total as moves the knot out. Lengths stay the same; the part above that place turns along.
 template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrection<T> &p_deepest) {
 	T stiffness(0.0f);
 	Vec3<T> sum{};
@@ -106,7 +106,7 @@ template <class T> GRASS_INLINE void bend(Blade<T> &r_blade, const DeepestCorrec
 	}
 }
 
-// [Eq 16] Turns a knot about its parent until it is outside of every collider. p_gap: its least height.
+// [Eq 16] Turns a knot about its parent until it is outside every collider. p_gap: its least height.
 template <class T>
 GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_parent, const Vec3<T> &p_segment,
 		const T &p_length, const T &p_gap) {
@@ -115,7 +115,7 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 		const Vec3<T> parent = p_parent + (p_blade.root - widened<T>(collider.centre));
 		const Vec3<T> offset = parent + segment;
 		const Vec3<T> nearest = maximum(minimum(parent, offset), Vec3<T>{} - maximum(parent, offset));
-		const auto may_meet = !(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)); // else the whole segment is outside
+		const auto may_meet = !(largest_part(nearest - widened<T>(collider.box)) > T(0.0f)); // otherwise the whole segment is outside
 		if (!any(may_meet)) {
 			continue;
 		}
@@ -139,12 +139,12 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 
 // Blades that no surface pushes at the end of a step.
 template <class Mask> struct Spared {
-	Mask is_held; // [Eq 36] they stay as they are: in a wedge, surfaces would turn them again and again
+	Mask is_held; // [Eq 36] they stay as they are: in a wedge, surfaces would turn them back and forth
 	Mask is_laid; // [Eq 47] a body rests on their roots
 };
 
-// [Eq 16], [Eq 17] Moves every knot, root to tip, to its segment's length from the knot before it, outside of the colliders and above the
-// ground. Knots for which that holds already stay the same, bit for bit.
+// [Eq 16], [Eq 17] Moves every knot, from root to tip, to its segment's length from the knot before it, outside the colliders and above the
+// ground. Knots that already satisfy this stay the same, bit for bit.
 template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Spared<Mask> &p_spared) {
 	const T zero(0.0f);
 	Vec3<T> carry{};
@@ -163,7 +163,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 			const Vec3<T> start = segment;
 			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
 			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
-			if (!any(sum_of(segment - start) > zero)) { // no squares, which would lose the smallest turns
+			if (!any(sum_of(segment - start) > zero)) { // no squares, which would underflow for the smallest turns
 				break;
 			}
 		}
@@ -174,7 +174,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 		const Vec3<T> change = segment - straight;
 		carry = carry + change;
 		r_blade.knots[k] = select(p_spared.is_held, r_blade.knots[k], knot + change);
-		// What a surface had to push back stands still afterwards: no bounce, no jitter, no speed from an overlap.
+		// A knot that a surface pushed back does not move afterwards: no bounce, no jitter, no speed from an overlap.
 		const auto is_pushed = dot(change, change) > zero;
 		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);
 	}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT over time: one implicit step of a chain, of the second order if nothing is near. Twin of shaders/solver/direct.inc.
+// METHOD_DIRECT over time: one implicit step of a chain, of second order if nothing is near. Twin of shaders/solver/direct.inc.
 #pragma once
 
 #include "core/solver/free.h"
@@ -9,17 +9,17 @@
 
 namespace grass {
 
-// [Eq 36] Returns the share of a speed that rubbing leaves.
+// [Eq 36] Returns the share of a speed that is left after rubbing.
 template <class T> GRASS_INLINE T rubbed(const T &p_seconds) {
 	return T(1.0f) / (T(1.0f) + T(RUB) * p_seconds);
 }
 
-// [Eq 32] Knocks out of a collider a blade that is too deep in it for a linear model: the deepest correction bends the blade as
+// [Eq 32] Knocks a blade out of a collider if it is too deep inside for a linear model: the deepest correction bends the blade as
 // METHOD_PBD's does, and its inertia follows.
 template <class T, class Mask>
 GRASS_INLINE void take_blows(
 		Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_hit) {
-	// Below the skin, which the solve's depth counts in: nothing may be a blow there and none here.
+	// Measured below the skin, as the solve's depth is: no contact may count as a blow there and be missed here.
 	const T deep = r_stage.most_depth - r_blade.blade_length * T(2.0f * SKIN / float(GRASS_SEGMENTS));
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.before[k] = p_start.place[k];
@@ -49,7 +49,8 @@ template <class T> GRASS_INLINE auto all_are_slow(const Blade<T> &p_blade, const
 	return !is_fast;
 }
 
-// [Eq 36] Returns true if no collider that may touch the blade moves in this step; unknown if there are more than the shared ones.
+// [Eq 36] Returns true if no collider that may touch the blade moves in this step. Returns false if there are more than the shared
+// colliders.
 template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	auto is_moved = T(p_terms.colliders.size() > GRASS_SHARED_COLLIDERS ? 1.0f : 0.0f) > T(0.0f);
 	for (const TileCollider &collider : p_terms.colliders) {
@@ -64,17 +65,17 @@ template <class T> GRASS_INLINE auto all_stand_still(const Blade<T> &p_blade, co
 template <class Mask> struct Hold {
 	Mask may_stick; // slow and near something
 	Mask may_be_held; // slower ones, near nothing that moves
-	Mask sticks; // where it was at the start of the step
-	Mask is_held; // those of them that nothing may push, either
+	Mask sticks; // it stays where it was at the start of the step
+	Mask is_held; // it sticks, and nothing may push it either
 };
 
-// [Eq 36] After the first solve of slow blades: gives those that touch nothing the speed back that rubbing took, and moves those that touch
-// something and stick back to where they were. p_is_slow: those of r_hold.may_stick that nothing has hit.
+// [Eq 36] Runs after the first solve of slow blades. Blades that touch nothing get back the speed that rubbing took. Blades that touch
+// something and stick return to where they were. p_is_slow: those of r_hold.may_stick that nothing has hit.
 template <class T, class Mask>
 GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Start<T> &p_start, Stage<T> &r_stage, const Mask &p_is_slow,
 		const Mask &p_touches, const Touches<T> &p_found, Hold<Mask> &r_hold) {
 	const Mask is_free = p_is_slow & !p_touches;
-	const T lost = T(RUB) * r_stage.span; // of what is left
+	const T lost = T(RUB) * r_stage.span; // share of the speed that is left
 	const Vec3<T> load = p_terms.load * (r_stage.span * r_stage.span / r_stage.weight);
 	T farthest(0.0f), forced(0.0f); // squared, square metres
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -98,14 +99,14 @@ GRASS_INLINE void hold(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Sta
 	}
 }
 
-// Returns the blades that take the i-th solve of a step: blades with something near take `iterations` solves, others one.
+// Returns the blades that take part in the i-th solve of a step: those near something take `iterations` solves, others one.
 template <class T, class Mask> GRASS_INLINE Mask wants_solve(const StepTerms<T> &p_terms, int p_i, const Mask &p_is_near) {
 	const Mask is_first = T(float(p_i)) < T(1.0f);
 	return p_i < p_terms.iterations ? p_is_near | is_first : (!p_is_near) & is_first;
 }
 
-// [Eq 30] Does the solves of a step, or of a part of it, for the blades in p_takes_part. Blades that the first solve shows to be hit
-// continue from the blow, with at least one solve.
+// [Eq 30] Performs the solves of a step, or of a part of it, for the blades in p_takes_part. Blades that are hit, according to the first
+// solve, continue from the blow with at least one more solve.
 template <class T, class Mask>
 GRASS_INLINE void solve_stage(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		Stage<T> &r_stage, const Mask &p_takes_part, const Mask &p_is_near, Hold<Mask> &r_hold) {
@@ -164,8 +165,8 @@ GRASS_INLINE void begin_part(Blade<T> &r_blade, const Start<T> &p_start, const V
 	follow_targets(r_blade, r_stage, Vec3<T>{});
 }
 
-// [Eq 43] Steps blades beside far-moving colliders: in parts of one solve each, with the colliders at their positions of that time. r_blade
-// is at the start of the step, and blades that take no part stay there. p_parts: of each blade; p_thin: see Near.
+// [Eq 43] Steps blades beside far-moving colliders in parts of one solve each, with the colliders where they are at that time. r_blade is
+// at the start of the step, and blades that take no part stay there. p_parts: for each blade; p_thin: see Near.
 template <class T>
 GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, const ChainTerms<T> &p_chain, const Start<T> &p_start,
 		const T &p_parts, const T &p_thin, const MaskOf<T> &p_is_buried) {
@@ -204,7 +205,7 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 	}
 }
 
-// [Eq 22] A blade that something may touch takes an implicit Euler step, or several [Eq 43]; another one a step of the second order.
+// [Eq 22] A blade that something may touch takes one implicit Euler step, or several [Eq 43]; any other blade takes a step of second order.
 template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	using Mask = MaskOf<T>;
 	T fastest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The position of an edge, the segment between two knots, relative to a collider: finds colliders that slip between knots. Twin of
+// How an edge, the segment between two knots, relates to a collider: finds colliders that slip between knots. Twin of
 // shaders/solver/edge.inc.
 #pragma once
 
@@ -7,24 +7,25 @@
 
 namespace grass {
 
-// Returns true if an edge whose knots go from and to these places (blade space) surely stays p_skin (metres) away from the collider.
+// Returns true if an edge with knots at these places at the start and the end of the step (blade space) surely stays p_skin (metres) away
+// from the collider.
 template <class T>
 GRASS_INLINE auto is_edge_clear(const TileCollider &p_collider, const Vec3<T> &p_root, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b,
 		const Vec3<T> &p_to_a, const Vec3<T> &p_to_b, const T &p_skin) {
 	return passes_by(p_collider, extent_of(p_from_a + p_root, p_from_b + p_root), extent_of(p_to_a + p_root, p_to_b + p_root), p_skin);
 }
 
-// [Eq 33] The deepest point of the edge between two points in the shape's own axes. How far a point is in front of a convex shape is
-// convex along the edge, and each face is a line below it: where the lines of both sides meet, the next face is asked, and the
-// mixture of both that is level along the edge is the answer. p_cutoff (metres): that far out it is enough to know that the edge
-// is no nearer. p_ground: what leads into it is no way out, [Eq 21].
+// [Eq 33] Returns the deepest point of the edge between two points in the shape's own axes. The distance from a convex shape is convex
+// along the edge, and each face gives a line below it. Each round queries the face where the lines of both sides cross; the result is the
+// mixture of both faces that is level along the edge. p_cutoff (metres): beyond this distance it is enough to know that the edge is no
+// nearer. p_ground: a way into it is no way out, [Eq 21].
 template <class T>
 GRASS_INLINE Edge<T> find_edge(
 		const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff, const Ground<T> &p_ground) {
 	const T zero(0.0f), one(1.0f);
 	const Vec3<T> along = p_b - p_a;
 	Face<T> low = find_face(p_collider, p_a, p_ground),
-			high = find_face(p_collider, p_b, p_ground); // of the sides where it falls and rises
+			high = find_face(p_collider, p_b, p_ground); // of the sides with falling and rising distance
 	T fall = dot(low.normal, along), rise = dot(high.normal, along);
 	const auto is_low_end = !(fall < zero);
 	Edge<T> edge{ { select(is_low_end, low.normal, high.normal), select(is_low_end, low.distance, high.distance) },
@@ -65,14 +66,14 @@ GRASS_INLINE Edge<T> find_edge(
 	}
 }
 
-// The same where the ground does not matter.
+// Does the same where the ground does not matter.
 template <class T>
 GRASS_INLINE Edge<T> find_edge(const TileCollider &p_collider, const Vec3<T> &p_a, const Vec3<T> &p_b, const T &p_cutoff) {
 	return find_edge(p_collider, p_a, p_b, p_cutoff, Ground<T>{ {}, T(0.0f) });
 }
 
-// [Eq 34] As sweep() for a knot: the face that an edge meets whose knots go along two paths, moved along to the paths' end. In each step
-// no point of the edge goes farther than the edge is away.
+// [Eq 34] Does for an edge what sweep() does for a knot: returns the face that it meets while its knots move along two paths, moved along
+// to the paths' end. In each iteration no point of the edge moves farther than the edge's distance.
 template <class T>
 GRASS_INLINE Edge<T> sweep_edge(const TileCollider &p_collider, const Path<T> &p_a, const Path<T> &p_b, const T &p_cutoff) {
 	const Edge<T> last = find_edge(p_collider, p_a.to, p_b.to, p_cutoff);

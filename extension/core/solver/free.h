@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// METHOD_DIRECT: the step of a blade with nothing near it, of the second order with one solve. Twin of shaders/solver/free.inc.
+// METHOD_DIRECT: the step of a blade with nothing near it, of second order with one solve. Twin of shaders/solver/free.inc.
 // docs/internals/solver.md derives it.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// A blade's positions at the start of the step, and how far its speed then carries it in the step.
+// A blade's positions at the start of the step, and how far its speed carries it in the step.
 template <class T> struct Start {
 	Vec3<T> place[GRASS_KNOTS]; // metres
 	Vec3<T> moved[GRASS_KNOTS]; // metres
@@ -39,7 +39,7 @@ template <class T> GRASS_INLINE Start<T> make_start(const Blade<T> &p_blade, con
 
 #include "core/base/lane_words_end.h"
 
-// [Eq 22] By how lively the blade was in the step before.
+// [Eq 22] Makes the step according to how lively the blade was in the step before.
 template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Start<T> &p_start) {
 	Liveliness<T> lively = begin_liveliness<T>();
 	for (int s = 1; s < GRASS_SEGMENTS; s++) {
@@ -51,10 +51,11 @@ template <class T> GRASS_INLINE FreeStep<T> make_free_step(const Blade<T> &p_bla
 // The positions at which a free blade's forces are computed, and where its step would end without them.
 template <class T> struct Middle {
 	Vec3<T> guess[GRASS_KNOTS]; // where the step would end without forces, metres
-	Vec3<T> place[GRASS_KNOTS]; // the mean of it and the places now and before, metres
+	Vec3<T> place[GRASS_KNOTS]; // mean of the guess and of the places now and before, metres
 };
 
-// [Eq 22] From the guess that follow_targets() has left in r_blade to the mean; targets are set so that a solve from there turns the mean.
+// [Eq 22] Moves the blade from the guess that follow_targets() left in r_blade to the mean. Sets the targets so that a solve from there
+// turns the mean.
 template <class T, class Mask>
 GRASS_INLINE void go_to_middle(Blade<T> &r_blade, Stage<T> &r_stage, const Start<T> &p_start, const FreeStep<T> &p_free,
 		const Mask &p_is_free, Middle<T> &r_middle) {
@@ -75,7 +76,7 @@ GRASS_INLINE void go_to_middle(Blade<T> &r_blade, Stage<T> &r_stage, const Start
 	}
 }
 
-// [Eq 22] From the mean as the solve has turned it to the end of the step.
+// [Eq 22] Moves the blade from the mean, as the solve has turned it, to the end of the step.
 template <class T, class Mask>
 GRASS_INLINE void leave_middle(Blade<T> &r_blade, const FreeStep<T> &p_free, const Mask &p_is_free, const Middle<T> &p_middle) {
 	Vec3<T> carry{}, shift{}; // of the knot before

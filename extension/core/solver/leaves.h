@@ -16,7 +16,7 @@ namespace grass {
 #include "core/base/lane_words_end.h"
 #undef GRASS_FUNCTION
 
-// p_a where the mask is true, else p_b.
+// Returns p_a where the mask is true, else p_b.
 template <class T, class Mask> GRASS_INLINE Touch<T> select(const Mask &p_mask, const Touch<T> &p_a, const Touch<T> &p_b) {
 	return { select(p_mask, p_a.normal, p_b.normal), select(p_mask, p_a.slip, p_b.slip), select(p_mask, p_a.depth, p_b.depth),
 		select(p_mask, p_a.held, p_b.held), select(p_mask, p_a.friction, p_b.friction) };

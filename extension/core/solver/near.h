@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds which colliders may touch a blade in a step, and in how many parts it takes the step. Twin of ask_near(),
-// find_burial() and count_parts() in shaders/solver/near.inc.
+// Finds which colliders may touch a blade in a step, and into how many parts it divides the step. Twin of ask_near(), find_burial() and
+// count_parts() in shaders/solver/near.inc.
 #pragma once
 
 #include "core/solver/edge.h"
@@ -26,7 +26,7 @@ template <class T> struct Near {
 	T thin; // least thickness of such a collider, metres
 };
 
-// [Eq 37] By where the blade's speed would carry its segments in this step.
+// [Eq 37] Finds them by where the blade's speed would carry its segments in this step.
 template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	const MaskOf<T> none = T(0.0f) > T(1.0f);
 	Near<T> near{ none, none, T(0.0f), p_blade.blade_length };
@@ -41,7 +41,7 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 		const bool is_at_rest = stands_still(collider);
 		auto is_near = none;
 		Vec3<T> from = p_blade.rest[GRASS_CLAMPED_KNOTS - 1] + p_blade.root, to = from;
-		for (int k = GRASS_CLAMPED_KNOTS - 1; k < GRASS_KNOTS; k++) { // first the clamp alone
+		for (int k = GRASS_CLAMPED_KNOTS - 1; k < GRASS_KNOTS; k++) { // the clamp alone first
 			const Vec3<T> moved = p_blade.knots[k] - p_blade.before[k];
 			const T keep = minimum(T(1.0f), limit / maximum(length(moved), T(1e-12f))) * p_terms.step_ratio;
 			const Vec3<T> end_from = p_blade.knots[k] + p_blade.root;
@@ -63,9 +63,9 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 	return near;
 }
 
-// Whether colliders are on the root of a blade at the end of this step: its clamp, which cannot get out, is inside.
+// Whether colliders are on a blade's root at the end of this step, so that its clamp, which cannot move out, is inside.
 template <class T> struct Burial {
-	MaskOf<T> is_buried; // [Eq 46] and it lies
+	MaskOf<T> is_buried; // [Eq 46] and the blade lies flat
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
 	MaskOf<T> is_laid; // [Eq 47] one of them rests: none of its points is faster than CARRY_FROM
 };
@@ -88,8 +88,8 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 	return { is_buried, !is_fast, is_laid };
 }
 
-// [Eq 43] Returns in how many parts of equal length a blade takes the step: a power of 2. p_fastest: how far its fastest knot moves in the
-// step, metres.
+// [Eq 43] Returns the number of equal parts into which a blade divides the step: a power of 2. p_fastest: how far its fastest knot moves in
+// the step, metres.
 template <class T>
 GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest) {
 	const MaskOf<T> is_asked = p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move));

@@ -13,9 +13,10 @@ namespace {
 constexpr int PIECES = 64;
 constexpr double PIECE = 1.0 / PIECES;
 
-// Square of the first frequency of a cantilever whose stiffness and mass are 1 at the root, by inverse iteration from a parabola.
+// Returns the square of the first frequency of a cantilever whose stiffness and mass are 1 at the root, by inverse iteration from a
+// parabola.
 double first_swing(double p_taper) {
-	constexpr int ROUNDS = 4; // each leaves 1/39 of what is not the first swing, squared in the frequency
+	constexpr int ROUNDS = 4; // each reduces the other modes to 1/39, and their effect on the frequency by its square
 	std::array<double, PIECES> width, shape, next;
 	for (int i = 0; i < PIECES; i++) {
 		const double place = (i + 0.5) * PIECE;
@@ -49,13 +50,14 @@ double first_swing(double p_taper) {
 	return square;
 }
 
-// Moment of an even acceleration at p_place of a blade of length 1.
+// Returns the moment of an even acceleration at p_place of a blade of length 1.
 double moment_at(double p_taper, double p_place) {
 	const double beyond = 1.0 - p_place, width = 1.0 - p_taper * p_place;
 	return beyond * beyond * (0.5 * width - p_taper * beyond / 3.0);
 }
 
-// Sag of the tip from the stretch of blade that the first joint represents, divided by the sag from a moment of 1 in that joint.
+// Returns the sag of the tip from the stretch of blade that the first joint represents, divided by the sag from a moment of 1 in that
+// joint.
 double first_length(double p_taper) {
 	constexpr double FIRST = 1.0 / GRASS_SEGMENTS, LENGTH = 1.5 * FIRST;
 	double sum = 0.0;

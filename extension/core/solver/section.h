@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How a blade's stiffness and mass change from root to tip, docs/internals/solver.md, [Eq 44].
+// Computes how a blade's stiffness and mass change from root to tip, docs/internals/solver.md, [Eq 44].
 #pragma once
 
 namespace grass {
 
 struct Section {
 	double thins; // share of the root's width that is lost from knot to knot
-	double stiffness; // EI at the root over that of an even blade which swings as often
-	double first_joint; // stiffness of the first joint over that of a blade which is as stiff as its root all along
+	double stiffness; // EI at the root, relative to a uniform blade that swings as often
+	double first_joint; // stiffness of the first joint, relative to a blade that is as stiff all along as at its root
 };
 
 // p_taper: share of the root's width that is lost at the tip, from 0 to less than 1.

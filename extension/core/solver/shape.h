@@ -12,9 +12,9 @@ template <class T> struct Blade {
 	Vec3<T> rest[GRASS_KNOTS]; // equilibrium under gravity; knots 0 and 1 clamp the blade
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
-	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending settles within a step
-	Vec3<T> width{}; // its direction at the root; zero: as stiff across as in the plane
-	Vec3<T> root; // from the centre of the tile, metres
+	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending corrects within a step
+	Vec3<T> width{}; // direction of the width at the root; zero: equally stiff across and in the plane
+	Vec3<T> root; // relative to the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres
 	T blade_length; // of the whole blade
 };
@@ -49,8 +49,8 @@ template <class T> GRASS_INLINE Vec3<T> segment(const Blade<T> &p_blade, int p_k
 	return p_blade.knots[p_knot + 1] - p_blade.knots[p_knot];
 }
 
-// [Eq 33] Returns true if p_normal (blade space) is not a knot's: a neighbour is so much deeper behind the same plane that the edge between
-// them meets the shape, with a normal across it. Pushed along the edge, a blade would buckle.
+// [Eq 33] Returns true if p_normal (blade space) does not belong to a knot: a neighbour is so much deeper behind the same plane that the
+// edge between them meets the shape, with a normal across the edge. If it were pushed along the edge, the blade would buckle.
 template <class T> GRASS_INLINE auto is_of_edge(const Blade<T> &p_blade, int p_knot, const Vec3<T> &p_normal) {
 	const int above = p_knot < GRASS_SEGMENTS ? p_knot : p_knot - 1;
 	const T below = dot(p_normal, segment(p_blade, p_knot - 1));
@@ -82,8 +82,8 @@ template <class T> GRASS_INLINE void integrate(Blade<T> &r_blade, const StepTerm
 	}
 }
 
-// [Eq 5], [Eq 6] The local shape constraint, root to tip: every segment is pulled to where the transported
-// frame (bend and twist) of the segment before it puts it. Weights 1, -2, 1 keep momentum; clamped knots do not take part.
+// [Eq 5], [Eq 6] The local shape constraint, root to tip: pulls every segment to where the transported frame (bend and twist) of the
+// segment before it puts it. The weights 1, -2, 1 conserve momentum; clamped knots do not take part.
 template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	Turn<T> frame;
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
@@ -102,7 +102,7 @@ template <class T> GRASS_INLINE void straighten(Blade<T> &r_blade, const StepTer
 	}
 }
 
-// [Eq 7] Length constraints, root to tip: both ends of a segment share its excess or lack of length.
+// [Eq 7] The length constraints, root to tip: both ends of a segment share its excess or lack of length.
 template <class T> GRASS_INLINE void keep_lengths(Blade<T> &r_blade) {
 	for (int k = 1; k < GRASS_SEGMENTS; k++) {
 		const Vec3<T> change = way_to_length(segment(r_blade, k), r_blade.lengths[k], Vec3<T>{});

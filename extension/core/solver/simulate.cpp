@@ -25,7 +25,7 @@ Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	return knot;
 }
 
-// [Eq M5] All segments of a blade are equally long.
+// [Eq M5] Returns the mean bend. All segments of a blade have the same length.
 Eigen::Vector3f bend_of(const TileState &p_state) {
 	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
 	for (int b = 0; b < BLADES; b++) {
@@ -43,7 +43,7 @@ glsl::vec4 to_glsl(const vec4 &p_a) {
 	return { p_a.x, p_a.y, p_a.z, p_a.w };
 }
 
-// [Eq W6] What forces do to the blades, by the air at their roots.
+// [Eq W6] Computes what forces do to the blades, from the air at their roots.
 void find_air_load(const TileState &p_state, const GrassSlot &p_slot, const StepInput &p_input, AirLoad &r_air) {
 	for (int b = 0; b < BLADES; b++) {
 		glsl::vec3 air(0.0f);
@@ -104,7 +104,7 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 	_simulated_blades += int64_t(awake.size()) * BLADES;
 }
 
-// The rest pose: the patch's, grown by the clump at the root, or as a map and species say (p_growth).
+// Computes the rest pose: the patch's, grown by the clump at the root, or as a map and species define it (p_growth).
 void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const SlotGrowth *p_growth) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	const Eigen::Vector2f tile(float(p_slot.tile.x), float(p_slot.tile.y)), tiles(p_step.field.y, p_step.field.z);
@@ -140,7 +140,7 @@ void CpuPool::find_rest(const GrassSlot &p_slot, const GrassStep &p_step, const 
 	}
 }
 
-// [Eq M6] Blades that were cut, or grew, keep their shape.
+// [Eq M6] Keeps the shape of blades that were cut or have grown.
 void CpuPool::keep_shapes(const GrassSlot &p_slot) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	for (int b = 0; b < BLADES; b++) {
@@ -162,7 +162,7 @@ void CpuPool::keep_shapes(const GrassSlot &p_slot) {
 	}
 }
 
-// Every blade at rest.
+// Puts every blade at rest.
 void CpuPool::wake(const GrassSlot &p_slot) {
 	TileState &state = *_slots[size_t(p_slot.tile.w)];
 	for (int c = 0; c < 3; c++) {

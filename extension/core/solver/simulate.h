@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulation on the CPU: the pool's state and the step over the awake tiles, from the same records as
-// shaders/solver/simulate.glsl. Its backend in headless and Compatibility, its oracle in the tests.
+// The simulation on the CPU: the pool's state and the step of the awake tiles, from the same records as shaders/solver/simulate.glsl. It is
+// the backend in headless and Compatibility, and the reference in tests.
 #pragma once
 
 #include "core/base/parallel_for.h"
@@ -18,17 +18,17 @@ namespace grass {
 
 class CpuPool {
 public:
-	// p_pool_size: tiles that can be awake at once. Memory comes as slots are first used.
+	// p_pool_size: tiles that can be awake at once. Memory is allocated when a slot is first used.
 	CpuPool(std::shared_ptr<const Patch> p_patch, int p_pool_size);
 	~CpuPool();
 
-	// Sets other blades and another number of slots. Tiles that are awake must wake again.
+	// Set other blades and another number of slots. Tiles that are awake must wake again.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
 	void set_pool_size(int p_pool_size);
 
 	// Takes one step of every tile in p_input; the result does not depend on p_parallel_for. Ignores records of slots that do not exist and
-	// of blades beyond the patch. p_step: one of those in tile_step.h; step_scalar_double() is the oracle: slow, with its state kept as
-	// float.
+	// of blades beyond the patch. p_step: one of those in tile_step.h; step_scalar_double() is the reference: slow, with its state stored
+	// as float.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
 	// Returns the knots of a blade, in blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or has no such blade.
@@ -45,7 +45,7 @@ public:
 	// Frees the memory of slots from p_slots on, none of which may be awake; it is allocated again when they are used.
 	void trim(int p_slots);
 
-	int64_t get_simulated_blades() const { return _simulated_blades; } // since made
+	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
 	int64_t get_memory_usage() const; // bytes
 
 	// Replaces a blade's state, for tests: GRASS_KNOTS points each, the clamped ones ignored.

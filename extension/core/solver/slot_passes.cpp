@@ -10,10 +10,10 @@
 namespace grass {
 
 namespace {
-// Metres a second: blades near what is faster take several parts of a step [Eq 43], one after the other.
+// Metres per second. Blades near a faster collider divide a step into several parts [Eq 43], one after the other.
 constexpr float FAST = 2.0f;
 
-// Of each collider: whether its centre goes far in the step.
+// Returns for each collider whether its centre moves far in the step.
 std::vector<uint8_t> find_fast(const StepInput &p_input) {
 	std::vector<uint8_t> fast(p_input.colliders.size());
 	const float most = FAST * p_input.step.chain.x;
@@ -25,11 +25,12 @@ std::vector<uint8_t> find_fast(const StepInput &p_input) {
 	return fast;
 }
 
-// Up to so many tiles a card simulates at once. They are not put in order by energy: records that move are uploaded again.
+// A GPU simulates up to this many tiles at once. These are not sorted by energy, since moved records must be uploaded again.
 constexpr size_t AT_ONCE = 128;
 // The order of a step's slots: ranks of equal work, within which slots keep their order.
 constexpr int RETIRED_RANK = 0, FAST_RANK = 1, LIVELIEST_RANK = 2;
-// Two ranks a power of 2 of energy, from 64 J/kg (11 m/s) down to 1e-5 (5 mm/s): parts of a step follow from a blade's speed.
+// Two ranks for each power of 2 of energy, from 64 J/kg (11 m/s) down to 1e-5 (5 mm/s): the number of parts of a step follows from a
+// blade's speed.
 constexpr int HALF_OCTAVES = 46, RANKS = LIVELIEST_RANK + HALF_OCTAVES;
 constexpr float MOST_ENERGY = 64.0f;
 

@@ -8,7 +8,7 @@
 
 namespace grass {
 
-// [Eq 18] Moves the blade a share of the way to rest, where it stands still; a share of 1 arrives exactly.
+// [Eq 18] Moves the blade a share of the way to rest, and stops its motion; a share of 1 arrives exactly.
 template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const auto arrives = p_terms.blend >= T(1.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -19,7 +19,7 @@ template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T
 	}
 }
 
-// Puts a blade with a number that is not finite, or that is absurdly large, to rest. Such a number survives every stage.
+// Puts a blade to rest that has a number which is not finite or absurdly large. Such a number survives every stage.
 template <class T> GRASS_INLINE void mend(Blade<T> &r_blade) {
 	T sum(0.0f);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -48,7 +48,7 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 	return sum * T(0.5f / float(GRASS_FREE_KNOTS));
 }
 
-// Returns true if the blade is at rest without a load and nothing can touch it there: a step would not change a bit of it.
+// Returns true if the blade is at rest without a load and nothing can touch it there: a step would not change a single bit of it.
 template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
 	T sum = sum_of(p_terms.load);
 	T longest(0.0f);
@@ -71,7 +71,7 @@ template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const Step
 	return is_resting;
 }
 
-// Restores idle blades, whatever rounding did to them beside moving ones.
+// Restores idle blades, whatever rounding did to them while their neighbours moved.
 template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, const Mask &p_is_idle) {
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		r_blade.knots[k] = select(p_is_idle, r_blade.rest[k], r_blade.knots[k]);
@@ -80,7 +80,7 @@ template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, co
 	}
 }
 
-// The method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
+// Takes a step of the method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
 template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const MaskOf<T> is_laid = find_burial(r_blade, p_terms).is_laid;
 	integrate(r_blade, p_terms);
@@ -100,7 +100,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, co
 	return { T(0.0f) > T(1.0f), is_laid };
 }
 
-// Takes the whole step. Afterwards lengths are right, and knots are finite and, where that is possible, outside of the colliders.
+// Takes the whole step. Afterwards lengths are right, and knots are finite and, where possible, outside the colliders.
 template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	if (p_terms.iterations == 0) {
 		return;
@@ -118,7 +118,7 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	}
 	mend(r_blade);
 	finish(r_blade, p_terms, spared);
-	mend(r_blade); // what a body of absurd size did in finish()
+	mend(r_blade); // repairs what a body of absurd size did in finish()
 	if (any(idle)) {
 		keep_idle(r_blade, idle);
 	}

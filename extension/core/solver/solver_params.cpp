@@ -17,7 +17,7 @@ namespace {
 struct Oscillator {
 	double w, a; // 1/s
 
-	// exp(-a t) times what the position at 0 (cosine) and the speed at 0 (sine) give to the position at t.
+	// Contributions of the position at 0 (cosine) and of the speed at 0 (sine) to the position at t, without the factor exp(-a t).
 	double cosine(double p_t) const {
 		const double q = w * w - a * a;
 		return q >= 0.0 ? grass::cosine(std::sqrt(q) * p_t) : hyperbolic_cosine(std::sqrt(-q) * p_t);
@@ -31,12 +31,12 @@ struct Oscillator {
 	}
 };
 
-// Of a swing between two steps, radians.
+// Largest turn of a swing between two steps, radians.
 constexpr double MOST_TURN = 2.5;
-// Of a uniform cantilever: frequency (radians per second) over the root of EI / (density area length^4).
+// Of a uniform cantilever: frequency (radians per second), divided by the root of EI / (density area length^4).
 constexpr double FIRST_MODE = 3.5160152685;
 static_assert(WILD > FIRST_MODE - 1e-3 && WILD < FIRST_MODE + 1e-3);
-// Of the first mode in a step, radians: up to here its frequency is exact.
+// Turn of the first mode in a step up to which its frequency is exact, radians.
 constexpr double EXACT_TURN = 1.0;
 
 // [Eq 8] x(t+h) = x + keep (x - x(t-g)) - pull x holds exactly for the oscillator; h now, g the step before.
@@ -45,7 +45,7 @@ struct TwoStep {
 };
 
 TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
-	// Beyond a quarter of a swing two places no longer tell a speed.
+	// Beyond a quarter of a swing, two positions no longer determine a speed.
 	const double ratio = p_swing.sine(p_h) / p_swing.sine(p_g);
 	const double keep = exponential(-p_swing.a * (p_h + p_g)) * ratio;
 	const double stay = exponential(-p_swing.a * p_h) * (p_swing.cosine(p_h) + ratio * p_swing.cosine(p_g));
@@ -54,9 +54,9 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 
 constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
-// GrassStep::free_motion, and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
+// Sets GrassStep::free_motion, and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
 void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
-	// [Eq 39] Two places tell the speed in the middle of the step before: from there on forces act until the middle of this one.
+	// [Eq 39] Two positions give the speed in the middle of the step before; forces act from there to the middle of this step.
 	const double half_turn = 0.5 * std::min(RADIANS_PER_CYCLE * p_params.natural_frequency * p_h, EXACT_TURN);
 	r_step.free_motion.x = float(std::sqrt(0.5 * p_h * (p_h + p_g)) * std::tan(half_turn) / half_turn);
 	const Section section = make_section(p_params.taper);
@@ -66,14 +66,14 @@ void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
 }
 
-// GrassStep::pbd_motion, and load.xyz for METHOD_PBD.
+// Sets GrassStep::pbd_motion, and load.xyz for METHOD_PBD.
 void set_pbd_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
 	const double swing = RADIANS_PER_CYCLE * p_params.natural_frequency, damping = p_params.damping_ratio * swing;
-	// Two places more than MOST_TURN of a swing apart no longer tell a speed: there, stiffer blades swing slower.
+	// Two positions more than MOST_TURN of a swing apart no longer determine a speed: there, stiffer blades swing slower.
 	const Oscillator tip{ std::min(swing, MOST_TURN / std::max(p_h, p_g)), damping };
 	const Oscillator root{ tip.w * p_params.root_stiffness, damping };
 	const TwoStep at_tip = two_step(tip, p_h, p_g), at_root = two_step(root, p_h, p_h);
-	// [Eq 9] One minus the share that is left after all iterations, by iteration.
+	// [Eq 9] One minus the share that is left after all iterations, for each iteration.
 	const double bend = RADIANS_PER_CYCLE * p_params.bend_stiffness * p_h;
 	r_step.pbd_motion = { float(at_tip.keep), float(at_tip.pull), float(std::max(at_root.pull - two_step(tip, p_h, p_h).pull, 0.0)),
 		float(1.0 - exponential(-bend * bend / p_params.iterations)) };

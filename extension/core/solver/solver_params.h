@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The solver's parameters that a user sets, in physical units, and how a step's coefficients follow from them, the time step and the
-// number of iterations. docs/internals/solver.md, [Eq 8] and [Eq 9].
+// The solver's parameters that a user sets, in physical units, and how the coefficients of a step follow from them, from the time step and
+// from the number of iterations. docs/internals/solver.md, [Eq 8] and [Eq 9].
 #pragma once
 
 #include "core/base/layout.h"
@@ -8,27 +8,27 @@
 
 namespace grass {
 
-// Swings per second of a bent blade without damping: its material, section and length in one number.
-// Below 0.3 grass stays down for seconds, above 5 it snaps back.
+// Swings per second of a bent blade without damping: its material, section and length in one number. Below 0.3 grass stays down for
+// seconds; above 5 it snaps back.
 inline constexpr Tunable NATURAL_FREQUENCY{ "natural_frequency", "Hz", 0.1, 10.0, 0.05, 1.2 };
-// How fast a swing dies down: 0 never, 1 without overshooting. Below 0.1 grass nods for seconds, above 1.5 it returns slowly.
+// How fast a swing dies down: 0 never, 1 without overshooting. Below 0.1 grass nods for seconds; above 1.5 it returns slowly.
 inline constexpr Tunable DAMPING_RATIO{ "damping_ratio", "", 0.0, 3.0, 0.01, 0.5 };
-// Share of its width that a blade loses from root to tip; the tip is as much softer and lighter. 0: even. Higher: the tip bends
+// Share of its width that a blade loses from root to tip; the tip becomes softer and lighter accordingly. 0: uniform. Higher: the tip bends
 // more and the root less.
 inline constexpr Tunable TAPER{ "taper", "", 0.0, 0.9, 0.01, 0.3 };
-// How many times wider than thick a blade is at its root: its square is how many times stiffer it is in its plane than across it. 1: a
-// stalk, which bends alike to all sides. Higher: pushed sideways a blade twists before it bends.
+// Ratio of a blade's width to its thickness at the root. A blade is stiffer in its plane than across it by the square of this ratio. 1: a
+// stalk, which bends equally in all directions. Higher: a blade pushed sideways twists before it bends.
 inline constexpr Tunable WIDTH_TO_THICKNESS{ "width_to_thickness", "x", 1.0, 20.0, 0.1, 2.0 };
-// METHOD_PBD: frequency at the root over the tip's. 1: the blade rises as a whole; more: the root first and the tip after it.
+// METHOD_PBD: frequency at the root, relative to the tip's. 1: the blade rises as a whole; more: the root rises first and the tip after it.
 inline constexpr Tunable ROOT_STIFFNESS{ "root_stiffness", "x", 1.0, 4.0, 0.1, 1.6 };
-// METHOD_PBD: swings per second of one kinked joint. Below 2 contacts leave kinks, above 20 nothing changes any more.
+// METHOD_PBD: swings per second of a single kinked joint. Below 2 contacts leave kinks; above 20 nothing changes any more.
 inline constexpr Tunable BEND_STIFFNESS{ "bend_stiffness", "Hz", 0.0, 30.0, 0.1, 8.0 };
 // Factor on the friction of bodies. 0: blades slide freely.
 inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
-// METHOD_DIRECT: solves in one step of a blade with something near it, 1 lets it tremble; others take one. METHOD_PBD: rounds of local
-// shape and contact; the paper found two or three enough, 1 lets knots rest on each other's contacts.
+// METHOD_DIRECT: solves in one step of a blade near something; with 1 it may tremble; other blades take one. METHOD_PBD: rounds of local
+// shape and contact; the paper found two or three enough; with 1 knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
-// Greatest speed of a knot that swings by itself, blade lengths per second. Below 5 grass looks sticky.
+// Greatest speed of a knot that swings freely, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 
 // How a blade is solved. docs/internals/solver.md compares them.
@@ -45,12 +45,12 @@ struct SolverParams {
 	double friction = FRICTION.initial;
 	double max_speed = MAX_SPEED.initial; // blade lengths per second
 	int iterations = int(ITERATIONS.initial);
-	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, on top of the gravity that the rest pose carries already
+	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, in addition to the gravity that the rest pose already includes
 
-	// [Eq S1] The energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast
-	// enough to swing farther. J/kg.
+	// [Eq S1] Returns the energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast enough to
+	// swing farther. J/kg.
 	double energy_within(double p_distance) const;
-	// [Eq S2] Seconds in which a swing dies down to a hundredth, 1 to 10.
+	// [Eq S2] Returns the seconds in which a swing dies down to a hundredth, 1 to 10.
 	double calm_time() const;
 	// Returns the same parameters within the tunables' ranges; a value that is not a number becomes the default.
 	SolverParams sanitised() const;
@@ -58,13 +58,13 @@ struct SolverParams {
 
 // Greatest load in any direction, m/s^2.
 inline constexpr double MAX_LOAD = 1000.0;
-// Longer steps (a frame that took half a second) are taken as this one: seconds.
+// Longer steps (a frame that took half a second) are shortened to this: seconds.
 inline constexpr double MAX_STEP = 0.1;
 // Gap between a free knot and the ground, segment lengths.
 inline constexpr double GROUND_GAP = 0.02;
 
-// Converts parameters and the seconds that passed to a step's coefficients. Remembers the step before, since Verlet's
-// displacement was made in that time. `field` and `clump` of the result are left to the caller.
+// Converts parameters and elapsed seconds to the coefficients of a step. Remembers the step before, in which Verlet's displacement was
+// made. Leaves `field` and `clump` of the result to the caller.
 class StepClock {
 public:
 	// p_delta: seconds; 0, negative and not finite: a step in which no time passes.
@@ -75,8 +75,8 @@ public:
 
 private:
 	double _delta = 0.0; // of the last advance(), seconds; 0: no time passed in it
-	double _delta_before = 0.0; // of the step before that one; its own where there was none
-	double _last = 0.0; // of the last one in which time passed; 0: there was none
+	double _delta_before = 0.0; // of the step before that one, or else its own
+	double _last = 0.0; // of the last one in which time passed; 0: none yet
 };
 
 } // namespace grass

@@ -15,30 +15,30 @@ namespace grass {
 // below it.
 struct SlotGrowth {
 	int slot = GRASS_NO_SLOT;
-	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground under the root, metres
-	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // which blades of the patch they are
+	std::array<vec4, GRASS_BLADES_PER_TILE> blades; // factor on the length; lean x, z; ground below the root, metres
+	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // the species of each blade
 };
 
 // Views only: TileManager owns the arrays, which are valid until its next update().
 struct StepInput {
-	std::span<const GrassSlot> slots; // Retired tiles first, then live ones by rising slot.
+	std::span<const GrassSlot> slots; // Retired tiles first, then live ones, ascending by slot.
 	std::span<const GrassCollider> colliders; // Field space, each relative to its anchor tile.
-	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z cut it by tile.
+	std::span<const uint32_t> collider_list; // Indices into colliders; GrassSlot.list.y and .z give each tile's part.
 	std::span<const Eigen::Vector4f> planes; // Hull planes in the collider's own space: n.xyz, d; n.x <= d inside; metres.
 	GrassStep step; // The solver's parameters for this step.
-	uint64_t number = 0; // Of this step: the first is 1, later ones are greater.
-	std::span<const SlotGrowth> growth = {}; // Of fields with a map or species: every fresh slot, and those below which it changed.
-	std::span<const GrassStep> species = {}; // Of fields with species: `step` as each of them takes it.
-	std::span<const GrassForce> forces = {}; // Bits of GrassSlot.list.w, from GRASS_SLOT_FORCES on, say which of them move a tile.
-	std::span<const uint8_t> sharp = {}; // Of the colliders: not 0 where a segment of a blade may lie across one, see is_sharp().
+	uint64_t number = 0; // Of this step: the first is 1, and they increase.
+	std::span<const SlotGrowth> growth = {}; // For fields with a map or species: every fresh slot, and those below which the map changed.
+	std::span<const GrassStep> species = {}; // For fields with species: `step` for each of them.
+	std::span<const GrassForce> forces = {}; // The bits of GrassSlot.list.w from GRASS_SLOT_FORCES on select those that move a tile.
+	std::span<const uint8_t> sharp = {}; // For each collider: not 0 if a segment of a blade may lie across it, see is_sharp().
 };
 
 // The remaining motion of each slot's blades after a step, as the backend reports it, perhaps late: energies are measured when the next
 // step begins, bends when it ends.
 struct EnergyReport {
-	uint64_t step = 0; // StepInput::number of that step; 0: nothing is known yet
+	uint64_t step = 0; // StepInput::number of that step; 0: nothing is reported yet
 	std::span<const float> energies; // [Eq 19] of each slot's liveliest blade, J/kg
-	std::span<const Eigen::Vector3f> bends = {}; // [Eq M5] of each slot: how far its tips are from rest, shares of their blades
+	std::span<const Eigen::Vector3f> bends = {}; // [Eq M5] of each slot: mean distance of its tips from rest, as a share of blade length
 };
 
 } // namespace grass

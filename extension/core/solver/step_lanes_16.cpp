@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The one file that is compiled for AVX-512 (SConstruct gives it the flags); step_lanes() calls it where the processor has that. Nothing
-// in it may be of use to others: the linker keeps one copy of an inline function, and that must not be one of these. So it is over a type
-// of its own, what is no template is inlined always, and Eigen (by way of the colliders) makes no vectors, as everywhere.
+// The only file that is compiled for AVX-512 (SConstruct sets the flags); step_lanes() calls it if the processor supports that. No other
+// file may use anything from it: the linker keeps one copy of an inline function, and that must not be this one. So it works on a type of
+// its own, whatever is no template is always inlined, and Eigen (through the colliders) uses no vector instructions, as everywhere.
 #include "core/solver/step_tile.h"
 
 #if defined(__AVX512F__) && defined(GRASS_IS_ONE_FUNCTION)

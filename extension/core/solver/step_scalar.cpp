@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plain versions, against which the wide one is measured and tested.
+// The scalar versions, against which the wide one is measured and tested.
 #include "core/solver/step_tile.h"
 
 namespace grass {

@@ -24,7 +24,7 @@ template <class T> GRASS_INLINE T load(const float *p_from) {
 	}
 }
 
-// Stores values and removes the sign of a zero, which depends on whether a branch that adds nothing was taken for another lane.
+// Stores values and removes the sign of a zero, which depends on whether another lane took a branch that adds nothing here.
 GRASS_INLINE void store(float p_value, float *r_to) {
 	*r_to = p_value + 0.0f;
 }
@@ -53,14 +53,14 @@ GRASS_INLINE float largest(double p_value) {
 	return float(p_value);
 }
 template <class T> GRASS_INLINE float largest(const T &p_value) {
-	float most = 0.0f; // so one lane without a number does not hide the others
+	float most = 0.0f; // so that a lane with NaN does not hide the others
 	for (int lane = 0; lane < T::COUNT; lane++) {
 		most = std::max(most, p_value[lane]);
 	}
 	return most;
 }
 
-// Returns one number of each lane's own species. p_species: of the first lane's blade.
+// Returns a number of each lane's own species. p_species: points to the first lane's blade.
 template <class T>
 GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_species, float vec4::*p_part, vec4 GrassStep::*p_of) {
 	alignas(64) float own[LANE_COUNT<T>];
@@ -70,7 +70,7 @@ GRASS_INLINE T own_number(std::span<const GrassStep> p_steps, const uint8_t *p_s
 	return load<T>(own);
 }
 
-// Sets the terms in which species differ.
+// Sets the terms that depend on the species.
 template <class T> GRASS_INLINE void take_species(StepTerms<T> &r_terms, std::span<const GrassStep> p_steps, const uint8_t *p_species) {
 	const auto own = [&](vec4 GrassStep::*p_of, float vec4::*p_part) { return own_number<T>(p_steps, p_species, p_part, p_of); };
 	r_terms.keep = own(&GrassStep::pbd_motion, &vec4::x);

@@ -14,17 +14,17 @@ struct alignas(64) AirLoad {
 	float drag[GRASS_BLADES_PER_TILE];
 };
 
-// One blade beside the other within each knot's component, as the GPU's buffers have them. Metres, blade space. Rest pose
-// and roots are made when the tile wakes, knots change every step.
+// Blades are side by side within each component of a knot, as in the GPU's buffers. Metres, blade space. Rest pose and roots are computed
+// when the tile wakes; knots change in every step.
 struct alignas(64) TileState {
 	float rest[3][GRASS_KNOTS][GRASS_BLADES_PER_TILE];
 	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
 	float twist[GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // of the joint below each knot, radians
-	float width[2][GRASS_BLADES_PER_TILE]; // x and z of where a blade's width points at the root
-	float root[3][GRASS_BLADES_PER_TILE]; // from the tile's centre
+	float width[2][GRASS_BLADES_PER_TILE]; // x and z of the direction of a blade's width at its root
+	float root[3][GRASS_BLADES_PER_TILE]; // relative to the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];
-	const AirLoad *air; // of this step; null where no force moves the tile
+	const AirLoad *air; // for this step; null where no force moves the tile
 };
 
 } // namespace grass

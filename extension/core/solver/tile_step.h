@@ -11,8 +11,8 @@ namespace grass {
 struct TileCollider;
 struct TileState;
 
-// Takes one step of all blades of a tile. Returns the energy of the liveliest, [Eq 19]. p_steps: one for all blades, or one for each
-// species. The colliders are those of this tile.
+// Takes one step of all blades of a tile. Returns the energy of the liveliest blade, [Eq 19]. p_steps: one for all blades, or one for each
+// species. p_colliders: those of this tile.
 using TileStep = float (*)(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 float step_lanes(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);

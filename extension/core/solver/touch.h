@@ -7,7 +7,7 @@
 
 namespace grass {
 
-// The deepest touch of a collider.
+// Returns the deepest touch of a collider.
 template <class T>
 GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from, int p_knot) {
 	const Vec3<T> to = p_blade.knots[p_knot];
@@ -34,8 +34,8 @@ GRASS_INLINE Touch<T> find_touch(const Blade<T> &p_blade, const StepTerms<T> &p_
 	return deepest;
 }
 
-// [Eq 33] Returns the deepest touch of the edge from knot p_knot - 1 to p_knot, if it is between them; r_share: its place on the edge. The
-// edge's knots were at p_from_a and p_from_b at the start of the step.
+// [Eq 33] Returns the deepest touch of the edge from knot p_knot - 1 to p_knot, if it is between the knots; r_share: its place on the edge.
+// The edge's knots were at p_from_a and p_from_b at the start of the step.
 template <class T>
 GRASS_INLINE Touch<T> find_edge_touch(
 		const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Vec3<T> &p_from_a, const Vec3<T> &p_from_b, int p_knot, T &r_share) {
