@@ -26,13 +26,13 @@ namespace {
 ShaderText blade_text(const Look &p_look) {
 	return { shader::BLADE_GDSHADER, VertexKind::BLADE, p_look };
 }
-ShaderText shadow_text(const Look &p_look) { // cards throw no shadow, and hooks are not seen
+ShaderText shadow_text(const Look &p_look) { // cards cast no shadow, and hooks do not show in shadows
 	return { shader::SHADOW_GDSHADER, VertexKind::BLADE, { p_look.features & ~(SHADER_CARDS | SHADER_TERRAIN), String() } };
 }
 } // namespace
 
 bool BladeMaterials::prepare(const Look &p_look) {
-	return prepare_shader(blade_text(p_look)) & prepare_shader(shadow_text(p_look)); // worker threads take both
+	return prepare_shader(blade_text(p_look)) & prepare_shader(shadow_text(p_look)); // `&`, so that worker threads start on both
 }
 
 bool BladeMaterials::is_compiled(const Look &p_look) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The materials of blades and of what casts their shadows: one for each number of segments (the `segments` uniform).
+// The materials of blades, and of the meshes that cast their shadows: one for each number of segments (the `segments` uniform).
 #pragma once
 
 #include "core/base/layout.h"
@@ -17,23 +17,23 @@ class BladeMaterials {
 public:
 	BladeMaterials(); // without shaders, until set_look()
 
-	// Returns whether no shader of the materials with p_look is missing. See prepare_shader().
+	// Returns whether all shaders of the materials with p_look are ready. See prepare_shader().
 	static bool prepare(const Look &p_look);
-	// Whether the shaders compile with the look's hook.
+	// Returns whether the shaders compile with the look's hook.
 	static bool is_compiled(const Look &p_look);
 	void set_look(const Look &p_look);
 	const godot::Ref<godot::ShaderMaterial> &level(int p_level) const { return _levels[size_t(p_level)]; }
-	// Sets a uniform in all of them; a shader ignores what it has not.
+	// Sets a uniform in all materials; a shader ignores a uniform that it does not have.
 	void set(const godot::StringName &p_uniform, const godot::Variant &p_value);
 
 private:
 	struct Made {
 		godot::Ref<godot::ShaderMaterial> material;
-		bool is_seen; // else it only casts shadows
+		bool is_seen; // otherwise it only casts shadows
 	};
 
 	std::vector<Made> _materials;
-	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_ALL_LEVELS> _levels; // each one of _materials
+	std::array<godot::Ref<godot::ShaderMaterial>, GRASS_ALL_LEVELS> _levels; // each is one of _materials
 };
 
 } // namespace grass

@@ -42,13 +42,13 @@ void add_lod_surface(const Ref<ArrayMesh> &p_mesh, int p_level, const Ref<Materi
 	indices.resize(int64_t(blades) * lod_triangles_per_blade(p_level, p_cards) * 3);
 	int32_t *next = indices.ptrw();
 	for (int blade = 0; blade < blades; blade++) {
-		const int first = begin + blade * (2 * segments + 1); // two vertices a row, one at the tip
+		const int first = begin + blade * (2 * segments + 1); // two vertices for each row, one at the tip
 		for (int row = 0; row < segments; row++) {
 			const int left = first + 2 * row, right = left + 1;
 			*next++ = left;
 			*next++ = left + 2;
 			*next++ = right;
-			if (row + 1 < segments) { // else `left + 2` is the tip
+			if (row + 1 < segments) { // otherwise `left + 2` is the tip
 				*next++ = right;
 				*next++ = left + 2;
 				*next++ = right + 2;

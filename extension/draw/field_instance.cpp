@@ -13,7 +13,7 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, Written
 	_mesh = p_mesh;
 	_written = p_written;
 	_multimesh = server->multimesh_create();
-	// Data before mesh: the engine makes the command buffer in set_mesh, from the surfaces that it has then.
+	// Set the data before the mesh: in set_mesh the engine makes the command buffer from the surfaces that it has at that time.
 	reserve(p_capacity);
 	server->multimesh_set_mesh(_multimesh, _mesh->get_rid());
 	server->multimesh_set_custom_aabb(_multimesh, p_bounds);
@@ -33,7 +33,7 @@ void FieldInstance::create(const Ref<ArrayMesh> &p_mesh, int p_capacity, Written
 
 void FieldInstance::reserve(int p_capacity) {
 	_capacity = p_capacity;
-	const bool is_listed = _written == Written::LISTED; // its transforms change nothing: in two rows they are smaller
+	const bool is_listed = _written == Written::LISTED; // its transforms are not used; with two rows they are smaller
 	RenderingServer::get_singleton()->multimesh_allocate_data(_multimesh, p_capacity,
 			is_listed ? RenderingServer::MULTIMESH_TRANSFORM_2D : RenderingServer::MULTIMESH_TRANSFORM_3D, !is_listed, !is_listed,
 			_written != Written::BY_CPU);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One MultiMesh in the renderer's scene: what is drawn of a field, or casts its shadows (GPU backend), or one of the levels
-// of detail of either (CPU backend).
+// One MultiMesh in the renderer's scene: it draws a field or casts its shadows (GPU backend), or is one of the levels of detail of either
+// (CPU backend).
 #pragma once
 
 #include "draw/node_follower.h"
@@ -12,11 +12,11 @@
 
 namespace grass {
 
-// What an instance is for: the picture shows all visible blades; shadows need far fewer. Plants with a mesh cast their own.
+// The purpose of an instance: the picture shows all visible blades; shadows need far fewer. Plants with a mesh cast their own shadows.
 enum class Role { PICTURE, SHADOWS, BOTH };
 
-// Who writes the instances: the CPU; a compute pass, into the MultiMesh's buffer and the commands of its surfaces; or one that lists them
-// in a texture of its own and writes the commands only (draw/drawn_tile.gdshaderinc).
+// Who writes the instances: the CPU; a compute pass, into the MultiMesh's buffer and the commands of its surfaces; or a pass that lists
+// them in a texture of its own and writes only the commands (draw/drawn_tile.gdshaderinc).
 enum class Written { BY_CPU, BY_GPU, LISTED };
 
 class FieldInstance {
@@ -27,10 +27,10 @@ public:
 	~FieldInstance() { free(); }
 
 	void create(const godot::Ref<godot::ArrayMesh> &p_mesh, int p_capacity, Written p_written, const godot::AABB &p_bounds, Role p_role);
-	// Makes room for more instances, where the CPU writes them. Their contents are lost.
+	// Makes room for more instances if the CPU writes them. Their contents are lost.
 	void reserve(int p_capacity);
-	// Follows the node's transform, world, visibility, layers, shadows. Call when any of them may have changed.
-	// p_is_flipped: y turned over, see Backend::show_motion().
+	// Follows the node's transform, world, visibility, layers and shadows. Must be called when any of them may have changed. p_is_flipped:
+	// y is flipped over, see Backend::show_motion().
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_flipped = false);
 	void set_bounds(const godot::AABB &p_bounds);
 	void set_instances(const godot::PackedFloat32Array &p_instances, int p_count);
@@ -38,7 +38,7 @@ public:
 
 	godot::RID multimesh() const { return _multimesh; }
 	int capacity() const { return _capacity; }
-	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
+	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that were passed to the renderer
 	bool is_created() const { return _multimesh.is_valid(); }
 
 private:

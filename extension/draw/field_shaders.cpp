@@ -8,7 +8,7 @@
 namespace grass {
 
 bool prepare_shaders(const Look &p_look) {
-	return BladeMaterials::prepare(p_look) & Plants::prepare(p_look) & Ground::prepare(p_look); // worker threads take all of them
+	return BladeMaterials::prepare(p_look) & Plants::prepare(p_look) & Ground::prepare(p_look); // `&`: threads take all of them
 }
 
 bool are_compiled(const Look &p_look) {

@@ -12,23 +12,23 @@ namespace grass {
 
 namespace {
 
-// No work begins once a frame's turns have taken so long. More: frames stutter. Less: changes take longer to show.
+// No work begins after a frame's turns have taken this long. More: frames stutter. Less: changes take longer to show.
 constexpr uint64_t SHARE = 4000; // microseconds
-// The same while a world streams, in which there is work in most frames: with the last piece it is below a millisecond.
+// The same while a world streams, which brings work in most frames: with the last piece the total stays below a millisecond.
 constexpr uint64_t SHARE_OF_WORLDS = 500; // microseconds
-// Parts of streamed fields in a frame, at most. More: what a frame does is bounded by the clock alone. Fewer: plots take longer to come.
+// Most parts of streamed fields in a frame. More: only the clock bounds a frame's work. Fewer: plots take longer to appear.
 constexpr int64_t PARTS = 4;
 
 int worlds = 0;
 
-// The frame of the process, and what was done in it.
+// The current frame of the process, and what was done in it.
 struct {
 	uint64_t frame = UINT64_MAX;
-	uint64_t taken = 0; // microseconds, of turns that have ended
+	uint64_t taken = 0; // microseconds, of finished turns
 	FrameShare::Most done;
 } current;
 
-// Turns within turns take no time of their own.
+// Turns within turns add no time of their own.
 int open_turns = 0;
 uint64_t open_since = 0; // microseconds
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame's time for work that could as well run in the next one. All fields share it, and each of those that wait gets a piece in turn
+// A frame's time for work that could also run in the next one. All fields share it, and those that wait get a piece in turn
 // (core/base/frame_turns.h).
 #pragma once
 
@@ -9,29 +9,29 @@ namespace grass {
 
 class FrameShare {
 public:
-	// The work of one user, as long as this object lives: only that time counts, not what the engine does between two users. A user asks
-	// before each piece of work. Main thread only.
+	// The work of one user, as long as this object lives. Only that time counts, not what the engine does between two users. A user must
+	// ask before each piece of work. Main thread only.
 	class Turn {
 	public:
-		explicit Turn(const void *p_user); // who waits where a question is denied
+		explicit Turn(const void *p_user); // the user that waits if a request is denied
 		Turn(const Turn &) = delete;
 		Turn &operator=(const Turn &) = delete;
 		~Turn();
-		// Whether this frame has some left.
+		// Returns whether this frame has time left.
 		bool has_time();
-		// The same for one more part of a streamed field's making: a few a frame, however short they are. Counts it.
+		// Returns the same for one more part of making a streamed field, and counts it. A frame allows only a few, however short they are.
 		bool has_part();
 
 	private:
 		const void *_user;
 	};
 
-	// Bytes that such parts hand to the renderer.
+	// Counts bytes that such parts hand to the renderer.
 	static void count_bytes(int64_t p_bytes);
 
-	// While a world streams, frames give less: true for each world that begins, false for each that ends.
+	// Reduces the time in each frame while a world streams. Call with true for each world that begins, and false for each that ends.
 	static void spare(bool p_begins);
-	// In one frame, at most, since a world began.
+	// The most in any frame since a world began.
 	struct Most {
 		int64_t parts = 0, bytes = 0;
 	};

@@ -20,11 +20,12 @@ using namespace godot;
 namespace grass {
 
 namespace {
-constexpr real_t LIFT = 0.005f; // metres above the user's floor; less flickers with it, more shows at the field's edge
+constexpr real_t LIFT = 0.005f; // metres above the user's floor; lower flickers with the floor, higher shows at the field's edge
 
-// The same on hills, metres for each metre of a cell's side: between its corners ground bows.
+// The same on hills, metres for each metre of a cell's side, since the ground curves between a cell's corners.
 constexpr double LIFT_OF_CELLS = 0.03;
-// Of the sheet on hills: metres, as the map's heights are apart; and along a side at most. More: vertices that nobody sees.
+// Cells of the sheet on hills: their size in metres, equal to the spacing of the map's heights, and their largest number along a side.
+// More: vertices that make no visible difference.
 constexpr double CELL = GRASS_CHUNK_SIZE / GRASS_COARSE_TEXELS;
 constexpr int MOST_CELLS = 256;
 
@@ -33,7 +34,7 @@ int cells_along(double p_metres) {
 }
 
 ShaderText ground_text(const Look &p_look) {
-	return { shader::GROUND_GDSHADER, VertexKind::GROUND, { p_look.features & ~SHADER_CARDS, p_look.hook } }; // flowers are a colour there
+	return { shader::GROUND_GDSHADER, VertexKind::GROUND, { p_look.features & ~SHADER_CARDS, p_look.hook } }; // flowers are just a colour
 }
 } // namespace
 
@@ -53,7 +54,7 @@ void Ground::create(const TileGrid &p_grid, const Look &p_look) {
 	_material.instantiate();
 	set_look(p_look);
 	_material->set_shader_parameter("size", Vector2(real_t(p_grid.get_size_x()), real_t(p_grid.get_size_z())));
-	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: water and smoke come after it
+	_material->set_render_priority(Material::RENDER_PRIORITY_MIN); // its edge is transparent: draw water and smoke after it
 	RenderingServer *server = RenderingServer::get_singleton();
 	_instance = server->instance_create();
 	make_mesh();
@@ -116,7 +117,7 @@ Ref<ArrayMesh> Ground::make_sheet(double p_x, double p_z, Sheet p_sheet) {
 	return mesh;
 }
 
-// A sheet on hills has a hundred thousand triangles, and the plots of a world are all of one size.
+// Shares the mesh: a sheet on hills has a hundred thousand triangles, and all plots of a world have the same size.
 void Ground::make_mesh() {
 	static std::map<std::tuple<double, double, Sheet>, std::weak_ptr<Ref<ArrayMesh>>> sheets;
 	const double x = _grid.get_size_x(), z = _grid.get_size_z();
@@ -130,7 +131,7 @@ void Ground::make_mesh() {
 	}
 	RenderingServer::get_singleton()->instance_set_base(_instance, (*mesh)->get_rid());
 	RenderingServer::get_singleton()->instance_geometry_set_material_override(_instance, _material->get_rid());
-	_mesh = mesh; // the last one may go now
+	_mesh = mesh; // releases the previous one
 	_material->set_shader_parameter("is_split", sheet == Sheet::LEDGES);
 }
 

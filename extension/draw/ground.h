@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The soil between the blades: one sheet over the field, so that the floor below does not shine through. On baked hills it follows the
-// heights of the map, which its shader reads.
+// The soil between the blades: one sheet over the field, so that the floor below is not visible. On baked hills it follows the heights of
+// the map, which its shader reads.
 #pragma once
 
 #include "core/base/tile_grid.h"
@@ -24,24 +24,24 @@ public:
 
 	// Returns whether p_look's shader is ready. See prepare_shader().
 	static bool prepare(const Look &p_look);
-	// Whether it compiles with the look's hook.
+	// Returns whether it compiles with the look's hook.
 	static bool is_compiled(const Look &p_look);
 	void create(const TileGrid &p_grid, const Look &p_look); // with SHADER_MAP: soil only where the map has grass
 	void set_look(const Look &p_look);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_shown);
-	// The map's ground lies between these heights, metres above the field, and may have ledges. Another mesh where it got either, or lost
-	// it.
+	// Sets the range of the map's ground, metres above the field, and whether it may have ledges. Replaces the mesh when either appears or
+	// goes.
 	void set_heights(float p_low, float p_high, bool p_has_ledges);
 	// Sets a uniform of the ground shader, which shares names with the blade shader and ignores those that only blades have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void free();
-	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that went to the renderer
+	int64_t get_updates() const { return _follower.get_updates(); } // changes of the node that were passed to the renderer
 
 private:
 	enum class Sheet {
 		FLAT, // two triangles
-		HILLS, // cells that share their corners
-		LEDGES, // cells that share none, each on its own side
+		HILLS, // cells with shared corners
+		LEDGES, // cells without shared corners, each on its own side
 	};
 	static godot::Ref<godot::ArrayMesh> make_sheet(double p_x, double p_z, Sheet p_sheet); // metres
 	Sheet find_sheet() const { return _has_ledges ? Sheet::LEDGES : (_low == 0.0f && _high == 0.0f ? Sheet::FLAT : Sheet::HILLS); }
@@ -50,7 +50,7 @@ private:
 	TileGrid _grid;
 	float _low = 0.0f, _high = 0.0f;
 	bool _has_ledges = false;
-	std::shared_ptr<godot::Ref<godot::ArrayMesh>> _mesh; // grounds of one size and shape share it
+	std::shared_ptr<godot::Ref<godot::ArrayMesh>> _mesh; // grounds of the same size and shape share it
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _instance;
 	NodeFollower _follower;

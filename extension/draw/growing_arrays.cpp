@@ -18,7 +18,7 @@ namespace grass {
 
 namespace {
 
-// Arrays up to this size are made in one frame, bytes. More: frames stutter. Less: the first layers show later.
+// Arrays up to this size are made in one frame, bytes. More: frames stutter. Less: the first layers appear later.
 constexpr int64_t MADE_AT_ONCE = 1 << 22;
 
 TaskQueue arrays_queue("GrassField's textures", TaskQueue::Priority::LOW);
@@ -33,7 +33,7 @@ bool has_texture_threads() {
 
 struct GrowingArrays::Next {
 	int room = 0;
-	int gathered = 0; // layers
+	int gathered = 0; // number of layers
 	std::vector<TypedArray<Ref<Image>>> images; // of each array
 	Arrays arrays;
 	std::atomic<bool> is_with_thread = false, is_made = false;
@@ -81,7 +81,7 @@ void GrowingArrays::want_room(int p_layers, int p_filled, bool p_at_once, const 
 	}
 }
 
-// One layer of each array, or all that are empty.
+// Gathers one layer of each array, or all of the empty ones.
 void GrowingArrays::gather(int p_filled, const MakeImage &p_make) {
 	const bool is_filled = _next->gathered < p_filled;
 	const int end = is_filled ? _next->gathered + 1 : _next->room;

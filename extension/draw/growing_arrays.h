@@ -18,33 +18,33 @@ namespace grass {
 
 class GrowingArrays {
 public:
-	// The image of a layer; p_layer -1: of none.
+	// Returns the image of a layer; p_layer -1: an empty one.
 	using MakeImage = std::function<godot::Ref<godot::Image>(int p_array, int p_layer)>;
 
 	// p_first_room: layers, a power of two.
 	GrowingArrays(int p_arrays, int p_first_room) : _arrays(size_t(p_arrays)), _first_room(p_first_room) {}
 	int get_count() const { return int(_arrays.size()); }
 
-	// Room for p_layers, of which the first p_filled are there: at once where that is little, or where p_at_once (on another thread);
-	// else it begins, and work() goes on.
+	// Makes room for p_layers, the first p_filled of which exist. Does so at once if that is little work, or if p_at_once (on another
+	// thread); otherwise only begins, and work() continues.
 	void want_room(int p_layers, int p_filled, bool p_at_once, const MakeImage &p_make);
-	// A layer is another than it was.
+	// Replaces a layer.
 	void change(int p_layer, const MakeImage &p_make);
-	// The next piece; p_filled: layers that are there by now.
+	// Does the next piece of work. p_filled: number of layers that exist now.
 	void work(int p_filled, const MakeImage &p_make);
 	bool is_growing() const { return _next != nullptr; }
 	bool can_work() const; // else a thread is at work, or this frame has made an array
 
-	int get_room() const { return _room; } // layers that show
+	int get_room() const { return _room; } // number of visible layers
 	const godot::Ref<godot::Texture2DArray> &get(int p_array) const { return _arrays[size_t(p_array)]; }
-	// Bytes that were handed to the renderer, but for those that a worker thread did.
+	// Returns the bytes handed to the renderer, without those from a worker thread.
 	int64_t get_uploaded_bytes() const { return _uploaded; }
-	// Whether the arrays are others than at the last call.
+	// Returns whether the arrays were replaced since the last call.
 	bool take_new() { return std::exchange(_are_new, false); }
 
 private:
 	using Arrays = std::vector<godot::Ref<godot::Texture2DArray>>;
-	struct Next; // arrays to come
+	struct Next; // the arrays being made
 
 	void begin(int p_room);
 	void gather(int p_filled, const MakeImage &p_make);
@@ -59,7 +59,7 @@ private:
 	int64_t _uploaded = 0;
 };
 
-// Before the engine's worker threads end.
+// Must be called before the engine's worker threads end.
 void finish_growing_arrays();
 
 } // namespace grass

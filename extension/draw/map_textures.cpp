@@ -26,7 +26,7 @@ template <typename T> PackedByteArray texel_bytes(const std::vector<T> &p_texels
 
 } // namespace
 
-// p_layer -1: of a layer to come.
+// p_layer -1: an empty layer for later use.
 Ref<Image> MapTextures::image_of(const MapLayers &p_layers, int p_kind, int p_layer) {
 	static const MapLayer none;
 	const MapLayer &layer = p_layer < 0 ? none : p_layers.get_layer(p_layer);
@@ -48,7 +48,7 @@ GrowingArrays::MakeImage MapTextures::of_layers(const MapLayers &p_layers) {
 	return [&p_layers](int p_kind, int p_layer) { return image_of(p_layers, p_kind, p_layer); };
 }
 
-// Few chunks have ledges, and those that have take four times as much as all else: they have layers of their own.
+// Few chunks have ledges, but these take four times the memory of all other channels together, so they have separate layers.
 GrowingArrays::MakeImage MapTextures::of_ledges(const MapLayers &p_layers) {
 	return [&p_layers](int, int p_page) {
 		const std::vector<uint8_t> none;
@@ -74,7 +74,7 @@ void MapTextures::update(const MapLayers &p_layers, const std::vector<int> &p_ch
 	make_room(p_layers, p_room, false);
 	const std::vector<int> &ledges = p_layers.get_ledge_layers();
 	for (const int layer : p_changed) {
-		if (_arrays.get_room() == had_room) { // else made of these very layers
+		if (_arrays.get_room() == had_room) { // otherwise made from these very layers
 			_arrays.change(layer, of_layers(p_layers));
 		}
 		const auto found = std::find(ledges.begin(), ledges.end(), layer);
@@ -93,7 +93,7 @@ void MapTextures::work(const MapLayers &p_layers) {
 		_ledges.work(int(p_layers.get_ledge_layers().size()), of_ledges(p_layers));
 	}
 	if (_arrays.get_room() != had_room || _ledges.get_room() != had_ledges) {
-		make_room(p_layers, 0, false); // more may have come meanwhile
+		make_room(p_layers, 0, false); // more layers may have been added meanwhile
 		update_pages(p_layers);
 	}
 }

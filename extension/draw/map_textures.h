@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field's map as textures for the blade and ground shaders (shaders/map/map.inc): a layer for each chunk, and a page
-// that maps chunks to layers. Only layers that changed are uploaded.
+// A field's map as textures for the blade and ground shaders (shaders/map/map.inc): a layer for each chunk, and a page that maps chunks to
+// layers. Uploads only layers that changed.
 #pragma once
 
 #include "core/map/map_layers.h"
@@ -32,11 +32,12 @@ public:
 	// p_species: whether the field has any.
 	explicit MapTextures(bool p_species) : _arrays(p_species ? KINDS : int(SPECIES), 4), _ledges(1, 1) {}
 
-	// All that is there, at once: on another thread than the frames'. p_room: layers that there will be.
+	// Makes all textures at once, for a thread other than the main one. p_room: number of layers to expect.
 	void make(const MapLayers &p_layers, int p_room);
-	// Uploads the layers in p_changed, which differ from the last call. What there is no room for shows when there is. p_room: likewise.
+	// Uploads the layers in p_changed, which differ from the last call. Layers without room become visible once there is room. p_room: as
+	// above.
 	void update(const MapLayers &p_layers, const std::vector<int> &p_changed, int p_room);
-	// Whether room is being made: work() does the next piece of that, where it does not wait for a thread.
+	// Returns whether room is being made. work() does the next piece of that, unless it waits for a thread.
 	bool is_growing() const { return _arrays.is_growing() || _ledges.is_growing(); }
 	bool can_work() const { return _arrays.can_work() || _ledges.can_work(); }
 	void work(const MapLayers &p_layers);
@@ -56,8 +57,8 @@ private:
 	void make_room(const MapLayers &p_layers, int p_room, bool p_at_once);
 	void update_pages(const MapLayers &p_layers);
 
-	GrowingArrays _arrays; // of each kind; without SPECIES, one less
-	GrowingArrays _ledges; // none where the map has none
+	GrowingArrays _arrays; // one for each kind; without SPECIES, one less
+	GrowingArrays _ledges; // empty if the map has none
 	godot::Ref<godot::ImageTexture> _pages;
 	std::vector<float> _uploaded_pages;
 	bool _are_new = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lets an instance of the renderer follow a node. Reads the node every frame and passes on only what changed: an instance whose world
-// is set leaves and enters the renderer's scene, even if the world is the same.
+// Lets an instance of the renderer follow a node. Reads the node in every frame and passes on only what changed: when its world is set, an
+// instance leaves and re-enters the renderer's scene, even if the world is the same.
 #pragma once
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
@@ -10,11 +10,11 @@ namespace grass {
 
 class NodeFollower {
 public:
-	// World, layers, transparency and gi_mode of the node; p_transform; shown if the node is, and p_is_wanted. Always of the same instance,
-	// until reset().
+	// Takes world, layers, transparency and gi_mode of the node, and p_transform. The instance is visible if the node is and if
+	// p_is_wanted. Must always get the same instance until reset().
 	void follow(const godot::RID &p_instance, godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_wanted);
 	void reset() { _is_known = false; }
-	int64_t get_updates() const { return _updates; } // changes that went to the renderer
+	int64_t get_updates() const { return _updates; } // changes that were passed to the renderer
 
 private:
 	struct State {

@@ -24,7 +24,7 @@ Ref<Image> make_patch_image(const Patch &p_patch) {
 Ref<ImageTexture> patch_texture(const std::shared_ptr<const Patch> &p_patch) {
 	struct Made {
 		std::weak_ptr<const Patch> patch;
-		uint64_t texture; // the instance's id: fields keep it alive
+		uint64_t texture; // the object's instance id, since fields keep it alive
 	};
 	static std::vector<Made> made;
 	std::erase_if(made, [](const Made &p_made) { return p_made.patch.expired() || ObjectDB::get_instance(p_made.texture) == nullptr; });

@@ -20,10 +20,11 @@ namespace grass {
 
 namespace {
 
-constexpr int FACE_STEPS = 4; // parts of a triangle's side, each of which counts where its middle is
-// Share of a far blade's rows that lie where the plant is wide. 0: a flower is a streak down its stem; 1: a thin stem has no rows.
+constexpr int FACE_STEPS = 4; // parts of a triangle's side; each part counts by its centre
+// Share of a distant blade's rows that are placed where the plant is wide. 0: a flower becomes a streak down its stem; 1: a thin stem has
+// no rows.
 constexpr float WIDE_ROWS = 0.85f;
-constexpr int TEXTURE_STEPS = 32; // places of a texture along each side that its mean colour is taken from
+constexpr int TEXTURE_STEPS = 32; // places along each side of a texture at which its mean colour is sampled
 
 // Linear; alpha: share of the texture that is opaque.
 Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor, const String &p_who) {
@@ -47,7 +48,7 @@ Color mean_of(const Ref<Texture2D> &p_texture, float p_scissor, const String &p_
 	return Color(sum.r / opaque, sum.g / opaque, sum.b / opaque, sum.a / float(TEXTURE_STEPS * TEXTURE_STEPS));
 }
 
-// What the drawing takes over of a material; vertices keep their colours where it shows them.
+// Reads what drawing takes from a material. Returns whether it shows vertex colours.
 bool read_material(const Ref<Material> &p_material, PlantModel::Surface &r_surface) {
 	r_surface.color = Color(1, 1, 1);
 	const BaseMaterial3D *material = Object::cast_to<BaseMaterial3D>(p_material.ptr());
@@ -68,10 +69,10 @@ float highest_of(const Ref<Mesh> &p_mesh) {
 	return float(bounds.position.y + bounds.size.y);
 }
 
-// What the triangles of a plant show, and how much of it, by its parts from the root up. Areas in heights squared.
+// What the triangles of a plant show, and how much of it, in bands from the root up. Areas in squared heights.
 struct Shown {
 	std::array<Color, GRASS_PLANT_BANDS> colors; // times area
-	std::array<float, GRASS_PLANT_BANDS> areas, reaches; // farthest from the blade
+	std::array<float, GRASS_PLANT_BANDS> areas, reaches; // reaches: farthest from the blade
 
 	Shown() {
 		colors.fill(Color(0, 0, 0, 0));
@@ -79,11 +80,11 @@ struct Shown {
 		reaches.fill(0.0f);
 	}
 
-	// p_places: the corners, in heights; p_colors: theirs, linear.
+	// p_places: the corners, in heights; p_colors: their colours, linear.
 	void add(const Vector3 (&p_places)[3], const Color (&p_colors)[3], float p_area) {
 		const float part = p_area / float(FACE_STEPS * FACE_STEPS);
 		for (int i = 0; i < FACE_STEPS; i++) {
-			for (int j = 0; j < 2 * (FACE_STEPS - i) - 1; j++) { // upright ones and those between them
+			for (int j = 0; j < 2 * (FACE_STEPS - i) - 1; j++) { // upright parts and those between them
 				const int column = j / 2;
 				const float third = j % 2 == 0 ? 1.0f / 3.0f : 2.0f / 3.0f;
 				const float b = (float(i) + third) / FACE_STEPS, c = (float(column) + third) / FACE_STEPS, a = 1.0f - b - c;
@@ -97,7 +98,7 @@ struct Shown {
 	}
 };
 
-// The model's colours and area, of what all of its triangles show.
+// Derives the model's colours and area from what all of its triangles show.
 void find_looks(PlantModel &r_model, const Shown &p_shown) {
 	Color sum(0, 0, 0, 0);
 	float area = 0.0f;
@@ -108,7 +109,7 @@ void find_looks(PlantModel &r_model, const Shown &p_shown) {
 	const auto mean_of = [](const Color &p_sum, float p_area) { return Color(p_sum.r / p_area, p_sum.g / p_area, p_sum.b / p_area); };
 	const float whole = std::max(area, 1e-9f);
 	r_model.color = mean_of(sum, whole);
-	// Turned every way, a face shows half of itself; what stands behind other faces covers no more.
+	// Averaged over all directions, a face shows half of its area; faces behind others do not add to what is covered.
 	r_model.area = std::min(0.5f * area, 2.0f * r_model.reach);
 	for (size_t k = 0; k < p_shown.areas.size(); k++) {
 		const float own = p_shown.areas[k], widest = 2.0f * p_shown.reaches[k] / std::max(r_model.area, 1e-9f);
@@ -181,7 +182,7 @@ void add_surface(PlantModel &r_model, const Ref<Mesh> &p_mesh, int p_surface, fl
 } // namespace
 
 int64_t PlantModel::get_memory_usage() const {
-	constexpr int64_t VERTEX = 12 + 4 + 8 + 12; // place, normal, UV, colour
+	constexpr int64_t VERTEX = 12 + 4 + 8 + 12; // position, normal, UV, colour
 	return vertices * VERTEX + indices * (vertices > 65536 ? 4 : 2);
 }
 
@@ -229,7 +230,7 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh, const String &p_who) {
 Ref<ArrayMesh> make_plant_mesh(const PlantModel &p_model) {
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
-	// Not four bytes: the Compatibility renderer reads as many channels of a format as it has floats, so their red alone (seen in 4.6).
+	// Not four bytes: the Compatibility renderer reads as many channels as the format has floats, so only their red (seen in 4.6).
 	const int64_t format = int64_t(Mesh::ARRAY_CUSTOM_RGB_FLOAT) << Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT;
 	for (const PlantModel::Surface &surface : p_model.surfaces) {
 		mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, surface.arrays, TypedArray<Array>(), Dictionary(), format);

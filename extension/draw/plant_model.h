@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A user's mesh as plants are drawn by it: its vertices as shares of its height, which hang on a blade (shaders/draw/plant.gdshader).
+// A user's mesh in the form in which plants draw it: vertices in shares of its height, attached to a blade (shaders/draw/plant.gdshader).
 #pragma once
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -19,40 +19,40 @@ namespace grass {
 
 // Immutable once read.
 struct PlantModel {
-	// Vertices of a mesh, at most: each is posed for every plant near a camera.
+	// Most vertices of a mesh: each is posed for every plant near a camera.
 	static constexpr int64_t VERTICES = 16384;
 
 	struct Surface {
 		godot::Array arrays; // of an ArrayMesh
 		godot::Color color; // of its material, sRGB
-		godot::Ref<godot::Texture2D> texture; // likewise; null: none
+		godot::Ref<godot::Texture2D> texture; // of its material; null: none
 		float scissor = 0.0f; // alpha below which nothing is drawn
 	};
-	// What an eye beside it sees of a part of it, from the root up; each is as high.
+	// The average side view of a band of the plant, from the root up; all bands have the same height.
 	struct Band {
 		godot::Color color; // mean, linear
-		float width = 1.0f; // over the mean of all
-		float rows = 1.0f; // share of a far blade's rows up to its upper end
+		float width = 1.0f; // relative to the mean of all bands
+		float rows = 1.0f; // share of a distant blade's rows up to the band's upper end
 	};
 	std::vector<Surface> surfaces;
 	std::array<Band, GRASS_PLANT_BANDS> bands;
 	int64_t vertices = 0, indices = 0;
 	float reach = 0.0f; // farthest from the blade, heights
-	float area = 0.0f; // that it covers in the mean, from the side, heights squared
+	float area = 0.0f; // area that it covers on average, seen from the side, squared heights
 	godot::Color color; // mean, linear
 
-	int64_t get_memory_usage() const; // bytes on the device
+	int64_t get_memory_usage() const; // bytes in GPU memory
 };
 
 struct PlantReading {
 	std::shared_ptr<const PlantModel> model; // null: it cannot be drawn
-	godot::String problem; // why, and what to do
+	godot::String problem; // the reason, and what to do about it
 };
 
 // p_who: begins a message about a texture that is not read; far plants are then as if it were white.
 PlantReading read_plant(const godot::Ref<godot::Mesh> &p_mesh, const godot::String &p_who);
 
-// The mesh that a MultiMesh draws, its surfaces without materials.
+// Returns the mesh for a MultiMesh; its surfaces have no materials.
 godot::Ref<godot::ArrayMesh> make_plant_mesh(const PlantModel &p_model);
 
 } // namespace grass

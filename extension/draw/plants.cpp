@@ -11,7 +11,7 @@ namespace grass {
 namespace {
 
 ShaderText plant_text(int p_features) {
-	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether there are any may change while plants stand
+	const int ledges = p_features & SHADER_MAP ? SHADER_LEDGES : 0; // whether the map has ledges may change while the plants exist
 	return { shader::PLANT_GDSHADER, VertexKind::PLANT, { (p_features & (SHADER_MAP | SHADER_SPECIES)) | ledges, String() } };
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What draws a field's plants: for each species with a mesh a MultiMesh of its own, whose instances a backend writes, and materials.
+// Draws a field's plants: for each species with a mesh a MultiMesh, whose instances a backend writes, and materials.
 #pragma once
 
 #include "draw/drawn_plant.h"
@@ -23,22 +23,22 @@ public:
 		std::vector<godot::Ref<godot::ShaderMaterial>> materials; // of the mesh's surfaces
 	};
 
-	// Plants of one species that are drawn at once, at most.
+	// Most plants of one species drawn at once.
 	static constexpr int ROOM = 65536;
 
 	// Returns whether the shader for fields with p_look is ready, if they need one. See prepare_shader().
 	static bool prepare(const Look &p_look);
-	// p_plants: by species. p_rooms: of their MultiMeshes. Uniforms must be set anew.
+	// Sets the plants. p_plants: by species. p_rooms: capacities of their MultiMeshes. Uniforms must be set again afterwards.
 	void set(const std::vector<DrawnPlant> &p_plants, const std::vector<int> &p_rooms, int p_features, bool p_indirect,
 			const godot::AABB &p_bounds);
-	// Of the materials. A shader ignores what it has not.
+	// Sets a uniform of the materials. A shader ignores a uniform that it does not have.
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value);
 	void set_bounds(const godot::AABB &p_bounds);
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, bool p_is_flipped = false);
 
 	bool is_empty() const { return _plants.empty(); }
 	const std::vector<std::unique_ptr<Plant>> &get() const { return _plants; }
-	int64_t get_updates() const; // changes of the node that went to the renderer
+	int64_t get_updates() const; // changes of the node that were passed to the renderer
 	int64_t get_memory_usage() const; // bytes
 
 private:

@@ -13,12 +13,12 @@ namespace grass {
 
 namespace {
 
-// How long a game that ends waits for tasks of low priority, microseconds. Shorter: it may hang. Longer: whoever ends it waits.
+// Microseconds that an ending game waits for tasks of low priority. Shorter: it may hang. Longer: the user waits for it to end.
 constexpr uint64_t LONGEST_WAIT = 30'000'000;
 
-// When the game ends, the engine wakes its worker threads once. One that finds no work then, while tasks of low priority still wait for
-// their turn, sleeps on, and the engine waits for it for ever (Godot's issue 117064). Pipelines are such tasks, and a field brings many:
-// so all of them begin before. The engine would wait for them anyway.
+// When the game ends, the engine wakes its worker threads once. A thread that finds no work then, while tasks of low priority still wait
+// for their turn, keeps sleeping, and the engine waits for it for ever (Godot's issue 117064). Pipelines are such tasks, and a field causes
+// many. So this makes all of them begin earlier; the engine would wait for them anyway.
 void begin_all_tasks() {
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	const Time *time = Time::get_singleton();

@@ -6,7 +6,7 @@
 
 namespace grass {
 
-// Call when a field enters the tree with this root.
+// Must be called when a field enters the tree with this root.
 void watch_for_quit(godot::Node *p_root);
 
 } // namespace grass

@@ -14,7 +14,7 @@ namespace grass {
 
 namespace {
 
-std::mutex making; // held by the worker that makes a shader
+std::mutex making; // held by the worker that is making a shader
 
 PackedByteArray zeros(int64_t p_bytes) {
 	PackedByteArray bytes;
@@ -23,7 +23,7 @@ PackedByteArray zeros(int64_t p_bytes) {
 	return bytes;
 }
 
-// A triangle with nothing in it: its format alone counts, which must be that of the meshes to come.
+// Returns a degenerate triangle. Only its format counts, which must be that of the later meshes.
 Dictionary make_surface(VertexKind p_vertices) {
 	constexpr int64_t VERSION = int64_t(RenderingServer::ARRAY_FLAG_FORMAT_CURRENT_VERSION), INDEX = Mesh::ARRAY_FORMAT_INDEX;
 	constexpr int64_t GROUND = Mesh::ARRAY_FORMAT_VERTEX | Mesh::ARRAY_FORMAT_NORMAL | Mesh::ARRAY_FORMAT_TANGENT;
@@ -37,7 +37,7 @@ Dictionary make_surface(VertexKind p_vertices) {
 							: p_vertices == VertexKind::GROUND ? GROUND
 															   : int64_t(Mesh::ARRAY_FLAG_USES_EMPTY_VERTEX_ARRAY));
 	surface["vertex_count"] = has_vertices ? 3 : 0;
-	surface["vertex_data"] = zeros(has_vertices ? 3 * (12 + 4 + 4) : 0); // place, normal, tangent
+	surface["vertex_data"] = zeros(has_vertices ? 3 * (12 + 4 + 4) : 0); // position, normal, tangent
 	if (p_vertices == VertexKind::PLANT) {
 		surface["attribute_data"] = zeros(3 * (8 + 12)); // UV, three numbers
 	}
@@ -58,8 +58,8 @@ ShaderJob::~ShaderJob() {
 	}
 }
 
-// A mesh that another thread than the renderer's creates returns when all pipelines of its materials are there: so the engine's loaders
-// wait for those of a scene.
+// If a thread other than the renderer's creates a mesh, the call returns when all pipelines of its materials are ready. The engine's
+// loaders wait for those of a scene in this way.
 void ShaderJob::work() {
 	{
 		std::lock_guard lock(making);

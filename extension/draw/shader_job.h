@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes a shader, and the pipelines that the renderer draws with. On the main thread either would hold up a frame, by some 80 ms and,
-// with an empty cache of the driver, by more than a second.
+// Makes a shader and the pipelines that the renderer draws with. On the main thread this would hold up a frame, by some 80 ms or, with an
+// empty driver cache, by more than a second.
 #pragma once
 
 #include "draw/shared_shader.h"
@@ -20,16 +20,16 @@ public:
 	ShaderJob &operator=(const ShaderJob &) = delete;
 	~ShaderJob();
 
-	// Does it: on a worker thread, where there is a RenderingDevice.
+	// Does the work: on a worker thread if there is a RenderingDevice.
 	void work();
-	// Returns when no thread makes a shader: at most some 90 ms later. Their pipelines may go on.
+	// Returns when no thread is making a shader, after at most some 90 ms. Their pipelines may still be in progress.
 	static void wait_for_shaders();
 	bool is_done() const { return _is_done; }
-	const godot::Ref<godot::Shader> &get_shader() const { return _shader; } // once it is done
+	const godot::Ref<godot::Shader> &get_shader() const { return _shader; } // valid once it is done
 
 private:
 	godot::String _code;
-	godot::Dictionary _surface; // what the renderer is handed of a mesh
+	godot::Dictionary _surface; // the mesh data for the renderer
 	godot::Ref<godot::Shader> _shader;
 	godot::Ref<godot::ShaderMaterial> _material;
 	godot::RID _mesh;

@@ -46,11 +46,12 @@ bool is_mobile() {
 	return server->get_current_rendering_method() == String("mobile") && server->get_rendering_device() != nullptr;
 }
 
-// Has the engine compile a shader, and returns when drawing with it can make a frame late, but never hang. Tasks begin in the order in
-// which they were added: when the last one runs, all parts of the shader are at work or done. Were it wanted before, Mobile would wait for
-// them with a lock that tasks for pipelines want, too, and where these hold all threads, no part ever begins (Godot's issue 123060).
+// Lets the engine compile a shader. Returns when drawing with it may delay a frame, but can never hang. Tasks begin in the order in which
+// they were added: when the last one runs, all parts of the shader have begun or are done. If the shader were needed earlier, Mobile would
+// wait for the parts while holding a lock that tasks for pipelines need too; if these occupy all threads, no part ever begins (Godot's
+// issue 123060).
 void compile(Shader &p_shader) {
-	p_shader.get_rid(); // the engine parses it, and adds a task for each thread
+	p_shader.get_rid(); // the engine parses it and adds a task for each thread
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	pool->wait_for_task_completion(pool->add_native_task([](void *) {}, nullptr, true, "GrassField's mark behind a shader"));
 }
@@ -65,8 +66,8 @@ bool has_shader_workers() {
 		return false;
 	}
 	const OS *os = OS::get_singleton();
-	// Each frame of a film must show all of its grass, however long it takes. A job needs a thread beside its own. In Mobile the main
-	// thread hangs where tasks for a job's pipelines hold all threads (Godot's issue 123060).
+	// Each frame of a film must show all of its grass, however long that takes. A job needs a second thread. In Mobile the main thread
+	// hangs if tasks for a job's pipelines occupy all threads (Godot's issue 123060).
 	static const bool has_workers = !os->has_feature("movie") && os->get_processor_count() > 1 &&
 			int64_t(ProjectSettings::get_singleton()->get_setting("threading/worker_pool/max_threads", -1)) != 1 && !is_mobile();
 	return has_workers;
@@ -121,7 +122,7 @@ bool prepare_shader(const ShaderText &p_text) {
 	}
 	static const char user = 0;
 	if (FrameShare::Turn turn(&user); turn.has_time()) {
-		shared_shader(p_text)->get_rid(); // this makes the engine compile it, where it did not yet
+		shared_shader(p_text)->get_rid(); // makes the engine compile it, if it has not yet
 	}
 	return false;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The renderer's shaders, one resource each for all fields: making one takes up to seconds, and a change of a property
-// that a field is built from makes the field anew.
+// The renderer's shaders, each a single resource for all fields: making one takes up to seconds, and a change of a property that a field is
+// built from makes the field again.
 #pragma once
 
 #include <godot_cpp/classes/shader.hpp>
@@ -18,10 +18,10 @@ enum ShaderFeature {
 	SHADER_LEDGES = 32, // GRASS_LEDGES; with SHADER_MAP only
 };
 
-// What the vertices of a mesh hold: nothing, for blades; place and normal; these, UV and three numbers.
+// The vertex data of a mesh: none, for blades; position and normal; or these, UV and three numbers.
 enum class VertexKind { BLADE, GROUND, PLANT };
 
-// What a field's shaders are compiled for.
+// The variant of a field's shaders.
 struct Look {
 	int features = 0; // ShaderFeature
 	godot::String hook; // SurfaceHook::text
@@ -35,27 +35,28 @@ struct ShaderText {
 	Look look = {};
 };
 
-// The shader, made by the first call and kept.
+// Returns the shader. The first call makes it, and it is kept.
 godot::Ref<godot::Shader> shared_shader(const ShaderText &p_text);
-// What the engine compiles.
+// Returns the code that the engine compiles.
 godot::String make_shader_code(const char *p_code, const Look &p_look);
-// Whether worker threads make shaders; else shared_shader() does, when it is called.
+// Returns whether worker threads make shaders; otherwise shared_shader() makes them when it is called.
 bool has_shader_workers();
 // Returns whether the shader and everything that drawing with it needs are ready. If not, a worker thread makes
 // them, or this call does if the frame has time left.
 bool prepare_shader(const ShaderText &p_text);
-// Drops shaders with a hook that nothing is drawn with: hooks come and go, as the field's own features do not. Call when a field has
-// another one: what is prepared for others is made once more.
+// Drops shaders with a hook that nothing uses any more: hooks change often, the field's own features do not. Call it when a field gets
+// another hook. Shaders prepared for other fields are then made again.
 void drop_hooked_shaders();
-// No shader is made until the next frame is drawn. Call before a frame that may need other variants of all shaders than those before it:
-// the renderer then compiles them for every shader that it knows, and breaks one that another thread makes at that moment (Godot 4.6).
+// Lets no shader be made until the next frame is drawn. Call it before a frame that may need other variants of all shaders than earlier
+// frames: the renderer then compiles them for every shader that it knows, and breaks one that another thread is making at that moment
+// (Godot 4.6).
 void hold_shader_jobs();
-// The same for the first frame that has motion vectors. Call before each that may have them.
+// Does the same for the first frame with motion vectors. Call it before each frame that may have them.
 void expect_motion_vectors();
 // Forgets what has not begun of what prepare_shader() began. Call when no field is left, since the game may end now: the engine waits for
 // the jobs' task then, and a job that begins so late waits for others that no longer run (Godot 4.6).
 void forget_shader_jobs();
-// Call when the library is unloaded.
+// Must be called when the library is unloaded.
 void free_shared_shaders();
 
 } // namespace grass

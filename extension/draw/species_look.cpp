@@ -30,7 +30,7 @@ Color mean_color(const Ref<Image> &p_image) {
 
 namespace {
 
-// Of several pictures, each by how much of it is opaque.
+// Returns the mean colour of several pictures, each weighted by its opaque share.
 Color mean_color(std::span<const Ref<Image>> p_images) {
 	Color sum(0, 0, 0, 0);
 	for (const Ref<Image> &image : p_images) {
@@ -45,7 +45,7 @@ float luminance(const Color &p_color) {
 	return 0.2126f * p_color.r + 0.7152f * p_color.g + 0.0722f * p_color.b;
 }
 
-// All that become layers, in their order.
+// Returns all images that become layers, in their order.
 std::vector<Ref<Image>> images_of(std::span<const SpeciesLook> p_looks) {
 	std::vector<Ref<Image>> images;
 	for (const SpeciesLook &look : p_looks) {
@@ -57,7 +57,7 @@ std::vector<Ref<Image>> images_of(std::span<const SpeciesLook> p_looks) {
 	return images;
 }
 
-// Each smaller version of an image shows as much of it.
+// Makes each mipmap of an image show as much of it.
 Ref<Image> with_kept_coverage(const Ref<Image> &p_image) {
 	PackedByteArray bytes = p_image->get_data();
 	const std::span<uint8_t> all(bytes.ptrw(), size_t(bytes.size()));
@@ -103,7 +103,7 @@ bool are_made_of(const Cards &p_cards, std::span<const SpeciesLook> p_looks) {
 		return p_cards.flowers[p_species].pictures == (has_card ? int(p_looks[p_species].card.size()) : 0) &&
 				p_cards.leaves[p_species].pictures == int(has_leaf);
 	};
-	for (size_t s = 0; s < p_cards.flowers.size(); s++) { // the same pictures may be of other species
+	for (size_t s = 0; s < p_cards.flowers.size(); s++) { // the same pictures may belong to other species
 		if (!same(s)) {
 			return false;
 		}

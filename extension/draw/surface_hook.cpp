@@ -14,13 +14,13 @@ namespace grass {
 
 namespace {
 
-// Those of our own that the include's shader has beside the include's.
+// Returns whether a uniform belongs to our shader rather than to the include.
 bool is_own(const StringName &p_name) {
 	return p_name == StringName("wetness") || p_name == StringName("snow") || p_name == StringName("other_light") ||
 			p_name == StringName("grass_probe");
 }
 
-// An include of a file by its path, so that errors name the file and what it includes itself is found beside it.
+// Includes a file by its path, so that errors name the file and its own includes are found relative to it.
 String text_of(const Ref<ShaderInclude> &p_include) {
 	const String path = p_include->get_path();
 	const bool is_file = !path.is_empty() && !path.contains("::");
@@ -39,7 +39,7 @@ const SurfaceHook::Uniform *SurfaceHook::find(const StringName &p_name) const {
 }
 
 bool is_compiled(const Ref<Shader> &p_shader) {
-	return !p_shader->get_shader_uniform_list().is_empty(); // the engine knows none of a shader with a mistake
+	return !p_shader->get_shader_uniform_list().is_empty(); // the engine lists no uniforms of a shader with an error
 }
 
 SurfaceHook compile_hook(const Ref<ShaderInclude> &p_include) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field's `surface_hook`, as its shaders take it (shaders/draw/surface.gdshaderinc).
+// A field's `surface_hook`, in the form that its shaders use (shaders/draw/surface.gdshaderinc).
 #pragma once
 
 #include <godot_cpp/classes/shader.hpp>
@@ -15,19 +15,19 @@ struct SurfaceHook {
 	// A uniform of the include.
 	struct Uniform {
 		godot::PropertyInfo info;
-		godot::Variant initial; // what the include gives it
+		godot::Variant initial; // its default in the include
 	};
 
-	godot::String text; // what the shaders include; "": there is no hook, or it does not compile
+	godot::String text; // what the shaders include; "": no hook, or it does not compile
 	std::vector<Uniform> uniforms;
 
 	const Uniform *find(const godot::StringName &p_name) const;
 };
 
-// Compiles the include alone, in some ms; the engine reports errors in it.
+// Compiles the include alone, which takes a few ms. The engine reports errors in it.
 SurfaceHook compile_hook(const godot::Ref<godot::ShaderInclude> &p_include);
 
-// Whether a shader with a hook compiled.
+// Returns whether a shader with a hook compiled.
 bool is_compiled(const godot::Ref<godot::Shader> &p_shader);
 
 } // namespace grass
