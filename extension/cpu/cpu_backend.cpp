@@ -19,15 +19,15 @@ namespace grass {
 
 namespace {
 constexpr int FIRST_ROWS = 64; // of the pool texture: 512 KiB
-// Ticks between checks of the pool's memory, and how many checks in a row must find it at least four times too large: three seconds.
-// Room for twice what is awake stays. Less: memory comes and goes with every body that passes.
+// Ticks between checks of the pool's memory, how many checks in a row must find it too large, and by which factor: three seconds. Room for
+// twice the awake tiles is kept. Less: memory comes and goes with every body that passes.
 constexpr int LOOK_EVERY = 60, LOW_LOOKS = 3, MUCH = 4;
-constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the tiles in view
+constexpr int FIRST_INSTANCES = 64; // of a level's MultiMesh: 5 KiB; grows with the number of tiles in view
 
 int rows_for(int p_highest_slot) {
 	return std::max(FIRST_ROWS, int(std::bit_ceil(unsigned(p_highest_slot + 1))));
 }
-// Grows the MultiMesh with what it shows.
+// Uploads the instances to the MultiMesh, and makes it larger if needed.
 void show_instances(FieldInstance &r_instance, std::span<const float> p_instances) {
 	const int count = int(p_instances.size()) / GRASS_INSTANCE_FLOATS;
 	if (count > r_instance.capacity()) {
@@ -54,7 +54,7 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 	}
 	if (p_setup.patch != _setup.patch) {
 		_pool.set_patch(p_setup.patch);
-		const Ref<ImageTexture> before = std::exchange(_patch_texture, patch_texture(p_setup.patch)); // until nothing reads it
+		const Ref<ImageTexture> before = std::exchange(_patch_texture, patch_texture(p_setup.patch)); // held until nothing reads it
 		set_uniform("patch_knots", _patch_texture);
 		_materials.set("blade_length", p_setup.blade_length());
 	}
@@ -65,7 +65,7 @@ bool CpuBackend::set_field(const FieldSetup &p_setup) {
 	}
 	_setup = p_setup;
 	_slot_of_tile.clear();
-	_cover.reset(); // of the other grid; set_cover() follows
+	_cover.reset(); // it belongs to the old grid; set_cover() follows
 	_tiles_changed = true;
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup));
@@ -121,7 +121,7 @@ void CpuBackend::draw(const FieldView &p_view) {
 	const uint64_t begin = Time::get_singleton()->get_ticks_usec();
 	update_pool_texture();
 	if (!_tiles_changed && _view == p_view) {
-		return; // the same view of the same tiles: the MultiMeshes are still right
+		return; // the same view of the same tiles: the MultiMeshes are up to date
 	}
 	choose_tiles(p_view);
 	_view = p_view;
@@ -201,10 +201,10 @@ void CpuBackend::update_pool_texture() {
 }
 
 void CpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
-	(void)p_changed; // culling reads the cover tile by tile
+	(void)p_changed; // culling reads the cover of each tile
 	_cover = p_cover;
 	_tiles_changed = true;
-	_plant_cull.forget(); // other species may be painted now
+	_plant_cull.forget(); // paint may have changed species
 	_plants.set_bounds(field_bounds(_setup, _cover.get()));
 	for (FieldInstance &level : _levels) {
 		level.set_bounds(field_bounds(_setup, _cover.get()));
@@ -247,12 +247,12 @@ BackendStatistics CpuBackend::get_statistics() {
 }
 
 int64_t CpuBackend::get_shared_memory() const {
-	return int64_t(_setup.patch->texels.size()) * 4; // here and as a texture
+	return int64_t(_setup.patch->texels.size()) * 4; // in main memory and as a texture
 }
 
 int64_t CpuBackend::get_pool_memory() const {
 	return _pool.get_memory_usage() + int64_t(_texels.get_memory_usage()) +
-			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // what is shown is a texture, too
+			int64_t(_pool_rows) * PoolTexels::ROW_TEXELS * 8; // visible rows are in a texture too
 }
 
 int64_t CpuBackend::get_memory_usage() const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The backend without a RenderingDevice: simulates on the engine's worker threads, chooses the tiles to draw on
-// the CPU, and draws one MultiMesh per level of detail. Headless it simulates only: no frame is ever drawn.
+// The backend without a RenderingDevice: simulates on the engine's worker threads, chooses the tiles to draw on the CPU, and draws one
+// MultiMesh for each level of detail. Headless it only simulates: no frame is ever drawn.
 #pragma once
 
 #include "core/field/pool_texels.h"
@@ -48,7 +48,7 @@ public:
 	int64_t get_memory_usage() const override;
 	int64_t get_shared_memory() const override;
 	int64_t get_pool_memory() const override;
-	int64_t get_pool_tile_memory() const override { return 0; } // memory comes with the tiles that wake
+	int64_t get_pool_tile_memory() const override { return 0; } // memory is allocated with the tiles that wake
 	const char *get_name() const override { return "CPU"; }
 
 private:
@@ -62,17 +62,17 @@ private:
 	bool _measure = false;
 	uint64_t _step_number = 0; // of the last step
 	BackendStatistics _statistics;
-	FieldView _view; // that the tiles in _levels were chosen for
+	FieldView _view; // for which the tiles in _levels were chosen
 	bool _tiles_changed = true; // since then
-	std::unordered_map<int, int> _slot_of_tile; // awake tiles; looked up only, so its order does not matter
+	std::unordered_map<int, int> _slot_of_tile; // of awake tiles; only looked up, so its order does not matter
 
 	std::shared_ptr<const TileCover> _cover; // null: no map
-	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // live longer than the materials that read them
+	godot::Ref<godot::ImageTexture> _patch_texture, _pool_texture; // outlive the materials that read them
 	BladeMaterials _materials;
 	int _pool_rows = 0; // of the pool texture
-	int _highest_slot = -1; // with memory; rises with the slots in use, falls when all have been far below for a while
-	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); looks in a row that found much too much memory
-	PoolTexels _texels; // of the pool texture; written before the next frame, which may never come (headless)
+	int _highest_slot = -1; // with memory; rises with the slots in use, and falls when all have been far below for a while
+	int _ticks_to_look = 0, _low_looks = 0; // of tidy(); successive checks that found far too much memory
+	PoolTexels _texels; // of the pool texture; uploaded before the next frame, which may never come (headless)
 	float _share = 1.0f; // of the last step, in this frame
 	std::array<FieldInstance, GRASS_ALL_LEVELS> _levels;
 	TileCull _cull;
