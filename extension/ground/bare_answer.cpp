@@ -14,7 +14,7 @@ namespace grass {
 
 namespace {
 
-constexpr double FULL = 0.99; // share from which on all grass counts as there: painted codes round
+constexpr double FULL = 0.99; // share that counts as full, since painted codes are rounded
 
 String rounded(double p_value, int p_decimals) {
 	return String::num(p_value, p_decimals);
@@ -24,7 +24,7 @@ int64_t percent(double p_share) {
 	return int64_t(std::llround(100.0 * p_share));
 }
 
-// What the whole field keeps from sight; NONE where nothing does.
+// Returns what hides the grass of the whole field; NONE if nothing does.
 BareAnswer explain_field(
 		const GeometryInstance3D &p_node, const StandingField &p_standing, const Vector3 &p_place, const Camera3D *p_camera) {
 	if (!p_standing.stands()) {
@@ -82,21 +82,21 @@ RuleWords words_of(const FillCause &p_cause, const FillRule &p_rule, FieldFiller
 			break;
 	}
 	Node3D *node = r_filler.find_node(p_cause.obstacle.get());
-	const String name = node == nullptr ? String("a node that is gone") : vformat("%s '%s'", node->get_class(), node->get_name());
+	const String name = node == nullptr ? String("a node that no longer exists") : vformat("%s '%s'", node->get_class(), node->get_name());
 	return { BareReason::FILL_NODE, name, node };
 }
 
 String standing_words(const BareAnswer &p_answer) {
 	if (p_answer.density <= 0.0) {
-		return "No grass stands here";
+		return "No grass grows here";
 	}
 	if (p_answer.density < FULL) {
-		return vformat("%d %% of the grass stands here", percent(p_answer.density));
+		return vformat("%d %% of the grass grows here", percent(p_answer.density));
 	}
-	return vformat("Grass of %d cm stands here", percent(p_answer.height));
+	return vformat("Grass of %d cm grows here", percent(p_answer.height));
 }
 
-// What the map says about the place.
+// Explains the place by the map.
 void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_filler, const FieldFiller::Place &p_fill, const PaintMap &p_map,
 		const Eigen::Vector2d &p_at) {
 	const auto rule = r_filler.gather(p_fill);
@@ -110,7 +110,7 @@ void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_fill
 	switch (cause.kind) {
 		case BareKind::MAP:
 			r_answer.reason = BareReason::MAP;
-			why = vformat("the map has a density of %s (nobody painted, `base_density` is %s)", rounded(cause.share, 2),
+			why = vformat("the map has a density of %s (not painted; `base_density` is %s)", rounded(cause.share, 2),
 					rounded(p_map.get_base_density(), 2));
 			break;
 		case BareKind::PAINTED:
@@ -159,7 +159,7 @@ BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &
 	const FieldPlaces places(p_standing, p_fill.transform);
 	const Vector2i tile = places.get_tile_at(p_place);
 	if (tile == Vector2i(-1, -1)) {
-		return { BareReason::OUTSIDE, "No grass stands here: the place is outside of the field (`size`)." };
+		return { BareReason::OUTSIDE, "No grass grows here: the place is outside the field (`size`)." };
 	}
 	answer.density = places.density_at(p_place);
 	answer.height = places.height_at(p_place);

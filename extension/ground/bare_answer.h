@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The answer to "why is there no grass here?", for scripts and the editor.
+// Answers "why is there no grass here?", for scripts and the editor.
 #pragma once
 
 #include "field/standing_field.h"
@@ -38,13 +38,13 @@ enum class BareReason : int64_t {
 
 struct BareAnswer {
 	BareReason reason = BareReason::NONE;
-	godot::String text; // a sentence or two
+	godot::String text; // one or two sentences
 	godot::Node3D *node = nullptr; // FILL_NODE
-	double density = 0.0, height = 0.0; // of the grass there: share, metres
-	bool is_still = false; // nothing can bend it: the pool is full, or it is not simulated
+	double density = 0.0, height = 0.0; // of the grass at the place: share, metres
+	bool is_still = false; // nothing can bend it: the pool is full, or the field is not simulated
 };
 
-// p_place: global. p_camera: null: nobody in particular looks.
+// p_place: global. p_camera: null: for no particular camera.
 BareAnswer explain_place(const godot::GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
 		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const godot::Vector3 &p_place,
 		const godot::Camera3D *p_camera);

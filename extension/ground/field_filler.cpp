@@ -17,13 +17,13 @@ namespace grass {
 
 namespace {
 
-// Filled in a frame, at most: 65,536 texels. More: frames stutter while a rule is changed. Fewer: a field of 1 km^2 (256 chunks) takes
-// longer to follow.
+// Chunks filled in a frame: 65,536 texels. More: frames stutter while a rule is changed. Fewer: a field of 1 km^2 (256 chunks) takes longer
+// to follow.
 constexpr int CHUNKS_A_FRAME = 4;
-// Nodes of the rule's groups notify nobody when they move: their places are read this often, frames.
+// Nodes of the rule's groups send no notification when they move: their places are read at this interval, frames.
 constexpr int FRAMES_BETWEEN_LOOKS = 15;
 
-// Changes with every node that rules follow by itself.
+// Returns a number that changes with every node that rules follow automatically.
 uint64_t scene_revision() {
 	return GrassExclusion3D::get_revision() + GrassPath3D::get_revision();
 }
@@ -36,7 +36,7 @@ FillRule rule_for(GrassFillRule &r_rule, const FieldFiller::Place &p_place) {
 
 } // namespace
 
-// The field's own changes to the map do not concern the rule.
+// Changes the map without queueing the change as one made by others.
 template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillResult &r_result, F &&p_change) {
 	_is_filling = true;
 	if (!outlives(_node, [&] { r_result = p_map.ptr()->change(p_change); })) {
@@ -47,7 +47,7 @@ template <typename F> bool FieldFiller::change(const Ref<GrassMap> &p_map, FillR
 	return true;
 }
 
-// p_chunks: at most; negative: all of them.
+// p_chunks: the most to fill; negative: all of them.
 bool FieldFiller::work(const Ref<GrassMap> &p_map, int p_chunks) {
 	FillResult result;
 	if (!change(p_map, result, [&](PaintMap &r_map) { return _state.work(r_map, p_chunks, run_parallel); })) {
@@ -72,9 +72,9 @@ bool FieldFiller::set_rule(const Ref<GrassFillRule> &p_rule, const Callable &p_c
 void FieldFiller::set_live(bool p_live, const Ref<GrassMap> &p_map) {
 	_is_live = p_live;
 	if (!p_live && _state.is_set() && editor_hooks.mark_edited != nullptr) {
-		editor_hooks.mark_edited(p_map); // what is filled is saved with it from now on
+		editor_hooks.mark_edited(p_map); // from now on the filled grass is saved with the map
 	}
-	_state = LiveFill(); // without it the map keeps what is filled
+	_state = LiveFill(); // without it the map keeps what was filled
 }
 
 std::optional<FieldFiller::Gathered> FieldFiller::gather(const Place &p_place) {
@@ -130,7 +130,7 @@ void FieldFiller::touch(const Ref<GrassMap> &p_map, const TypedArray<Vector2i> &
 	const bool is_replaced = _replacements != p_map->get_replacements();
 	_replacements = p_map->get_replacements();
 	_state.touch(p_map->get_map(), keys, is_replaced);
-	if (_base_density != p_map->get_base_density()) { // it shows in chunks that hold nothing else
+	if (_base_density != p_map->get_base_density()) { // it is visible in chunks that contain nothing else
 		_base_density = p_map->get_base_density();
 		_state.touch_all();
 	}
@@ -147,7 +147,7 @@ double FieldFiller::fill(Ref<GrassMap> p_map, const Ref<GrassFillRule> &p_rule, 
 	FillSources sources = FillGatherer().gather(**p_rule, p_place.node, p_place.transform);
 	sources.terrain = _terrain;
 	FillResult result;
-	(void)change(p_map, result, [&](PaintMap &r_map) { // the last thing done
+	(void)change(p_map, result, [&](PaintMap &r_map) { // nothing may follow this
 		return grass::fill(r_map, chunks_in(p_place.region), p_place.region, &rule, sources, run_parallel, FillRim::FILLED);
 	});
 	return result.amount;

@@ -16,13 +16,13 @@
 
 namespace grass {
 
-// Listeners of the map are scripts: see shared/script_call.h. What says so returns false where one of them freed the field, and this with
-// it.
+// Listeners of the map are scripts: see shared/script_call.h. Functions marked [[nodiscard]] return false if a script freed the field, and
+// this object with it.
 class FieldFiller {
 public:
 	explicit FieldFiller(const godot::Node3D &p_field) : _node(p_field) {}
 
-	// What is filled: the field's node, its transform (global, without scale), its rectangle.
+	// What to fill: the field's node, its transform (global, without scale), its rectangle.
 	struct Place {
 		godot::Node3D *node;
 		godot::Transform3D transform;
@@ -30,39 +30,39 @@ public:
 		Eigen::Vector2d noise_origin; // metres, see FieldProperties
 	};
 
-	// p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
+	// Sets the rule. p_changed: called when the rule changes. Without a rule, removes from p_map (may be null) what the last one filled.
 	[[nodiscard]] bool set_rule(
 			const godot::Ref<GrassFillRule> &p_rule, const godot::Callable &p_changed, const godot::Ref<GrassMap> &p_map);
 	const godot::Ref<GrassFillRule> &get_rule() const { return _rule; }
 	void set_live(bool p_live, const godot::Ref<GrassMap> &p_map);
 	bool is_live() const { return _is_live; }
 	bool is_active() const { return _rule.is_valid() && _is_live; } // fills a map
-	bool is_set() const { return _state.is_set(); } // has begun to
+	bool is_set() const { return _state.is_set(); } // has begun to fill
 	void rule_changed() { _has_changed = true; }
-	// Another map: nothing is filled yet.
+	// Must be called for another map, in which nothing is filled yet.
 	void forget_map() { _state = LiveFill(); }
 
-	// Looks at the rule; at once: fills all of the map by it.
+	// Reads the rule. p_at_once: fills the whole map by it.
 	[[nodiscard]] bool start(godot::Ref<GrassMap> p_map, const Place &p_place, bool p_at_once);
-	// Once a frame, after start().
+	// Must be called once in each frame, after start().
 	[[nodiscard]] bool update(godot::Ref<GrassMap> p_map, const Place &p_place);
-	// True once after it has finished.
+	// Returns true once after filling has finished.
 	bool take_finished() { return std::exchange(_has_finished, false); }
-	// Somebody changed chunks of the map.
+	// Must be called when others changed chunks of the map.
 	void touch(const godot::Ref<GrassMap> &p_map, const godot::TypedArray<godot::Vector2i> &p_chunks);
-	// The terrain's textures; null: there are none. Then: they are others in a region.
+	// Set the terrain's textures (null: none), and report that they changed in a region.
 	void set_terrain(const std::shared_ptr<const TerrainIds> &p_ids);
 	void touch_textures(const MapRegion &p_region) { _state.touch_textures(p_region); }
-	// Fills by any rule, once. Returns square metres of full grass that came.
+	// Fills by any rule, once. Returns the square metres of full grass added.
 	double fill(godot::Ref<GrassMap> p_map, const godot::Ref<GrassFillRule> &p_rule, const Place &p_place);
 
-	// What the rule needs now; empty without one.
+	// What the rule needs now; empty without a rule.
 	struct Gathered {
 		FillRule rule;
 		FillSources sources;
 	};
 	std::optional<Gathered> gather(const Place &p_place);
-	godot::Node3D *find_node(const FillObstacle *p_obstacle) const; // that it was gathered from last; null: gone
+	godot::Node3D *find_node(const FillObstacle *p_obstacle) const; // from which it was gathered last; null: it no longer exists
 
 	void warn(const godot::Ref<GrassMap> &p_map, bool p_has_terrain, godot::PackedStringArray &r_warnings) const;
 
@@ -76,17 +76,17 @@ private:
 	const godot::Node3D &_node; // the field
 	godot::Ref<GrassFillRule> _rule;
 	bool _is_live = true;
-	LiveFill _state; // not set: nothing filled yet
+	LiveFill _state; // not set: nothing is filled yet
 	FillGatherer _gatherer;
 	std::shared_ptr<const TerrainIds> _terrain;
-	bool _has_changed = false; // the rule, since it was looked at
-	bool _is_filling = false; // the map changes by the field's own doing
-	uint64_t _revision = 0; // of exclusions and paths, when looked at
+	bool _has_changed = false; // whether the rule has, since it was last read
+	bool _is_filling = false; // the field itself is changing the map
+	uint64_t _revision = 0; // of exclusions and paths, when last read
 	bool _has_finished = false; // since take_finished()
-	uint64_t _replacements = 0; // of the map's contents, as far as known
-	double _base_density = 0.0; // of the map, as far as known
+	uint64_t _replacements = 0; // of the map's contents, as last seen
+	double _base_density = 0.0; // of the map, as last seen
 	int _frames_to_look = 0;
-	int64_t _cells = 0; // texels on which rules ran, in all
+	int64_t _cells = 0; // number of texels on which rules have run
 };
 
 } // namespace grass

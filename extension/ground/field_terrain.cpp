@@ -16,12 +16,12 @@ namespace grass {
 
 namespace {
 
-// The terrain may come, go or get other data without a signal, and move: looked at this often, frames.
+// Frames between checks of the terrain, which may appear, disappear, move or get other data without a signal.
 constexpr int FRAMES_BETWEEN_QUERIES = 15;
-// Heights are vertical: how far a field's up may be from that, sine.
+// Heights are vertical: the most by which a field's up axis may differ from that, sine of the angle.
 constexpr double LARGEST_TILT = 1e-3;
 
-// A shift of the origin moves both, and costs some last digits.
+// A shift of the origin moves both, and loses some of the last digits.
 bool is_same_place(const Transform3D &p_a, const Transform3D &p_b) {
 	const Eigen::Affine3d a = to_eigen(p_a), b = to_eigen(p_b);
 	return (a.linear() - b.linear()).norm() < 1e-5 && (a.translation() - b.translation()).norm() < 1e-3;
@@ -111,7 +111,7 @@ bool FieldTerrain::find(const TerrainSource::Handlers &p_handlers) {
 	return true;
 }
 
-// A field or a terrain that moves is read again where it has come to rest. Both moved together (a shifted origin): nothing is.
+// Reads everything again once a field or terrain that moved is at rest. If both moved together (a shifted origin), reads nothing.
 bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &p_region) {
 	const std::shared_ptr<TerrainSource> source = _source;
 	Transform3D terrain;
@@ -129,7 +129,7 @@ bool FieldTerrain::watch_place(const Transform3D &p_transform, const MapRegion &
 	}
 	_beside = beside;
 	_field = p_transform;
-	// What the last blades blend with, too.
+	// Includes the texels that the outermost blades blend with.
 	const MapRegion area = p_region.grown(info_of(MAP_GROUND).texel_size());
 	if (!(_queue.get_area() == area)) {
 		_queue.set_area(area);
@@ -215,7 +215,7 @@ void FieldTerrain::add_to(FieldStatistics &r_statistics) const {
 
 int64_t FieldTerrain::get_memory_usage() const {
 	const int64_t ids = _ids ? int64_t(_ids->get_memory_usage()) : 0;
-	return ids + (_colors ? 2 * int64_t(_colors->get_memory_usage()) : 0); // colours: here, and as a texture
+	return ids + (_colors ? 2 * int64_t(_colors->get_memory_usage()) : 0); // colours: here and as a texture
 }
 
 } // namespace grass

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field's terrain. Queries it for heights, holes, textures and colours, some places a frame, nearest to a camera first, and lays them
-// into the map. Notices what changes.
+// A field's terrain. Queries heights, holes, textures and colours, some places in each frame, nearest to a camera first, and lays them into
+// the map. Notices what changes.
 #pragma once
 
 #include "core/field/field_statistics.h"
@@ -20,8 +20,8 @@
 
 namespace grass {
 
-// Methods of a terrain and listeners of the map are scripts: see shared/script_call.h. What says so returns false where one of them freed
-// the field, and this with it.
+// Methods of a terrain and listeners of the map are scripts: see shared/script_call.h. Functions marked [[nodiscard]] return false if a
+// script freed the field, and this object with it.
 class FieldTerrain {
 public:
 	explicit FieldTerrain(godot::VisualInstance3D &p_field) : _node(p_field) {}
@@ -30,36 +30,37 @@ public:
 	void look_soon() { _frames_to_look = _source ? _frames_to_look : 0; } // for a terrain that was not found
 	const godot::NodePath &get_path() const { return _path; }
 
-	// Once a frame, first: finds the terrain, and what has changed of it. The field is in the tree; p_transform: of it, global, without
-	// scale; p_region: what it covers.
+	// Must be called first in each frame: finds the terrain and what has changed in it. The field must be in the tree. p_transform: of the
+	// field, global, without scale; p_region: the area that it covers.
 	[[nodiscard]] bool look(const godot::Transform3D &p_transform, const MapRegion &p_region, const TerrainSource::Handlers &p_handlers);
-	// Whether look() found a terrain that can be read now: not while it is being read.
+	// Returns whether look() found a terrain that can be read now; false while it is being read.
 	bool can_read() const { return _can_read && _source != nullptr && !_is_asking; }
-	// Then: reads a frame's share, and lays what is complete into the map. p_touched: called for every region whose textures are others.
+	// Then reads a frame's share and lays what is complete into the map. p_touched: called for every region whose textures changed.
 	[[nodiscard]] bool read(godot::Ref<GrassMap> p_map, double p_ledge_slope, const std::function<void(const MapRegion &)> &p_touched);
 
-	// Something changed: everything (an empty area), or the area (global).
+	// Report a change: in an area (global; empty: everywhere), or everywhere.
 	void area_changed(const godot::AABB &p_area);
 	void anything_changed() { _is_all_changed = true; }
 	[[nodiscard]] bool cells_changed(const godot::Vector2 &p_first, const godot::Vector2 &p_count);
-	// Another map: all is laid again. p_is_elsewhere: and the field serves another place, so that no colours are known.
+	// Must be called for another map: everything is laid again. p_is_elsewhere: the field also moved to another place, so no colours are
+	// known.
 	void read_all(bool p_is_elsewhere);
-	// The field leaves the tree.
+	// Must be called when the field leaves the tree.
 	void leave();
 
-	// Null where no terrain reports textures.
+	// Returns the textures; null where no terrain reports any.
 	std::shared_ptr<const TerrainIds> get_ids() const { return _ids; }
-	// The terrain's colours over the field; null where it reports none.
+	// Returns the terrain's colours over the field; null where it reports none.
 	const godot::Ref<godot::ImageTexture> &get_colors() const { return _shown_colors; }
 	bool is_found() const { return _source != nullptr; }
 	void warn(godot::PackedStringArray &r_warnings) const;
-	// Whether warn() has changed since the last call.
+	// Returns whether warn() has changed since the last call.
 	bool has_new_warning();
 	void add_to(FieldStatistics &r_statistics) const;
 	int64_t get_memory_usage() const; // bytes
 
 private:
-	// Runs p_ask, which calls methods of the terrain. Until it returns, the field asks nothing more of it.
+	// Runs p_ask, which calls methods of the terrain. The field makes no other calls to the terrain until this returns.
 	template <typename F> bool ask(F &&p_ask) {
 		_is_asking = true;
 		if (!outlives(_node, p_ask)) {
@@ -83,25 +84,25 @@ private:
 	godot::NodePath _path;
 	std::shared_ptr<TerrainSource> _source; // null: not found
 	bool _can_read = false; // see can_read()
-	bool _is_asking = false; // a method of the terrain runs, and may call the field
+	bool _is_asking = false; // a method of the terrain is running, and may call the field
 	std::vector<TerrainSource::Notice> _notices; // connected
 	godot::String _problem, _warned; // with the terrain
 	godot::Transform3D _field; // global
 	std::optional<godot::Transform3D> _beside, _beside_when_read; // the field as the terrain sees it: at the last look; when it was read
-	MapRegion _region; // what the field covers
+	MapRegion _region; // the area that the field covers
 	TerrainQueue _queue;
 	std::optional<TerrainPiece> _piece; // being read
-	std::vector<Eigen::Vector2d> _row; // of it, being read
+	std::vector<Eigen::Vector2d> _row; // the row of _piece that is being read
 	std::vector<TerrainSample> _row_samples; // of the first places of _row
 	std::shared_ptr<TerrainIds> _ids;
 	std::optional<TerrainColors> _colors;
 	godot::Ref<godot::ImageTexture> _shown_colors;
-	bool _has_old_colors = false; // it shows those of another place
-	std::vector<godot::AABB> _areas; // that changed since the last frame, global
+	bool _has_old_colors = false; // it shows colours of another place
+	std::vector<godot::AABB> _areas; // changed since the last frame, global
 	bool _is_all_changed = false;
 	int _frames_to_look = 0;
-	uint64_t _frame = UINT64_MAX; // the process's, in which queries were last counted
-	int64_t _last_query = 0; // of that frame
+	uint64_t _frame = UINT64_MAX; // of the process, in which queries were last counted
+	int64_t _last_query = 0; // allowed in that frame
 	int64_t _queries = 0, _calls_before = 0; // places queried so far; calls of terrains before this one
 };
 

@@ -17,17 +17,17 @@ namespace grass {
 
 namespace {
 
-// Places read in a frame, at most (a row more). More: a terrain of scripts takes the frame's whole share; less: a field of 1 km^2, a
-// million places, takes longer to read.
+// Most places read in a frame (plus a row). More: a terrain of scripts takes the frame's whole share. Less: a field of 1 km^2, a million
+// places, takes longer to read.
 constexpr int64_t QUERIES_A_FRAME = 16384;
-// Places read in a frame even if it has no time left, so that the ground comes in the end: two rows, or as many as are read in the time
-// (microseconds) where a terrain is slow; one in any case.
+// Places read in a frame even without time left, so that reading always finishes: two rows, or as many as fit in LEAST_TIME (microseconds)
+// if a terrain is slow, and always at least one.
 constexpr int64_t PLACES_AT_LEAST = 132;
 constexpr uint64_t LEAST_TIME = 500;
 
 } // namespace
 
-// Once all is read: a picture has mipmaps, which change as a whole.
+// Waits until everything is read, since a picture has mipmaps, which change as a whole.
 void FieldTerrain::show_colors() {
 	const bool is_read = _queue.get_waiting() == 0 && !_piece;
 	if (!_colors || (_shown_colors.is_valid() && !is_read && !_has_old_colors) || !_colors->take_changed()) {
@@ -47,13 +47,13 @@ void FieldTerrain::show_colors() {
 	}
 }
 
-// A terrain may say where, and in the same frame that something did: then the places count.
+// A terrain may report an area, and a change without an area in the same frame: then the areas count.
 void FieldTerrain::take_changes() {
 	const Transform3D to_field = _field.affine_inverse();
 	for (const AABB &area : _areas) {
 		const AABB here = moved(to_field, area);
 		const MapRegion region{ { here.position.x, here.position.z }, { here.position.x + here.size.x, here.position.z + here.size.z } };
-		_queue.add(region.grown(2.0 * info_of(MAP_GROUND).texel_size())); // slopes beside it change, too
+		_queue.add(region.grown(2.0 * info_of(MAP_GROUND).texel_size())); // slopes beside it change too
 	}
 	if (_is_all_changed && _areas.empty()) {
 		_queue.add_all();
@@ -62,8 +62,8 @@ void FieldTerrain::take_changes() {
 	_is_all_changed = false;
 }
 
-// The next places of the piece's row: as many as the terrain is asked at once, so that a slow one is broken off inside of a row. False,
-// too, where the answers are of no use any more.
+// Reads the next places of the piece's row: as many as the terrain is queried for at once, so that a slow terrain can be interrupted within
+// a row. Returns false if a script freed the field.
 bool FieldTerrain::read_places() {
 	const std::shared_ptr<TerrainSource> source = _source;
 	if (_row.empty()) {
@@ -112,7 +112,7 @@ bool FieldTerrain::lay(const Ref<GrassMap> &p_map, double p_ledge_slope, const s
 	return true;
 }
 
-// False where nothing waits to be read.
+// Returns false if nothing waits to be read.
 bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 	if (_piece) {
 		return true;
@@ -127,7 +127,8 @@ bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 	return region.has_value();
 }
 
-// Whether one more place may be read in this frame. p_is_first: of all fields in this frame; it has read since query p_begun, at p_since.
+// Returns whether one more place may be read in this frame. p_is_first: this is the first field to read in this frame. p_begun, p_since:
+// the number of queries and the time at which it began.
 bool FieldTerrain::may_go_on(bool p_is_first, int64_t p_begun, uint64_t p_since, FrameShare::Turn &r_turn) const {
 	if (_queries >= _last_query) {
 		return false;
@@ -148,11 +149,11 @@ bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::fu
 		return true;
 	}
 	std::vector<Eigen::Vector2d> eyes;
-	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may come more than once a frame
+	if (const uint64_t frame = Engine::get_singleton()->get_process_frames(); _frame != frame) { // may run more than once a frame
 		_frame = frame;
 		_last_query = _queries + QUERIES_A_FRAME;
 	}
-	static uint64_t frame_of_first = UINT64_MAX; // however many fields read: what is read at least is for one of them, the first
+	static uint64_t frame_of_first = UINT64_MAX; // only the first of all fields has a guaranteed number of places
 	const bool is_first = std::exchange(frame_of_first, _frame) != _frame;
 	const int64_t begun = _queries;
 	FrameShare::Turn turn(this);
@@ -167,7 +168,7 @@ bool FieldTerrain::read(Ref<GrassMap> p_map, double p_ledge_slope, const std::fu
 		if (_piece && _piece->is_complete() && !lay(p_map, p_ledge_slope, p_touched)) {
 			return false;
 		}
-		if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed one of the two
+		if (!_source || !_source->is_alive() || !_node.is_inside_tree()) { // a script removed the terrain or the field
 			return true;
 		}
 	}

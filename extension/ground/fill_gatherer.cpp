@@ -47,7 +47,7 @@ FillObstacle obstacle_of(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_p
 	}
 	TrackedShape tracked;
 	read_shape(shape, tracked);
-	if (tracked.parts.empty()) { // ground, rays
+	if (tracked.parts.empty()) { // ground or rays
 		return FillObstacle::line({});
 	}
 	return FillObstacle::solid(tracked.parts[0].shape, p_pose * tracked.parts[0].offset, p_height);
@@ -69,7 +69,7 @@ FillObstacle line_of(const PackedVector3Array &p_points, const Eigen::Affine3d &
 	return FillObstacle::line(std::move(line));
 }
 
-// A node's origin, or the way of a Path3D.
+// Returns a node's origin, or the points along a Path3D.
 PackedVector3Array points_of(const Node3D *p_node) {
 	const Path3D *path = Object::cast_to<Path3D>(p_node);
 	PackedVector3Array points;
@@ -82,7 +82,7 @@ PackedVector3Array points_of(const Node3D *p_node) {
 	return points;
 }
 
-// A surface's triangles; their red, or 1 where the mesh has no colours.
+// Adds a surface's triangles with the red of their vertex colours, or 1 where the mesh has none.
 void add_surface(FillMesh &r_mesh, const Array &p_arrays, const Eigen::Affine3d &p_pose) {
 	const PackedVector3Array places = p_arrays[Mesh::ARRAY_VERTEX];
 	const PackedColorArray colors = p_arrays[Mesh::ARRAY_COLOR];
@@ -144,7 +144,7 @@ std::vector<Node3D *> FillGatherer::find_nodes(const StringName &p_group) const 
 template <typename F> void FillGatherer::add(const Node3D *p_node, const Source &p_source, F &&p_make) {
 	Entry &entry = _entries[p_node->get_instance_id()];
 	if (entry.is_seen) {
-		return; // in the group, and below a node that is
+		return; // in the group itself, and also below a node in the group
 	}
 	const bool is_same = entry.source.pose == p_source.pose && entry.source.numbers == p_source.numbers &&
 			is_same_data(entry.source.data, p_source.data);

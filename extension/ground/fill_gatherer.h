@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gathers a fill rule's sources from the scene: exclusion nodes, and the nodes of the groups that the rule names. A source
-// that did not change is the very same object as last time, so that only what changed is filled again.
+// Gathers a fill rule's sources from the scene: exclusion nodes, and the nodes of the groups that the rule names. A source that did not
+// change is the same object as last time, so that only what changed is filled again.
 #pragma once
 
 #include "physics/body_tracker.h"
@@ -15,15 +15,15 @@ class FillGatherer {
 public:
 	// p_node: the field, in the tree; p_field: its transform (orthonormal).
 	FillSources gather(const GrassFillRule &p_rule, const godot::Node3D *p_node, const godot::Transform3D &p_field);
-	// Id of the node that an obstacle of the last gathering was made from; 0: none.
+	// Returns the id of the node from which an obstacle of the last gathering was made; 0: none.
 	uint64_t get_node_of(const FillObstacle *p_obstacle) const;
 
 private:
-	// What an obstacle was made from.
+	// The data from which an obstacle was made.
 	struct Source {
 		Eigen::Matrix4d pose = Eigen::Matrix4d::Zero(); // from the node's space into the field's
 		godot::Variant data; // of the shape, the outline or the curve
-		std::array<double, 3> numbers{}; // distance, fade, height; metres. Of a path: half its width, fade, mode
+		std::array<double, 3> numbers{}; // distance, fade, height; metres. For a path: half its width, fade, mode
 	};
 	struct Entry {
 		Source source;
@@ -36,18 +36,18 @@ private:
 	void add_shapes(const GrassFillRule &p_rule, const godot::Node *p_node);
 	void add_distances(const GrassFillRule &p_rule);
 	void add_shape(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape, double p_fade, double p_height);
-	// Keeps the node's obstacle, or calls p_make to make it anew.
+	// Keeps the node's obstacle, or calls p_make to make a new one.
 	template <typename F> void add(const godot::Node3D *p_node, const Source &p_source, F &&p_make);
 	std::shared_ptr<const FillMesh> find_mesh(const godot::StringName &p_group);
 	Eigen::Affine3d pose_of(const godot::Node3D *p_node) const;
-	// The nodes of a group in the field's world.
+	// Returns the nodes of a group in the field's world.
 	std::vector<godot::Node3D *> find_nodes(const godot::StringName &p_group) const;
 
 	const godot::Node3D *_field = nullptr; // while gathering
 	Eigen::Affine3d _field_from_world;
 	FillSources _sources;
 	std::map<uint64_t, Entry> _entries; // by the node's instance id
-	std::vector<std::pair<uint64_t, Eigen::Matrix4d>> _mesh_of; // the meshes of _mesh and where they are, by the mesh's instance id
+	std::vector<std::pair<uint64_t, Eigen::Matrix4d>> _mesh_of; // the meshes in _mesh and their poses, by the mesh's instance id
 	std::shared_ptr<const FillMesh> _mesh;
 };
 

@@ -38,7 +38,7 @@ bool TerrainSource::is_alive() const {
 
 namespace {
 
-// For a problem: its type, and of an array how many it holds.
+// Describes a value for a message: its type, and for an array the number of its elements.
 String describe(const Variant &p_value) {
 	const String type = Variant::get_type_name(p_value.get_type());
 	return p_value.get_type() >= Variant::ARRAY ? vformat("%s of %d", type, Array(p_value).size()) : type;
@@ -66,7 +66,7 @@ Variant TerrainSource::ask_node(const StringName &p_method) {
 }
 
 void TerrainSource::complain(const Variant &p_value, const char *p_method, const String &p_wanted) {
-	if (_problem.is_empty() && is_alive()) { // else it said nothing
+	if (_problem.is_empty() && is_alive()) { // otherwise its answer does not count
 		_problem = vformat("%s() of '%s' returned %s, not %s. See docs/guide/terrain.md for what it must return.", p_method,
 				get_node()->get_name(), describe(p_value), p_wanted);
 	}

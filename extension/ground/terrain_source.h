@@ -20,36 +20,36 @@
 
 namespace grass {
 
-// The box around a box that was moved.
+// Returns the box around a box that was transformed.
 godot::AABB moved(const godot::Transform3D &p_by, const godot::AABB &p_box);
 
 class TerrainSource {
 public:
-	// Null where the node has no methods of a terrain, or its terrain has no data yet; r_problem then says so, as a sentence.
+	// Returns null if the node has no methods of a terrain, or its terrain has no data yet. r_problem then explains this in a sentence.
 	static std::unique_ptr<TerrainSource> find(godot::Node *p_node, godot::String &r_problem);
 	virtual ~TerrainSource() = default;
 	TerrainSource(const TerrainSource &) = delete;
 	TerrainSource &operator=(const TerrainSource &) = delete;
 
-	// Whether the node still has what was found.
+	// Returns whether the node and its data still exist.
 	bool is_alive() const;
-	// Whether p_other queries the very same objects.
+	// Returns whether p_other queries the same objects.
 	bool is_same(const TerrainSource &p_other) const { return _node == p_other._node && _data == p_other._data; }
 	virtual bool has_textures() const = 0;
 	virtual bool has_colors() const = 0;
-	// What tells of places (global; as many samples as places): heights and normals are global. Only while is_alive(). Methods of the
-	// terrain may remove it: then the samples mean nothing.
+	// Reads the terrain at places (global; as many samples as places); heights and normals are global. Only while is_alive(). Methods of
+	// the terrain may remove it, and then the samples are invalid.
 	virtual void read(std::span<const godot::Vector3> p_places, std::span<TerrainSample> r_samples) = 0;
-	// How many places read() is asked at once: few where each is a call of its own, so that a slow one can be broken off.
+	// Returns how many places to pass to read() at once: few if each needs a separate call, so that a slow terrain can be interrupted.
 	virtual size_t get_places_at_once() const { return 1; }
-	// The terrain's transform: what was read stays true as long as the field does not move relative to it.
+	// Returns the terrain's transform. Samples stay valid as long as the field does not move relative to it.
 	virtual godot::Transform3D get_transform() const;
 
-	// What to call when something changes, and the signal of get_emitter() that does.
+	// What to call when something changes, and the signal of get_emitter() that triggers it.
 	struct Handlers {
 		godot::Callable in_area; // global AABB
 		godot::Callable anywhere;
-		godot::Callable in_cells; // x, y, width, height, channel: of to_area()
+		godot::Callable in_cells; // x, y, width, height, channel: see to_area()
 		godot::Callable in_rectangle; // the same as a Rect2
 	};
 	struct Notice {
@@ -60,8 +60,8 @@ public:
 	virtual godot::Object *get_emitter() const { return get_data(); }
 	virtual godot::AABB to_area(const godot::Vector2 &p_first_cell, const godot::Vector2 &p_cells) const;
 
-	int64_t get_calls() const { return _calls; } // of the terrain's methods, so far
-	// A method that returned something else than it should: "get_height() of 'Hills' returned ...". Empty: none did.
+	int64_t get_calls() const { return _calls; } // number of calls of the terrain's methods so far
+	// Returns which method returned an invalid value: "get_height() of 'Hills' returned ...". Empty: none did.
 	const godot::String &get_problem() const { return _problem; }
 
 protected:
@@ -74,7 +74,7 @@ protected:
 	godot::Node *get_node() const;
 	godot::Object *get_data() const; // the object to query: the node itself, or its data
 
-	// p_data: from get_data(); an earlier answer may have freed it, and then the answer is null.
+	// p_data: from get_data(). Returns null if an earlier answer has freed it.
 	template <typename... Arguments>
 	godot::Variant ask(const godot::Object *p_data, const godot::StringName &p_method, const Arguments &...p_arguments) {
 		godot::Object *data = get_data();
@@ -85,17 +85,17 @@ protected:
 		const godot::Variant held(data); // the method may drop the last reference to its own object
 		return data->call(p_method, p_arguments...);
 	}
-	// The same of the node, where its data is another object.
+	// Calls a method of the node, if its data is another object.
 	godot::Variant ask_node(const godot::StringName &p_method);
-	// NaN, and a problem, if it is no number.
+	// Returns NaN, and records a problem, if the value is not a number.
 	double to_number(const godot::Variant &p_value, const char *p_method);
-	// None, and a problem, if it is no array of that many.
+	// Returns no numbers, and records a problem, if the value is not an array of this size.
 	godot::PackedFloat32Array to_numbers(const godot::Variant &p_value, const char *p_method, int64_t p_count);
-	// All zero, and a problem, if it is none.
+	// Returns zero, and records a problem, if the value is not a vector.
 	godot::Vector3 to_vector(const godot::Variant &p_value, const char *p_method);
-	// A number, or a vector of base, overlay and blend.
+	// Takes a number, or a vector of base, overlay and blend.
 	TerrainTexel to_texture(const godot::Variant &p_value, const char *p_method);
-	// Empty, with a problem reported, if it is none.
+	// Returns no colour, and records a problem, if the value is not a colour.
 	TerrainColor to_color(const godot::Variant &p_value, const char *p_method);
 	// Where nobody painted a colour, the colour maps of addons are white: it multiplies the textures, and tells nothing of the ground.
 	static TerrainColor unless_white(const TerrainColor &p_color) {

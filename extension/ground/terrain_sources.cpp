@@ -61,7 +61,7 @@ public:
 		}
 	}
 
-	// Heights come by one call for all, what else there is by one for each.
+	// Heights need one call for all places, everything else one call for each place.
 	size_t get_places_at_once() const override {
 		const bool asks_each = _has_normals || _has_textures || _has_colors || _has_holes;
 		return !_has_heights ? 1 : (asks_each ? PLACES_AT_ONCE : std::numeric_limits<size_t>::max());
@@ -96,7 +96,7 @@ private:
 	bool _has_heights, _has_normals, _has_textures, _has_colors, _has_holes;
 };
 
-// Terrain3D: a node whose `data` tells of global places. Its get_height() is not a number in holes; in versions where it is one there,
+// Terrain3D: a node whose `data` answers queries at global places. In holes its get_height() is not a number; in versions where it is one,
 // get_texture_id() is not.
 class Terrain3DSource : public TerrainSource {
 public:

@@ -164,7 +164,7 @@ func grass_field_density_at() -> void:
 func grass_field_explain() -> void:
 	var stage := await ran()
 	assert_eq(stage.locals.why.reason, GrassField.REASON_NONE)
-	assert_true(stage.locals.why.text.contains("stands here"))
+	assert_true(stage.locals.why.text.contains("grows here"))
 
 
 func grass_field_fill() -> void:

@@ -20,7 +20,7 @@ func test_the_answer_follows_the_cursor() -> void:
 	var shown: Control = get_tree().root.find_child("GrassAnswer", true, false)
 	assert_true(view().get_global_rect().grow(1.0).encloses(shown.get_global_rect()))
 	await move(at(Vector3(0, 0, -3)))
-	assert_true(answer().contains("stands here."), answer())
+	assert_true(answer().contains("grows here."), answer())
 	var map := field.map.data
 	await button(MOUSE_BUTTON_LEFT, true, at(Vector3(0, 0, -3)))
 	await button(MOUSE_BUTTON_LEFT, false, at(Vector3(0, 0, -3)))

@@ -12,7 +12,7 @@ func check(field: GrassField, place: Vector3, reason: GrassField.Reason, words :
 
 func test_a_field_without_a_map() -> void:
 	var field := add_field()
-	var answer := check(field, Vector3.ZERO, GrassField.REASON_NONE, "stands here")
+	var answer := check(field, Vector3.ZERO, GrassField.REASON_NONE, "grows here")
 	assert_eq(answer.density, 1.0)
 	assert_near(answer.height, field.height_at(Vector3.ZERO), 1e-6)
 	assert_eq(answer.node, null)
