@@ -20,7 +20,7 @@ std::string find_driver() {
 	if (get_device().is_empty()) {
 		return {};
 	}
-	const PackedStringArray driver = OS::get_singleton()->get_video_adapter_driver_info(); // runs programs of the system
+	const PackedStringArray driver = OS::get_singleton()->get_video_adapter_driver_info(); // runs system programs
 	const String found = driver.size() > 1 ? driver[0] + String(" ") + driver[1] : String();
 	const String shown = found.is_empty() ? RenderingServer::get_singleton()->get_video_adapter_api_version() : found;
 	return shown.utf8().get_data();
@@ -37,7 +37,7 @@ String get_device() {
 }
 
 String get_driver() {
-	static const std::string driver = find_driver(); // no String: the engine's memory must not outlive the engine
+	static const std::string driver = find_driver(); // not a String, since the engine's memory must not outlive the engine
 	return String::utf8(driver.c_str());
 }
 

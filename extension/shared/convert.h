@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only conversions between Godot's types and Eigen's. Both engines use metres, y up, right-handed
-// axes and quaternions; what differs is precision, storage order (Godot's bases hold rows) and who owns memory.
+// The only conversions between Godot's types and Eigen's. Both use metres, y up, right-handed axes and quaternions; they differ in
+// precision, storage order (Godot's bases store rows) and memory ownership.
 #pragma once
 
 #include "core/base/layout.h"
@@ -58,7 +58,7 @@ inline Eigen::Matrix4d to_eigen(const godot::Projection &p_projection) {
 	return m;
 }
 
-// Plane as n.x, n.y, n.z, d with n.x <= d on the inner side (both sides use this form).
+// Converts a plane to n.x, n.y, n.z, d with n.x <= d on the inner side, which is also Godot's convention.
 inline Eigen::Vector4d to_eigen(const godot::Plane &p_plane) {
 	return { p_plane.normal.x, p_plane.normal.y, p_plane.normal.z, p_plane.d };
 }
@@ -85,7 +85,7 @@ inline godot::Transform3D to_godot(const Eigen::Affine3d &p_a) {
 	return { to_godot(Eigen::Matrix3d(p_a.linear())), to_godot(Eigen::Vector3d(p_a.translation())) };
 }
 
-// The bytes of an array of plain records, as RenderingDevice and Image take them.
+// Copies an array of plain records as bytes, for RenderingDevice and Image.
 template <typename T> void copy_bytes(std::span<const T> p_from, godot::PackedByteArray &r_to) {
 	r_to.resize(int64_t(p_from.size_bytes()));
 	if (!p_from.empty()) {

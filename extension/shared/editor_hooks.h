@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the editor does for nodes. Its plugin sets these while it runs; nodes know nothing else of it.
+// What the editor does for nodes. Its plugin sets these functions while it runs; nodes know nothing else about it.
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>
@@ -9,7 +9,7 @@ namespace grass {
 class GrassField;
 
 struct EditorHooks {
-	void (*fill)(GrassField &r_field) = nullptr; // fills the field's map by its rule, as a step of the history
+	void (*fill)(GrassField &r_field) = nullptr; // fills the field's map by its rule, as one step of the undo history
 	void (*mark_edited)(const godot::Ref<godot::Resource> &p_resource) = nullptr; // so that it is saved with the scene
 };
 

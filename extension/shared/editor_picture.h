@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines that the editor shows of a node which nothing else shows.
+// Lines that the editor draws for a node that would be invisible otherwise.
 #pragma once
 
 #include <godot_cpp/classes/array_mesh.hpp>
@@ -16,14 +16,14 @@ class EditorPicture {
 public:
 	~EditorPicture() { free(); }
 
-	// Shows what p_make returns at p_node, which is in a world; null: nothing. Only in the editor: in a game p_make does not run.
+	// Shows what p_make returns at p_node, which must be in a world; null: nothing. Only in the editor: in a game p_make is not called.
 	void show(const godot::Node3D &p_node, const std::function<godot::Ref<godot::ArrayMesh>()> &p_make, const godot::Color &p_color);
-	void follow(const godot::Node3D &p_node); // its place, and whether it is visible
+	void follow(const godot::Node3D &p_node); // follows its place and visibility
 	void free();
 
 private:
 	godot::Ref<godot::ArrayMesh> _mesh;
-	godot::Ref<godot::StandardMaterial3D> _material; // of it
+	godot::Ref<godot::StandardMaterial3D> _material; // of _mesh
 	godot::RID _instance; // of both
 };
 

@@ -16,7 +16,7 @@ String with_class(const Object &p_object, const String &p_name) {
 } // namespace
 
 String label_of(const Node &p_node) {
-	const bool has_path = is_main_thread() && p_node.is_inside_tree(); // the tree belongs to the main thread
+	const bool has_path = is_main_thread() && p_node.is_inside_tree(); // only the main thread may use the tree
 	return with_class(p_node, has_path ? String(p_node.get_path()) : String(p_node.get_name()));
 }
 

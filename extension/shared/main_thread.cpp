@@ -19,7 +19,7 @@ bool is_main_thread() {
 
 namespace {
 
-// Whether a node in the tree listens to p_resource, or to a resource that listens to it.
+// Returns whether a node in the tree listens to p_resource, or to a resource that listens to it.
 bool is_used(const Object &p_resource) {
 	for (const char *signal : { "changed", "chunks_changed" }) {
 		const TypedArray<Dictionary> connections =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which thread may call: a field's ticks and frames read on the main thread what its methods change. Like the engine's own nodes, a
-// field in the tree refuses calls from other threads; so does a resource that a field uses.
+// Which thread may call: on the main thread, a field's ticks and frames read what its methods change. Like the engine's own nodes, a field
+// in the tree rejects calls from other threads; so does a resource that a field uses.
 #pragma once
 
 #include <godot_cpp/classes/resource.hpp>
@@ -11,10 +11,10 @@ namespace grass {
 
 bool is_main_thread();
 
-// Whether nothing else reads p_resource meanwhile: this is the main thread, or no node in the tree uses it.
+// Returns whether nothing else can read p_resource during a change: this is the main thread, or no node in the tree uses it.
 bool may_change(const godot::Resource &p_resource);
 
-// "p_owner: p_what belongs to the main thread...", for an error.
+// Returns the error message "p_owner: p_what belongs to the main thread...".
 godot::String thread_message(const godot::String &p_owner, const godot::String &p_what);
 inline godot::String call_of(const char *p_function) {
 	return godot::String(p_function) + "()";
@@ -22,11 +22,12 @@ inline godot::String call_of(const char *p_function) {
 
 } // namespace grass
 
-// First in a method of a node that has label(): returns m_return, with an error, on another thread while the node is in the tree.
+// Put this first in a method of a node with label(): on another thread, while the node is in the tree, it prints an error and returns
+// m_return.
 #define GRASS_MAIN_THREAD_ONLY_V(m_return)                                                                                                 \
 	ERR_FAIL_COND_V_MSG(is_inside_tree() && !grass::is_main_thread(), m_return, grass::thread_message(label(), grass::call_of(__func__)))
 #define GRASS_MAIN_THREAD_ONLY()                                                                                                           \
 	ERR_FAIL_COND_MSG(is_inside_tree() && !grass::is_main_thread(), grass::thread_message(label(), grass::call_of(__func__)))
 
-// The same in a method of a resource, while a node in the tree uses it. m_label: of the resource.
+// The same for a method of a resource, while a node in the tree uses it. m_label: label of the resource.
 #define GRASS_CHANGE_GUARD(m_label) ERR_FAIL_COND_MSG(!grass::may_change(*this), grass::thread_message(m_label, grass::call_of(__func__)))

@@ -16,7 +16,7 @@ namespace grass {
 
 namespace {
 
-// One call of run_parallel(). A helper that begins after its end finds nothing left, and does not touch the body.
+// One call of run_parallel(). A helper that begins after the call has ended finds no work left, and does not touch the body.
 class Run {
 public:
 	Run(int p_count, const std::function<void(int)> &p_body) : _body(p_body), _count(p_count), _left(p_count) {}
@@ -27,13 +27,13 @@ public:
 		}
 	}
 	void help() {
-		_helping++; // before it takes anything, so that finish() waits for it
+		_helping++; // first, so that finish() waits for this thread
 		work();
 		if (--_helping == 0) {
 			_helping.notify_all();
 		}
 	}
-	// After work(), so that no helper can begin anything.
+	// Runs after work(), when no helper can begin a call any more.
 	void finish() {
 		for (int helping; (helping = _helping.load()) > 0;) {
 			_helping.wait(helping);
@@ -43,22 +43,22 @@ public:
 private:
 	const std::function<void(int)> &_body;
 	const int _count;
-	std::atomic<int> _left; // calls of the body that nobody has begun; below 0 once all have
+	std::atomic<int> _left; // calls of the body that have not begun; below 0 once all have
 	std::atomic<int> _helping = 0; // threads in help()
 };
 
-// A run whose helpers the engine may still hold: it wants to be told that nobody waits for them any more.
+// A run whose helpers the engine may still hold. The engine requires a wait for each such group.
 struct Posted {
 	int64_t group = 0;
 	std::shared_ptr<Run> run;
 };
 
-// More: the engine's threads are busy with something else, and help would come too late.
+// Most runs in the engine's queue. More would mean that the engine's threads are busy with other work, and help would come too late.
 constexpr size_t MOST_POSTED = 4;
 std::mutex posted_mutex;
 std::vector<Posted> posted;
 
-// Forgets runs whose helpers have ended. Returns whether there is room for another one.
+// Forgets runs whose helpers have ended. Returns whether there is room for another run.
 bool forget_ended() {
 	WorkerThreadPool *pool = WorkerThreadPool::get_singleton();
 	std::erase_if(posted, [pool](const Posted &p_posted) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cameras, directional lights, environments and soft bodies in the scene tree. The tree's signals keep the lists, once for all fields:
-// a search in every frame would cost with the number of nodes.
+// The cameras, directional lights, environments and soft bodies in the scene tree. The tree's signals update the lists, once for all
+// fields: the cost of a search in every frame would grow with the number of nodes.
 #pragma once
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -19,14 +19,14 @@ class SceneWatch : public godot::Object {
 	GDCLASS(SceneWatch, godot::Object)
 
 public:
-	// One for the process; made on first use, freed when the extension is unloaded.
+	// Returns the only instance, which is made on first use and freed when the extension is unloaded.
 	static SceneWatch *get_singleton();
 	static void free_singleton();
 
-	// Starts the lists with the nodes that p_inside's tree already has. Cheap once they are kept.
+	// Starts the lists with the nodes that are already in p_inside's tree. Cheap after the first call.
 	void start(godot::Node *p_inside);
 
-	// All in the tree, in the order in which they came.
+	// Return all in the tree, in the order in which they entered.
 	const std::vector<godot::Camera3D *> &get_cameras() const { return _cameras; }
 	const std::vector<godot::DirectionalLight3D *> &get_suns() const { return _suns; }
 	const std::vector<godot::WorldEnvironment *> &get_environments() const { return _environments; }
@@ -40,7 +40,7 @@ private:
 	void _removed(godot::Node *p_node);
 
 	static SceneWatch *_singleton;
-	uint64_t _tree = 0; // instance id of the tree that is watched
+	uint64_t _tree = 0; // instance id of the watched tree
 	std::vector<godot::Camera3D *> _cameras;
 	std::vector<godot::DirectionalLight3D *> _suns;
 	std::vector<godot::WorldEnvironment *> _environments;

@@ -8,8 +8,8 @@
 
 namespace grass {
 
-// Puts p_new, which may be null, into r_held: from now on p_changed runs when p_new emits p_signal, and no longer when the old one does.
-// False where it was there before.
+// Replaces r_held by p_new, which may be null: from now on p_changed is called when p_new emits p_signal, and no longer for the old
+// resource. Returns false if r_held was p_new already.
 template <typename T>
 [[nodiscard]] bool watch_instead(
 		godot::Ref<T> &r_held, const godot::Ref<T> &p_new, const godot::Callable &p_changed, const char *p_signal = "changed") {
