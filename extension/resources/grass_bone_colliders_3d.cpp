@@ -15,11 +15,11 @@ namespace grass {
 
 namespace {
 
-// Nodes enter and leave on the main thread. By their ids.
+// Nodes enter and leave on the main thread. Keyed by their ids.
 std::map<uint64_t, GrassBoneColliders3D *> skeletons_in_tree;
 
-// Ticks from one look at where all bones are to the next, while the skeleton is far from every field. More: bones that swing far out of
-// their box bend grass later.
+// Ticks between reads of the places of all bones while the skeleton is far from every field. More: bones that swing far out of their box
+// bend grass later.
 constexpr uint64_t LOOK_EVERY = 8;
 
 } // namespace
@@ -28,7 +28,7 @@ const std::map<uint64_t, GrassBoneColliders3D *> &GrassBoneColliders3D::get_all(
 	return skeletons_in_tree;
 }
 
-// The one that `skeleton` names; without a name the parent.
+// Returns the skeleton that `skeleton` names, or the parent if it names none.
 const Skeleton3D *GrassBoneColliders3D::find_skeleton() const {
 	if (!is_inside_tree()) {
 		return nullptr;
@@ -82,7 +82,7 @@ const std::vector<GrassBoneColliders3D::Bone> &GrassBoneColliders3D::find_bones(
 	return _seen.bones;
 }
 
-// Whether `bones` names it.
+// Returns whether `bones` includes the bone.
 bool GrassBoneColliders3D::has_bone(const Skeleton3D &p_skeleton, int p_bone, int64_t &r_calls) const {
 	r_calls += _bones.is_empty() ? 0 : 1;
 	return _bones.is_empty() || _bones.has(p_skeleton.get_bone_name(p_bone));
@@ -91,7 +91,7 @@ bool GrassBoneColliders3D::has_bone(const Skeleton3D &p_skeleton, int p_bone, in
 void GrassBoneColliders3D::read_bones(int64_t &r_calls) {
 	const Skeleton3D &skeleton = *_seen.skeleton;
 	const int count = skeleton.get_bone_count();
-	r_calls += 1 + count; // and each one's parent
+	r_calls += 1 + count; // and the parent of each
 	std::vector<std::optional<Vector3>> places(size_t(count), std::nullopt); // in the skeleton
 	const auto place_of = [&](int p_bone) {
 		std::optional<Vector3> &place = places[size_t(p_bone)];

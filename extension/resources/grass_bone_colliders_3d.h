@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassBoneColliders3D: lets a skeleton without physics bend grass, by a capsule along each of its bones.
+// GrassBoneColliders3D: lets a skeleton without physics bend grass, with a capsule along each of its bones.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -24,9 +24,9 @@ class GrassBoneColliders3D : public godot::Node3D {
 	GDCLASS(GrassBoneColliders3D, godot::Node3D)
 
 public:
-	// Of a capsule: share of its bone's length. Arms and legs of people 0.1 to 0.2.
+	// Radius of a capsule, as a share of its bone's length. Arms and legs of people: 0.1 to 0.2.
 	static constexpr Tunable THICKNESS{ "thickness", "", 0.01, 1.0, 0.01, 0.15 };
-	// Shorter bones, fingers for instance, bend no grass: each costs what a body's shape costs.
+	// Shorter bones, such as fingers, bend no grass, since each costs as much as a body's shape.
 	static constexpr Tunable LENGTH_MIN{ "length_min", "m", 0.0, 10.0, 0.01, 0.1 };
 
 	// The capsule along one bone, global.
@@ -52,12 +52,12 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Those in the tree, in the order in which they were made.
+	// Returns all nodes in the tree, in the order of their creation.
 	static const std::map<uint64_t, GrassBoneColliders3D *> &get_all();
-	// A global box around its bones, some metres too large at times: where they are is read in every eighth tick, and the skeleton's
-	// place in every one. All fields share what is read in a tick, and r_calls counts it once. Empty: it has no bones.
+	// Returns a global box around its bones, sometimes some metres too large: the bones are read in every eighth tick, and the skeleton's
+	// place in every tick. All fields share what is read in a tick, and r_calls counts it once. Empty: it has no bones.
 	Eigen::AlignedBox3d find_bounds(int64_t &r_calls);
-	// As the skeleton stands in this tick.
+	// Returns the bones as the skeleton is posed in this tick.
 	const std::vector<Bone> &find_bones(int64_t &r_calls);
 	const godot::Ref<godot::World3D> &get_world() const { return _world; }
 
@@ -80,12 +80,12 @@ private:
 	bool _enabled = true;
 
 	static constexpr uint64_t NEVER = std::numeric_limits<uint64_t>::max();
-	// What is known of the skeleton, and since which tick of the engine.
+	// What is known about the skeleton, and from which tick of the engine.
 	struct Seen {
 		uint64_t tick = NEVER, bones_tick = NEVER;
 		const godot::Skeleton3D *skeleton = nullptr; // in that tick; null: none
 		godot::Transform3D to_world;
-		double way = 0.0; // that it went since the tick before, metres
+		double way = 0.0; // distance that it moved since the tick before, metres
 		Eigen::AlignedBox3d box; // of the bones, in the skeleton
 		std::vector<Bone> bones;
 	};

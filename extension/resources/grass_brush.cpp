@@ -25,14 +25,14 @@ GrassBrush::GrassBrush() {
 }
 
 void GrassBrush::set_tool(Tool p_tool) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), label() + String(": `tool` is one of the TOOL_* constants."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_tool), int64_t(MapTool::COUNT), label() + String(": `tool` must be one of the TOOL_* constants."));
 	if (replace(_tool, p_tool)) {
 		emit_changed();
 	}
 }
 
 void GrassBrush::set_falloff(FalloffCurve p_falloff) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, label() + String(": `falloff` is one of the FALLOFF_* constants."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_falloff), 4, label() + String(": `falloff` must be one of the FALLOFF_* constants."));
 	if (replace(_falloff, p_falloff)) {
 		emit_changed();
 	}
@@ -84,7 +84,7 @@ void GrassBrush::set_species(int64_t p_species) {
 }
 
 void GrassBrush::set_channel(int64_t p_channel) {
-	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), label() + String(": `channel` is one of GrassMap's CHANNEL_* constants."));
+	ERR_FAIL_INDEX_MSG(p_channel, int64_t(MAP_CHANNELS), label() + String(": `channel` must be one of GrassMap's CHANNEL_* constants."));
 	ERR_FAIL_COND_MSG(p_channel == MAP_PAINT, label() + String(": smooth the density instead, and the painted mask follows."));
 	ERR_FAIL_COND_MSG(!info_of(MapChannel(p_channel)).blends,
 			label() + String(": species cannot be smoothed, since there is no mean of two species."));
@@ -143,7 +143,7 @@ double GrassBrush::get_reach() const {
 }
 
 double GrassBrush::get_spacing() const {
-	return param(BRUSH_RADIUS) * (_stamp.is_null() ? StrokePath::SPACING : 2.0); // stamps stand beside each other
+	return param(BRUSH_RADIUS) * (_stamp.is_null() ? StrokePath::SPACING : 2.0); // stamps are placed side by side
 }
 
 void GrassBrush::_bind_methods() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassBrush: what a brush does, and where it may. Properties only; core/paint/brush.h does it.
+// GrassBrush: what a brush does, and where it may do so. Properties only; core/paint/brush.h applies it.
 #pragma once
 
 #include "core/paint/brush.h"
@@ -16,7 +16,7 @@ class GrassBrush : public godot::Resource {
 	GDCLASS(GrassBrush, godot::Resource)
 
 public:
-	// Enums that scripts set hold 64 bits, so that whatever a script says arrives as it is and is refused by its setter.
+	// Enums that scripts set have 64 bits, so that any value from a script arrives unchanged and its setter can reject it.
 	enum Tool : int64_t {
 		TOOL_PAINT = int(MapTool::PAINT),
 		TOOL_ERASE = int(MapTool::ERASE),
@@ -55,31 +55,32 @@ public:
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
 
-	// For a stroke from one place to another (x, z in metres).
+	// Returns the brush for a stroke from one place to another (x, z in metres).
 	Brush get_brush(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const;
-	// With a stamp it is where the stroke ends.
+	// Returns the shape of the stroke. A stamp is placed at the stroke's end.
 	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to) const {
 		return get_stroke(p_from, p_to, find_turn(p_to));
 	}
 	MapShape get_stroke(const Eigen::Vector2d &p_from, const Eigen::Vector2d &p_to, double p_turn) const;
-	// Of a stamp at a place, radians from x towards z. By the place, so that a preview shows what will be and a stroke that is done again
-	// leaves the same; by where it is in its chunk, so that it is the same in the space of a neighbour that is whole chunks away.
+	// Returns the rotation of a stamp at a place, radians from x towards z. It depends on the place, so that a preview shows the result and
+	// a repeated stroke leaves the same; and on the place within the chunk, so that it is the same in the space of a neighbour that is
+	// whole chunks away.
 	double find_turn(const Eigen::Vector2d &p_place) const;
-	double get_reach() const; // from the middle of the brush to its farthest point, metres
-	double get_spacing() const; // of the steps of a stroke, metres
+	double get_reach() const; // from the centre of the brush to its farthest point, metres
+	double get_spacing() const; // length of a stroke's steps, metres
 
 protected:
 	static void _bind_methods();
 
 private:
 	godot::String label() const { return label_of(*this); } // for messages
-	void _stamp_changed(); // its picture: one that the engine makes comes later
+	void _stamp_changed(); // called when its picture changes: the engine makes some pictures later
 	double param(BrushParamId p_param) const { return _params[size_t(p_param)]; }
 
 	Tool _tool = TOOL_PAINT;
 	FalloffCurve _falloff = FALLOFF_SMOOTH;
 	godot::Ref<godot::Texture2D> _stamp;
-	std::shared_ptr<const MapStamp> _weights; // of the stamp; null: none, or its picture is not there yet
+	std::shared_ptr<const MapStamp> _weights; // of the stamp; null: no stamp, or its picture is not ready
 	godot::Color _color = godot::Color(1, 1, 1);
 	int64_t _species = 0, _channel = MAP_DENSITY;
 	std::array<double, BRUSH_PARAM_COUNT> _params;

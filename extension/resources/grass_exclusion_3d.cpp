@@ -24,10 +24,10 @@ std::set<GrassExclusion3D *> in_tree;
 uint64_t revision = 0;
 
 const Color COLOR(0.99f, 0.5f, 0.5f);
-// Metres from the shape's middle. The engine looks for the hull of farther points without an end.
+// Metres from the shape's centre. For points farther away the engine never finishes making the hull.
 constexpr real_t FARTHEST_POINT = 1e5f;
 
-// Whether the engine can draw it: it takes any points, and hangs or ends with those that are no numbers.
+// Returns whether the engine can draw the shape. It accepts any points, and hangs or crashes with those that are not numbers.
 bool is_drawable(const Ref<Shape3D> &p_shape) {
 	const char *held = p_shape->is_class("ConvexPolygonShape3D") ? "points" : "data";
 	const bool is_polygon = p_shape->is_class("ConvexPolygonShape3D") || p_shape->is_class("ConcavePolygonShape3D");
@@ -124,7 +124,7 @@ void GrassExclusion3D::_notification(int p_what) {
 	}
 }
 
-// The outline, closed; the shape's own lines.
+// Returns the lines of the outline, closed, or those of the shape.
 Ref<ArrayMesh> GrassExclusion3D::make_picture() const {
 	if (_shape.is_valid()) {
 		return is_drawable(_shape) ? _shape->get_debug_mesh() : Ref<ArrayMesh>();

@@ -25,7 +25,7 @@ public:
 
 	void set_shape(const godot::Ref<godot::Shape3D> &p_shape);
 	godot::Ref<godot::Shape3D> get_shape() const { return value_of(_shape); }
-	void set_outline(const godot::PackedVector2Array &p_outline); // x, z in metres; counts where there is no shape
+	void set_outline(const godot::PackedVector2Array &p_outline); // x, z in metres; used if there is no shape
 	godot::PackedVector2Array get_outline() const { return value_of(_outline); }
 	void set_fade(double p_fade);
 	double get_fade() const { return _fade; }
@@ -34,9 +34,9 @@ public:
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// All in the tree, in the order in which they were made.
+	// Returns all nodes in the tree, in the order of their creation.
 	static std::vector<GrassExclusion3D *> get_all();
-	// A number that changes whenever one of them comes, goes, moves or changes.
+	// Returns a number that changes whenever one of them is added, removed, moved or changed.
 	static uint64_t get_revision();
 
 protected:

@@ -55,7 +55,7 @@ void GrassFillRule::set_mask(const Ref<Texture2D> &p_mask) {
 	GRASS_CHANGE_GUARD(label());
 	const bool had_mask = _mask.is_valid();
 	if (watch_instead(_mask, p_mask, callable_mp(this, &GrassFillRule::_mask_changed))) {
-		if (had_mask && !Engine::get_singleton()->is_editor_hint()) { // there, an export puts a placeholder in its place
+		if (had_mask && !Engine::get_singleton()->is_editor_hint()) { // in a mask's place an export puts a placeholder there
 			_kept_mask.unref();
 		}
 		_mask_changed();
@@ -97,7 +97,7 @@ Ref<GrassFillRule> GrassFillRule::with_kept_mask() const {
 		return {};
 	}
 	const Ref<GrassFillRule> copy = duplicate();
-	copy->set_kept_mask(picture->duplicate()); // get_image() may hand out the texture's own
+	copy->set_kept_mask(picture->duplicate()); // get_image() may return the texture's own image
 	return copy;
 }
 
@@ -159,7 +159,7 @@ PackedInt32Array GrassFillRule::get_texture_ids() const {
 	return ids;
 }
 
-// Null without an image: a NoiseTexture2D may still be making its own, and notifies when it is done.
+// Returns null if there is no image: a NoiseTexture2D may still be making its own, and notifies when it is done.
 std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
 	String problem;
 	const Ref<Image> image = read_picture(find_picture(), problem);
@@ -173,7 +173,7 @@ std::shared_ptr<const FillMask> GrassFillRule::read_mask() const {
 	mask.width = int(image->get_width());
 	mask.height = int(image->get_height());
 	mask.texels.resize(size_t(mask.width) * size_t(mask.height));
-	for (size_t texel = 0; texel < mask.texels.size(); texel++) { // smaller versions may follow
+	for (size_t texel = 0; texel < mask.texels.size(); texel++) { // mipmaps may follow
 		mask.texels[texel] = bytes.ptr()[texel * 4 + size_t(_mask_channel)];
 	}
 	return std::make_shared<const FillMask>(std::move(mask));

@@ -54,7 +54,7 @@ void GrassForce3D::set_kind(Kind p_kind) {
 	_force.age = 0.0;
 	_is_fired = false;
 	update_configuration_warnings();
-	notify_property_list_changed(); // last: a listener may free the node
+	notify_property_list_changed(); // last, since a listener may free the node
 }
 
 void GrassForce3D::set_speed(double p_speed) {

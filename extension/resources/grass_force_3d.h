@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassForce3D: moves the air around it, and so every grass there: a blast, a rotor's downwash, a vortex, wind of a place.
+// GrassForce3D: moves the air around it, and so all grass there: a blast, a rotor's downwash, a vortex, or local wind.
 #pragma once
 
 #include "core/blades/force.h"
@@ -20,7 +20,7 @@ public:
 		KIND_BLAST = int(ForceKind::BLAST),
 		KIND_DOWNWASH = int(ForceKind::DOWNWASH),
 		KIND_VORTEX = int(ForceKind::VORTEX),
-		KIND_WIND = int(ForceKind::WIND), // where the node's -z points
+		KIND_WIND = int(ForceKind::WIND), // blows along the node's -z
 	};
 
 	void set_kind(Kind p_kind);
@@ -36,15 +36,15 @@ public:
 	void set_enabled(bool p_enabled);
 	bool is_enabled() const { return _enabled; }
 
-	void fire(); // a blast, from its beginning
+	void fire(); // starts a blast from its beginning
 	bool is_blowing() const;
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// Those in the tree that blow, in the order in which they were made.
+	// Returns those in the tree that blow, in the order of their creation.
 	static std::vector<GrassForce3D *> get_blowing();
 	static bool is_any_in_tree();
-	Force get_force(); // global; in a frame where it is drawn
+	Force get_force(); // in global space; in a rendered frame as drawn
 
 protected:
 	static void _bind_methods();
@@ -58,7 +58,7 @@ private:
 	Force _force; // its place and direction are the node's
 	double _duration = FORCE_DURATION.initial;
 	bool _enabled = true;
-	bool _is_fired = false; // a blast that is not over
+	bool _is_fired = false; // a blast has begun and is not over
 	EditorPicture _picture;
 };
 

@@ -59,7 +59,7 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed) {
 
 void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region) {
 	if (!p_changed.empty()) {
-		const Ref<GrassMap> keep(this); // a listener may release it
+		const Ref<GrassMap> keep(this); // a listener may drop the last reference to it
 		emit_signal("chunks_changed", to_chunks(p_changed), p_region);
 		emit_changed();
 	}
@@ -99,7 +99,7 @@ String GrassMap::read(const PackedByteArray &p_bytes) {
 	return String();
 }
 
-// What could not be read before is given up.
+// Replaces the map. Drops any data that could not be read before.
 void GrassMap::replace_by(PaintMap &&p_now) {
 	PaintMap before = std::move(p_now);
 	{
@@ -120,7 +120,7 @@ void GrassMap::set_data(const PackedByteArray &p_data) {
 		std::lock_guard lock(_lock);
 		_unread = p_data;
 	}
-	if (get_path().is_empty()) { // one that is being loaded gets it afterwards
+	if (get_path().is_empty()) { // a map that is being loaded gets its path later
 		callable_mp(this, &GrassMap::_report_unread).call_deferred(reason);
 	}
 	ERR_FAIL_MSG(vformat("%s: `data` %s.", label(), reason));
@@ -245,7 +245,7 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_chunks"), &GrassMap::get_chunks);
 	ClassDB::bind_method(D_METHOD("get_memory_usage"), &GrassMap::get_memory_usage);
 
-	// `data` holds it, too.
+	// `data` contains it as well
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "base_density", PROPERTY_HINT_RANGE, "0,1,0.01", PROPERTY_USAGE_EDITOR), "set_base_density",
 			"get_base_density");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_BYTE_ARRAY, "data", PROPERTY_HINT_NONE, "", PROPERTY_USAGE_STORAGE), "set_data", "get_data");

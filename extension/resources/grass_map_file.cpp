@@ -67,7 +67,7 @@ String GrassMapLoader::_get_resource_type(const String &p_path) const {
 Variant GrassMapLoader::_load(const String &p_path, const String &p_original_path, bool p_use_sub_threads, int32_t p_cache_mode) const {
 	(void)p_original_path; // maps are not imported
 	(void)p_use_sub_threads;
-	(void)p_cache_mode; // the engine's business
+	(void)p_cache_mode; // handled by the engine
 	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::READ);
 	if (file.is_null()) {
 		return fail(ERR_FILE_CANT_OPEN, vformat("Cannot open the grass map '%s'. Check that the file exists and can be read.", p_path));

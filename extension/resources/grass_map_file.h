@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loads and saves GrassMaps as files of their own, NAME.grassmap, so that `load`, `ResourceSaver.save` and the inspector
-// treat them as any resource. core/map/map_file.h has the format; the engine's Zstandard compresses it.
+// Loads and saves GrassMaps as separate files, NAME.grassmap, so that `load`, `ResourceSaver.save` and the inspector treat them as any
+// resource. core/map/map_file.h describes the format; the engine's Zstandard compresses it.
 #pragma once
 
 #include "core/map/map_file.h"
@@ -12,7 +12,8 @@
 namespace grass {
 
 const MapCodec &engine_codec();
-// Writes a new file beside the old one and replaces it once complete: one whole file exists at any time. Any thread.
+// Writes a new file beside the old one and replaces the old one once the new one is complete, so that a whole file exists at any time. May
+// be called on any thread.
 godot::Error write_map_file(const godot::PackedByteArray &p_data, const godot::String &p_path);
 
 class GrassMapLoader : public godot::ResourceFormatLoader {
@@ -22,7 +23,7 @@ public:
 	godot::PackedStringArray _get_recognized_extensions() const override;
 	bool _handles_type(const godot::StringName &p_type) const override;
 	godot::String _get_resource_type(const godot::String &p_path) const override;
-	// The map, or an error code after a message that names the file: never half a map.
+	// Returns the map, or an error code after a message that names the file: never half a map.
 	godot::Variant _load(
 			const godot::String &p_path, const godot::String &p_original_path, bool p_use_sub_threads, int32_t p_cache_mode) const override;
 
@@ -42,7 +43,7 @@ protected:
 	static void _bind_methods() {}
 };
 
-// Registers the two with the engine, and unregisters them.
+// Register the two with the engine, and unregister them.
 void register_map_files();
 void unregister_map_files();
 

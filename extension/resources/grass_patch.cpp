@@ -78,7 +78,7 @@ PackedStringArray GrassPatch::find_warnings(const String &p_who) const {
 
 std::shared_ptr<const Patch> GrassPatch::get_patch() {
 	if (!_patch) {
-		if (_is_behind && !_maker.is_done()) { // whoever waits for it, wants the latest
+		if (_is_behind && !_maker.is_done()) { // the caller needs the latest
 			_maker.stop();
 			_is_behind = false;
 		}
@@ -99,7 +99,7 @@ bool GrassPatch::prepare() {
 	return _patch || _maker.is_done();
 }
 
-// What was begun in an earlier frame is finished first: a patch that changes in every frame would else never come.
+// First finishes a patch that was begun in an earlier frame: if the parameters change in every frame, none would ever be ready otherwise.
 void GrassPatch::forget() {
 	if (_begun_in == Engine::get_singleton()->get_process_frames()) {
 		_maker.stop();
@@ -116,7 +116,7 @@ void GrassPatch::_catch_up() {
 }
 
 namespace {
-// Kept for good: a game that frees its last field and makes another does not wait again.
+// Kept for good, so that a game that frees its last field and makes another does not wait again.
 struct DefaultPatch {
 	PatchMaker maker;
 	std::shared_ptr<const Patch> patch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassPatch: the blades that a GrassField grows from. Properties only; core/blades/patch.h makes the blades.
+// GrassPatch: the blades of which a GrassField grows. Properties only; core/blades/patch.h makes the blades.
 #pragma once
 
 #include "core/blades/patch_maker.h"
@@ -35,17 +35,17 @@ public:
 
 	const PatchParams &get_params() const { return _params; }
 
-	// Warnings about settings that are hardly intended. p_who: the patch's name in them.
+	// Returns warnings about settings that are probably not intended. p_who: the patch's name in them.
 	godot::PackedStringArray find_warnings(const godot::String &p_who) const;
 
-	// The blades. The first call after a change makes them; all fields that use this resource share them.
+	// Returns the blades. The first call after a change makes them; all fields that use this resource share them.
 	std::shared_ptr<const Patch> get_patch();
-	// Whether get_patch() returns them at once. If not, another thread begins to make them.
+	// Returns whether get_patch() returns them at once. If not, another thread begins to make them.
 	bool prepare();
-	// The default patch, shared by all fields without one of their own.
+	// Returns the default patch, which all fields without a patch share.
 	static std::shared_ptr<const Patch> get_default();
 	static void prepare_default();
-	static bool is_default_made(); // get_default() need not wait
+	static bool is_default_made(); // whether get_default() returns at once
 	static void free_default(); // when the library is unloaded
 
 protected:
@@ -57,9 +57,9 @@ private:
 	void _catch_up();
 
 	PatchParams _params;
-	bool _is_behind = false; // what is being made, or is made, is of older params
+	bool _is_behind = false; // the patch being made, or made last, has older params
 	PatchMaker _maker;
-	uint64_t _begun_in = 0; // the process's frame in which it began
+	uint64_t _begun_in = 0; // the process's frame in which making it began
 	std::shared_ptr<const Patch> _patch;
 };
 

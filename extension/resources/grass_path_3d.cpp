@@ -20,7 +20,7 @@ namespace {
 std::set<GrassPath3D *> paths_in_tree;
 uint64_t path_revision = 0;
 
-// A piece of the curve between two of its points is halved up to so often, until it bends by less than this angle: a metre of a curve of
+// A piece of the curve between two of its points is halved up to this often, until it bends by less than this angle: a metre of a curve of
 // 10 m is off by some millimetres.
 constexpr int HALVINGS = 6;
 constexpr float BEND = 2.0f; // degrees
@@ -64,7 +64,7 @@ void GrassPath3D::_changed() {
 void GrassPath3D::set_mode(Mode p_mode) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_mode), int64_t(MODE_PLANT) + 1, label() + String(": `mode` is MODE_CLEAR or MODE_PLANT."));
 	if (replace(_mode, p_mode)) {
-		_picture.free(); // its colour
+		_picture.free(); // to change its colour
 		_changed();
 	}
 }
@@ -123,7 +123,7 @@ void GrassPath3D::_notification(int p_what) {
 	}
 }
 
-// The lines beside the way where the grass begins to change back.
+// Returns the lines along the path's sides where the grass begins to change back.
 Ref<ArrayMesh> GrassPath3D::make_picture() const {
 	const PackedVector3Array points = get_points();
 	PackedVector3Array lines;

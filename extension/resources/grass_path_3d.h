@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassPath3D: a path whose way rules clear of grass, or plant with it. Draws its sides in the editor.
+// GrassPath3D: a path along which rules remove grass, or plant it. Draws its sides in the editor.
 #pragma once
 
 #include "core/base/tunable.h"
@@ -40,15 +40,15 @@ public:
 	void set_enabled(bool p_enabled);
 	bool is_enabled() const { return _enabled; }
 
-	// The way, in the node's space: as straight pieces. Empty: none.
+	// Returns the path in the node's space, as straight pieces. Empty: none.
 	godot::PackedVector3Array get_points() const;
 	bool concerns(const godot::Node *p_field) const;
 
 	godot::PackedStringArray _get_configuration_warnings() const override;
 
-	// All in the tree, in the order in which they were made.
+	// Returns all nodes in the tree, in the order of their creation.
 	static std::vector<GrassPath3D *> get_all();
-	// A number that changes whenever one of them comes, goes, moves or changes.
+	// Returns a number that changes whenever one of them is added, removed, moved or changed.
 	static uint64_t get_revision();
 
 protected:

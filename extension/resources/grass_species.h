@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassSpecies: one of the kinds of plants that a GrassField mixes. Properties only.
+// GrassSpecies: one kind of plants in the mix of a GrassField. Properties only.
 #pragma once
 
 #include "draw/plant_model.h"
@@ -37,14 +37,14 @@ public:
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
-	godot::Variant _get_param(int64_t p_param) const; // for the property: an int where it is a whole number
+	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 
 	std::shared_ptr<const Patch> find_patch() const;
-	bool prepare_patch() const; // whether find_patch() has it at once. If not, it is being made from now on
+	bool prepare_patch() const; // whether find_patch() returns it at once; if not, starts making it
 	SpeciesParams get_mix() const;
-	// p_field: what is not the species' own.
+	// p_field: the solver's parameters that are not the species' own.
 	SolverParams get_solver(const SolverParams &p_field) const;
 	SpeciesLook get_look(); // without canopies
 	// Of `card` and `leaf`, as read_card() of draw/species_look.h returns them.
@@ -53,15 +53,16 @@ public:
 	SpeciesLook make_look(const std::vector<godot::Ref<godot::Image>> &p_card,
 			const godot::Ref<godot::Image> &p_leaf) const; // the same with images of read_card() and read_leaf()
 	int get_card_pictures() const { return int(param(SPECIES_PARAM_CARD_PICTURES)); }
-	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // a minute
-	double get_card_size() const; // farthest that a card or leaf reaches from the tip, metres; 0: neither
-	double get_leaf_area(); // that leaves cover, of the mean blade, m^2
-	// Two colours, no card, no leaf, no mesh, one stem: a field of it alone is drawn by shaders that know no species.
+	double get_wear_recovery() const { return param(SPECIES_PARAM_WEAR_RECOVERY); } // per minute
+	double get_card_size() const; // how far a card or leaf extends from the tip, metres; 0: neither
+	double get_leaf_area(); // area that the mean blade's leaf covers, m^2
+	// Returns whether it has two colours, no card, no leaf, no mesh and one stem: shaders without species draw a field of only this
+	// species.
 	bool is_plain() const { return _gradient.is_null() && _card.is_null() && _leaf.is_null() && _plant_mesh.is_null() && get_stems() == 1; }
-	int get_stems() const; // that share a root: a power of two
-	// The mesh as it is drawn, or null.
+	int get_stems() const; // number of blades that share a root: a power of two
+	// Returns the mesh in the form for drawing, or null.
 	std::shared_ptr<const PlantModel> find_plant() const;
-	godot::String get_plant_problem() const; // why there is none, though a mesh is set; empty: there is one
+	godot::String get_plant_problem() const; // why it cannot be drawn although a mesh is set; empty: it can
 	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
 
 protected:
@@ -78,10 +79,10 @@ private:
 	godot::Ref<godot::Texture2D> _card;
 	godot::Ref<godot::Texture2D> _leaf;
 	std::vector<godot::Ref<godot::Image>> _card_images; // of _card, read on first use
-	godot::Ref<godot::Image> _leaf_image; // of _leaf, likewise
-	double _leaf_cover = 0.0; // of it, 0..1
+	godot::Ref<godot::Image> _leaf_image; // of _leaf, read on first use
+	double _leaf_cover = 0.0; // of _leaf, 0..1
 	godot::Ref<godot::Mesh> _plant_mesh;
-	mutable std::optional<PlantReading> _plant; // of it, read on first use
+	mutable std::optional<PlantReading> _plant; // of _plant_mesh, read on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;
 };

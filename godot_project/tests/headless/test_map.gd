@@ -235,7 +235,7 @@ func test_bad_values_are_refused_or_clamped() -> void:
 	expect_error("species cannot be smoothed")
 	brush.channel = GrassMap.CHANNEL_SPECIES
 	assert_eq(brush.channel, GrassMap.CHANNEL_DENSITY)
-	expect_error("`tool` is one of")
+	expect_error("`tool` must be one of")
 	brush.tool = 99 as GrassBrush.Tool
 	var map := GrassMap.new()
 	expect_error("a stroke needs a GrassBrush")
