@@ -68,7 +68,7 @@ void FieldMonitors::show() {
 	for (int monitor = 0; monitor < MONITOR_COUNT; monitor++) {
 		const MonitorInfo &info = MONITORS[size_t(monitor)];
 		if (Performance::get_singleton()->has_custom_monitor(info.name)) {
-			continue; // a script's own
+			continue; // a script has its own monitor of this name
 		}
 		_is_shown[size_t(monitor)] = true;
 		Array arguments;

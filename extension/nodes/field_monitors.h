@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Custom monitors in the engine's debugger: what all fields of the running game together do and cost. They exist as long
-// as a field does.
+// Custom monitors in the engine's debugger: what all fields of the running game do and cost in total. They exist as long as any field does.
 #pragma once
 
 #include <godot_cpp/classes/object.hpp>
@@ -12,7 +11,7 @@ namespace grass {
 
 class GrassField;
 
-// A number that each field adds its share to.
+// A number to which each field adds its share.
 enum FieldMonitor {
 	MONITOR_AWAKE_TILES,
 	MONITOR_SIMULATED_BLADES, // in a tick
@@ -32,8 +31,8 @@ public:
 	// Main thread only. p_field counts from now on, until remove().
 	static void add(GrassField *p_field);
 	static void remove(GrassField *p_field);
-	static std::vector<GrassField *> get_fields(); // all that count: those in the tree
-	// Call when the library is unloaded.
+	static std::vector<GrassField *> get_fields(); // all fields that count: those in the tree
+	// Must be called when the library is unloaded.
 	static void free_singleton();
 
 protected:
@@ -46,7 +45,7 @@ private:
 
 	static FieldMonitors *_singleton;
 	std::vector<GrassField *> _fields;
-	std::array<bool, MONITOR_COUNT> _is_shown{}; // by show(): others of these names are a script's own
+	std::array<bool, MONITOR_COUNT> _is_shown{}; // set by show(); other monitors with these names belong to a script
 };
 
 } // namespace grass

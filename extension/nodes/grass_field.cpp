@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The node's life, its physics ticks and its frames.
+// The node's life cycle, its physics ticks and its frames.
 #include "nodes/grass_field.h"
 
 #include "core/base/cpu_clock.h"
@@ -42,7 +42,7 @@ Transform3D without_scale(const Transform3D &p_transform) {
 } // namespace
 
 GrassField::GrassField() {
-	GrassPatch::prepare_default(); // until it enters the tree
+	GrassPatch::prepare_default(); // starts early, before the node enters the tree
 	set_notify_transform(true);
 }
 
@@ -65,7 +65,7 @@ void GrassField::_notification(int p_what) {
 			}
 			break;
 		case NOTIFICATION_RESET_PHYSICS_INTERPOLATION:
-			_moved_in = UINT64_MAX; // it was put elsewhere: nothing is between there and here
+			_moved_in = UINT64_MAX; // it was moved elsewhere: do not interpolate between the two places
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
 			update_configuration_warnings();
@@ -73,18 +73,18 @@ void GrassField::_notification(int p_what) {
 	}
 }
 
-// A thread group of its own runs a node on another thread, where neither bodies nor the renderer can be reached.
+// A separate thread group runs a node on another thread, on which neither bodies nor the renderer may be used.
 bool GrassField::belongs_here() const {
 	const bool is_main = is_main_thread();
 	if (!is_main) {
-		ERR_PRINT_ONCE(message("it stands still in a thread group. Set `process_thread_group` of the field to Main Thread."));
+		ERR_PRINT_ONCE(message("it is not simulated in a thread group. Set `process_thread_group` of the field to Main Thread."));
 	}
 	return is_main;
 }
 
 void GrassField::enter() {
 	if (FieldMonitors::get_fields().empty()) {
-		hold_shader_jobs(); // what comes with the field may be drawn as nothing was before
+		hold_shader_jobs(); // the first frame with a field may need shaders in new variants
 	}
 	watch_for_quit(get_tree()->get_root());
 	FieldMonitors::add(this);
@@ -101,7 +101,7 @@ void GrassField::enter() {
 	request_rebuild();
 }
 
-// What the field rides on: when its place in the tree changes, it enters again.
+// Returns the nodes that carry the field. When its place in the tree changes, the field enters again.
 std::vector<uint64_t> GrassField::find_carriers() const {
 	std::vector<uint64_t> carriers;
 	for (const Node *node = get_parent(); node != nullptr; node = node->get_parent()) {
@@ -158,18 +158,18 @@ void GrassField::_physics_tick(double p_delta) {
 	}
 }
 
-// Signals for bodies that met grass in this tick and did not in the one before, and the other way round. Emitted last in
-// a tick, since a listener may change the field.
+// Emits signals for bodies that met grass in this tick and did not in the one before, and the reverse. Runs last in a tick, since a
+// listener may change the field.
 void GrassField::emit_visits() {
 	const Visitors::Change change = _bodies.update_visitors(_standing.get_field().get_tiles());
 	if (emit_for_each("body_exited_grass", change.exited) && is_inside_tree()) {
-		(void)emit_for_each("body_entered_grass", change.entered); // the last thing done
+		(void)emit_for_each("body_entered_grass", change.entered); // nothing may follow this
 	}
 }
 
-// When the field goes, every body in its grass has left it.
+// When the field leaves the tree, every body in its grass has left the grass.
 void GrassField::emit_leaving() {
-	(void)emit_for_each("body_exited_grass", _bodies.leave()); // the last thing done
+	(void)emit_for_each("body_exited_grass", _bodies.leave()); // nothing may follow this
 }
 
 bool GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies) {
@@ -197,11 +197,11 @@ void GrassField::_frame(double p_delta) {
 	}
 	if (is_inside_tree() && _standing.stands()) {
 		_forces.gather(_properties.size);
-		_standing.blow(_forces.get(), p_delta); // before drawing begins: what is set in _before_draw() draws no further frame
+		_standing.blow(_forces.get(), p_delta); // before drawing begins: a change in _before_draw() causes no further frame
 	}
 }
 
-// The camera has its pose of this frame only now. Comes in a paused tree too, unlike frame().
+// Only now has the camera its pose of this frame. Runs in a paused tree too, unlike frame().
 void GrassField::_before_draw() {
 	if (!advance() || !_standing.stands()) {
 		return;
@@ -222,22 +222,22 @@ void GrassField::_before_draw() {
 	_standing.follow(this, place);
 	if (_standing.draw(view, is_visible_in_tree())) {
 		update_configuration_warnings();
-		if (!Engine::get_singleton()->is_editor_hint()) { // there it stands beside the node
+		if (!Engine::get_singleton()->is_editor_hint()) { // there the node itself shows it
 			warn(_standing.crowded_warning());
 		}
 	}
 	_frame_ms = clock.lap();
 }
 
-// Of the last step, in this frame: bodies are drawn so far on their way from the tick before to the last one. In ticks in which no blade
-// moved, or that the field left out, both steps are the same.
+// Returns the share of the last step in this frame: bodies are drawn that far on their way from the tick before to the last one. In ticks
+// in which no blade moved, or which the field skipped, both steps are the same.
 float GrassField::find_share() const {
 	const Engine *engine = Engine::get_singleton();
 	const bool is_moving = engine->get_physics_frames() == _moved_in;
 	return is_moving ? std::clamp(float(engine->get_physics_interpolation_fraction()), 0.0f, 1.0f) : 1.0f;
 }
 
-// Whether a script listens for bodies in the grass, seen or not.
+// Returns whether a script listens for bodies in the grass, visible or not.
 bool GrassField::is_listened_to() const {
 	return !get_signal_connection_list("body_entered_grass").is_empty() || !get_signal_connection_list("body_exited_grass").is_empty();
 }

@@ -43,7 +43,7 @@ public:
 		SLEEP_ENERGY = int(grass::SleepMode::ENERGY),
 	};
 	enum BackendMode : int64_t {
-		BACKEND_AUTO, // GPU where the renderer has a RenderingDevice, else CPU
+		BACKEND_AUTO, // GPU if the renderer has a RenderingDevice, otherwise CPU
 		BACKEND_CPU,
 	};
 	enum DebugView : int64_t {
@@ -83,7 +83,7 @@ public:
 
 	void set_size(const godot::Vector2 &p_size); // metres along x and z
 	godot::Vector2 get_size() const { return _properties.size; }
-	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass stands everywhere
+	void set_map(const godot::Ref<GrassMap> &p_map); // null: grass grows everywhere
 	godot::Ref<GrassMap> get_map() const { return value_of(_properties.map); }
 	// Instead of set_map(), for a map that another thread prepared as find_map_place() says.
 	void show_map(const godot::Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> p_prepared);
@@ -93,23 +93,23 @@ public:
 	double get_build_ms() const { return _life.get_most_ms(); } // that its last making took in one frame, at most
 	void join(const GrassField &p_other) { _standing.join(p_other._standing); } // before it enters the tree, of the same blades
 	void set_streamed() { _properties.is_streamed = true; } // before it enters the tree
-	// Gets the warnings of this field, instead of the console.
+	// Sets a function that gets the warnings of this field, instead of the console.
 	using WarningTeller = std::function<void(const godot::String &p_warning)>;
 	void set_warning_teller(const WarningTeller &p_teller) { _warning_teller = p_teller; }
-	// For a world: where the centre lies in the noise, metres. A field of its own is at (0, 0).
+	// For a world: sets the centre's place in the noise, metres. A field outside a world is at (0, 0).
 	void set_noise_origin(const godot::Vector2i &p_place);
-	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one with the defaults
+	void set_species(const godot::TypedArray<GrassSpecies> &p_species); // none: one species with the defaults
 	godot::TypedArray<GrassSpecies> get_species() const { return _properties.species.get(); }
-	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: takes back what it filled
+	void set_fill_rule(const godot::Ref<GrassFillRule> &p_rule); // null: removes what it filled
 	godot::Ref<GrassFillRule> get_fill_rule() const { return value_of(_filler.get_rule()); }
 	void set_fill_live(bool p_live);
 	bool is_fill_live() const { return _filler.is_live(); }
-	// For the editor: draws the grass as a brush would leave it, while the map stays as it is. Until the map changes or the next preview.
+	// For the editor: draws the grass as a brush would leave it, without changing the map. Lasts until the map changes or the next preview.
 	// Not for a field without a map.
 	void preview(const MapShape &p_shape, const Brush &p_brush);
 	void end_preview();
 	bool is_preview() const { return _standing.get_map() != nullptr && _standing.get_map()->is_preview(); }
-	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass that came
+	double fill(const godot::Ref<GrassFillRule> &p_rule); // square metres of full grass added
 	godot::Callable get_fill_button() const;
 	void set_seed(int64_t p_seed);
 	int64_t get_seed() const { return _properties.seed; }
@@ -128,11 +128,11 @@ public:
 	// grass_field_hook.cpp: the user's include that the shaders call.
 	void set_surface_hook(const godot::Ref<godot::ShaderInclude> &p_include);
 	godot::Ref<godot::ShaderInclude> get_surface_hook() const { return value_of(_properties.hook.get_include()); }
-	void set_hook_parameter(const godot::StringName &p_name, const godot::Variant &p_value); // null: as the include has it
+	void set_hook_parameter(const godot::StringName &p_name, const godot::Variant &p_value); // null: the include's default
 	godot::Variant get_hook_parameter(const godot::StringName &p_name) const;
 	void set_terrain_texture(const godot::Ref<godot::Texture2D> &p_texture); // null: none
 	godot::Ref<godot::Texture2D> get_terrain_texture() const { return value_of(_properties.terrain_texture); }
-	// grass_field_terrain.cpp: a node that tells heights, by the names of its methods.
+	// grass_field_terrain.cpp: a node that reports heights, through methods with known names.
 	void set_terrain(const godot::NodePath &p_path); // empty: none
 	godot::NodePath get_terrain() const { return value_of(_terrain.get_path()); }
 	void terrain_changed(const godot::AABB &p_area); // global; empty: everywhere
@@ -145,34 +145,35 @@ public:
 	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
-	godot::Variant _get_param(int64_t p_param) const; // for the property: an int where it is a whole number
+	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
 
 	// grass_field_queries.cpp and _methods.cpp: the methods that scripts call. Places are global.
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;
-	godot::Vector2i get_tiles() const; // how many along x and z
+	godot::Vector2i get_tiles() const; // number along x and z
 	double get_tile_size() const; // metres
-	godot::Vector2i get_tile_at(const godot::Vector3 &p_global_position) const; // (-1, -1) outside of the field
+	godot::Vector2i get_tile_at(const godot::Vector3 &p_global_position) const; // (-1, -1) outside the field
 	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const;
 	bool is_tile_awake(const godot::Vector2i &p_tile) const;
 	int64_t get_awake_tile_count() const;
-	// A blade's 16 knots from root to tip, without wind, at once: of an awake tile on the GPU as they were two ticks ago at most.
+	// Returns a blade's 16 knots from root to tip, without wind and without waiting: for an awake tile on the GPU they are at most two
+	// ticks old.
 	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
 	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile) const;
 	godot::PackedVector3Array get_blade_knots(const godot::PackedInt64Array &p_blades) const;
-	godot::PackedVector3Array wait_for_knots(const godot::PackedInt64Array &p_blades) const; // as they are now
+	godot::PackedVector3Array wait_for_knots(const godot::PackedInt64Array &p_blades) const; // their current state
 	godot::PackedInt64Array get_tile_blades(const godot::Vector2i &p_tile) const;
 	godot::PackedInt64Array find_blades(const godot::Vector3 &p_global_position, double p_radius);
-	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // its place in `species`
+	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // index in `species`
 	int64_t get_body_count() const { return _bodies.get_count(); }
 	int64_t get_memory_usage() const; // bytes
 	FieldMemory find_memory() const;
 	static godot::String get_version(); // of the extension
 	godot::Dictionary get_statistics() const;
 	godot::Dictionary get_counters() const;
-	double get_monitor(FieldMonitor p_monitor); // this field's share. Times are measured from the first call on
+	double get_monitor(FieldMonitor p_monitor); // this field's share; times are measured from the first call on
 	godot::Transform3D field_transform() const override; // global, without scale
 	godot::Transform3D drawn_transform() override;
 
@@ -180,14 +181,14 @@ public:
 	double density_at(const godot::Vector3 &p_global_position);
 	double height_at(const godot::Vector3 &p_global_position);
 	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
-	// Why there is no grass, or less than there could be. p_camera: null: the viewport's.
+	// Explains why there is no grass, or less than there could be. p_camera: null: the viewport's.
 	godot::Dictionary explain(const godot::Vector3 &p_global_position, const godot::Camera3D *p_camera);
 	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
 	double trample(const godot::Vector3 &p_global_position, double p_radius, double p_amount);
-	// Blasts and gusts of air; p_duration: seconds. See FORCE_SPEED and others in core/blades/force.h.
+	// Start a blast, or a gust of air. p_duration: seconds. For ranges see FORCE_SPEED and others in core/blades/force.h.
 	void blast(const godot::Vector3 &p_global_position, double p_speed, double p_radius, double p_duration);
 	void push(const godot::Vector3 &p_global_position, const godot::Vector3 &p_velocity, double p_radius, double p_duration);
 	void register_collider(godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape);
@@ -207,12 +208,13 @@ protected:
 	void _get_property_list(godot::List<godot::PropertyInfo> *r_list) const;
 
 private:
-	// grass_field.cpp: the node's life, its ticks and its frames
+	// grass_field.cpp: the node's life cycle, its ticks and its frames
 	void enter();
 	bool belongs_here() const;
 	std::vector<uint64_t> find_carriers() const;
 	void leave();
-	// From the message queue, where the engine lets a node die: shared/script_call.h. What returns a bool says whether it still lives.
+	// Called from the message queue, where the engine lets a node die: shared/script_call.h. Those that return bool return whether the node
+	// still exists.
 	void _physics_tick(double p_delta);
 	void _frame(double p_delta);
 	void _before_draw();
@@ -281,11 +283,11 @@ private:
 	bool _has_own_species = false; // the first one was made for a property that is a species' now
 	void warn(const godot::String &p_warning) const;
 	WarningTeller _warning_teller;
-	mutable bool _has_reported = false; // message() has named version and device
+	mutable bool _has_reported = false; // whether message() has included version and device
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
-	bool _is_map_bare = false; // as the editor last knew it
-	uint64_t _moved_in = UINT64_MAX; // the physics tick whose step moved blades last; none where they are drawn as they are
-	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time of reading bodies in the last tick; of the last frame
+	bool _is_map_bare = false; // as last reported to the editor
+	uint64_t _moved_in = UINT64_MAX; // the physics tick in which a step last moved blades; none if they are drawn without interpolation
+	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time: of reading bodies in the last tick; of the last frame
 };
 
 } // namespace grass

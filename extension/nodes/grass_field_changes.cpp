@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a change of properties, species, map or fill rule sets going.
+// The effects of changing properties, species, map or fill rule.
 #include "nodes/grass_field.h"
 
 #include "shared/convert.h"
@@ -44,9 +44,9 @@ void GrassField::set_species(const TypedArray<GrassSpecies> &p_species) {
 	request_rebuild();
 }
 
-// Colours and frequencies take effect at once; what changes blades makes the field anew.
+// Colours and frequencies take effect at once; a change of blades makes the field again.
 void GrassField::_species_changed() {
-	if (!is_main_thread()) { // a part of the resource changed on another one
+	if (!is_main_thread()) { // another thread changed a part of the resource
 		callable_mp(this, &GrassField::_species_changed).call_deferred();
 		return;
 	}
@@ -78,13 +78,13 @@ void GrassField::show_map(const Ref<GrassMap> &p_map, std::unique_ptr<ShownMap> 
 	_life.offer(std::move(p_prepared));
 }
 
-// Shaders without a texture of the terrain have no line of it.
+// A field without a terrain texture has shaders without any code for it.
 void GrassField::set_terrain_texture(const Ref<Texture2D> &p_texture) {
 	GRASS_MAIN_THREAD_ONLY();
 	show_terrain_texture(p_texture, _properties.terrain_colors);
 }
 
-// The user's stands before the terrain's own.
+// The user's texture takes precedence over the terrain's own.
 void GrassField::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref<Texture2D> &p_colors) {
 	const Ref<Texture2D> before = _properties.find_terrain_texture();
 	(void)replace(_properties.terrain_texture, p_texture);
@@ -97,14 +97,14 @@ void GrassField::show_terrain_texture(const Ref<Texture2D> &p_texture, const Ref
 	}
 }
 
-// Nothing grows on it, nor will by a rule.
+// Returns whether no grass grows on it, and no rule will fill it.
 bool GrassField::is_map_bare() const {
 	const Ref<GrassMap> &map = _properties.map;
 	return map.is_valid() && map->is_readable() && !_filler.is_active() && map->get_base_density() == 0.0 &&
 			!map->get_map().uses(MAP_DENSITY);
 }
 
-// The editor reads a node's warnings only when it is notified, and then redraws the whole scene tree.
+// The editor reads a node's warnings only when notified, and then redraws the whole scene tree.
 void GrassField::watch_bare_map() {
 	if (_is_map_bare != is_map_bare()) {
 		_is_map_bare = !_is_map_bare;
@@ -112,7 +112,7 @@ void GrassField::watch_bare_map() {
 	}
 }
 
-// However often the map changes, it is read once, at the next tick or frame.
+// However often the map changes, it is read once, in the next tick or frame.
 void GrassField::_map_changed(const TypedArray<Vector2i> &p_chunks, const Rect2 &p_region) {
 	end_preview();
 	_filler.touch(_properties.map, p_chunks);
@@ -170,7 +170,7 @@ void GrassField::set_fill_live(bool p_live) {
 }
 
 void GrassField::_fill_rule_changed() {
-	if (!is_main_thread()) { // a part of the resource changed on another one
+	if (!is_main_thread()) { // another thread changed a part of the resource
 		callable_mp(this, &GrassField::_fill_rule_changed).call_deferred();
 		return;
 	}
@@ -183,7 +183,7 @@ FieldFiller::Place GrassField::fill_place() const {
 		Eigen::Vector2d(_properties.noise_origin.x, _properties.noise_origin.y) };
 }
 
-// A field that comes into the tree is full from its first frame on; one that stands is filled piece by piece.
+// Fills a field that enters the tree completely before its first frame; a field that is in the tree is filled gradually.
 bool GrassField::start_fill() {
 	if (!_filler.is_active() || _filler.is_set() || !is_inside_tree()) {
 		return true;
@@ -201,7 +201,7 @@ bool GrassField::update_fill() {
 	return !_filler.is_set() || !_filler.take_finished() || outlives(*this, [&] { emit_signal("fill_finished"); });
 }
 
-// The inspector's button.
+// Runs for the inspector's button.
 void GrassField::_fill_pressed() {
 	if (_filler.get_rule().is_valid() && is_inside_tree() && editor_hooks.fill != nullptr) {
 		editor_hooks.fill(*this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassField's surface hook: set, compiled, shown, its uniforms set.
+// GrassField's surface hook: setting, compiling and showing it, and setting its uniforms.
 #include "nodes/grass_field.h"
 
 #include "shared/main_thread.h"
@@ -19,7 +19,7 @@ void GrassField::set_surface_hook(const Ref<ShaderInclude> &p_include) {
 	compile_hook();
 }
 
-// After the engine has heard of it: its own shaders follow the include, too.
+// Deferred until the engine has processed the change, since its own shaders depend on the include too.
 void GrassField::_hook_changed() {
 	callable_mp(this, &GrassField::compile_hook).call_deferred();
 }

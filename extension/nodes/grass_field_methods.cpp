@@ -15,7 +15,7 @@ String GrassField::label() const {
 }
 
 String GrassField::message(const String &p_text) const {
-	// On another thread the renderer answers only once the main thread is free, which may be waiting for this one.
+	// On another thread the renderer replies only once the main thread is free, which may be waiting for this thread.
 	if (_has_reported || !is_main_thread()) {
 		return vformat("%s: %s", label(), p_text);
 	}
@@ -78,7 +78,7 @@ Dictionary GrassField::get_counters() const {
 	return counters_dictionary(find_statistics());
 }
 
-// The debugger asks for each monitor by itself: each reads what it shows, and nothing else.
+// The debugger queries each monitor separately: each reads only what it shows.
 double GrassField::get_monitor(FieldMonitor p_monitor) {
 	if (!_standing.stands()) {
 		return 0.0;

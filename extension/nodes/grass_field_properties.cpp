@@ -36,14 +36,14 @@ void GrassField::set_seed(int64_t p_seed) {
 void GrassField::set_simulated(bool p_simulated) {
 	GRASS_MAIN_THREAD_ONLY();
 	if (replace(_properties.simulated, p_simulated)) {
-		request_rebuild(); // tiles that were awake go back to rest
+		request_rebuild(); // awake tiles return to rest
 		emit_leaving();
 	}
 }
 
 void GrassField::set_backend(BackendMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`backend` is BACKEND_AUTO or BACKEND_CPU."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`backend` must be BACKEND_AUTO or BACKEND_CPU."));
 	if (get_backend() != p_mode) {
 		_properties.is_on_cpu = p_mode == BACKEND_CPU;
 		_standing.drop_backend();
@@ -53,7 +53,7 @@ void GrassField::set_backend(BackendMode p_mode) {
 
 void GrassField::set_method(SolverMethod p_method) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` is METHOD_DIRECT or METHOD_PBD."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_method), 2, message("`method` must be METHOD_DIRECT or METHOD_PBD."));
 	if (replace(_properties.method, Method(p_method))) {
 		request_rebuild();
 	}
@@ -61,7 +61,7 @@ void GrassField::set_method(SolverMethod p_method) {
 
 void GrassField::set_sleep_mode(SleepMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` must be SLEEP_TIMER or SLEEP_ENERGY."));
 	if (replace(_properties.sleep_mode, grass::SleepMode(p_mode))) {
 		_standing.update_params();
 	}
@@ -85,7 +85,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_COST + 1, message("`debug_view` is one of the constants DEBUG_VIEW_*."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_COST + 1, message("`debug_view` must be one of the constants DEBUG_VIEW_*."));
 	if (replace(_properties.debug_view, p_view)) {
 		_standing.set_uniform("debug_view", int64_t(p_view));
 	}
@@ -149,7 +149,7 @@ Color GrassField::get_color(int64_t p_index) const {
 
 namespace {
 
-// What was a field's in 0.9.0 and is a species' since.
+// Returns whether the property was a field's in 0.9.0 and now belongs to a species.
 bool is_species_property(const StringName &p_name) {
 	static const char *const names[] = { "patch", "natural_frequency", "damping_ratio", "root_stiffness", "bend_stiffness", "wear_recovery",
 		"root_color", "tip_color", "dry_color", "dry" };
@@ -158,7 +158,7 @@ bool is_species_property(const StringName &p_name) {
 
 } // namespace
 
-// Scenes and scripts of 0.9.0 go on: a field without species gets one that has the value. One that has species did not read it.
+// Keeps scenes and scripts of 0.9.0 working: a field without species gets one with the value. A field with species never used the value.
 bool GrassField::_set(const StringName &p_name, const Variant &p_value) {
 	Variant now;
 	const bool is_hooks = _properties.hook.get_property(p_name, now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassField's terrain: set, read, heard.
+// GrassField's terrain: setting it, reading it, and listening to it.
 #include "nodes/grass_field.h"
 
 #include "shared/main_thread.h"
@@ -21,7 +21,7 @@ void GrassField::set_terrain(const NodePath &p_path) {
 	update_configuration_warnings();
 }
 
-// After the field has its properties, and once a frame. False: a script freed the field.
+// Runs when the field has its properties, and once in each frame. Returns false if a script freed the field.
 bool GrassField::update_terrain() {
 	const TerrainSource::Handlers handlers{ callable_mp(this, &GrassField::_terrain_edited),
 		callable_mp(this, &GrassField::_terrain_replaced), callable_mp(this, &GrassField::_terrain_cells_changed),
@@ -54,7 +54,7 @@ void GrassField::terrain_changed(const AABB &p_area) {
 	_terrain.area_changed(p_area);
 }
 
-// Signals of a terrain may come from any thread.
+// Signals of a terrain may arrive on any thread.
 void GrassField::_terrain_edited(const AABB &p_area) {
 	if (!is_main_thread()) {
 		callable_mp(this, &GrassField::_terrain_edited).call_deferred(p_area);
@@ -82,7 +82,7 @@ void GrassField::_terrain_cells_changed(double p_x, double p_y, double p_width, 
 		callable_mp(this, &GrassField::_terrain_cells_changed).call_deferred(p_x, p_y, p_width, p_height, p_channel);
 		return;
 	}
-	(void)_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height))); // the last thing done
+	(void)_terrain.cells_changed(Vector2(real_t(p_x), real_t(p_y)), Vector2(real_t(p_width), real_t(p_height))); // nothing may follow this
 }
 
 } // namespace grass

@@ -13,7 +13,7 @@ func test_by_energy_unless_told() -> void:
 	assert_eq(field.sleep_mode, GrassField.SLEEP_ENERGY)
 	field.sleep_mode = GrassField.SLEEP_TIMER
 	assert_eq(field.sleep_mode, GrassField.SLEEP_TIMER)
-	expect_error("`sleep_mode` is SLEEP_TIMER or SLEEP_ENERGY")
+	expect_error("`sleep_mode` must be SLEEP_TIMER or SLEEP_ENERGY")
 	field.set("sleep_mode", 7)
 	assert_eq(field.sleep_mode, GrassField.SLEEP_TIMER)
 

@@ -96,7 +96,7 @@ func test_a_storm_of_calls_does_no_harm() -> void:
 
 
 func test_a_thread_group_of_its_own_is_refused() -> void:
-	expect_error("it stands still in a thread group")
+	expect_error("it is not simulated in a thread group")
 	var field := add_field({process_thread_group = Node.PROCESS_THREAD_GROUP_SUB_THREAD})
 	add_held_body(ball(0.2), Vector3(0, 0.2, 0))
 	await ticks(5)
