@@ -103,7 +103,7 @@ Ref<GrassFillRule> GrassFillRule::with_kept_mask() const {
 
 void GrassFillRule::set_mask_channel(MaskChannel p_channel) {
 	GRASS_CHANGE_GUARD(label());
-	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, label() + String(": `mask_channel` is one of the MASK_* constants."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_channel), 4, label() + String(": `mask_channel` must be one of the MASK_* constants."));
 	if (replace(_mask_channel, p_channel)) {
 		_mask_changed();
 	}

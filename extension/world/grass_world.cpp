@@ -44,7 +44,7 @@ void GrassWorld::_notification(int p_what) {
 		case NOTIFICATION_PREDELETE:
 			report_loss();
 			break;
-		case NOTIFICATION_EDITOR_POST_SAVE: // of its scene, shown or not
+		case NOTIFICATION_EDITOR_POST_SAVE: // after its scene was saved, visible or not
 			if (scene_saved != nullptr) {
 				scene_saved(*this);
 			}
@@ -67,13 +67,13 @@ void GrassWorld::leave() {
 	FrameShare::spare(false);
 }
 
-// In the tree, also when a property changed: what was changed of the plots is written first.
+// Runs when the world enters the tree, and when a property changes. Writes changes of the plots first.
 void GrassWorld::restart() {
 	if (!is_inside_tree()) {
 		return;
 	}
 	const bool lives = outlives(*this, [&] { _plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders()); });
-	if (!lives || !is_inside_tree()) { // scripts of `plot_scene` run
+	if (!lives || !is_inside_tree()) { // scripts of `plot_scene` have run
 		return;
 	}
 	_most_frame_ms = 0.0;
@@ -86,8 +86,8 @@ void GrassWorld::restart() {
 	update_configuration_warnings();
 }
 
-// The editor knows what a level holds, not what a game made of it, and writes nothing but with the scene. Without a folder there is
-// nowhere to write to.
+// The editor shows what a level has, not what a game made of it, and writes only when the scene is saved. Without a folder nothing can be
+// written.
 WorldFolders GrassWorld::find_folders() const {
 	const bool is_editor = Engine::get_singleton()->is_editor_hint();
 	const String to = _save_folder.is_empty() || is_editor ? _folder : _save_folder;

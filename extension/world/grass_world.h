@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassWorld: grass on more ground than memory holds. Keeps a GrassField for each plot near the cameras and the bodies that move.
+// GrassWorld: grass on more ground than memory can hold. Keeps a GrassField for each plot near the cameras and the moving bodies.
 #pragma once
 
 #include "shared/property_value.h"
@@ -34,25 +34,25 @@ public:
 	godot::String get_save_folder() const { return value_of(_save_folder); }
 
 	godot::Vector2i get_plot_at(const godot::Vector3 &p_global_position) const;
-	godot::String get_plot_path(const godot::Vector2i &p_plot) const; // where its map is written
+	godot::String get_plot_path(const godot::Vector2i &p_plot) const; // the file of its map
 	GrassField *get_field(const godot::Vector2i &p_plot) const; // null: not in memory
 	GrassField *get_field_at(const godot::Vector3 &p_global_position) const;
 	godot::TypedArray<GrassField> get_fields() const;
 	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double paint(const godot::Ref<GrassBrush> &p_brush, const godot::Vector3 &p_from, const godot::Vector3 &p_to);
 	void shift_origin(const godot::Vector3 &p_offset);
-	int64_t save(); // how many plots changed; a thread writes them
-	// Changes that are not written: become those of the folders as they are now, or are forgotten. Both return how many plots.
+	int64_t save(); // returns how many plots changed; a thread writes them
+	// These move the unwritten changes to the current folders, or discard them. Both return the number of plots.
 	int64_t carry_unsaved();
 	int64_t discard_unsaved();
-	void wait_for_files(); // until it has
-	// A step of an undo history: a plot becomes what p_snapshot says, wherever that differs from p_from.
+	void wait_for_files(); // until everything is written
+	// A step of an undo history: sets a plot to p_snapshot wherever that differs from p_from.
 	void restore_plot(
 			const godot::Vector2i &p_plot, const godot::Ref<GrassMapSnapshot> &p_snapshot, const godot::Ref<GrassMapSnapshot> &p_from);
 	godot::Dictionary get_statistics() const;
 
 	// For the editor.
-	static inline void (*scene_saved)(GrassWorld &r_world) = nullptr; // its scene was saved just now
+	static inline void (*scene_saved)(GrassWorld &r_world) = nullptr; // called after its scene was saved
 	static inline void (*places_changed)(GrassWorld &r_world) = nullptr; // `folder` or `plot_size` did, and plots are kept for the old one
 	godot::Transform3D world_transform() const; // global, without scale
 	bool has_unsaved() const;
@@ -70,13 +70,13 @@ private:
 	void enter();
 	void leave();
 	void restart();
-	void _frame(); // from the message queue, where the engine lets a node die: shared/script_call.h
+	void _frame(); // called from the message queue, where the engine lets a node die: shared/script_call.h
 	void report();
 	void ask_about_kept();
 	void report_loss();
 	godot::PackedStringArray find_warnings() const; // all but the shortage
-	godot::String find_shortage() const; // "": the budget holds all
-	bool is_here(const char *p_method) const; // false, with a message, outside of the tree
+	godot::String find_shortage() const; // "": the budget holds everything
+	bool is_here(const char *p_method) const; // false, with an error, outside the tree
 	WorldGrid grid() const { return { to_metres(_size), _plot_size }; }
 	static Eigen::Vector2d to_metres(const godot::Vector2 &p_size) { return { p_size.x, p_size.y }; }
 	static size_t to_bytes_of(double p_megabytes) { return size_t(p_megabytes * 1e6); }
@@ -93,9 +93,9 @@ private:
 	godot::String _folder, _save_folder;
 	WorldEyes _eyes;
 	WorldPlots _plots{ *this, [this](const char *p_signal, const PlotKey &p_key, GrassField *p_field) { tell(p_signal, p_key, p_field); } };
-	godot::PackedStringArray _warned_of; // in the console
+	godot::PackedStringArray _warned_of; // printed in the console
 	double _frame_ms = 0.0, _most_frame_ms = 0.0;
-	// Of the warning that the budget is too small: what it said last.
+	// The last warning that the budget is too small.
 	struct Shortage {
 		bool is_short = false;
 		double reach = 0.0; // metres
@@ -103,7 +103,7 @@ private:
 		bool is_worse_than(const Shortage &p_other) const;
 	};
 	Shortage _shortage;
-	bool _has_reported = false; // all other warnings, since restart()
+	bool _has_reported = false; // whether all other warnings were printed since restart()
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GrassWorld's properties, and what scripts may call.
+// GrassWorld's properties, and the methods that scripts may call.
 #include "world/grass_world.h"
 
 #include "shared/bind_property.h"

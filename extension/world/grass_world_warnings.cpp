@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a world tells its user: warnings, questions of the editor, and what is lost.
+// What a world reports to its user: warnings, questions in the editor, and lost changes.
 #include "world/grass_world.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -71,7 +71,7 @@ bool GrassWorld::Shortage::is_worse_than(const Shortage &p_other) const {
 	return is_short && (!p_other.is_short || reach < 0.5 * p_other.reach || missing > 2 * p_other.missing);
 }
 
-// Once each, and again when the budget falls far shorter than it was said to; in the editor they stand beside the node.
+// Prints each warning once, and again when the budget falls far shorter than reported; in the editor the node shows them.
 void GrassWorld::report() {
 	const WorldPlan &plan = _plots.get_plan();
 	const Shortage now{ plan.is_short, plan.reach, plan.missing };
@@ -99,14 +99,14 @@ void GrassWorld::report() {
 	}
 }
 
-// After a folder or the plots' size changed.
+// Runs after a folder or the plots' size has changed.
 void GrassWorld::ask_about_kept() {
 	if (places_changed != nullptr && Engine::get_singleton()->is_editor_hint() && count_kept_elsewhere() > 0) {
 		places_changed(*this);
 	}
 }
 
-// Before the node leaves the tree. In the editor the user was asked when the scene was closed.
+// Runs before the node leaves the tree. In the editor the user was asked when the scene was closed.
 void GrassWorld::report_loss() {
 	_plots.stop();
 	const int64_t kept = Engine::get_singleton()->is_editor_hint() ? 0 : _plots.get_files().get_statistics().kept;

@@ -12,7 +12,7 @@ namespace grass {
 
 namespace {
 
-// Beside the maps, hidden: the side of their plots in metres. A folder without it was written before there was one, or is packed.
+// A hidden file beside the maps: the side of their plots in metres. A folder without it is older than this file, or is packed.
 constexpr char SIZE_FILE[] = ".plot_size";
 
 std::optional<double> read_size(const String &p_folder) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps of plots that are not written yet, each with the place that it belongs to: a plot of one level, save game or size is none of
-// another.
+// Maps of plots that are not written yet, each with the place that it belongs to: plots of another level, save game or size are different
+// plots.
 #pragma once
 
 #include "core/world/world_grid.h"
@@ -14,9 +14,9 @@
 
 namespace grass {
 
-// Where the plots of a world lie, and how large they are.
+// The folders of a world's plots, and the size of the plots.
 struct PlotsPlace {
-	godot::String from, to; // where maps lie; where changed ones are written, and looked for first
+	godot::String from, to; // folder of maps; folder for changed maps, which is searched first
 	double plot_size = 0.0; // metres
 
 	bool operator==(const PlotsPlace &) const = default;
@@ -25,17 +25,17 @@ struct PlotsPlace {
 
 class KeptPlots {
 public:
-	using Maps = std::map<PlotKey, godot::PackedByteArray>; // as in their files
+	using Maps = std::map<PlotKey, godot::PackedByteArray>; // in the format of their files
 
 	void keep(const PlotsPlace &p_place, const PlotKey &p_key, const godot::PackedByteArray &p_data) { _maps[p_place][p_key] = p_data; }
 	void forget(const PlotsPlace &p_place, const PlotKey &p_key);
 	godot::PackedByteArray find(const PlotsPlace &p_place, const PlotKey &p_key) const; // empty: none
-	// All that is kept; then nothing is.
+	// Returns everything that is kept, and forgets it.
 	std::map<PlotsPlace, Maps> take() { return std::exchange(_maps, {}); }
 	const std::map<PlotsPlace, Maps> &get() const { return _maps; }
-	// Makes what belongs to other folders, of plots of the same size, belong to p_place: how many plots.
+	// Moves what belongs to other folders, of plots of the same size, to p_place. Returns the number of plots.
 	int64_t carry(const PlotsPlace &p_place);
-	// Forgets all but what belongs to p_place.
+	// Forgets everything that does not belong to p_place.
 	void keep_only(const PlotsPlace &p_place);
 	int64_t count() const;
 	int64_t count_elsewhere(const PlotsPlace &p_place) const;
@@ -45,19 +45,19 @@ private:
 	std::map<PlotsPlace, Maps> _maps;
 };
 
-// For what size of plots folders were written. A file of 128 m would lie elsewhere in a world of 256 m, and would be spoiled there, so such
-// a folder is neither read nor written.
+// The size of the plots for which folders were written. A file for plots of 128 m would be used for another place in a world with 256 m,
+// and spoiled there; so such a folder is neither read nor written.
 class FoldersOfSize {
 public:
 	void look(const PlotsPlace &p_place);
 	bool has_wrong_from() const { return _from.has_value(); }
 	bool has_wrong_to() const { return _to.has_value(); }
 	godot::String find_problem(const PlotsPlace &p_place) const; // "": none
-	// Notes the size, before the first file is written there.
+	// Writes the size to a folder, before the first file is written there.
 	static void mark(const godot::String &p_folder, double p_plot_size);
 
 private:
-	std::optional<double> _from, _to; // metres, where it is another one
+	std::optional<double> _from, _to; // metres, if different
 };
 
 } // namespace grass

@@ -19,9 +19,9 @@ namespace grass {
 
 namespace {
 
-// Bodies that a tick looks at: a call into the engine each. More: ticks take longer. Fewer: in a crowd a body is noticed later.
+// Bodies checked in a tick, one call into the engine each. More: ticks take longer. Fewer: in a crowd a body is noticed later.
 constexpr size_t LOOKS_A_FRAME = 64;
-// Ticks for which a body stays awake that was moved by hand, and metres that count as motion.
+// Ticks for which a body moved by script stays awake, and metres that count as motion.
 constexpr int64_t STAYS_AWAKE = 120;
 constexpr real_t MOTION = 0.01f;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Around what a world keeps its plots: the cameras that see it, and the bodies in it that are awake. Places are x, z in metres in the
-// world's space, so that a shift of the origin moves nothing.
+// The points around which a world keeps its plots: the cameras that see it, and the bodies in it that are awake. Places are x, z in metres
+// in the world's space, so that a shift of the origin changes nothing.
 #pragma once
 
 #include "core/world/world_movers.h"
@@ -24,10 +24,10 @@ public:
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, uint32_t p_mask);
 	void stop();
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// A tick of p_delta seconds: some of the bodies are looked at, in turn.
+	// Runs a tick of p_delta seconds: checks some of the bodies, in turn.
 	void tick(const godot::Transform3D &p_world, const godot::Vector3 &p_half_extents, double p_delta);
 
-	// p_layers: of the grass.
+	// p_layers: the layers of the grass.
 	std::vector<Eigen::Vector2d> find_cameras(const godot::Node3D &p_world, uint32_t p_layers) const;
 	std::vector<WorldMover> find_bodies() const; // awake ones
 	int64_t get_body_count() const { return int64_t(_bodies.size()); }
@@ -35,13 +35,13 @@ public:
 private:
 	struct Body {
 		uint64_t instance_id = 0;
-		int64_t overlaps = 0; // shapes of it that are in the world
-		godot::Vector3 place; // in the world's space, when it was last looked at
-		godot::Vector3 velocity; // metres a second, since it was looked at before
+		int64_t overlaps = 0; // number of its shapes in the world
+		godot::Vector3 place; // in the world's space, at the last check
+		godot::Vector3 velocity; // metres per second, between the last two checks
 		double looked_at = 0.0; // seconds
 		bool has_place = false;
 		bool is_awake = false;
-		int64_t awake_until = 0; // the tick; moved by hand
+		int64_t awake_until = 0; // tick, if moved by script
 	};
 	void look(Body &r_body, const godot::Transform3D &p_to_world_space);
 
@@ -49,9 +49,9 @@ private:
 	godot::Transform3D _transform;
 	godot::Vector3 _extents;
 	std::map<uint64_t, Body> _bodies; // by the RID's id
-	uint64_t _next = 0; // to be looked at
+	uint64_t _next = 0; // the next body to check
 	int64_t _ticks = 0;
-	double _seconds = 0.0; // of the ticks
+	double _seconds = 0.0; // total time of the ticks
 };
 
 } // namespace grass

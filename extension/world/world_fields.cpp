@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-constexpr real_t AWAY = -1e5f; // metres: where no body meets a field that waits
+constexpr real_t AWAY = -1e5f; // metres: below everything, so that no body meets a waiting field
 
 } // namespace
 
@@ -47,7 +47,7 @@ GrassField *WorldFields::make() {
 	return field;
 }
 
-// What is wrong with one plot is mostly wrong with all of them: the world says it once.
+// A problem of one plot is usually a problem of all of them, so the world reports it once.
 GrassField::WarningTeller WorldFields::make_teller() const {
 	return [warned_of = _warned_of, label = _label](const String &p_warning) {
 		if (warned_of->insert(p_warning.utf8().get_data()).second) {
@@ -70,7 +70,7 @@ void WorldFields::start(const Ref<PackedScene> &p_scene, double p_side, const St
 	if (first == nullptr) {
 		return;
 	}
-	forget_first(); // a script of the scene may have begun anew
+	forget_first(); // a script of the scene may have restarted the world
 	_first = first;
 	_pattern = {};
 	_pattern.has_terrain = !first->get_terrain().is_empty();
@@ -123,7 +123,7 @@ GrassField *WorldFields::take() {
 	if (field == nullptr) {
 		return nullptr;
 	}
-	for (int32_t i = _world.get_child_count(); i < _world.get_child_count(true); i++) { // behind the user's own
+	for (int32_t i = _world.get_child_count(); i < _world.get_child_count(true); i++) { // after the user's own children
 		if (const GrassField *other = Object::cast_to<GrassField>(_world.get_child(i, true))) {
 			field->join(*other);
 			break;
@@ -142,7 +142,7 @@ void WorldFields::give_back(GrassField *p_field, bool p_keeps) {
 	if (p_keeps && _spare.size() < MOST_SPARE) {
 		_spare.push_back(p_field->get_instance_id());
 		p_field->set_position(Vector3(0, AWAY, 0));
-		p_field->set_visible(false); // last: a script may hear it
+		p_field->set_visible(false); // last, since a script may be notified
 	} else {
 		p_field->queue_free();
 	}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of a world's plots, copies of one scene. One whose plot has left waits, hidden, for the next plot, so that none of its
+// The fields of a world's plots, copies of one scene. When a plot leaves, its field waits, hidden, for the next plot, so that none of its
 // buffers is made again.
 #pragma once
 
@@ -18,10 +18,10 @@ namespace grass {
 
 class WorldFields {
 public:
-	// How many wait at most.
+	// The most fields that wait.
 	static constexpr size_t MOST_SPARE = 3;
 
-	// What the scene says of all of them.
+	// What the scene defines for all of them.
 	struct Pattern {
 		PaintMap map; // of plots without a file
 		bool has_terrain = false;
@@ -35,10 +35,10 @@ public:
 	WorldFields &operator=(const WorldFields &) = delete;
 	~WorldFields() { forget_first(); }
 
-	// p_scene: its root is a GrassField; null: one with the defaults. p_side: of a plot, metres. p_label: of the world, for messages.
-	// Scripts of the scene run: afterwards this may be gone, with the world.
+	// Starts. p_scene: its root is a GrassField; null: one with the defaults. p_side: of a plot, metres. p_label: of the world, for
+	// messages. Scripts of the scene run: afterwards this object may be gone, with the world.
 	void start(const godot::Ref<godot::PackedScene> &p_scene, double p_side, const godot::String &p_label);
-	// Those that wait leave the tree.
+	// Removes the waiting fields from the tree.
 	void stop();
 
 	const Pattern &get_pattern() const { return _pattern; }
@@ -46,18 +46,18 @@ public:
 	const std::optional<MapPlace> &find_place();
 	bool has_wrong_scene() const { return _has_wrong_scene; }
 	size_t count_spare() const { return _spare.size(); }
-	void forget_freed(); // by a script
-	// One that waits, or a new one; a hidden child of the world. Null where a script of the scene freed it or took it out of the tree;
-	// afterwards this may be gone, with the world.
+	void forget_freed(); // forgets those that a script freed
+	// Returns a waiting field, or a new one; it is a hidden child of the world. Returns null if a script of the scene freed it or removed
+	// it from the tree; afterwards this object may be gone, with the world.
 	GrassField *take();
 	const godot::Node3D &get_world() const { return _world; }
-	// Its plot has left. p_keeps: it may wait for the next one.
+	// Takes back the field of a plot that has left. p_keeps: it may wait for the next plot.
 	void give_back(GrassField *p_field, bool p_keeps);
 	void free_spare(); // one of them
 	int64_t get_made() const { return _made; } // since start()
 
 private:
-	GrassField *make(); // null: a script of the scene freed the world
+	GrassField *make(); // null: a script of the scene has freed the world
 	GrassField::WarningTeller make_teller() const;
 	void forget_first();
 
@@ -65,12 +65,12 @@ private:
 	godot::Ref<godot::PackedScene> _scene;
 	double _side = 0.0;
 	godot::String _label;
-	std::shared_ptr<std::set<std::string>> _warned_of = std::make_shared<std::set<std::string>>(); // by any of the fields
+	std::shared_ptr<std::set<std::string>> _warned_of = std::make_shared<std::set<std::string>>(); // printed by any of the fields
 	Pattern _pattern;
 	GrassField *_first = nullptr; // outside of the tree, until the place is known
 	std::optional<MapPlace> _place;
 	bool _has_wrong_scene = false;
-	std::vector<uint64_t> _spare; // instances' ids
+	std::vector<uint64_t> _spare; // instance ids
 	int64_t _made = 0;
 };
 

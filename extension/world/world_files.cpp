@@ -30,7 +30,7 @@ void WorldFiles::start(const WorldFolders &p_folders) {
 	_sizes.look(_folders.place);
 	_folders.keeps = _folders.keeps || _sizes.has_wrong_to();
 	running[this] = _folders;
-	// Without a renderer the engine's list of textures is no other thread's (Godot 4.6: one leaked at exit in some runs).
+	// Without a renderer only one thread may use the engine's list of textures (Godot 4.6: one leaked at exit in some runs).
 	_makes_textures = DisplayServer::get_singleton()->get_name() != "headless";
 	_is_ending = _has_ended = false;
 	_thread = std::thread([this] { work(); });
@@ -70,7 +70,7 @@ void WorldFiles::work() {
 	}
 }
 
-// Out of the tree no thread runs: what is to be written then is written here.
+// Outside the tree no thread runs, so this writes at once.
 void WorldFiles::add(Job &&p_job) {
 	if (!_thread.joinable()) {
 		p_job.run();
@@ -88,7 +88,7 @@ void WorldFiles::wait() {
 	wait_until(lock, [this] { return _jobs.empty() || _has_ended; });
 }
 
-// The thread makes textures, and in some renderers that waits for this very thread.
+// Waits, and keeps the renderer in sync: the thread makes textures, and in some renderers that waits for the calling thread.
 void WorldFiles::wait_until(std::unique_lock<std::mutex> &r_lock, const std::function<bool()> &p_is_done) {
 	while (!_has_changed.wait_for(r_lock, std::chrono::milliseconds(1), p_is_done)) {
 		r_lock.unlock();

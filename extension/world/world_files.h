@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The maps of a world's plots, in files: read and written by one thread, in the order in which they were asked for, so that a plot that
-// comes back at once is read as it was written.
+// The maps of a world's plots, in files. One thread reads and writes them in the order of the requests, so that a plot that returns at once
+// is read as it was written.
 #pragma once
 
 #include "core/map/read_limits.h"
@@ -22,15 +22,15 @@
 namespace grass {
 
 struct WorldFolders {
-	PlotsPlace place; // where maps lie, where changed ones are written, and for what plots
+	PlotsPlace place; // folders of maps and of changed maps, and the size of their plots
 	godot::String label; // of the world, for messages
-	bool keeps = false; // changed maps stay in memory until they are saved: in the editor, and where there is no folder
+	bool keeps = false; // changed maps stay in memory until they are saved: in the editor, and if there is no folder
 };
 
-// A plot's map as it was found, and laid out for its field.
+// A plot's map as read, and prepared for its field.
 struct ReadPlot {
 	PlotKey key;
-	int64_t ask = 0; // whose answer it is
+	int64_t ask = 0; // the request that it answers
 	PaintMap map;
 	std::unique_ptr<ShownMap> prepared;
 };
@@ -40,7 +40,7 @@ struct WorldFileStatistics {
 	int64_t read = 0, written = 0, refused = 0; // files
 	int64_t bytes_read = 0, bytes_written = 0;
 	int64_t kept = 0, bytes_kept = 0; // maps that are not written yet
-	int64_t kept_elsewhere = 0; // of those, maps that belong to other folders, or to plots of another size
+	int64_t kept_elsewhere = 0; // kept maps that belong to other folders, or to plots of another size
 };
 
 class WorldFiles {
@@ -48,31 +48,31 @@ public:
 	~WorldFiles() { stop(); }
 
 	void start(const WorldFolders &p_folders);
-	// Waits until all is written, and ends the thread.
+	// Waits until everything is written, and ends the thread.
 	void stop();
 	// p_ask: comes back with it; p_default: where there is no file. p_place: what field it is for.
 	void read(const PlotKey &p_key, int64_t p_ask, const PaintMap &p_default, const MapPlace &p_place);
 	void write(const PlotKey &p_key, const PaintMap &p_map);
 	// Changes a plot that is not in memory, and writes it.
 	void change(const PlotKey &p_key, const PaintMap &p_default, const std::function<void(PaintMap &)> &p_change);
-	// Writes what is kept, each map where it belongs.
+	// Writes the kept maps, each to its own folder.
 	void write_kept();
-	// While no thread runs. What is kept for other folders is kept for these: how many plots.
+	// Only while no thread runs. Moves what is kept for other folders to the current ones. Returns the number of plots.
 	int64_t carry_kept();
-	// Likewise. Forgets what is kept: how many plots.
+	// Only while no thread runs. Forgets what is kept. Returns the number of plots.
 	int64_t discard_kept();
 	void discard_kept_elsewhere();
-	int64_t count_writable() const; // of what is kept: plots that write_kept() has a folder for
+	int64_t count_writable() const; // number of kept plots that write_kept() has a folder for
 	void wait(); // until nothing is waiting
 	std::vector<ReadPlot> take_read();
 	WorldFileStatistics get_statistics() const;
 	static godot::String path_of(const godot::String &p_folder, const PlotKey &p_key);
-	// What is wrong with the folders, for the user; "" if nothing is.
+	// Returns what is wrong with the folders, for the user; "" if nothing is.
 	godot::String find_problem() const;
 
 private:
 	struct Job {
-		bool is_read; // else it must not be lost
+		bool is_read; // otherwise it writes, and must not be lost
 		std::function<void()> run;
 	};
 
@@ -87,17 +87,17 @@ private:
 	void write_file(const PlotsPlace &p_place, const PlotKey &p_key, const godot::PackedByteArray &p_data);
 	void keep(const PlotsPlace &p_place, const PlotKey &p_key, const godot::PackedByteArray &p_data);
 
-	WorldFolders _folders; // changes only while no thread runs, as the next two do
+	WorldFolders _folders; // changes only while no thread runs, like the next two
 	FoldersOfSize _sizes; // what the folders hold
 	bool _makes_textures = false;
 	std::thread _thread;
-	mutable std::mutex _mutex; // of all below
+	mutable std::mutex _mutex; // guards everything below
 	std::condition_variable _has_changed;
-	std::deque<Job> _jobs; // the first one is being done
+	std::deque<Job> _jobs; // the first one is in progress
 	bool _is_ending = false, _has_ended = true;
 	std::vector<ReadPlot> _read;
 	KeptPlots _kept;
-	std::set<std::string> _refused; // paths of files that could not be read
+	std::set<std::string> _refused; // paths of files that cannot be read
 	WorldFileStatistics _statistics;
 };
 
