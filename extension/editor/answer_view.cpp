@@ -14,7 +14,7 @@ namespace grass {
 
 namespace {
 
-// In the editor's unscaled pixels: from the cursor to the words, and their width.
+// In the editor's unscaled pixels: distance of the text from the cursor, and its width.
 constexpr double BESIDE = 18.0, WIDTH = 300.0;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words beside the cursor in the 3D editor's views: why there is no grass there.
+// Text beside the cursor in the editor's 3D views: why there is no grass at that place.
 #pragma once
 
 #include <godot_cpp/classes/camera3d.hpp>
@@ -12,7 +12,7 @@ class AnswerView {
 public:
 	void create(); // in the editor's window
 	void free();
-	// p_mouse: in the view of p_camera, as in its input events.
+	// p_mouse: in p_camera's view, as in its input events.
 	void show(const godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, const godot::String &p_text);
 	void hide();
 	godot::String get_text() const { return _panel != nullptr && _panel->is_visible() ? _label->get_text() : godot::String(); }

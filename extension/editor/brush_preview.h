@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the brush would do, before it does: the grass under the cursor as one touch would leave it. Only drawn: no map changes, and
-// nothing is saved.
+// Previews the brush: shows the grass under the cursor as one touch would leave it. Only draws: no map changes, and nothing is saved.
 #pragma once
 
 #include "editor/field_stroke.h"
@@ -14,11 +13,11 @@ public:
 	// p_painted: what a stroke would paint. A field without a map shows nothing.
 	void show(const PaintedFields &p_painted, const GrassBrush &p_brush, const GroundPoint &p_point, const StrokeKeys &p_keys);
 	void hide();
-	int get_count() const; // of fields that show it
+	int get_count() const; // number of fields that show it
 
 private:
-	std::vector<uint64_t> _field_ids; // that may show it
-	Eigen::Vector2d _last = Eigen::Vector2d::Zero(); // place: a comb leans the grass the way that the cursor goes
+	std::vector<uint64_t> _field_ids; // of fields that may show it
+	Eigen::Vector2d _last = Eigen::Vector2d::Zero(); // place: a comb leans the grass in the cursor's direction
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the toolbar does. What it is made of: brush_toolbar_parts.cpp.
+// The toolbar's behaviour. Its controls are made in brush_toolbar_parts.cpp.
 #include "editor/brush_toolbar.h"
 
 #include "core/paint/brush_keys.h"
@@ -19,7 +19,7 @@ namespace grass {
 
 namespace {
 
-// In the editor's unscaled pixels: what docks take of the window, the least that is left to us.
+// In the editor's unscaled pixels: the part of the window that docks occupy, and the least width that is left to the toolbar.
 constexpr double DOCKS = 540.0, NARROWEST = 480.0;
 
 } // namespace
@@ -93,7 +93,7 @@ Color BrushToolbar::get_tool_color(MapTool p_tool) const {
 	if (p_tool == MapTool::TINT) {
 		return _brush->get_color();
 	}
-	const bool grows = p_tool == MapTool::REGROW || p_tool == MapTool::RECOVER; // keys only
+	const bool grows = p_tool == MapTool::REGROW || p_tool == MapTool::RECOVER; // reachable by keys only
 	const ToolInfo &info = info_of(grows ? GrassBrush::TOOL_PAINT : GrassBrush::Tool(p_tool));
 	return Color(info.red, info.green, info.blue);
 }
@@ -134,7 +134,7 @@ void BrushToolbar::_number_changed(double) {
 	if (_showing) {
 		return;
 	}
-	_showing = true; // the brush notifies of each change, while other sliders are still unread
+	_showing = true; // the brush notifies of each change, while other sliders are not read yet
 	for (const Slider &entry : _sliders) {
 		_brush->set_param(entry.param, entry.slider->get_value());
 	}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The brush's tools and numbers, in the 3D editor's menu bar while a GrassField is selected. Edits a GrassBrush; the
-// plugin paints with it.
+// The brush's tools and numbers, in the 3D editor's menu bar while a GrassField is selected. Edits a GrassBrush, with which the plugin
+// paints.
 #pragma once
 
 #include "editor/species_palette.h"
@@ -43,15 +43,15 @@ public:
 
 	godot::Ref<GrassBrush> get_brush() const { return _brush; }
 	bool has_tool() const { return _has_tool; }
-	bool is_asking() const { return _why->is_pressed(); } // why there is no grass under the cursor
-	bool follows_ground() const; // bakes the ground under the brush, and where something moved
-	bool paints_neighbours() const; // all fields under the brush, see find_painted_fields()
-	void fit_to_world(bool p_is_world); // tools for whole fields are not offered for a world, since only a part of it is in memory
+	bool is_asking() const { return _why->is_pressed(); } // whether it explains why there is no grass under the cursor
+	bool follows_ground() const; // whether to bake the ground under the brush, and where something moved
+	bool paints_neighbours() const; // whether to paint all fields under the brush, see find_painted_fields()
+	void fit_to_world(bool p_is_world); // hides tools for whole fields for a world, since only part of it is in memory
 	void put_tool_down(); // nothing is painted or queried until another tool is chosen
-	void show_species(const GrassField *p_field); // of the selected field, as they are now
-	void take_species(int64_t p_species); // in the hand, to plant it
+	void show_species(const GrassField *p_field); // shows the current species of the selected field
+	void take_species(int64_t p_species); // selects a species to plant
 	void nudge(Number p_number, int p_notches);
-	godot::Color get_tool_color(MapTool p_tool) const; // for the ring: of the tool in the hand, or of what keys make of it
+	godot::Color get_tool_color(MapTool p_tool) const; // for the ring: colour of the current tool, or of what the held keys make of it
 
 protected:
 	static void _bind_methods();
@@ -75,8 +75,8 @@ private:
 	godot::EditorSpinSlider *slider_of(BrushParamId p_param) const;
 	void load_icons();
 	bool is_checked(MenuItem p_item) const;
-	void fit(); // one row where the window has room beside its docks, else as many as needed
-	void show_brush(); // the brush's properties, in the controls
+	void fit(); // uses one row if the window has room beside its docks, otherwise as many as needed
+	void show_brush(); // copies the brush's properties to the controls
 	void _tool_toggled(bool p_pressed);
 	void _number_changed(double p_value);
 	void _color_changed(const godot::Color &p_color);
@@ -92,7 +92,7 @@ private:
 	void _menu_pressed(int64_t p_item);
 
 	godot::Ref<GrassBrush> _brush;
-	godot::Ref<godot::ButtonGroup> _group; // of which one is pressed, or none
+	godot::Ref<godot::ButtonGroup> _group; // at most one of it is pressed
 	std::vector<godot::Button *> _tools; // in the order of TOOLS
 	std::vector<Slider> _sliders;
 	SpeciesPalette *_species = nullptr;

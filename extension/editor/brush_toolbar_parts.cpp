@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the toolbar is made of: buttons, sliders, the panel of limits, the menu. What they do: brush_toolbar.cpp.
+// Makes the toolbar's controls: buttons, sliders, the panel of limits, the menu. brush_toolbar.cpp has their behaviour.
 #include "editor/brush_toolbar.h"
 
 #include "editor/paint_stroke.h"
@@ -109,7 +109,7 @@ void BrushToolbar::add_numbers() {
 	_species->connect("minimum_size_changed", callable_mp(this, &BrushToolbar::fit));
 	_species->connect("item_selected", callable_mp(this, &BrushToolbar::_species_selected));
 	add_child(_species);
-	for (size_t i = 0; i < _tools.size(); i++) { // a species that is dropped on either grows in the field
+	for (size_t i = 0; i < _tools.size(); i++) { // a species dropped on either one is added to the field
 		if (TOOLS[i].tool == GrassBrush::TOOL_SPECIES) {
 			for (Control *control : { static_cast<Control *>(_tools[i]), static_cast<Control *>(_species) }) {
 				control->set_drag_forwarding(
@@ -194,7 +194,7 @@ void BrushToolbar::add_menu() {
 	add_child(_menu);
 }
 
-// Drawn for a dark theme; their light parts take the colour of the theme's text.
+// The icons are drawn for a dark theme; their light parts take the colour of the theme's text.
 void BrushToolbar::load_icons() {
 	const String text_color = "#" + get_theme_color("font_color", "Button").to_html(false);
 	const auto icon_of = [&](const char *p_svg) {

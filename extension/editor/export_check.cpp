@@ -21,7 +21,7 @@ namespace {
 constexpr char EXTENSION[] = "grass_field.gdextension";
 constexpr const char *ARCHITECTURES[] = { "x86_32", "x86_64", "arm32", "arm64", "rv64", "ppc64", "loongarch64", "wasm32" };
 constexpr const char *SYSTEMS[] = { "linux", "windows", "macos", "android", "ios", "web" };
-constexpr char UNIVERSAL[] = "universal"; // of macOS: for both of its processors
+constexpr char UNIVERSAL[] = "universal"; // on macOS: for both of its processors
 
 String find_extension() {
 	for (const String &path : GDExtensionManager::get_singleton()->get_loaded_extensions()) {
@@ -50,7 +50,7 @@ String system_of(const PackedStringArray &p_features) {
 	return "unknown";
 }
 
-// What an export may need a library for: each of its architectures, or "" where it names none.
+// Returns the architectures for which an export may need a library, or "" if it names none.
 PackedStringArray architectures_of(const PackedStringArray &p_features) {
 	PackedStringArray architectures;
 	for (const String &feature : p_features) {
@@ -64,7 +64,7 @@ PackedStringArray architectures_of(const PackedStringArray &p_features) {
 	return architectures;
 }
 
-// Chooses as the engine does: of the libraries all of whose tags are features of the export, that with the most tags. "": none is named.
+// Chooses as the engine does: among the libraries whose tags are all features of the export, the one with the most tags. "": none.
 String find_library(
 		const ConfigFile &p_extension, const String &p_folder, const PackedStringArray &p_features, const String &p_architecture) {
 	String found;
@@ -84,11 +84,11 @@ String find_library(
 	return found;
 }
 
-// The folders of the worlds in a scene that is packed.
+// Returns the folders of the worlds in a packed scene.
 PackedStringArray find_folders(const String &p_scene) {
 	PackedStringArray folders;
 	if (p_scene.get_extension() == "tscn" && !FileAccess::get_file_as_string(p_scene).contains("GrassWorld")) {
-		return folders; // loading it would load all that it uses
+		return folders; // loading it would load everything that it uses
 	}
 	const Ref<PackedScene> scene = ResourceLoader::get_singleton()->load(p_scene, "PackedScene");
 	const Ref<SceneState> state = scene.is_valid() ? scene->get_state() : Ref<SceneState>();
@@ -110,7 +110,7 @@ bool is_there(const String &p_library) {
 } // namespace
 
 void ExportCheck::_export_begin(const PackedStringArray &p_features, bool p_is_debug, const String &p_path, uint32_t p_flags) {
-	(void)p_path; // wherever it goes
+	(void)p_path; // the path does not matter
 	(void)p_flags;
 	_has_extension = false;
 	_scenes.clear();
@@ -119,7 +119,7 @@ void ExportCheck::_export_begin(const PackedStringArray &p_features, bool p_is_d
 	Ref<ConfigFile> extension;
 	extension.instantiate();
 	if (path.is_empty() || extension->load(path) != OK) {
-		return; // then the engine has said so
+		return; // the engine has reported that already
 	}
 	const String system = system_of(p_features), target = p_is_debug ? "debug" : "release";
 	const auto find = [&](const String &p_architecture) {
@@ -150,7 +150,7 @@ void ExportCheck::_export_file(const String &p_path, const String &p_type, const
 	}
 }
 
-// What an export of selected scenes leaves out, since no scene refers to it.
+// Reports files that an export of selected scenes leaves out, since no scene refers to them.
 void ExportCheck::_export_end() {
 	if (!_has_extension && !find_extension().is_empty()) {
 		get_export_platform()->add_message(EditorExportPlatform::EXPORT_MESSAGE_ERROR, "GrassField",

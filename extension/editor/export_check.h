@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reports an error when a project is exported to a platform that the library is missing for: the engine would export it all the same, and
-// the game would have no grass. The same where the extension itself is not packed, and a warning where a world's plots are not.
+// Reports an error when a project is exported to a platform without a library: the engine would export it all the same, and the game would
+// have no grass. Does the same if the extension itself is not packed, and warns if the plots of a world are not.
 #pragma once
 
 #include <godot_cpp/classes/editor_export_plugin.hpp>
@@ -22,7 +22,7 @@ protected:
 private:
 	void check_plots();
 
-	// Of this export so far.
+	// Data of the current export.
 	bool _has_extension = false;
 	godot::PackedStringArray _scenes, _maps; // paths
 };

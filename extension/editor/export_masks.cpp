@@ -27,7 +27,7 @@ void add_files(EditorFileSystemDirectory *p_folder, PackedStringArray &r_files) 
 
 } // namespace
 
-// Not by the feature "dedicated_server": plugins are asked before the engine adds it (Godot 4.6).
+// Does not use the feature "dedicated_server", since plugins are called before the engine adds it (Godot 4.6).
 bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &p_platform, const PackedStringArray &p_features) const {
 	(void)p_platform;
 	(void)p_features;
@@ -36,7 +36,7 @@ bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &p_
 			preset->get_customized_files().values().has("strip");
 }
 
-// p_path: of what is a file's own resource, else empty. Null: it stays as it is.
+// p_path: the file if the resource is a file's main resource, otherwise empty. Returns null to keep the resource as it is.
 Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, const String &p_path) {
 	const GrassFillRule *rule = Object::cast_to<GrassFillRule>(p_resource.ptr());
 	if (rule == nullptr || rule->get_kept_mask().is_valid() || rule->get_mask_state() == GrassFillRule::MASK_NONE) {
@@ -58,7 +58,7 @@ Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, 
 	return _kept[p_resource];
 }
 
-// The engine keeps customized resources until their own file or this number changes. A mask's picture comes from other files.
+// The engine caches customized resources until their own file or this number changes. A mask's picture comes from other files.
 uint64_t ExportMasks::_get_customization_configuration_hash() const {
 	PackedStringArray files;
 	add_files(EditorInterface::get_singleton()->get_resource_filesystem()->get_filesystem(), files);

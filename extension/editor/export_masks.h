@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An export for a dedicated server strips pictures (*Strip Visuals*), and with them the masks of rules: grass would grow elsewhere than on
-// the clients. So the rule itself keeps the picture there.
+// the clients. So in such an export the rule itself stores the picture.
 #pragma once
 
 #include <godot_cpp/classes/editor_export_platform.hpp> // a virtual method takes one
@@ -24,7 +24,7 @@ protected:
 	static void _bind_methods() {}
 
 private:
-	godot::Dictionary _kept; // rules that keep their mask, by those that they are copies of: who shares a rule shares its copy
+	godot::Dictionary _kept; // copies of rules that keep their mask, by original: users of one rule share its copy
 };
 
 } // namespace grass

@@ -14,7 +14,7 @@ namespace grass {
 namespace {
 
 constexpr double BAKE_CELL = 4.0; // metres: the ground is read in squares of this size
-constexpr double LARGEST_BAKE = 65536.0; // m^2 that a new map reads at once, a ray for each: some tenths of a second
+constexpr double LARGEST_BAKE = 65536.0; // most m^2 that a new map reads at once, with a ray for each: some tenths of a second
 
 } // namespace
 
@@ -83,7 +83,7 @@ GrassWorld *FieldStroke::find_world() const {
 	return Object::cast_to<GrassWorld>(ObjectDB::get_instance(_world_id));
 }
 
-// The squares that the brush meets for the first time in this stroke, and those between them.
+// Bakes the squares that the brush meets for the first time in this stroke, and those between them.
 void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_costs) {
 	const GrassField *field = find_field();
 	const double border = info_of(MAP_GROUND).texel_size();
@@ -116,7 +116,7 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 
 void FieldStroke::step(const MapShape &p_shape, const Brush &p_brush, double p_level, StrokeCosts &r_costs) {
 	const GrassField *field = find_field();
-	if (field == nullptr || field->get_map() != _map) { // gone, or painted on another map
+	if (field == nullptr || field->get_map() != _map) { // it was freed, or has another map now
 		return;
 	}
 	if (_bakes) {
@@ -137,7 +137,7 @@ std::optional<MapStep> FieldStroke::get_step() const {
 }
 
 void FieldStroke::cancel() {
-	if (_world_id != 0) { // the plot may have left meanwhile
+	if (_world_id != 0) { // the plot may have left memory meanwhile
 		if (GrassWorld *world = find_world(); world != nullptr && _changed) {
 			world->restore_plot(_plot, _before, _map->take_snapshot());
 		}

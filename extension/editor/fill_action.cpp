@@ -16,7 +16,7 @@ void mark_edited(const Ref<Resource> &p_resource) {
 	EditorInterface::get_singleton()->set_object_edited(p_resource.ptr(), true);
 }
 
-// A field without a map gets one on which grass stands everywhere.
+// A field without a map gets one with grass everywhere.
 void fill(GrassField &r_field) {
 	const bool is_new = r_field.get_map().is_null();
 	if (is_new) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// "Fill Now" as a step of the editor's history.
+// "Fill Now" as a step of the editor's undo history.
 #pragma once
 
 namespace grass {
 
-// Lets nodes reach the editor while the plugin runs, see shared/editor_hooks.h.
+// Let nodes use the editor while the plugin runs, see shared/editor_hooks.h.
 void set_editor_hooks();
 void clear_editor_hooks();
 

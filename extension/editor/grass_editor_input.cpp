@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the mouse and the keys do in the 3D view while a GrassField or a GrassWorld is selected.
+// The mouse and keyboard input in the 3D view while a GrassField or a GrassWorld is selected.
 #include "editor/grass_editor_plugin.h"
 
 #include "shared/convert.h"
@@ -12,7 +12,7 @@ namespace grass {
 
 namespace {
 
-constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres around the field that can be asked about; of the mark at the place
+constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres: reach of queries around the field; radius of the mark there
 constexpr const char *AWAY = "No plot of the world is in memory here. Come nearer, or raise the world's `radius` and `budget`.";
 const Color ASKED_COLOR(1.0f, 0.8f, 0.37f);
 
@@ -49,7 +49,7 @@ int32_t GrassEditorPlugin::_forward_3d_gui_input(Camera3D *p_camera, const Ref<I
 	return AFTER_GUI_INPUT_PASS;
 }
 
-// The answer follows the cursor, the view turns as ever; a click selects nothing.
+// The answer follows the cursor, and the view can be turned as usual; a click selects nothing.
 int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent> &p_event) {
 	if (const Ref<InputEventKey> key = p_event; key.is_valid() && key->is_pressed() && key->get_keycode() == KEY_ESCAPE) {
 		_toolbar->put_tool_down();
@@ -74,7 +74,7 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 }
 
 int32_t GrassEditorPlugin::key_input(Camera3D *p_camera, const Ref<InputEventKey> &p_key) {
-	if (const Key code = p_key->get_keycode(); code == KEY_CTRL || code == KEY_META || code == KEY_SHIFT) { // the brush is another
+	if (const Key code = p_key->get_keycode(); code == KEY_CTRL || code == KEY_META || code == KEY_SHIFT) { // they change the brush
 		StrokeKeys keys = keys_of(p_key.ptr());
 		(code == KEY_SHIFT ? keys.smooth : keys.opposite) = p_key->is_pressed();
 		if (_ring.is_shown() && !_stroke.is_active()) {
@@ -93,12 +93,12 @@ int32_t GrassEditorPlugin::key_input(Camera3D *p_camera, const Ref<InputEventKey
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
-	// Where a bracket needs AltGr, the keys in the brackets' US position work as well.
+	// Where a bracket needs AltGr, the keys at the brackets' US positions work as well.
 	const auto is_key = [&](Key p_code) { return p_key->get_keycode() == p_code || p_key->get_physical_keycode() == p_code; };
 	const int notches = int(is_key(KEY_BRACKETRIGHT)) - int(is_key(KEY_BRACKETLEFT));
 	if (notches == 0 || p_key->is_alt_pressed()) {
 		if (p_key->is_command_or_control_pressed() && p_key->get_keycode() != KEY_CTRL && p_key->get_keycode() != KEY_META) {
-			finish_stroke(); // undo, save and the like act on whole strokes
+			finish_stroke(); // undo, save and other commands act on whole strokes
 		}
 		return AFTER_GUI_INPUT_PASS;
 	}
@@ -108,7 +108,7 @@ int32_t GrassEditorPlugin::key_input(Camera3D *p_camera, const Ref<InputEventKey
 						 : (shift ? Toolbar::NUMBER_HARDNESS : Toolbar::NUMBER_RADIUS),
 			notches);
 	if (_ring.is_shown()) {
-		show_brush(p_camera, _mouse, {}); // Ctrl and Shift are the brackets'
+		show_brush(p_camera, _mouse, {}); // Ctrl and Shift belong to the brackets here
 	}
 	return AFTER_GUI_INPUT_STOP;
 }
@@ -122,7 +122,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 			finish_stroke();
 			return painted ? AFTER_GUI_INPUT_STOP : AFTER_GUI_INPUT_PASS;
 		}
-		if (p_button->is_alt_pressed()) { // turns the view, where the editor is set up so
+		if (p_button->is_alt_pressed()) { // turns the view, if the editor is configured for that
 			return AFTER_GUI_INPUT_PASS;
 		}
 		finish_stroke();
@@ -132,7 +132,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 		}
 		return AFTER_GUI_INPUT_STOP;
 	}
-	// With Shift, some systems turn the wheel sideways.
+	// With Shift, some systems report a sideways turn of the wheel.
 	const int notches = int(index == MOUSE_BUTTON_WHEEL_UP || index == MOUSE_BUTTON_WHEEL_RIGHT) -
 			int(index == MOUSE_BUTTON_WHEEL_DOWN || index == MOUSE_BUTTON_WHEEL_LEFT);
 	if (notches == 0) {
@@ -145,7 +145,7 @@ int32_t GrassEditorPlugin::button_input(Camera3D *p_camera, const Ref<InputEvent
 	if (p_button->is_pressed()) {
 		using Toolbar = BrushToolbar;
 		_toolbar->nudge(!ctrl ? Toolbar::NUMBER_HARDNESS : (shift ? Toolbar::NUMBER_STRENGTH : Toolbar::NUMBER_RADIUS), notches);
-		show_brush(p_camera, p_button->get_position(), {}); // Ctrl and Shift are the wheel's
+		show_brush(p_camera, p_button->get_position(), {}); // Ctrl and Shift belong to the wheel here
 	}
 	return AFTER_GUI_INPUT_STOP;
 }
@@ -156,13 +156,13 @@ int32_t GrassEditorPlugin::motion_input(Camera3D *p_camera, const Ref<InputEvent
 	if (!_stroke.is_active()) {
 		return AFTER_GUI_INPUT_PASS;
 	}
-	if (!p_motion->get_button_mask().has_flag(MOUSE_BUTTON_MASK_LEFT)) { // released outside of our window
+	if (!p_motion->get_button_mask().has_flag(MOUSE_BUTTON_MASK_LEFT)) { // the button was released outside our window
 		finish_stroke();
 		return AFTER_GUI_INPUT_PASS;
 	}
 	if (point) {
 		StrokeKeys keys = keys_of(p_motion.ptr());
-		keys.pressure = p_motion->get_pressure() > 0.0 ? double(p_motion->get_pressure()) : 1.0; // a mouse has none
+		keys.pressure = p_motion->get_pressure() > 0.0 ? double(p_motion->get_pressure()) : 1.0; // a mouse reports none
 		_stroke.move(*find_painted(), *point, keys);
 	}
 	return AFTER_GUI_INPUT_STOP;

@@ -76,13 +76,13 @@ void GrassEditorPlugin::_notification(int p_what) {
 		}
 		if (!_toolbar->follows_ground()) {
 			_watch.forget();
-		} else if (!_stroke.is_active()) { // it keeps a snapshot, which is whole strokes and whole ground
+		} else if (!_stroke.is_active()) { // a stroke keeps a snapshot, which must contain whole strokes and all ground
 			_watch.update(EditorInterface::get_singleton()->get_edited_scene_root());
 		}
 	}
 }
 
-// Before the ground goes into a snapshot or a file.
+// Runs before the ground goes into a snapshot or a file.
 void GrassEditorPlugin::finish_ground() {
 	if (_toolbar != nullptr && _toolbar->follows_ground()) {
 		_watch.finish(EditorInterface::get_singleton()->get_edited_scene_root());
@@ -108,7 +108,7 @@ void GrassEditorPlugin::_edit(Object *p_object) {
 
 void GrassEditorPlugin::_make_visible(bool p_visible) {
 	if (_toolbar == nullptr) {
-		return; // the editor closes, and notifies only after it removed the plugin
+		return; // the editor is closing, and notifies only after it has removed the plugin
 	}
 	_toolbar->set_visible(p_visible);
 	if (!p_visible) {
@@ -117,11 +117,11 @@ void GrassEditorPlugin::_make_visible(bool p_visible) {
 }
 
 Dictionary GrassEditorPlugin::_get_state() const {
-	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last notification while the scene is the edited one
+	const_cast<GrassEditorPlugin *>(this)->_apply_changes(); // the last notification while this scene is the edited one
 	return {};
 }
 
-// Null once it is deleted, or while it is outside of the tree.
+// Returns null once it is deleted, or while it is outside the tree.
 Node3D *GrassEditorPlugin::find_selected() const {
 	Node3D *node = _selected_id == 0 ? nullptr : Object::cast_to<Node3D>(ObjectDB::get_instance(_selected_id));
 	return node != nullptr && node->is_inside_tree() ? node : nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Painting grass in the 3D editor: what the mouse and the keys do while a GrassField or a GrassWorld is selected. Active as soon as the
-// library is loaded; nothing to enable.
+// Painting grass in the 3D editor: handles mouse and keys while a GrassField or a GrassWorld is selected. Active as soon as the library is
+// loaded; there is nothing to enable.
 #pragma once
 
 #include "editor/answer_view.h"
@@ -35,8 +35,8 @@ public:
 	bool _handles(godot::Object *p_object) const override;
 	void _edit(godot::Object *p_object) override;
 	void _make_visible(bool p_visible) override;
-	// The editor puts the scene aside, or saves it: the stroke ends, and is written into that scene's history. The ground is
-	// what it should be.
+	// Called when the editor puts the scene aside, or saves it: the stroke ends and is written to that scene's history, and the ground is
+	// brought up to date.
 	godot::Dictionary _get_state() const override;
 	void _apply_changes() override;
 	int32_t _forward_3d_gui_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event) override;
@@ -53,19 +53,19 @@ protected:
 
 private:
 	godot::Node3D *find_selected() const; // field or world, in the tree; or null
-	std::optional<PaintedFields> find_painted() const; // that the brush paints; empty: no field is ready
+	std::optional<PaintedFields> find_painted() const; // what the brush paints; empty: no field is ready
 	GrassField *find_field() const; // whose species the brush plants; or null
 	int32_t key_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventKey> &p_key);
 	int32_t button_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseButton> &p_button);
 	int32_t motion_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEventMouseMotion> &p_motion);
-	// Where the brush is; and before a stroke (p_is_hover) what it would do there.
+	// Shows the brush's place, and before a stroke (p_is_hover) what it would do there.
 	std::optional<GroundPoint> show_brush(
 			godot::Camera3D *p_camera, const godot::Vector2 &p_mouse, const StrokeKeys &p_keys, bool p_is_hover = true);
 	void hide_brush();
 	int32_t asking_input(godot::Camera3D *p_camera, const godot::Ref<godot::InputEvent> &p_event);
 	void finish_stroke();
 	void finish_ground();
-	void put_down(); // ends the stroke, hides ring, preview and answer
+	void put_down(); // ends the stroke; hides ring, preview and answer
 	template <typename F> void change_maps(const char *p_name, F &&p_change);
 	template <typename F> std::optional<MapStep> change_map(GrassField *p_field, GrassWorld *p_world, F &&p_change);
 	void _tool_changed();
@@ -86,8 +86,8 @@ private:
 	GroundWatch _watch;
 	RingView _ring;
 	BrushPreview _preview;
-	std::vector<ViewDrop *> _drops; // while species are dragged
-	godot::Vector2 _mouse; // as it was last seen
+	std::vector<ViewDrop *> _drops; // exist while species are dragged
+	godot::Vector2 _mouse; // last known place
 	AnswerView _answer;
 	double _event_us = 0.0;
 };

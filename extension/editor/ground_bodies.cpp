@@ -20,7 +20,7 @@ namespace grass {
 
 namespace {
 
-constexpr double ENDLESS = 1e5; // metres: as far as a plane without an end counts
+constexpr double ENDLESS = 1e5; // metres: the assumed extent of an infinite plane
 
 Eigen::AlignedBox3d box_of_half(const Eigen::Vector3d &p_half) {
 	return { -p_half, p_half };
@@ -39,7 +39,7 @@ Eigen::AlignedBox3d box_of_heights(const Dictionary &p_data) {
 	const double half_width = 0.5 * (double(p_data["width"]) - 1.0), half_depth = 0.5 * (double(p_data["depth"]) - 1.0);
 	Eigen::AlignedBox3d box;
 	for (int64_t i = 0; i < heights.size(); i++) {
-		if (std::isfinite(heights[i])) { // else a hole
+		if (std::isfinite(heights[i])) { // otherwise a hole
 			box.extend(Eigen::Vector3d(-half_width, double(heights[i]), -half_depth));
 			box.extend(Eigen::Vector3d(half_width, double(heights[i]), half_depth));
 		}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that grass may grow on, from a scene's nodes: the place and the box of each.
+// Bodies that grass may grow on, from a scene's nodes: the pose and the box of each.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,14 +13,14 @@
 
 namespace grass {
 
-// A body at one moment. No shapes: it does not exist.
+// A body at one moment. Without shapes: it does not exist.
 struct GroundBody {
 	struct Shape {
 		int64_t id = 0; // of its RID
 		godot::Transform3D transform; // in the body
 		Eigen::AlignedBox3d box; // around it, in its own space
 		godot::Variant data; // PhysicsServer3D.shape_get_data
-		uint64_t changes = 0; // of the data, as far as it was looked at
+		uint64_t changes = 0; // revision of the data, when last read
 		bool operator==(const Shape &p_other) const;
 	};
 
@@ -28,12 +28,12 @@ struct GroundBody {
 	std::vector<Shape> shapes;
 
 	bool operator==(const GroundBody &) const = default;
-	Eigen::AlignedBox3d get_box() const; // around all its shapes, in the world, metres; empty without shapes
+	Eigen::AlignedBox3d get_box() const; // around all its shapes, global, metres; empty without shapes
 };
 
-// Ids of the nodes in and below p_root that have such a body: static bodies, and CSG with collision.
+// Returns the ids of p_root, and of nodes below it, that have such a body: static bodies, and CSG with collision.
 std::vector<uint64_t> find_ground_bodies(godot::Node *p_root);
-// p_before: as it was read the last time; shapes that did not change since are not measured again.
+// p_before: the body as last read; shapes that did not change are not measured again.
 GroundBody read_ground_body(const godot::Node3D *p_node, const GroundBody &p_before);
 
 } // namespace grass

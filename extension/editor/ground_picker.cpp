@@ -16,7 +16,7 @@ namespace grass {
 
 namespace {
 
-// Half-resolution views draw fewer pixels than the mouse moves over.
+// Returns the scale for views at half resolution, which draw fewer pixels than the mouse moves over.
 real_t shrink_of(const Camera3D *p_camera) {
 	const SubViewportContainer *container = Object::cast_to<SubViewportContainer>(p_camera->get_viewport()->get_parent());
 	return container == nullptr ? real_t(1) : real_t(container->get_stretch_shrink());
@@ -47,7 +47,7 @@ std::optional<GroundPoint> pick_ground(const PaintedFields &p_painted, const Cam
 			}
 		}
 	}
-	double nearest = std::numeric_limits<double>::infinity(); // along the ray, to y = 0 of a field
+	double nearest = std::numeric_limits<double>::infinity(); // along the ray, to the plane y = 0 of a field
 	for (const GrassField *field : p_painted.fields) {
 		const Eigen::Isometry3d to_field = to_field_of(*field);
 		const double distance = -(to_field * eye).y() / (to_field.linear() * way).y();

@@ -20,22 +20,22 @@ namespace grass {
 
 namespace {
 
-// Frames of a round, which checks each body once; what is the same in two rounds has come to rest. More: the grass
-// follows later. Less: a scene of thousands of bodies makes the editor slow.
+// Frames of a round, which checks each body once. A body that is the same in two rounds is at rest. More: the grass follows later. Less: a
+// scene of thousands of bodies makes the editor slow.
 constexpr int FRAMES_A_ROUND = 15;
-// Rounds from one search for new bodies to the next. More: misses a body that is moved soon after it was added.
+// Rounds between searches for new bodies. More: misses a body that is moved soon after it was added.
 constexpr int ROUNDS_A_SEARCH = 8;
 // Rays a frame, at most: some milliseconds. More: the editor stutters.
 constexpr int64_t RAYS_A_FRAME = 4096;
-// Changes over less than this area are read everywhere, others only in chunks that have ground: the unpainted rest of a
-// large field stays unread. m^2.
+// Changes smaller than this area are read everywhere, larger ones only in chunks that have ground: the unpainted rest of a large field
+// stays unread. m^2.
 constexpr double LARGEST_REGION = 65536.0;
 constexpr double TEXEL = info_of(MAP_GROUND).texel_size();
-// A body this large is ground. A smaller one may be a house, which grass stands around. m^2.
+// A body this large is ground. A smaller one may be a house with grass around it. m^2.
 constexpr double TERRAIN = 1000.0;
 
-// Level ground at the field's height leaves no trace in the map: small fields are baked whole with their first stroke. Of a terrain the
-// field itself has it.
+// Returns whether the map has ground. Level ground at the field's height leaves no trace in the map; small fields are baked as a whole with
+// their first stroke. The field itself reads the ground of a terrain.
 bool has_ground(const GrassField &p_field) {
 	const Vector2 size = p_field.get_size();
 	return p_field.get_terrain().is_empty() && p_field.get_map().is_valid() &&
@@ -51,7 +51,7 @@ std::vector<uint64_t> ids_of_fields(Node *p_root) {
 		}
 	};
 	add(p_root);
-	const TypedArray<Node> nodes = p_root->find_children("*", "GrassField"); // that are saved: the plots of a world are not
+	const TypedArray<Node> nodes = p_root->find_children("*", "GrassField"); // saved ones only: the plots of a world are not saved
 	for (int64_t i = 0; i < nodes.size(); i++) {
 		add(nodes[i]);
 	}
@@ -60,19 +60,19 @@ std::vector<uint64_t> ids_of_fields(Node *p_root) {
 
 MapRegion region_of(const GrassField &p_field) {
 	const Eigen::Vector2d half = 0.5 * to_eigen(p_field.get_size());
-	return MapRegion{ -half, half }.grown(TEXEL); // what the last blades blend with
+	return MapRegion{ -half, half }.grown(TEXEL); // includes the texels that the outermost blades blend with
 }
 
 bool is_empty(const MapRegion &p_region) {
 	return !(p_region.min.array() < p_region.max.array()).all();
 }
 
-// What lies below and above a box in the field's space.
+// Returns the region below and above a box in the field's space.
 MapRegion footprint(const Eigen::AlignedBox3d &p_box) {
 	return { { p_box.min().x(), p_box.min().z() }, { p_box.max().x(), p_box.max().z() } };
 }
 
-// Whether the map's ground lies on the body somewhere, and not only under it. p_box: of the body, field space.
+// Returns whether the map's ground is on the body somewhere, and not only below it. p_box: of the body, field space.
 bool is_stood_on(const GrassField &p_field, const Eigen::AlignedBox3d &p_box) {
 	const MapRegion region = footprint(p_box).shared(region_of(p_field));
 	if (is_empty(region) || (region.max - region.min).prod() >= TERRAIN) {
@@ -116,7 +116,7 @@ void GroundWatch::update(Node *p_root) {
 }
 
 void GroundWatch::finish(Node *p_root) {
-	for (int round = 0; round < 2; round++) { // what moved rests now
+	for (int round = 0; round < 2; round++) { // after two rounds everything that moved is at rest
 		if (begin_round(p_root)) {
 			look(_bodies.size());
 		}
@@ -124,7 +124,7 @@ void GroundWatch::finish(Node *p_root) {
 	read(GroundPlaces::ALL - _rays);
 }
 
-// False where nothing is to be watched.
+// Returns false if there is nothing to watch.
 bool GroundWatch::begin_round(Node *p_root) {
 	_field_ids = p_root == nullptr ? std::vector<uint64_t>() : ids_of_fields(p_root);
 	if (_field_ids.empty()) {
@@ -152,7 +152,7 @@ bool GroundWatch::begin_round(Node *p_root) {
 	return true;
 }
 
-// At the next p_count bodies of this round.
+// Checks the next p_count bodies of this round.
 void GroundWatch::look(size_t p_count) {
 	auto entry = _bodies.lower_bound(_next_body);
 	for (; entry != _bodies.end() && p_count > 0; p_count--) {
@@ -165,7 +165,7 @@ void GroundWatch::look(size_t p_count) {
 
 void GroundWatch::look_at_body(uint64_t p_id, Watched<GroundBody> &r_body) {
 	const Node3D *node = Object::cast_to<Node3D>(ObjectDB::get_instance(p_id));
-	// Undo may bring back one that was removed from the scene.
+	// Undo may restore a body that was removed from the scene.
 	const GroundBody now = node == nullptr ? GroundBody() : read_ground_body(node, r_body.last);
 	if (r_body.last == now && !(r_body.baked == now)) {
 		add_body(r_body, now);

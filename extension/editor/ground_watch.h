@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Keeps baked ground up to date while a scene is edited: where a body below grass was moved, resized or removed,
-// or the field itself was moved, the ground is read again. This is no step of the history: undoing a motion is a motion, too,
-// and brings back the ground of before.
+// Keeps baked ground up to date while a scene is edited: where a body below grass was moved, resized or removed, or the field itself was
+// moved, the ground is read again. This is not a step of the undo history: undoing a motion is a motion too, and brings back the earlier
+// ground.
 #pragma once
 
 #include "core/paint/lay_ground.h"
@@ -16,22 +16,22 @@ namespace grass {
 
 class GroundWatch {
 public:
-	// Once a frame. p_root: of the scene that is edited, or null.
+	// Must be called once in each frame. p_root: of the edited scene, or null.
 	void update(godot::Node *p_root);
-	// Reads all waiting ground at once, before something uses it or takes a snapshot.
+	// Reads all waiting ground at once. Call it before anything uses the ground or takes a snapshot.
 	void finish(godot::Node *p_root);
 	void forget();
 
 	int64_t get_rays() const { return _rays; } // cast so far
 	int64_t get_most_rays() const { return _most_rays; } // cast in one update()
 	int64_t get_waiting() const { return int64_t(_pieces.size()); }
-	double get_look_us() const { return _look_us; } // CPU time of looking, the longest frame of this round, microseconds
+	double get_look_us() const { return _look_us; } // CPU time of checks in the longest frame of this round, microseconds
 
 private:
-	// Something that moves: as it was at the last look, and as it was when the ground was baked by it.
+	// Something that may move: its state at the last check, and its state when the ground was baked from it.
 	template <typename T> struct Watched {
 		T last, baked;
-		bool is_ground = false; // grass stood on it once, as far as it was seen to move
+		bool is_ground = false; // grass was on it at some time, as far as its motion was seen
 	};
 	// Ground to be read; the box of a body that has left it, in the field's space, and the map when it did; what of it has been read.
 	struct Piece {
@@ -53,8 +53,8 @@ private:
 	bool read_on(int64_t p_most);
 	void lay(const godot::Ref<GrassMap> &p_map, const GroundReading &p_ground);
 
-	uint64_t _root_id = 0; // of the scene that is watched; 0: none, since no field of it has ground
-	std::vector<uint64_t> _field_ids; // that have ground
+	uint64_t _root_id = 0; // of the watched scene; 0: none, since none of its fields has ground
+	std::vector<uint64_t> _field_ids; // of fields with ground
 	std::map<uint64_t, Watched<GroundBody>> _bodies; // by the node's id
 	std::map<uint64_t, Watched<godot::Transform3D>> _poses; // of fields, by id
 	std::deque<Piece> _pieces;

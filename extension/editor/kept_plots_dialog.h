@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Asks what becomes of plots that were painted and not saved, when the world's folder or the size of its plots changes.
+// Asks what to do with plots that were painted and not saved, when the world's folder or the size of its plots has changed.
 #pragma once
 
 #include <godot_cpp/classes/confirmation_dialog.hpp>
@@ -14,7 +14,7 @@ class KeptPlotsDialog : public godot::ConfirmationDialog {
 public:
 	static void create(); // in the editor's window
 	static void free();
-	static void ask(GrassWorld &r_world); // in the next frame: a property is being set
+	static void ask(GrassWorld &r_world); // in the next frame, since a property is being set
 
 protected:
 	static void _bind_methods() {}
@@ -26,7 +26,7 @@ private:
 	GrassWorld *find_world() const;
 
 	static KeptPlotsDialog *_singleton;
-	uint64_t _world = 0; // its instance's id
+	uint64_t _world = 0; // instance id
 };
 
 } // namespace grass

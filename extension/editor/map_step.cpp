@@ -27,7 +27,7 @@ void add_map_steps(EditorUndoRedoManager *p_history, const String &p_name, Objec
 	}
 	p_history->commit_action(false);
 	for (const MapStep &step : p_steps) {
-		if (step.world == nullptr) { // which saves its plots itself
+		if (step.world == nullptr) { // a world saves its plots itself
 			EditorInterface::get_singleton()->set_object_edited(const_cast<GrassMap *>(step.map.ptr()), true);
 		}
 	}

@@ -77,7 +77,7 @@ void PaintStroke::step_in(const Reached &p_field, const StrokeStep &p_step, cons
 	}
 }
 
-// Null where the field's map is painted already, as another field's: one place of a shared map is under the brush, not two.
+// Returns null if the field's map is painted already through another field: only one place of a shared map is under the brush.
 FieldStroke *PaintStroke::find_part(GrassField *p_field) {
 	for (FieldStroke &part : _parts) {
 		if (part.get_map() == p_field->get_map()) {
@@ -100,7 +100,7 @@ void PaintStroke::finish(EditorUndoRedoManager *p_history) {
 		}
 	}
 	if (!steps.empty()) {
-		// A field's scene keeps the step, also where the map is a file of its own.
+		// A field's scene keeps the step, even if the map has its own file.
 		Object *context = ObjectDB::get_instance(_chosen_id);
 		for (size_t i = 0; i < _fields.size() && context == nullptr; i++) {
 			context = ObjectDB::get_instance(_fields[i].id);

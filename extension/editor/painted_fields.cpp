@@ -18,7 +18,7 @@ bool holds_middle_of(const GrassField &p_field, const GrassField &p_other) {
 	return is_reached(p_field, { middle.x(), middle.z() }, 0.0);
 }
 
-// A map that lies in another scene's file: saving this one would not save it.
+// Returns whether a map is in another scene's file, so that saving this scene would not save it.
 bool is_foreign(const Ref<GrassMap> &p_map, const String &p_scene) {
 	const String path = p_map.is_valid() ? p_map->get_path() : String();
 	return path.contains("::") && path.get_slice("::", 0) != p_scene;
@@ -31,7 +31,7 @@ bool is_neighbour(const GrassField &p_field, const GrassField &p_chosen, const N
 			!holds_middle_of(p_chosen, p_field);
 }
 
-// The resource's own name, or the name of its file.
+// Returns the resource's own name, or the name of its file.
 String name_of_species(const Ref<GrassSpecies> &p_species) {
 	if (p_species.is_null()) {
 		return String();

@@ -24,13 +24,13 @@ namespace grass {
 namespace {
 
 constexpr int POINTS = 64; // of a ring
-constexpr double OUTER_PIXELS = 3.0, INNER_PIXELS = 1.5; // wide
+constexpr double OUTER_PIXELS = 3.0, INNER_PIXELS = 1.5; // width
 constexpr double INNER_ALPHA = 0.6;
 constexpr int VEIL_RINGS = 6, VEIL_POINTS = 32; // each costs a ray; fewer: the veil cuts through hills
 constexpr double VEIL_LEAST = 0.06, VEIL_MOST = 0.2; // its alpha at strength 0 and 1
-constexpr uint32_t TOOL_LAYER = 1 << 24; // seen by the 3D editor's own cameras only
+constexpr uint32_t TOOL_LAYER = 1 << 24; // visible only to the 3D editor's own cameras
 
-// Width of a pixel and the eye, such that width times distance from the eye is what a pixel covers.
+// The eye, and the width of a pixel per distance from the eye.
 struct Sight {
 	Eigen::Vector3d eye; // in PaintedFields::space
 	double pixel;
@@ -39,7 +39,7 @@ struct Sight {
 Sight sight_of(const Camera3D *p_camera, const Eigen::Isometry3d &p_space, const Eigen::Vector3d &p_centre) {
 	const double height = std::max(1.0, double(p_camera->get_viewport()->get_visible_rect().size.y));
 	const double scale = EditorInterface::get_singleton()->get_editor_scale();
-	if (p_camera->get_projection() == Camera3D::PROJECTION_ORTHOGONAL) { // an eye so far away that all is equally far
+	if (p_camera->get_projection() == Camera3D::PROJECTION_ORTHOGONAL) { // an eye so far away that all distances are equal
 		const double far = 1e4 * p_camera->get_size();
 		const Eigen::Vector3d back = p_space.linear().transpose() * to_eigen(p_camera->get_camera_transform().basis.get_column(2));
 		return { p_centre + far * back, scale * p_camera->get_size() / (height * far) };
@@ -110,7 +110,7 @@ void RingView::show(const PaintedFields &p_painted, const Camera3D *p_camera, co
 void RingView::hide() {
 	if (_shown) {
 		RenderingServer::get_singleton()->instance_set_visible(_instance, false);
-		RenderingServer::get_singleton()->instance_set_scenario(_instance, RID()); // that world may go
+		RenderingServer::get_singleton()->instance_set_scenario(_instance, RID()); // so that its world can be freed
 	}
 	_shown = false;
 }

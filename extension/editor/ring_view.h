@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The brush's ring in the 3D editor's views: an instance in the renderer and no node, so it never gets into a scene.
+// The brush's ring in the editor's 3D views: an instance in the renderer instead of a node, so it never becomes part of a scene.
 #pragma once
 
 #include "editor/ground_picker.h"
@@ -18,13 +18,13 @@ public:
 	~RingView() { free(); }
 
 	struct Look {
-		double radius, hardness; // metres; share of it, where a fainter ring shows that the full effect ends
+		double radius, hardness; // metres; share of the radius, where a fainter ring marks the end of the full effect
 		godot::Color color;
-		double strength = 0.0; // of one touch, which a veil shows place by place; 0: none
+		double strength = 0.0; // of one touch, shown by a veil place by place; 0: none
 		MapShape shape = {}; // of the touch
 	};
 
-	// Around p_centre. Lies on the ground, as wide as seen by p_camera.
+	// Shows the ring around p_centre, on the ground, with a width for the view of p_camera.
 	void show(const PaintedFields &p_painted, const godot::Camera3D *p_camera, const GroundPoint &p_centre, const Look &p_look);
 	void hide();
 	bool is_shown() const { return _shown; }

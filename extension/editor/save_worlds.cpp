@@ -20,7 +20,7 @@ void warn(const String &p_text) {
 } // namespace
 
 void save_world(GrassWorld &r_world) {
-	r_world.wait_for_files(); // plots that just left memory
+	r_world.wait_for_files(); // including plots that have just left memory
 	if (!r_world.has_unsaved()) {
 		return;
 	}

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What was painted on the plots of a world, written with its scene.
+// Writes what was painted on the plots of a world when its scene is saved.
 #pragma once
 
 namespace grass {
 
 class GrassWorld;
 
-// Call it right after its scene was saved. Returns once the files are written; reports those that cannot be.
+// Must be called right after its scene was saved. Returns once the files are written; reports those that cannot be written.
 void save_world(GrassWorld &r_world);
 
 } // namespace grass

@@ -18,7 +18,7 @@ namespace grass {
 
 namespace {
 
-constexpr double STEP = 0.01; // of sizes, metres, unless the editor snaps
+constexpr double STEP = 0.01; // rounding of sizes, metres, unless the editor snaps
 const Color BORDER(0.56f, 0.94f, 0.59f);
 
 GrassField *field_of(const Ref<EditorNode3DGizmo> &p_gizmo) {
@@ -42,7 +42,7 @@ bool SizeHandles::_has_gizmo(Node3D *p_node) const {
 	return Object::cast_to<GrassField>(p_node) != nullptr;
 }
 
-// The gizmo follows the node, scale and all; the field has none.
+// The gizmo has the node's transform with its scale; the field ignores scale.
 void SizeHandles::_redraw(const Ref<EditorNode3DGizmo> &p_gizmo) {
 	p_gizmo->clear();
 	const GrassField *field = field_of(p_gizmo);
@@ -74,7 +74,7 @@ Variant SizeHandles::_get_handle_value(const Ref<EditorNode3DGizmo> &p_gizmo, in
 	return field == nullptr ? Vector2() : field->get_size();
 }
 
-// Both sides move: the map counts from the centre, so what was painted stays where it is.
+// Both sides move, since the map is relative to the centre: what was painted stays where it is.
 void SizeHandles::_set_handle(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t p_handle, bool, Camera3D *p_camera, const Vector2 &p_mouse) {
 	GrassField *field = field_of(p_gizmo);
 	if (field == nullptr || p_camera == nullptr) {
@@ -85,7 +85,7 @@ void SizeHandles::_set_handle(const Ref<EditorNode3DGizmo> &p_gizmo, int32_t p_h
 	const auto place = drag_along(axis, to_field * to_eigen(p_camera->project_ray_origin(p_mouse)),
 			to_field.linear() * to_eigen(p_camera->project_ray_normal(p_mouse)));
 	const double size = place ? snapped(2.0 * *place) : 0.0;
-	if (size > 0.0) { // a handle that is dragged past the centre stays
+	if (size > 0.0) { // a handle dragged past the centre has no effect
 		Vector2 changed = field->get_size();
 		(p_handle < 2 ? changed.x : changed.y) = real_t(size);
 		field->set_size(changed);

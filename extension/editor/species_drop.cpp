@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-// What may hold a species or a picture: a scene is not loaded because somebody drags it over the toolbar.
+// File types that may contain a species or a picture: dragging a scene over the toolbar must not load it.
 constexpr const char *TAKEN[] = { ".tres", ".res", ".png", ".jpg", ".jpeg", ".webp", ".svg", ".exr", ".tga", ".bmp" };
 
 bool may_be_taken(const String &p_file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is dragged onto the toolbar, species and pictures: from the file dock, or from another resource in the inspector.
+// Species and pictures that are dragged onto the toolbar, from the file dock or from another resource in the inspector.
 #pragma once
 
 #include "resources/grass_species.h"
@@ -9,9 +9,9 @@
 
 namespace grass {
 
-// p_dragged: as the editor's docks give it. Empty: something else is dragged.
+// p_dragged: as the editor's docks provide it. Empty: something else is dragged.
 godot::TypedArray<GrassSpecies> find_dragged_species(const godot::Variant &p_dragged);
-// One picture alone, for a stamp; null: something else is dragged.
+// Returns a single picture, for a stamp; null: something else is dragged.
 godot::Ref<godot::Texture2D> find_dragged_picture(const godot::Variant &p_dragged);
 
 } // namespace grass

@@ -14,13 +14,13 @@ namespace grass {
 
 namespace {
 
-// In the editor's unscaled pixels: a picture's side, an item's width, the room between two, the room around all.
+// In the editor's unscaled pixels: side of a picture, width of an item, gap between two, margin around all.
 constexpr int PICTURE = 40, COLUMN = 68, BETWEEN = 8, AROUND = 24;
 constexpr char TOOLTIP[] = "The species to plant: click one, or Ctrl + Shift + [ and ].\nDrop a GrassSpecies here, for example a preset, "
 						   "and the field grows it, too.";
 constexpr char NO_SPECIES_TOOLTIP[] = "The field has no species to plant. Drop one here, or add entries to its `species`.";
 
-// A strip of each, side by side.
+// Returns strips of all pictures, side by side.
 Ref<Image> mix_of(const std::vector<Ref<Image>> &p_pictures, int p_side) {
 	Ref<Image> mix = Image::create_empty(p_side, p_side, false, Image::FORMAT_RGBA8);
 	const int count = int(p_pictures.size());
@@ -38,7 +38,7 @@ SpeciesPalette::SpeciesPalette() {
 	set_focus_mode(FOCUS_NONE); // keys stay with the view
 	set_icon_mode(ICON_MODE_TOP);
 	set_fixed_icon_size(Vector2i(PICTURE, PICTURE) * scale);
-	set_fixed_column_width(COLUMN * scale); // names may be of any length
+	set_fixed_column_width(COLUMN * scale); // names may have any length
 	set_max_columns(GRASS_MAX_SPECIES + 1); // one row
 	set_auto_height(true);
 }

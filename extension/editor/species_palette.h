@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The species that the brush plants, picked by picture and name from those of the selected field.
+// The species that the brush plants, selected by picture and name from those of the selected field.
 #pragma once
 
 #include "nodes/grass_field.h"
@@ -11,18 +11,18 @@
 
 namespace grass {
 
-// An item's index is the number that GrassBrush.species has for it: 0 as the species are mixed, n the n-th one.
+// An item's index is its number in GrassBrush.species: 0 for the mix of species, n for the n-th species.
 class SpeciesPalette : public godot::ItemList {
 	GDCLASS(SpeciesPalette, godot::ItemList)
 
 public:
 	SpeciesPalette();
 
-	// Offers the field's species. Cheap if they did not change: species notify only their field of that.
+	// Offers the field's species. Cheap if they did not change; called often, since species notify only their field of changes.
 	void show_field(const GrassField *p_field);
 	int get_count() const { return int(_entries.size()); } // of species
 	void show_species(int64_t p_species);
-	// The species to plant on this field: p_species if the user has chosen it and the field has it, else the first.
+	// Returns the species to plant on this field: p_species if the user has chosen it and the field has it, otherwise the first.
 	int64_t fitting(int64_t p_species);
 	void set_chosen() { _is_chosen = true; }
 
@@ -32,9 +32,9 @@ protected:
 private:
 	struct Entry {
 		godot::String name;
-		godot::Ref<GrassSpecies> species; // null: an empty place
-		std::vector<godot::Ref<godot::Image>> card; // and the leaf
-		std::vector<double> look; // all else that its picture shows
+		godot::Ref<GrassSpecies> species; // null: an empty entry
+		std::vector<godot::Ref<godot::Image>> card; // including the leaf
+		std::vector<double> look; // everything else that its picture shows
 		bool operator==(const Entry &) const = default;
 	};
 

@@ -9,7 +9,7 @@
 
 namespace grass {
 
-// p_look: of the species. Clear where no blade is.
+// p_look: of the species. Transparent where there is no blade.
 godot::Ref<godot::Image> draw_picture(const GrassSpecies &p_species, const SpeciesLook &p_look, int p_side);
 
 class SpeciesPreview : public godot::EditorResourcePreviewGenerator {
@@ -18,7 +18,7 @@ class SpeciesPreview : public godot::EditorResourcePreviewGenerator {
 public:
 	bool _handles(const godot::String &p_type) const override;
 	bool _generate_small_preview_automatically() const override { return true; }
-	// Runs on a thread of the editor's.
+	// Runs on one of the editor's threads.
 	godot::Ref<godot::Texture2D> _generate(const godot::Ref<godot::Resource> &p_resource, const godot::Vector2i &p_size,
 			const godot::Dictionary &p_metadata) const override;
 

@@ -13,7 +13,7 @@ struct ToolInfo {
 	GrassBrush::Tool tool;
 	const char *icon; // SVG
 	const char *tooltip;
-	const char *target; // what the tool's number is called; null: it has none
+	const char *target; // name of the tool's number; null: it has none
 	float red, green, blue; // of the ring
 };
 

@@ -23,7 +23,7 @@ protected:
 	static void _bind_methods();
 
 private:
-	GrassField *find_field(const godot::Vector2 &p_place) const; // the nearest one of the edited scene there, or null
+	GrassField *find_field(const godot::Vector2 &p_place) const; // the nearest field of the edited scene at that place, or null
 
 	int32_t _view = 0;
 };
