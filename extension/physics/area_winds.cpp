@@ -20,7 +20,7 @@ const Area3D *find_area(uint64_t p_id) {
 	return area != nullptr && area->is_inside_tree() ? area : nullptr;
 }
 
-// A box around its shapes, global; empty without any that has an inside.
+// Returns a box around its shapes, global; empty if none has an inside.
 Eigen::AlignedBox3d bounds_of(const Area3D &p_area) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const RID rid = p_area.get_rid();
@@ -39,7 +39,7 @@ Eigen::AlignedBox3d bounds_of(const Area3D &p_area) {
 	return bounds;
 }
 
-// Of an area with a wind; of no speed else.
+// Returns the force of an area with wind; without wind its speed is 0.
 Force force_of(const Area3D &p_area) {
 	Force force;
 	force.kind = ForceKind::WIND;
@@ -53,7 +53,7 @@ Force force_of(const Area3D &p_area) {
 	force.place = bounds.center();
 	force.radius = 0.5 * bounds.diagonal().norm();
 	force.direction = to_eigen(-source->get_global_transform().basis.get_column(2));
-	// As soft bodies take it: by the way from the source along the wind.
+	// As soft bodies compute it: by the distance from the source along the wind.
 	const double way = std::max(force.direction.normalized().dot(force.place - to_eigen(source->get_global_position())), 0.0);
 	force.speed = p_area.get_wind_force_magnitude() / std::pow(1.0 + way, double(p_area.get_wind_attenuation_factor()));
 	return force;

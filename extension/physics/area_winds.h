@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wind of Area3D nodes, which Godot made for soft bodies, as forces.
+// The wind of Area3D nodes, which Godot has for soft bodies, as forces.
 #pragma once
 
 #include "core/blades/force.h"
@@ -13,9 +13,10 @@ namespace grass {
 
 class AreaWinds {
 public:
-	// Call it when a shape of an area enters or leaves the field's box, as PhysicsServer3D.area_set_area_monitor_callback reports it.
+	// Must be called when a shape of an area enters or leaves the field's box, as PhysicsServer3D.area_set_area_monitor_callback reports
+	// it.
 	void area_changed(int64_t p_status, int64_t p_instance_id);
-	// Advances by a tick: winds rise while they are known.
+	// Advances by a tick: winds rise while they are in the box.
 	void pass(double p_delta);
 	void clear() { _areas.clear(); }
 	bool is_empty() const { return _areas.empty(); }
@@ -25,9 +26,9 @@ public:
 private:
 	struct Known {
 		int overlaps = 0;
-		double age = 0.0; // seconds since its wind blows
+		double age = 0.0; // seconds since its wind began
 	};
-	std::map<uint64_t, Known> _areas; // by id
+	std::map<uint64_t, Known> _areas; // by instance id
 };
 
 } // namespace grass

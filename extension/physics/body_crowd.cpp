@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How BodyTracker follows a crowd: plain bodies need nothing but their own memory and their pose, so that several threads read them at once
+// How BodyTracker follows a crowd: plain bodies need only their own memory and their pose, so several threads read them at once
 // (docs/decisions/0048-crowds-on-all-threads.md).
 #include "physics/body_tracker.h"
 
@@ -14,15 +14,15 @@ namespace grass {
 
 namespace {
 
-// Bodies that move, from which on other threads help. Fewer: waking them takes longer than they save.
+// The least number of moving bodies for which other threads help. Fewer: waking the threads takes longer than they save.
 constexpr size_t CROWD = 256;
-// Bodies from the one at hand to that whose memory is fetched next: as long as a fetch takes.
+// How many bodies ahead memory is fetched: as many as are processed during a fetch.
 constexpr size_t FETCH_AHEAD = 4;
 
-// p_bytes from p_place on.
+// Prefetches p_bytes from p_place on.
 void prefetch(const void *p_place, size_t p_bytes) {
 #ifdef __GNUC__
-	constexpr size_t LINE = 64; // of the cache
+	constexpr size_t LINE = 64; // of a cache line
 	for (size_t i = 0; i < p_bytes; i += LINE) {
 		__builtin_prefetch(static_cast<const char *>(p_place) + i);
 	}
@@ -38,7 +38,7 @@ bool BodyTracker::is_odd(const TrackedShape &p_shape) {
 	return p_shape.is_bound || p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP;
 }
 
-// As the last look found it: it moves as its velocity says, and has shapes, none of them one to be warned of.
+// According to the last look: it moves as its velocity says, and has shapes, none of which needs a warning.
 bool BodyTracker::is_plain(const Body &p_body) {
 	return p_body.is_driven && p_body.has_before && p_body.is_written && !p_body.shapes.empty() &&
 			std::ranges::none_of(p_body.shapes, is_odd);
@@ -48,7 +48,7 @@ bool BodyTracker::is_plain_now(const Body &p_body) {
 	return p_body.is_plain && !p_body.is_asleep && p_body.overlaps > 0 && p_body.next_look > 0;
 }
 
-// It keeps as many colliders as it has, since its shapes are not looked at.
+// Reserves places for as many colliders as it has, since its shapes are not checked.
 void BodyTracker::join_crowd(Body &r_body, const Following &p_following) {
 	_crowd.push_back({ &r_body, p_following.stamps });
 	p_following.stamps += r_body.colliders;
@@ -125,14 +125,14 @@ void BodyTracker::drop_lost(std::vector<ColliderShape> &r_colliders) {
 	}
 }
 
-// What the walk over the line reads of body p_index. The memory of a crowd is more than the caches hold.
+// Prefetches what the walk over the line reads of body p_index. The memory of a crowd exceeds the caches.
 void BodyTracker::fetch_head(size_t p_index) const {
 	if (const size_t far = p_index + 4 * FETCH_AHEAD; far < _line.size()) {
 		prefetch(_line[far], offsetof(Body, world_before));
 	}
 }
 
-// What following body p_index of the crowd reads, from pointer to pointer: each of them farther ahead than what it points to.
+// Prefetches what following body p_index of the crowd reads, pointer by pointer: each pointer farther ahead than what it points to.
 void BodyTracker::fetch_ahead(size_t p_index, size_t p_end, const std::vector<ColliderShape> &p_colliders) const {
 	if (const size_t far = p_index + 3 * FETCH_AHEAD; far < p_end) {
 		prefetch(_crowd[far].body, offsetof(Body, rid));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How BodyTracker reads a body's shapes and makes colliders of them. Calls into the engine are most of what a body costs.
+// How BodyTracker reads a body's shapes and makes colliders of them. Calls into the engine are most of a body's cost.
 #include "physics/body_tracker.h"
 
 #include "shared/convert.h"
@@ -22,22 +22,23 @@ namespace {
 // Blades slide along bodies more easily than bodies along each other: a share of the body's own friction.
 constexpr double BLADE_FRICTION = 0.5;
 
-// Ticks from one look at a body's shapes to the next, and looks in every tick after one that found a change. More: the
-// grass notices a change later.
+// Ticks between checks of a body's shapes, and number of checks in every tick after one that found a change. More: the grass notices a
+// change later.
 constexpr int LOOK_EVERY = 8, LIVELY_LOOKS = 60;
-// Looks in a tick, about: a crowd is looked at less often, a body of 5,000 every 79 ticks. More: these calls are what a crowd costs.
+// Approximate number of checks in a tick: in a crowd each body is checked less often, in one of 5,000 every 79 ticks. More: a crowd costs
+// more, since these calls are its cost.
 constexpr size_t LOOKS_A_TICK = 64;
-// Looks from one at everything to the next: at friction, and at which shapes are disabled. Where such a shape touches grass,
-// the server notifies, too: an overlap begins or ends.
+// Checks between two checks of everything, including friction and disabled shapes. If such a shape touches grass, the server also notifies:
+// an overlap begins or ends.
 constexpr int LOOK_AT_ALL_EVERY = 2;
 
-// Whether its velocity moves it. Kinematic bodies have a velocity, too, but it follows from the places where they were put.
+// Returns whether its velocity moves it. Kinematic bodies have a velocity too, but it follows from the places where they were put.
 bool is_driven_by_velocity(int64_t p_mode) {
 	return p_mode == PhysicsServer3D::BODY_MODE_RIGID || p_mode == PhysicsServer3D::BODY_MODE_RIGID_LINEAR;
 }
 
-// Which of a node's shapes are disabled, one bit a shape. Shapes that were added in the physics server itself have no
-// owner in the node, and are enabled.
+// Returns which of a node's shapes are disabled, one bit for each shape. Shapes added directly in the physics server have no owner in the
+// node, and are enabled.
 std::vector<bool> find_disabled(const CollisionObject3D *p_node, int32_t p_count, int64_t &r_calls) {
 	std::vector<bool> disabled(size_t(p_count), false);
 	const PackedInt32Array owners = const_cast<CollisionObject3D *>(p_node)->get_shape_owners();
@@ -63,7 +64,7 @@ int BodyTracker::look_every(size_t p_bodies) {
 	return std::max(LOOK_EVERY, int((p_bodies + LOOKS_A_TICK - 1) / LOOKS_A_TICK));
 }
 
-// Checks now and then what kind of body it is. Returns whether its shapes are due for a look, too.
+// Checks from time to time what kind of body it is. Returns whether its shapes are due for a check too.
 bool BodyTracker::look(Body &r_body) {
 	if (r_body.next_look-- > 0) {
 		return false;
@@ -73,17 +74,17 @@ bool BodyTracker::look(Body &r_body) {
 	r_body.is_driven = is_driven_by_velocity(mode);
 	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
 			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
-	// A frozen RigidBody3D is no ground.
+	// A frozen RigidBody3D is not ground.
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
 			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
-	// Spreads the looks at bodies that came together over the ticks.
+	// Spreads the checks of bodies that appeared together over the ticks.
 	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % _look_every);
 	r_body.next_look = _look_every - 1 + phase;
 	return true;
 }
 
-// Nothing is asked of a body that sleeps, but now and then whether it was put elsewhere: the server does not wake it for that. When it
-// wakes its node emits a signal, as it does where its shapes change.
+// A sleeping body is not queried, except from time to time whether it was moved, since the server does not wake it then. When it wakes, its
+// node emits a signal, as it does when its shapes change.
 void BodyTracker::follow_sleep(Body &r_body, const Transform3D &p_world, bool p_is_due) {
 	const bool has_stood = r_body.has_before && p_world == r_body.world_before;
 	if (r_body.is_asleep) {
@@ -98,7 +99,7 @@ void BodyTracker::follow_sleep(Body &r_body, const Transform3D &p_world, bool p_
 	r_body.next_read = _look_every - 1;
 }
 
-// Only nodes tell of it, not the server.
+// Listens to the node, since the server does not report it.
 void BodyTracker::watch_sleep(Body &r_body, bool p_watch) {
 	if (r_body.is_watched == p_watch) {
 		return;
@@ -124,7 +125,7 @@ void BodyTracker::look_at_shapes(Body &r_body) {
 	r_body.next_look = r_body.lively_looks > 0 ? 0 : r_body.next_look;
 }
 
-// What changes seldom, and not with the shapes themselves.
+// Reads what seldom changes, and does not change with the shapes themselves.
 void BodyTracker::read_traits(Body &r_body, int32_t p_count) {
 	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(ObjectDB::get_instance(r_body.instance_id));
 	const double friction = PhysicsServer3D::get_singleton()->body_get_param(r_body.rid, PhysicsServer3D::BODY_PARAM_FRICTION);
@@ -162,7 +163,7 @@ bool BodyTracker::read_shapes(Body &r_body) {
 		if (is_enabled && shape.is_simplified) {
 			warn_of(r_body, shape);
 		}
-		if (!is_same) { // pieces that are ready are no change of the game's
+		if (!is_same) { // a split into pieces is not a change by the game
 			has_changed = true;
 			r_body.next_look_at_all = 0;
 		}
@@ -178,7 +179,7 @@ bool BodyTracker::read_shapes(Body &r_body) {
 	return has_changed;
 }
 
-// As large as the body and its shape's place in it make it, or mirrored.
+// Scales and mirrors the part as the body, and the shape's transform in it, require.
 void BodyTracker::fit_part(const Body &p_body, ShapePart &r_part) {
 	r_part.has_pose = false;
 	r_part.collider = r_part.shape;
@@ -186,7 +187,7 @@ void BodyTracker::fit_part(const Body &p_body, ShapePart &r_part) {
 	r_part.collider.friction = p_body.friction;
 }
 
-// The scale of the body itself, which its pose in every tick tells.
+// Updates the scale of the body itself, which its pose contains in every tick.
 void BodyTracker::fit_scale(Body &r_body, const Eigen::Affine3d &p_now) {
 	constexpr double SAME_SCALE = 1e-4;
 	const Eigen::Vector3d scale = ColliderShape::scale_of(p_now.linear());
@@ -202,7 +203,7 @@ void BodyTracker::fit_scale(Body &r_body, const Eigen::Affine3d &p_now) {
 	}
 }
 
-// Once a field and kind: the user may expect a body that moves to bend grass, and by its own form.
+// Warns once for each field and kind: the user may expect that a moving body bends grass, and with its own form.
 void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
 	bool &has_warned = _has_warned[p_shape.type == PhysicsServer3D::SHAPE_HEIGHTMAP ? 0 : p_shape.is_bound ? 1 : 2];
 	if (has_warned) {
@@ -216,7 +217,7 @@ void BodyTracker::warn_of(const Body &p_body, const TrackedShape &p_shape) {
 	}
 }
 
-// All shapes that are enabled, at the places from first_collider on. Those far from the grass find no tile.
+// Writes all enabled shapes to the places from first_collider on. Those far from the grass meet no tile.
 void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
 	const bool stands_still = r_body.before.matrix() == p_now.matrix();
 	if (stands_still && r_body.is_written_still && !r_body.was_put) {
@@ -236,7 +237,7 @@ void BodyTracker::write_shapes(Body &r_body, const Eigen::Affine3d &p_now, const
 			if (next == p_following.colliders.size()) {
 				p_following.colliders.emplace_back();
 			}
-			ColliderShape &collider = p_following.colliders[next++]; // keeps the memory of what was there
+			ColliderShape &collider = p_following.colliders[next++]; // reuses the memory of the old collider
 			if (!r_body.is_written) {
 				collider = part.collider;
 				collider.owner = r_body.instance_id;

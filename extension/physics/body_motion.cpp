@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How BodyTracker tells what a body did in a tick, motion, or a place that it was put at, and in which ticks it looks.
+// How BodyTracker tells motion from being put somewhere, and in which ticks it checks a body.
 #include "physics/body_tracker.h"
 
 #include "shared/convert.h"
@@ -14,26 +14,27 @@ using namespace godot;
 
 namespace grass {
 
-// Ticks after which a static body that moved is ground again.
+// Ticks without motion after which a static body is ground again.
 constexpr int STILL_TICKS = 120;
 
-// How far a body that rides with a field may be from where it was in it: metres, and as much a metre from its middle.
+// How far a body carried by a field may deviate from its place in the field: metres, plus the same for each metre from its centre.
 constexpr double RIDES_WITHIN = 1e-3;
 
-// Whether it stands where it stood in the field.
+// Returns whether it is where it was in the field.
 bool BodyTracker::rides(const Body &p_body, const Eigen::Affine3d &p_now) {
 	return (p_now.matrix() - p_body.before.matrix()).norm() < RIDES_WITHIN;
 }
 
-// Nodes tell the server late where they are, and it moves kinematic bodies later still. What rides with a field is therefore a tick behind
-// it: where it was beside the field of the tick before. As long as the field has just begun to move, that holds for all that does not yet.
+// Nodes report their place to the server late, and the server moves kinematic bodies later still. So a body carried by a field is one tick
+// behind: it is where it was relative to the field of the tick before. If the field has just begun to move, this holds for every body that
+// does not move yet.
 bool BodyTracker::follows_late(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) {
 	return p_field.has_moved && p_body.has_before && !p_body.is_driven && (p_field.has_begun || p_world != p_body.world_before) &&
 			rides(p_body, p_field.from_world_before * to_eigen(p_world));
 }
 
-// In field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
-// kinematic bodies in it) are where they were beside the field, not far away from it.
+// Returns the pose in field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
+// kinematic bodies in it) keep their place in the field, instead of being far away.
 Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) const {
 	const Eigen::Affine3d world = to_eigen(p_world);
 	const Eigen::Affine3d now = p_field.from_world * world;
@@ -48,14 +49,15 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
 }
 
-// In the world, metres per second. A kinematic body's follows from the places where it was put, teleports included.
+// Returns the velocity in the world, metres per second. A kinematic body's velocity follows from the places where it was put, including
+// teleports.
 Eigen::Vector3d BodyTracker::server_velocity(const Body &p_body, BodyReads &r_reads) {
 	r_reads.engine_calls++;
 	return to_eigen(p_body.state->get_linear_velocity());
 }
 
-// The velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between what a character wanted
-// and what it could do.
+// Returns the velocity that moves it, in the world; zero if unknown. p_motion: its motion in this tick, to choose between the velocity that
+// a character wanted and the one that was possible.
 Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion, BodyReads &r_reads) {
 	if (p_body.is_driven) {
 		return server_velocity(p_body, r_reads);
@@ -70,13 +72,13 @@ Eigen::Vector3d BodyTracker::own_velocity(const Body &p_body, const Eigen::Vecto
 	return (real - p_motion).norm() < (wanted - p_motion).norm() ? real : wanted;
 }
 
-// Removes motion that was done to the body in this tick and not by it, and adds what it did before it was known.
+// Removes motion that was done to the body in this tick rather than by it, and adds what it did before it was known.
 void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following) {
 	const MotionTick &tick = p_following.tick;
 	const FieldPose &field = p_following.field;
 	const Eigen::Matrix3d from_world = field.from_world.linear();
 	const Eigen::Vector3d now = p_now.translation(), place = to_eigen(r_body.world_before.origin);
-	// How what stands still passes a field that moves, metres per second.
+	// The velocity with which resting bodies pass a moving field, metres per second.
 	const Eigen::Vector3d passing = field.has_jumped
 			? Eigen::Vector3d(0, 0, 0)
 			: Eigen::Vector3d((field.from_world * place - field.from_world_before * place) / tick.delta);
@@ -120,8 +122,8 @@ void BodyTracker::judge_turn(Body &r_body, const Eigen::Affine3d &p_now, const F
 	}
 }
 
-// A static body bends grass from its first motion on, until it has stood still for a while. p_is_carried: the field
-// jumped and the body with it, in the same tick or the next: nodes pass on either to the server when they are updated.
+// Returns whether it is ground. A static body bends grass from its first motion on, until it has rested for a while. p_is_carried: the
+// field jumped together with the body, in the same tick or the next, since nodes pass their transform to the server when they are updated.
 bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_carried) const {
 	if (!r_body.is_static) {
 		r_body.still_ticks = 0;
@@ -137,7 +139,7 @@ bool BodyTracker::is_ground(Body &r_body, const Transform3D &p_world, bool p_is_
 	return r_body.still_ticks >= STILL_TICKS;
 }
 
-// Whether nothing can follow it: the pool, which is full, had no slot for any tile that it met.
+// Returns whether following it would have no effect: the full pool had no slot for any tile that it met.
 bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles) {
 	if (p_body.overlaps <= 0 || !p_body.is_written) {
 		return false;
@@ -152,17 +154,17 @@ bool BodyTracker::waits_for_slots(const Body &p_body, const TileManager &p_tiles
 	return has_met;
 }
 
-// Its colliders stay where it was read last, to be found there when there is a slot.
+// Leaves its colliders where it was last read, so that they are found there once there is a slot.
 void BodyTracker::wait(Body &r_body, const Following &p_following) {
 	r_body.waited++;
-	r_body.next_look = std::max(r_body.next_look - 1, 0); // falls asleep as soon as others
-	if (!r_body.is_written_still) { // else they lie there, and no more of the body is read
+	r_body.next_look = std::max(r_body.next_look - 1, 0); // it falls asleep as soon as others
+	if (!r_body.is_written_still) { // otherwise they are there, and nothing more of the body is read
 		r_body.was_put = false;
 		write_shapes(r_body, r_body.before, p_following);
 	}
 }
 
-// What it did while it waited bends nothing: its way in this tick begins where it was a tick ago if it went evenly.
+// Motion while it waited bends nothing: its path in this tick begins where an even motion would have put it a tick ago.
 void BodyTracker::catch_up(Body &r_body, const Eigen::Affine3d &p_now) {
 	const Eigen::Vector3d way = p_now.translation() - r_body.before.translation();
 	r_body.before.translation() += way * (double(r_body.waited) / double(r_body.waited + 1));

@@ -16,15 +16,15 @@ namespace grass {
 
 namespace {
 
-// A field that goes farther in a tick jumps, and the bodies in it may follow a tick late. Metres.
+// A field that moves farther in a tick jumps, and the bodies in it may follow a tick late. Metres.
 constexpr double FIELD_JUMP = 2.0;
-// The server reports bodies that overlap the watched box at the end of a tick. It reaches so far beyond the grass that every body
-// up to this speed is in it at least once on its way, however small the field. Metres per second. Slower: faster bodies
-// fly through small fields unseen. Faster: more bodies to look at.
+// The server reports bodies that overlap the watched box at the end of a tick. The box extends so far beyond the grass that every body up
+// to this speed is inside it at least once on its way, however small the field. Metres per second. Slower: faster bodies fly through small
+// fields unseen. Faster: more bodies to check.
 constexpr double FASTEST = 600.0;
-// It reaches this far at least, since bodies are reported a tick late. Metres.
+// The least extension of the box, since bodies are reported a tick late. Metres.
 constexpr double APPROACH_MIN = 3.0;
-// For so many ticks after a jump of the field, bodies that the server reports as gone are kept: kinematic ones follow late.
+// Ticks after a jump of the field for which bodies that the server reports as gone are kept, since kinematic ones follow late.
 constexpr int JUMP_TICKS = 6;
 
 } // namespace
@@ -52,7 +52,7 @@ void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_
 		return;
 	}
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	// Never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
+	// It never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
 	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
 	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
 	if (_box_extents != extents) {
@@ -91,8 +91,8 @@ void BodyTracker::stop() {
 	_woke = Callable();
 }
 
-// Counts overlaps without regard to the shape: indices shift when shapes come and go, and the server reports the end of
-// an overlap under the old index.
+// Counts overlaps regardless of the shape: indices shift when shapes are added or removed, and the server reports the end of an overlap
+// with the old index.
 void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
 	const uint64_t key = uint64_t(p_body.get_id());
 	auto found = _bodies.find(key);
@@ -130,7 +130,7 @@ int64_t BodyTracker::body_count() const {
 	return std::count_if(_bodies.begin(), _bodies.end(), [](const auto &p_entry) { return p_entry.second.overlaps > 0; });
 }
 
-// False once the body is freed: it may stay listed until the server's next report.
+// Returns false once the body is freed: it may stay listed until the server's next report.
 bool BodyTracker::find_state(Body &r_body, BodyReads &r_reads) {
 	if (r_body.state_id == 0) {
 		r_reads.engine_calls += 3;
@@ -145,7 +145,7 @@ bool BodyTracker::find_state(Body &r_body, BodyReads &r_reads) {
 	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
 }
 
-// One that moves is kept for two ticks more: it passed grass on its way out, or was reported only when it had passed all of it.
+// A moving body is kept for two more ticks: it passed grass on its way out, or was reported only after it had passed all of it.
 bool BodyTracker::has_left(Body &r_body) const {
 	r_body.left_for = r_body.overlaps > 0 ? 0 : r_body.left_for + 1;
 	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
@@ -161,7 +161,7 @@ void BodyTracker::line_up() {
 	}
 }
 
-// The next places are its own. Colliders of it that lie elsewhere must be written again.
+// Gives it the next places. If its colliders are elsewhere, they must be written again.
 void BodyTracker::place(Body &r_body) const {
 	if (r_body.first_collider != _written) {
 		r_body.is_written = r_body.is_written_still = false;
@@ -169,14 +169,14 @@ void BodyTracker::place(Body &r_body) const {
 	}
 }
 
-// A body that is where it was: whether all else is as it was, too. Its colliders then lie ready.
+// For a body that is where it was: returns whether everything else is as it was too. Its colliders are valid then.
 bool BodyTracker::keep_at_rest(Body &r_body, const FieldPose &p_field) {
 	const bool is_kept = r_body.is_at_rest && r_body.overlaps > 0 && r_body.is_written_still && !p_field.has_moved;
-	r_body.waited = is_kept ? 0 : r_body.waited; // it went nowhere meanwhile
+	r_body.waited = is_kept ? 0 : r_body.waited; // it has not moved meanwhile
 	return is_kept;
 }
 
-// Where it is now, and what it did since the last tick.
+// Computes where the field is now, and how it moved since the last tick.
 BodyTracker::FieldPose BodyTracker::pose_field(const Transform3D &p_field) {
 	FieldPose field;
 	field.from_world = to_eigen(p_field).inverse(Eigen::Isometry);
@@ -217,7 +217,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 	}
 }
 
-// Gives its colliders their places, and follows it, but for a plain one, which the crowd follows.
+// Gives its colliders their places, and follows it, unless it is plain: the crowd follows those.
 void BodyTracker::visit(Body &r_body, const TileManager &p_tiles, const Following &p_following) {
 	const FieldPose &field = p_following.field;
 	if (r_body.is_asleep && r_body.overlaps > 0 && !field.has_moved && r_body.next_read-- > 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the physics bodies in a field, with nothing set up by the user: an area in the physics server reports
-// which bodies overlap the field; every tick their shapes and poses become colliders.
+// Finds the physics bodies in a field, without any setup by the user: an area in the physics server reports which bodies overlap the field,
+// and in every tick their shapes and poses become colliders.
 #pragma once
 
 #include "core/base/parallel_for.h"
@@ -28,15 +28,14 @@ class BodyTracker {
 public:
 	~BodyTracker() { stop(); }
 
-	// Watches a box, see set_box(). p_changed is called with the five arguments of
-	// PhysicsServer3D.area_set_monitor_callback, and must pass the first three to body_changed(). p_woke is called with the id of a
-	// body's RID, and must pass it to body_woke().
-	// p_area_changed: of areas, with the arguments of area_set_area_monitor_callback.
-	// p_carriers: instance ids of nodes that carry the field. Their bodies are its ground.
+	// Starts to watch a box, see set_box(). p_changed is called with the five arguments of PhysicsServer3D.area_set_monitor_callback, and
+	// must pass the first three to body_changed(). p_woke is called with the id of a body's RID, and must pass it to body_woke().
+	// p_area_changed: the same for areas, with the arguments of area_set_area_monitor_callback. p_carriers: instance ids of nodes that
+	// carry the field. Their bodies are its ground.
 	void start(const godot::RID &p_space, const godot::Callable &p_changed, const godot::Callable &p_area_changed,
 			const godot::Callable &p_woke, uint32_t p_mask, std::vector<uint64_t> &&p_carriers);
-	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time.
-	// p_delta: seconds of a tick.
+	// Watches p_half_extents (metres) around p_transform, and some metres more, so that fast bodies are known in time. p_delta: seconds of
+	// a tick.
 	void set_box(const godot::Transform3D &p_transform, const godot::Vector3 &p_half_extents, double p_delta);
 	void set_mask(uint32_t p_mask);
 	// Returns true if a node carries the field.
@@ -44,18 +43,18 @@ public:
 	void stop();
 
 	void body_changed(int64_t p_status, const godot::RID &p_body, int64_t p_instance_id);
-	// Call it when the physics server puts a body to sleep or wakes it.
+	// Must be called when the physics server puts a body to sleep or wakes it.
 	void body_woke(int64_t p_body);
 	// Fills r_colliders with every shape that may touch grass in this tick, posed in the field's space. Pass the r_colliders of the last
-	// call unchanged: for bodies that stand still nothing is written again. p_field: the field's transform (orthonormal); the tracker sets
-	// p_tick.watched itself. p_tiles: the field's tiles, as they received these colliders in the tick before. p_parallel_for reads
-	// crowds, with the same result; its threads call the physics server.
+	// call unchanged: those of resting bodies are not written again. p_field: the field's transform (orthonormal); the tracker sets
+	// p_tick.watched itself. p_tiles: the field's tiles, as they received these colliders in the tick before. p_parallel_for reads crowds,
+	// with the same result; its threads call the physics server.
 	void collect(const godot::Transform3D &p_field, const MotionTick &p_tick, const TileManager &p_tiles, const ParallelFor &p_parallel_for,
 			std::vector<ColliderShape> &r_colliders);
-	// Call it when time has passed without collect(): the way from the bodies' last positions is not motion then.
+	// Must be called when time has passed without collect(): the way from the bodies' last positions is not motion then.
 	void forget_motion();
 
-	// Drops bodies that left. Call it instead of collect() in ticks that are skipped.
+	// Drops bodies that left. Must be called instead of collect() in ticks that are skipped.
 	void forget_left();
 
 	// Returns true if so many bodies moved in this tick that threads are worth their cost.
@@ -67,45 +66,44 @@ public:
 	int64_t get_mesh_pieces() const { return _mesh_pieces; }
 
 private:
-	// Ticks from one read to the next of a body that waits for slots. More: it is noticed later once slots are free. Fewer: crowds cost
-	// more.
+	// Ticks between two reads of a body that waits for slots. More: it is noticed later once slots are free. Fewer: crowds cost more.
 	static constexpr int WAITING_TICKS = 8;
 
 	struct Body {
-		// First the members that a tick reads of a body that stands still.
-		bool is_asleep = false; // the server says so; it is not queried until its node reports a change
-		bool is_at_rest = false; // asleep or not: its next tick equals its last one, if it is where it was
+		// First the members that a tick reads of a resting body.
+		bool is_asleep = false; // according to the server; it is not queried until its node reports a change
+		bool is_at_rest = false; // asleep or not: its next tick equals its last one, if it has not moved
 		bool is_lost = false; // has left, or was freed
-		bool is_carrier = false; // of the field, and thus its ground, however it moves
-		bool is_plain = false; // until the next look only its pose is needed, and nothing that it shares with others
-		bool is_written = false, is_written_still = false; // its colliders lie at first_collider; with one pose
-		int next_read = 0; // ticks until the next check whether it was moved in its sleep
+		bool is_carrier = false; // carries the field, and thus is its ground, however it moves
+		bool is_plain = false; // until the next check only its pose is needed, and nothing that it shares with others
+		bool is_written = false, is_written_still = false; // its colliders are at first_collider; with a single pose
+		int next_read = 0; // ticks until the next check whether it was moved while asleep
 		int waited = 0; // ticks since it was last read, while the pool has no slot for a tile below it
-		int turn = 0; // the ticks in which it is read meanwhile
-		int next_look = 0, lively_looks = 0; // ticks to the next look; looks that follow in the very next tick
+		int turn = 0; // the ticks in which it is read while it waits
+		int next_look = 0, lively_looks = 0; // ticks until the next check; remaining checks in every tick
 		int left_for = 0; // ticks since its last shape left the area
-		int64_t overlaps = 0; // shapes of it that do
-		uint32_t first_collider = 0, colliders = 0; // where they lie, how many
+		int64_t overlaps = 0; // number of its shapes in the area
+		uint32_t first_collider = 0, colliders = 0; // index of the first, and number
 		int64_t mesh_pieces = 0; // of these
 		uint64_t state_id = 0; // of the server's state object, which has its pose and ends with the body
 		godot::PhysicsDirectBodyState3D *state = nullptr;
-		godot::Transform3D world_before; // in the last tick, in the world, for a field may move over ground that does not
+		godot::Transform3D world_before; // in the last tick; in the world, since a field may move over resting ground
 
 		// The members that a tick reads of a body that moves.
-		std::vector<TrackedShape> shapes; // as of the last look; none while it is ground
+		std::vector<TrackedShape> shapes; // from the last check; none while it is ground
 		Motion motion; // in field space
 		Eigen::Affine3d before = Eigen::Affine3d::Identity(); // in field space, in the last tick
-		Eigen::Vector3d scale = Eigen::Vector3d::Ones(); // its own, that its shapes have; negative where it mirrors
+		Eigen::Vector3d scale = Eigen::Vector3d::Ones(); // its own, which its shapes inherit; negative if it mirrors
 		bool has_before = false;
-		bool was_put = true; // since then: `before` is not where it was in the last tick
-		bool is_static = false; // ground, while it stands still
-		bool is_driven = false; // moves as its velocity says; a character's is in its node
+		bool was_put = true; // since then: `before` is not its place in the last tick
+		bool is_static = false; // ground while it rests
+		bool is_driven = false; // moves according to its velocity; a character's velocity is in its node
 		bool is_character = false;
-		int still_ticks = 0; // for which a static one has not moved; starts as ground
+		int still_ticks = 0; // without motion, of a static one; starts as ground
 		uint64_t instance_id = 0;
 
 		godot::RID rid;
-		int next_look_at_all = 0; // looks to the next one at everything
+		int next_look_at_all = 0; // checks until the next check of everything
 		double friction = 0.0; // of blades along it
 		std::vector<bool> disabled; // by shape
 		bool is_watched = false; // its node reports when it wakes
@@ -115,7 +113,7 @@ private:
 		Eigen::Affine3d from_world, from_world_before;
 		bool has_jumped = false;
 		bool has_moved = false; // since the tick before
-		bool has_begun = false; // it has, and stood still before
+		bool has_begun = false; // it has moved, and was at rest before
 	};
 
 	// The data that following a body reads and writes, besides the body.
@@ -124,7 +122,7 @@ private:
 		const MotionTick &tick;
 		std::vector<ColliderShape> &colliders;
 		BodyReads &reads;
-		uint64_t &stamps; // of colliders, given so far
+		uint64_t &stamps; // of colliders; number given so far
 	};
 	// A plain body whose colliders have their places in this tick.
 	struct Member {
@@ -180,7 +178,7 @@ private:
 	godot::RID _area, _box;
 	godot::Callable _woke;
 	godot::Transform3D _box_transform;
-	godot::Vector3 _box_extents; // with the approach
+	godot::Vector3 _box_extents; // including the approach
 	double _approach = 0.0; // metres
 	uint32_t _mask = 1;
 	std::vector<uint64_t> _carriers; // instance ids
@@ -191,13 +189,13 @@ private:
 	int64_t _mesh_pieces = 0; // in this tick
 	size_t _written = 0; // colliders in this tick that have their places
 	int _tick = 0; // calls of collect(), modulo WAITING_TICKS
-	uint64_t _stamps = 0; // of colliders, given so far
-	int _look_every = 0; // ticks from one look at a body to the next, in this tick
-	BodyReads _reads; // since it was made
+	uint64_t _stamps = 0; // of colliders; number given so far
+	int _look_every = 0; // ticks between two checks of a body, in this tick
+	BodyReads _reads; // since construction
 	std::map<uint64_t, Body> _bodies; // by the RID's id: the order of colliders is the same in every run
-	std::vector<Body *> _line; // the same in their order, since a walk through a map waits for each step; empty once some come or go
+	std::vector<Body *> _line; // the same in their order, since walking through a map waits for each step; empty once bodies come or go
 	std::vector<Member> _crowd; // of this tick: the plain ones that are read, in the order of the line
-	bool _has_lost = false; // one of them, in this tick
+	bool _has_lost = false; // one of them was lost in this tick
 };
 
 } // namespace grass

@@ -43,7 +43,7 @@ void BoneColliders::collect(const FieldReach &p_reach, const MotionTick &p_tick,
 		}
 	}
 	_count = int64_t(motions.size());
-	_motions.swap(motions); // of bones that are still there
+	_motions.swap(motions); // keeps those of bones that still exist
 }
 
 } // namespace grass

@@ -11,7 +11,7 @@ namespace grass {
 
 namespace {
 
-// One that a project brings along may expect the main thread.
+// A server that comes with a project may require the main thread.
 bool is_engines_own_server() {
 	static const bool is_own = [] {
 		const String engine = ProjectSettings::get_singleton()->get_setting("physics/3d/physics_engine", "DEFAULT");

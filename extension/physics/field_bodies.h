@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Collects what bends a field's grass as the colliders of a tick: bodies of the physics server and nodes that a game registered. Also
-// finds which of them are in the grass.
+// Collects everything that bends a field's grass as the colliders of a tick: bodies of the physics server, and nodes that a game
+// registered. Also finds which of them are in the grass.
 #pragma once
 
 #include "core/field/field.h"
@@ -26,17 +26,17 @@ public:
 	// Poses every collider for a tick of p_delta seconds of p_field, which is in p_world at p_transform (orthonormal).
 	void collect(const Field &p_field, const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_transform,
 			double p_teleport_speed, double p_delta);
-	// Adds the colliders that wake tiles for the forces of the tick. Call it after collect().
+	// Adds the colliders that wake tiles for the forces of the tick. Must be called after collect().
 	void add_forces(std::span<const Force> p_forces);
 	std::span<ColliderShape> get_colliders() { return _colliders; }
 	// Returns the threads that the rest of the tick runs on: many if a crowd moves.
 	ParallelFor get_parallel_for() const;
-	// Call it when time has passed without collect(): the way from the bodies' last positions is not motion then.
+	// Must be called when time has passed without collect(): the way from the bodies' last positions is not motion then.
 	void forget_motion();
 
-	// Returns the nodes that entered grass in this tick, and those that left it. Call it after the tick.
+	// Returns the nodes that entered grass in this tick, and those that left it. Must be called after the tick.
 	Visitors::Change update_visitors(const TileManager &p_tiles) { return _visitors.update(p_tiles, _colliders); }
-	// Call it when the field is removed. Returns the bodies that were in its grass.
+	// Must be called when the field is removed. Returns the bodies that were in its grass.
 	std::vector<uint64_t> leave() { return _visitors.leave(); }
 
 	int64_t get_count() const { return _tracker.body_count(); } // of the physics server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box in which a field looks for objects that may bend it, besides the bodies that the physics server reports.
+// The box in which a field looks for objects that may bend it, apart from the bodies that the physics server reports.
 #pragma once
 
 #include "core/bodies/body_shape.h"
@@ -20,7 +20,7 @@ struct FieldReach {
 			uint32_t p_mask) :
 			world(p_world), from_world(to_eigen(p_field).inverse(Eigen::Isometry)), half_extents(to_eigen(p_half_extents)), mask(p_mask) {}
 
-	// Return true if a box is near the grass, false also if the box is not finite. In field space:
+	// Return true if a box is near the grass; false also if the box is not finite. In field space:
 	bool is_near(const Bounds &p_bounds) const { return is_near(0.5 * (p_bounds.min + p_bounds.max), 0.5 * (p_bounds.max - p_bounds.min)); }
 	bool is_near_global(const Eigen::AlignedBox3d &p_box) const {
 		return is_near(from_world * Eigen::Vector3d(p_box.center()), from_world.linear().cwiseAbs() * (0.5 * p_box.sizes()));
@@ -29,7 +29,7 @@ struct FieldReach {
 	const godot::Ref<godot::World3D> world;
 	const Eigen::Affine3d from_world; // into the field's space
 	const Eigen::Vector3d half_extents; // of the box around its grass, metres
-	const uint32_t mask; // of the layers that bend it
+	const uint32_t mask; // physics layers that bend it
 
 private:
 	bool is_near(const Eigen::Vector3d &p_middle, const Eigen::Vector3d &p_half) const {

@@ -45,7 +45,7 @@ std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, c
 		if (is_ground(body)) {
 			return Eigen::Vector3d(_to_field * to_eigen(Vector3(hit["position"])));
 		}
-		_passed.push_back(hit["rid"]); // never met again, so the loop ends
+		_passed.push_back(hit["rid"]); // not hit again, so the loop ends
 		_query->set_exclude(_passed);
 	}
 }

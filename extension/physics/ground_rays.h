@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the ground by rays of the physics server, which hit what stands still.
+// Finds the ground with rays of the physics server, which hit bodies that do not move about.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,13 +16,13 @@
 
 namespace grass {
 
-// Returns true for rigid bodies, characters and animated bodies, which grass does not grow on.
+// Returns true for rigid bodies, characters and animated bodies, on which grass does not grow.
 bool moves_about(const godot::Object *p_body);
 
 class GroundRays {
 public:
 	static constexpr int64_t ALL_LAYERS = 0xFFFFFFFF;
-	static constexpr double SEARCH_HEIGHT = 1024.0; // metres above and below the field in which a field's ground is looked for
+	static constexpr double SEARCH_HEIGHT = 1024.0; // metres above and below the field within which ground is searched
 
 	// p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
@@ -42,7 +42,7 @@ private:
 	godot::PhysicsDirectSpaceState3D *_space = nullptr;
 	Eigen::Isometry3d _field, _to_field;
 	godot::Ref<godot::PhysicsRayQueryParameters3D> _query;
-	godot::TypedArray<godot::RID> _passed; // bodies that move about, met so far
+	godot::TypedArray<godot::RID> _passed; // bodies that move about, found so far
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts shapes that ground is made of to heights.
+// Converts shapes of the ground to heights.
 #pragma once
 
 #include "core/map/height_sheet.h"

@@ -16,7 +16,7 @@ namespace grass {
 
 namespace {
 
-// Ticks from one look at the shape of a node far from the grass to the next. More: one that grows into the grass bends it later.
+// Ticks between checks of the shape of a node far from the grass. More: one that grows into the grass bends it later.
 constexpr int FAR_LOOK_EVERY = 8;
 
 } // namespace
@@ -78,11 +78,11 @@ void NodeColliders::look(Entry &r_entry, const Node3D &p_node) {
 	}
 }
 
-// p_shape: where the shape stands, field space. One far from the grass is only followed.
+// p_shape: the shape's transform, field space. A shape far from the grass is only followed.
 void NodeColliders::write(Entry &r_entry, const Eigen::Affine3d &p_shape, const FieldReach &p_reach, const MotionTick &p_tick,
 		std::vector<ColliderShape> &r_colliders) {
 	const std::vector<ShapePart> &parts = r_entry.tracked.parts;
-	if (parts.size() != r_entry.motions.size()) { // other ones
+	if (parts.size() != r_entry.motions.size()) { // the parts have changed
 		r_entry.motions.assign(parts.size(), NodeMotion());
 	}
 	bool is_near = false;
@@ -112,7 +112,7 @@ void NodeColliders::forget_motion() {
 bool pose_shape(const Ref<Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape) {
 	TrackedShape tracked;
 	read_shape(p_shape->get_rid(), tracked);
-	if (tracked.type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON) { // has no inside
+	if (tracked.type == PhysicsServer3D::SHAPE_CONCAVE_POLYGON) { // it has no inside
 		return false;
 	}
 	if (tracked.parts.empty()) {

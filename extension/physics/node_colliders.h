@@ -18,7 +18,7 @@ public:
 	// id of its owner, 0: the node.
 	bool add(const godot::Node3D *p_node, const godot::Ref<godot::Shape3D> &p_shape,
 			const Eigen::Affine3d &p_local = Eigen::Affine3d::Identity(), uint64_t p_owner = 0);
-	void remove(uint64_t p_node_id); // with all its shapes
+	void remove(uint64_t p_node_id); // removes all its shapes
 	void clear() { _entries.clear(); }
 	// Appends every shape near the grass, posed in the field's space.
 	void collect(const FieldReach &p_reach, const MotionTick &p_tick, std::vector<ColliderShape> &r_colliders);
@@ -34,20 +34,20 @@ private:
 		Eigen::Affine3d local; // of the shape in the node
 		godot::Ref<godot::Shape3D> shape;
 		TrackedShape tracked;
-		std::vector<NodeMotion> motions; // of its parts
-		int next_look = 0; // ticks to the next look at its shape
+		std::vector<NodeMotion> motions; // one for each part
+		int next_look = 0; // ticks until the next check of its shape
 	};
 
 	void look(Entry &r_entry, const godot::Node3D &p_node);
 	void write(Entry &r_entry, const Eigen::Affine3d &p_shape, const FieldReach &p_reach, const MotionTick &p_tick,
 			std::vector<ColliderShape> &r_colliders);
 
-	std::vector<Entry> _entries; // in the order in which they came
+	std::vector<Entry> _entries; // in the order of registration
 	int64_t _mesh_pieces = 0;
 	BodyReads _reads;
 };
 
-// Converts a shape at a place in the field's space (scale counts, shear does not) to the solver's. Returns false if it cannot bend grass.
+// Converts a shape at a pose in the field's space (with scale, without shear) to the solver's. Returns false if it cannot bend grass.
 bool pose_shape(const godot::Ref<godot::Shape3D> &p_shape, const Eigen::Affine3d &p_pose, ColliderShape &r_shape);
 
 } // namespace grass

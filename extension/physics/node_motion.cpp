@@ -12,7 +12,7 @@ void NodeMotion::pose(const Eigen::Affine3d &p_now, const MotionTick &p_tick, Co
 	} else {
 		const Eigen::Vector3d from = _motion.follow(before, now, nobody_knows, p_tick);
 		const bool is_mirrored = ColliderShape::mirrors(_before.linear()) != ColliderShape::mirrors(p_now.linear());
-		if ((from == now && from != before) || is_mirrored) { // put there
+		if ((from == now && from != before) || is_mirrored) { // it was put there
 			_before.linear() = p_now.linear();
 		}
 		_before.translation() = from;

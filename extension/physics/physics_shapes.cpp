@@ -17,7 +17,7 @@ namespace grass {
 
 namespace {
 
-// From the first look at a trimesh to its pieces. Fewer: the thread may not be done, and the tick waits.
+// Ticks from the first check of a trimesh to its pieces. Fewer: the thread may not be done, and the tick waits.
 constexpr uint64_t SPLIT_TICKS = 8;
 
 void set_round(ColliderShape &r_shape, int p_type, const Dictionary &p_data, double p_cap) {
@@ -48,7 +48,7 @@ void set_hull(TrackedShape &r_tracked, const PackedVector3Array &p_points) {
 	add_hull(r_tracked, hull);
 }
 
-// The box around the faces of a trimesh, see split_mesh().
+// Makes the box around the faces of a trimesh, see split_mesh().
 void set_box(TrackedShape &r_tracked, const PackedVector3Array &p_faces) {
 	Eigen::AlignedBox3d box;
 	for (int64_t i = 0; i < p_faces.size(); i++) {
@@ -77,7 +77,7 @@ void convert(TrackedShape &r_tracked) {
 			shape.size = to_eigen(Vector3(r_tracked.data));
 			break;
 		case PhysicsServer3D::SHAPE_CAPSULE:
-			set_round(shape, GRASS_CAPSULE, r_tracked.data, 1.0); // height counts the caps
+			set_round(shape, GRASS_CAPSULE, r_tracked.data, 1.0); // its height includes the caps
 			break;
 		case PhysicsServer3D::SHAPE_CYLINDER:
 			set_round(shape, GRASS_CYLINDER, r_tracked.data, 0.0);
@@ -99,7 +99,7 @@ void convert(TrackedShape &r_tracked) {
 bool read_shape(const RID &p_shape, TrackedShape &r_shape, int64_t *r_calls) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	const bool is_known = r_shape.type >= 0 && p_shape == r_shape.rid;
-	const int64_t type = is_known ? r_shape.type : int64_t(server->shape_get_type(p_shape)); // a shape never becomes another kind
+	const int64_t type = is_known ? r_shape.type : int64_t(server->shape_get_type(p_shape)); // a shape never changes its kind
 	// Planes, rays and height maps are ground, not bodies in the grass; their data may be large.
 	const bool is_object = type >= PhysicsServer3D::SHAPE_SPHERE && type <= PhysicsServer3D::SHAPE_CONCAVE_POLYGON &&
 			type != PhysicsServer3D::SHAPE_HEIGHTMAP;

@@ -24,10 +24,10 @@ namespace grass {
 
 namespace {
 
-// Frames after a node got its mesh in which the server has it.
+// Frames after which the server has a node's new mesh.
 constexpr uint64_t MESH_FRAMES = 2;
 
-// It may have been disabled since find_handed_over() looked.
+// Returns whether its node removed it from the server; it may have been disabled since find_handed_over() looked.
 bool is_removed(const SoftBody3D *p_node) {
 	if (p_node->can_process() || p_node->get_disable_mode() != SoftBody3D::DISABLE_MODE_REMOVE) {
 		return false;
@@ -39,8 +39,8 @@ bool is_removed(const SoftBody3D *p_node) {
 	return node != nullptr && node->get_process_mode() == Node::PROCESS_MODE_DISABLED;
 }
 
-// Nodes whose mesh the server has, or gets before the next frame: those that the renderer is to call then. One that is enabled without a
-// mesh never is, whatever mesh it gets. By their ids, as in this tick.
+// Returns the nodes whose mesh the server has, or gets before the next frame: those that the renderer will call then. A node that is
+// enabled without a mesh is never called, whatever mesh it gets later. Ids, as of this tick.
 const std::set<uint64_t> &find_handed_over(int64_t &r_calls) {
 	static std::set<uint64_t> nodes;
 	static uint64_t tick = std::numeric_limits<uint64_t>::max();
@@ -63,7 +63,7 @@ const std::set<uint64_t> &find_handed_over(int64_t &r_calls) {
 
 } // namespace
 
-// A body that its node took out of the server has no points, and asking for them is an error there.
+// Returns whether its points can be read. A body that its node removed from the server has no points, and reading them there is an error.
 bool SoftBodies::is_ready(const SoftBody3D *p_node) {
 	const Ref<Mesh> mesh = p_node->get_mesh();
 	_reads.engine_calls += 2;
@@ -86,7 +86,7 @@ void SoftBodies::read_mesh(const Ref<Mesh> &p_mesh, Body &r_body) {
 	if (p_mesh->get_surface_count() == 0) {
 		return;
 	}
-	const Array arrays = p_mesh->surface_get_arrays(0); // the server simulates no other
+	const Array arrays = p_mesh->surface_get_arrays(0); // the server simulates no other surface
 	const PackedVector3Array vertices = arrays[Mesh::ARRAY_VERTEX];
 	const PackedInt32Array indices = arrays[Mesh::ARRAY_INDEX];
 	std::vector<Eigen::Vector3d> points;
@@ -103,7 +103,7 @@ void SoftBodies::read_mesh(const Ref<Mesh> &p_mesh, Body &r_body) {
 	r_body.motions.resize(size_t(r_body.parts.get_count()));
 }
 
-// Of a body that sleeps and lies where it lay nothing is asked.
+// Reads the points, unless the body sleeps where it was.
 void SoftBodies::read_points(const RID &p_body, const AABB &p_bounds, Body &r_body) {
 	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_reads.engine_calls++;

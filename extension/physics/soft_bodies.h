@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes colliders of a field from the soft bodies of a world. The physics server's areas do not report them, so each is checked in every
+// Makes colliders of a field from the soft bodies of a world. The physics server's areas do not report these, so each is checked in every
 // tick.
 #pragma once
 
@@ -29,18 +29,18 @@ public:
 
 private:
 	struct Body {
-		uint64_t mesh = 0; // its id, once the parts are of it
+		uint64_t mesh = 0; // id of the mesh that the parts were made from
 		SoftParts parts;
 		std::vector<godot::Vector3> places; // of the parts' points, global
 		godot::AABB bounds;
-		std::vector<NodeMotion> motions; // of parts
+		std::vector<NodeMotion> motions; // one for each part
 	};
 
 	// A node passes its mesh to the server when it is drawn.
 	struct Shown {
 		uint64_t mesh = 0; // its id
-		uint64_t frame = 0; // of the engine, in which the node was first seen with it
-		bool has_points = false; // in that frame: the server reads a mesh once
+		uint64_t frame = 0; // frame of the engine in which the node was first seen with it
+		bool has_points = false; // whether it had points in that frame: the server reads a mesh once
 	};
 
 	// Returns true if its points can be read in this tick.
@@ -50,8 +50,8 @@ private:
 	void write(
 			uint64_t p_owner, const FieldReach &p_reach, const MotionTick &p_tick, Body &r_body, std::vector<ColliderShape> &r_colliders);
 
-	std::map<uint64_t, Body> _bodies; // by id: the order of colliders is the same in every run
-	std::map<uint64_t, Shown> _shown; // by id, also of those far away
+	std::map<uint64_t, Body> _bodies; // by id, so that the order of colliders is the same in every run
+	std::map<uint64_t, Shown> _shown; // by id, including those far away
 	BodyReads _reads;
 };
 

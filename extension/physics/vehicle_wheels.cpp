@@ -14,9 +14,9 @@ namespace grass {
 
 namespace {
 
-// A wheel has no width: this share of its radius, as of most cars.
+// Width of a wheel as a share of its radius, since wheels have no width: typical for cars.
 constexpr double WIDTH = 0.6;
-// What slips less leaves no track: wheels that roll report some hundredths.
+// Least slip that leaves a track: rolling wheels report some hundredths.
 constexpr double LEAST_SLIP = 0.1;
 
 } // namespace
@@ -52,7 +52,7 @@ void VehicleWheels::add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle) {
 		shape.instantiate();
 		shape->set_radius(wheel->get_radius());
 		shape->set_height(float(WIDTH * wheel->get_radius()));
-		const Eigen::AngleAxisd along_axle(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()); // a cylinder stands on end
+		const Eigen::AngleAxisd along_axle(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()); // a cylinder's axis is vertical
 		if (_colliders.add(wheel, shape, Eigen::Affine3d(along_axle), p_vehicle)) {
 			r_vehicle.wheels.push_back(wheel->get_instance_id());
 		}

@@ -17,10 +17,10 @@ public:
 	struct Slip {
 		godot::Vector3 place; // global
 		double radius; // of the track, metres
-		double share; // 1: it slips entirely
+		double share; // 1: it slips completely
 	};
 
-	// Call it when a shape of a body enters or leaves the field's box, see BodyTracker::body_changed().
+	// Must be called when a shape of a body enters or leaves the field's box, see BodyTracker::body_changed().
 	void body_changed(int64_t p_status, int64_t p_instance_id);
 	void clear();
 	// Appends every wheel, posed in the field's space.
@@ -37,7 +37,7 @@ private:
 	};
 	void add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle);
 
-	std::map<uint64_t, Vehicle> _vehicles; // by id: the order of colliders is the same in every run
+	std::map<uint64_t, Vehicle> _vehicles; // by id, so that the order of colliders is the same in every run
 	NodeColliders _colliders;
 };
 

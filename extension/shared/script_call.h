@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls that may run a script: a signal, a method of a user's node, a change with listeners. A script may do anything then: free the calling
-// object or its parent, remove it from the tree, set its properties. So the caller must
+// Calls that may run a script: a signal, a method of a user's node, a change with listeners. A script may do anything then: free the
+// calling object or its parent, remove it from the tree, set its properties. So the caller must
 // - complete its own state before the call,
 // - hold by value what it uses afterwards: no reference or pointer to anything that a setter replaces,
 // - not touch itself afterwards unless outlives() says that it still exists, and then read its state again.
