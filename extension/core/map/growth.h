@@ -18,7 +18,7 @@ static_assert(MAP_CHUNK_SIZE == GRASS_CHUNK_SIZE && float(MAP_UNCUT) == float(GR
 static_assert(info_of(MAP_LEDGE).side == GRASS_LEDGE_TEXELS && info_of(MAP_LEDGE).initial[0] == GRASS_LEDGE_NONE);
 static_assert(info_of(MAP_DENSITY).side == GRASS_FINE_TEXELS && info_of(MAP_HEIGHT).side == GRASS_COARSE_TEXELS);
 
-// How far blades follow the ground's slope. 0: they grow upright, like grass; 1: at a right angle to it, like hair.
+// How far blades follow the ground's slope. 0: they grow upright, like grass; 1: at a right angle to the ground, like hair.
 inline constexpr Tunable FOLLOW_SLOPE{ "follow_slope", "", 0.0, 1.0, 0.01, 0.25 };
 
 // Returns how far following the slope can move the tip of a blade of 1 m, on ground of up to 60 degrees, in metres.

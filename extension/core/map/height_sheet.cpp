@@ -11,7 +11,7 @@ namespace {
 
 constexpr double SHEET_TEXEL = info_of(MAP_GROUND).texel_size();
 constexpr double REACH = PaintMap::REACH * MAP_CHUNK_SIZE;
-constexpr double EDGE = 1e-9; // share of a triangle: no gap opens between neighbours
+constexpr double EDGE = 1e-9; // share of a triangle, so that no gap opens between neighbours
 
 } // namespace
 

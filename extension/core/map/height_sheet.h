@@ -10,27 +10,27 @@ namespace grass {
 
 class HeightSheet {
 public:
-	// For lay_ground() over p_region.
+	// Makes a sheet for lay_ground() over p_region.
 	explicit HeightSheet(const MapRegion &p_region);
 
 	// Adds a triangle with its corners in field space, metres. Where triangles overlap, the highest counts. Triangles that are vertical or
 	// not finite add nothing.
 	void add(const Eigen::Vector3d &p_a, const Eigen::Vector3d &p_b, const Eigen::Vector3d &p_c);
 
-	// Returns the height at the centre of the texel that holds p_place, in metres above the field; NaN where no triangle is, and outside of
-	// the region.
+	// Returns the height at the centre of the texel that contains p_place, in metres above the field; NaN where there is no triangle, and
+	// outside the region.
 	double at(const Eigen::Vector2d &p_place) const;
 	// Returns the height at p_place itself.
 	double between(const Eigen::Vector2d &p_place) const;
 
 private:
-	Eigen::Array2d texel_at(const Eigen::Vector2d &p_place) const; // from the first one; whole numbers are centres
+	Eigen::Array2d texel_at(const Eigen::Vector2d &p_place) const; // relative to the first texel; centres have integer coordinates
 
 	Eigen::Array2d _first; // centre of the first texel, metres
 	struct Triangle {
-		Eigen::Array2d a, b, c; // corners as texel_at() has them
+		Eigen::Array2d a, b, c; // corners in the coordinates of texel_at()
 		Eigen::Array3d heights;
-		// Returns its height at a place; NaN outside of it.
+		// Returns its height at a place; NaN outside the triangle.
 		double at(const Eigen::Array2d &p_texel) const;
 	};
 

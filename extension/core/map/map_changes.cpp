@@ -29,13 +29,13 @@ struct Changes {
 	std::vector<Change> list;
 };
 
-// Null where the map holds none.
+// Returns null where the map has none.
 const MapTexels *find_texels(const PaintMap &p_map, const MapKey &p_key, size_t p_channel) {
 	const MapChunk *chunk = p_map.find(p_key);
 	return chunk != nullptr ? chunk->channels[p_channel].get() : nullptr;
 }
 
-// A channel's texels, also where the map holds none.
+// Returns a channel's texels: the initial ones where the map has none.
 MapTexels texels_of(const PaintMap &p_map, const MapKey &p_key, MapChannel p_channel) {
 	const MapTexels *texels = find_texels(p_map, p_key, size_t(p_channel));
 	return texels != nullptr ? *texels : p_map.initial_texels(p_channel);
@@ -53,7 +53,7 @@ Changes refuse(std::string p_reason) {
 	return changes;
 }
 
-// The table, with all that can be wrong about it.
+// Reads the table and checks everything in it.
 Changes read_table(std::span<const uint8_t> p_bytes) {
 	if (p_bytes.size() < CHANGE_MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), CHANGE_MAGIC, CHANGE_MAGIC_BYTES) != 0) {
 		return refuse("are not changes of a grass map: they do not begin with \"GRASSDIF\"");
@@ -87,7 +87,7 @@ Changes read_table(std::span<const uint8_t> p_bytes) {
 		}
 		changes.list.push_back({ { int(get_u32(p_bytes, entry)), int(get_u32(p_bytes, entry + 4)) }, MapChannel(channel),
 				get_u32(p_bytes, entry + 12), get_u32(p_bytes, entry + 16), p_bytes.subspan(at, size) });
-		if (n > 0 && changes.list[n].place() <= changes.list[n - 1].place()) { // each place once
+		if (n > 0 && changes.list[n].place() <= changes.list[n - 1].place()) { // each place occurs once
 			return refuse("are damaged: change " + std::to_string(n + 1) + " of " + std::to_string(count) + " is out of order");
 		}
 		at += size;
@@ -100,7 +100,7 @@ std::string name_of(const Change &p_change) {
 			std::to_string(p_change.key.z) + ")";
 }
 
-// "", or why the changes are not taken: from their table alone, since each may unpack to a thousand times its bytes.
+// Returns "", or why the changes are rejected, judging by their table alone, since each may unpack to a thousand times its bytes.
 std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, const ReadLimits &p_limits) {
 	size_t bytes = 0, map_bytes = p_map.get_memory_usage();
 	std::set<MapKey> new_chunks;
@@ -130,7 +130,7 @@ std::string look_at_changes(const Changes &p_changes, const PaintMap &p_map, con
 					" of memory, but it may take at most " + megabytes(p_limits.map_bytes) + p_limits.map_hint;
 }
 
-// r_map has its new base density by now.
+// r_map must have its new base density already.
 std::string apply(const Change &p_change, const PaintMap &p_before, const MapCodec &p_codec, PaintMap &r_map, bool &r_has_changed) {
 	const MapChannelInfo &info = info_of(p_change.channel);
 	MapTexels texels = texels_of(p_before, p_change.key, p_change.channel);
@@ -140,7 +140,7 @@ std::string apply(const Change &p_change, const PaintMap &p_before, const MapCod
 				": earlier changes are missing, or this map was changed in another way. Copy the whole `data` of the sender";
 	}
 	r_has_changed = found != p_change.after;
-	if (!r_has_changed) { // came before
+	if (!r_has_changed) { // it was applied before
 		return {};
 	}
 	MapTexels difference(info.chunk_bytes());
@@ -163,7 +163,7 @@ MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const 
 	for (const MapKey &key : p_after.compare(p_before)) {
 		for (int n = 0; n < MAP_CHANNELS; n++) {
 			const MapChannel channel = MapChannel(n);
-			if (find_texels(p_before, key, size_t(n)) == find_texels(p_after, key, size_t(n))) { // shared, or none
+			if (find_texels(p_before, key, size_t(n)) == find_texels(p_after, key, size_t(n))) { // shared, or both missing
 				continue;
 			}
 			MapTexels texels = texels_of(p_before, key, channel);

@@ -22,16 +22,17 @@ namespace grass {
 
 inline constexpr uint32_t MAP_CHANGES_VERSION = 1;
 
-// Returns no bytes if the maps are the same.
+// Returns the changes; no bytes if the maps are the same.
 MapBytes write_changes(const PaintMap &p_before, const PaintMap &p_after, const MapCodec &p_codec);
 
 struct AppliedChanges {
-	std::string reason; // why they were refused, as the end of a sentence; "": all of them are in the map
+	std::string reason; // why they were rejected, as the end of a sentence; "": all of them are in the map
 	std::vector<MapKey> changed; // chunks
 	bool has_base_changed = false;
 };
 
-// Changes r_map, or leaves it as it was. A chunk that r_map has may change wherever it is; new ones must be within the limits.
+// Applies all changes to r_map, or leaves it as it was. A chunk that r_map has may change wherever it is; new chunks must be within the
+// limits.
 AppliedChanges apply_changes(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});
 
 } // namespace grass

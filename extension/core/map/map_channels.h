@@ -8,25 +8,25 @@
 
 namespace grass {
 
-// Files hold these numbers: new channels go to the end.
+// Files store these numbers, so new channels must be appended.
 enum MapChannel {
 	MAP_DENSITY, // share of the field's blades that grow here, 0..1
 	MAP_HEIGHT, // share of the blades' own length, 0..1
 	MAP_SPECIES, // number of the species
-	MAP_TINT, // colour (red, green, blue, 0..1) and how much of it shows (0..1)
-	MAP_LEAN, // the way the grass is combed, along x and z, -1..1
+	MAP_TINT, // colour (red, green, blue, 0..1) and its strength (0..1)
+	MAP_LEAN, // direction in which the grass is combed, along x and z, -1..1
 	MAP_GROUND, // height of the ground, metres above the field
 	MAP_NORMAL, // x and z of the ground's unit normal
-	MAP_WEAR, // 0 untouched .. 1 trampled bare; lasts
+	MAP_WEAR, // 0 untouched .. 1 trampled bare; permanent
 	MAP_CUT, // height at which cut blades end, metres above the ground; MAP_UNCUT: they are not cut
 	MAP_PAINT, // density painted by hand, and how much of the rules' filling it covers, 0..1 each (core/paint/hand_paint.h)
-	MAP_WEAR_REST, // the remainder of wear below a code: 1/256 of a code (core/paint/fine_wear.h)
+	MAP_WEAR_REST, // the fractional part of wear: 1/256 of a code (core/paint/fine_wear.h)
 	MAP_HOLE, // 1: a terrain has no ground here, so nothing grows, whatever is painted
-	MAP_LEDGE, // which of the four heights around count here, a bit each [Eq M7]; 0: none, so nothing grows (core/paint/lay_ledges.h)
+	MAP_LEDGE, // which of the four heights around count here, one bit each [Eq M7]; 0: none, so nothing grows (core/paint/lay_ledges.h)
 	MAP_CHANNELS,
 };
 
-// Side of a chunk, a square, in metres. Chunk (0, 0) begins at the map's origin and extends to its +x, +z side.
+// Side of a square chunk in metres. Chunk (0, 0) begins at the map's origin and extends to its +x, +z side.
 inline constexpr double MAP_CHUNK_SIZE = 64.0;
 
 // A value is stored as a whole number, its code: value = (code - zero) * unit.
@@ -39,7 +39,7 @@ struct MapChannelInfo {
 	int32_t zero;
 	double unit;
 	std::array<int32_t, 4> initial; // codes where nothing was painted
-	bool blends; // between texels; else the nearest one counts
+	bool blends; // between texels; otherwise the nearest one counts
 
 	constexpr double texel_size() const { return MAP_CHUNK_SIZE / side; } // metres
 	constexpr size_t chunk_bytes() const { return size_t(side) * size_t(side) * size_t(components) * size_t(bytes); }

@@ -17,14 +17,14 @@ constexpr char MAGIC[] = "GRASSMAP";
 constexpr size_t MAGIC_BYTES = 8, HEADER_BYTES = 20, ENTRY_BYTES = 20, CHECKSUM_BYTES = 4;
 constexpr uint32_t ALL_CHANNELS = (1u << MAP_CHANNELS) - 1;
 
-// Turns a channel's texels into their differences from the plane through their neighbours, or (p_back) these into texels.
-// Splits codes of 4 bytes, lowest bytes first, so that the high ones, which rarely change, lie together.
+// Converts a channel's texels to their differences from the plane through their neighbours, or (p_back) these to texels. Splits codes of 4
+// bytes, lowest bytes first, so that the high bytes, which rarely change, are next to each other.
 template <typename Code> void filter(std::span<const uint8_t> p_from, std::span<uint8_t> r_to, const MapChannelInfo &p_info, bool p_back) {
 	const size_t side = size_t(p_info.side), components = size_t(p_info.components), plane = side * side;
 	for (size_t c = 0; c < components; c++) {
 		std::vector<Code> above(side), row(side);
 		for (size_t j = 0; j < side; j++) {
-			Code left = 0, corner = 0; // of the first row and column the plane knows one neighbour only
+			Code left = 0, corner = 0; // in the first row and column only one neighbour is known
 			for (size_t i = 0; i < side; i++) {
 				const size_t n = j * side + i, texel = (n * components + c) * sizeof(Code);
 				const Code predicted = i == 0 ? above[0] : Code(left + above[i] - corner);
@@ -82,7 +82,7 @@ MapBytes pack_chunk(const MapChunk &p_chunk, const MapCodec &p_codec) {
 	return p_codec.pack(bytes);
 }
 
-// False if the bytes are not those of such a chunk.
+// Returns false if these are not the bytes of such a chunk.
 bool unpack_chunk(std::span<const uint8_t> p_packed, const MapKey &p_key, uint32_t p_channels, const MapCodec &p_codec, PaintMap &r_map) {
 	MapBytes bytes(chunk_size(p_channels));
 	if (!p_codec.unpack(p_packed, bytes)) {
@@ -118,7 +118,7 @@ struct FileTable {
 	std::vector<FileChunk> chunks;
 };
 
-// "" and the bytes' table, or what is wrong with it.
+// Reads the table. Returns "", or what is wrong with it.
 std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table) {
 	if (p_bytes.size() < MAGIC_BYTES + 4 || std::memcmp(p_bytes.data(), MAGIC, MAGIC_BYTES) != 0) {
 		return "is not a grass map: it does not begin with \"GRASSMAP\"";
@@ -159,12 +159,12 @@ std::string read_file_table(std::span<const uint8_t> p_bytes, FileTable &r_table
 	return {};
 }
 
-// "", or why the chunks are not taken: from the table alone, since each may unpack to a thousand times its bytes.
+// Returns "", or why the chunks are rejected, judging by the table alone, since each may unpack to a thousand times its bytes.
 std::string look_at_chunks(const FileTable &p_table, const ReadLimits &p_limits) {
 	size_t bytes = 0;
 	for (size_t n = 0; n < p_table.chunks.size(); n++) {
 		const FileChunk &chunk = p_table.chunks[n];
-		if ((chunk.channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written on purpose
+		if ((chunk.channels & ~ALL_CHANNELS) != 0) { // the table's checksum is right, so this was written intentionally
 			return "was saved by a newer version of this addon: its map has channels that this one does not know. Update the addon to open "
 				   "it";
 		}

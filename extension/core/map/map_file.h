@@ -26,17 +26,17 @@ inline constexpr uint32_t MAP_FILE_VERSION = 2; // 1: the same, or without MAP_P
 
 using MapBytes = std::vector<uint8_t>;
 
-// Compresses a chunk's bytes; in the extension by the engine's compression.
+// Compresses a chunk's bytes; the extension uses the engine's compression.
 struct MapCodec {
 	std::function<MapBytes(std::span<const uint8_t> p_bytes)> pack;
 	// Fills r_bytes, which has the size of the unpacked bytes. Returns false if they do not fit.
 	std::function<bool(std::span<const uint8_t> p_packed, std::span<uint8_t> r_bytes)> unpack;
 };
 
-// Returns the same bytes for the same map.
+// Returns the map's bytes, which are always the same for the same map.
 MapBytes write_map(const PaintMap &p_map, const MapCodec &p_codec);
 
-// Replaces r_map by the map in the bytes and returns "". If anything is wrong, or exceeds p_limits, leaves r_map as it was and returns the
+// Replaces r_map by the map in the bytes and returns "". If anything is wrong or exceeds p_limits, leaves r_map as it was and returns the
 // reason, as the end of a sentence that begins with the file's name. The file's table shows how much memory the map would take: nothing is
 // unpacked before that is checked.
 std::string read_map(std::span<const uint8_t> p_bytes, const MapCodec &p_codec, PaintMap &r_map, const ReadLimits &p_limits = {});

@@ -10,7 +10,7 @@ namespace grass {
 
 namespace {
 
-// Texels of a layer that lie in a region: their first and last + 1, with the border counted, along x and z.
+// The texels of a layer in a region: their first and last + 1, counting the border, along x and z.
 struct TexelRange {
 	int i_begin, i_end, j_begin, j_end;
 };
@@ -28,7 +28,7 @@ uint8_t to_byte(double p_share) {
 	return uint8_t(std::clamp(p_share, 0.0, 1.0) * 255.0 + 0.5); // NOLINT(bugprone-incorrect-roundings): never negative
 }
 
-// Puts one layer together.
+// Composes one layer.
 class Composer {
 public:
 	Composer(const PaintMap &p_map, const MapKey &p_key, int32_t p_uncut) :
@@ -78,7 +78,7 @@ private:
 	void compose_ledges(const MapRegion &p_region, std::vector<uint8_t> &r_ledge) {
 		constexpr int SIDE = GRASS_LEDGE_TEXELS;
 		r_ledge.resize(size_t(SIDE) * SIDE, uint8_t(GRASS_LEDGE_NONE));
-		const TexelRange range = texels_in(p_region, _key, SIDE); // with a border, which there is none of here
+		const TexelRange range = texels_in(p_region, _key, SIDE); // counts a border, which the ledges do not have
 		for (int j = std::max(range.j_begin - 1, 0); j < std::min(range.j_end - 1, SIDE); j++) {
 			for (int i = std::max(range.i_begin - 1, 0); i < std::min(range.i_end - 1, SIDE); i++) {
 				put(r_ledge[size_t(j) * SIDE + size_t(i)], uint8_t(_ledge.code(0, _key.x * SIDE + i, _key.z * SIDE + j)));
@@ -97,7 +97,8 @@ private:
 		put(r_texel[3], to_byte(wear));
 	}
 
-	// At the centre of a fine texel, a quarter of a coarse texel from the centre of the one that it lies in, towards three others.
+	// Returns the height at the centre of a fine texel, which is a quarter of a coarse texel from the centre of the coarse texel around it,
+	// towards three others.
 	double height_at(int p_i, int p_j) {
 		static_assert(GRASS_FINE_TEXELS == 2 * GRASS_COARSE_TEXELS);
 		const int i = p_i >> 1, j = p_j >> 1, i_next = i + (p_i & 1) * 2 - 1, j_next = j + (p_j & 1) * 2 - 1;
@@ -110,7 +111,7 @@ private:
 		const int i = _key.x * GRASS_COARSE_TEXELS + p_i - 1, j = _key.z * GRASS_COARSE_TEXELS + p_j - 1;
 		for (int c = 0; c < 4; c++) {
 			put(r_layer.form[p_texel * 4 + size_t(c)], uint8_t(c < 2 ? _lean.code(c, i, j) : _normal.code(c - 2, i, j)));
-			// Weighted by its strength, so that a colour that does not show contributes nothing to its neighbours' blend.
+			// Weighted by its strength, so that an invisible colour contributes nothing to its neighbours' blend.
 			const double strength = c < 3 ? _tint.value(3, i, j) : 1.0;
 			put(r_layer.tint[p_texel * 4 + size_t(c)], to_byte(_tint.value(c, i, j) * strength));
 		}

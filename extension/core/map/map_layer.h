@@ -16,7 +16,7 @@ struct MapLayer {
 	std::vector<float> ground; // COARSE^2, metres
 	std::vector<uint8_t> tint; // COARSE^2 x (red, green, blue: each times strength; strength)
 	std::vector<uint8_t> species; // COARSE^2: 0: mixed species, n: species n - 1 only
-	std::vector<uint8_t> ledge; // GRASS_LEDGE_TEXELS^2 codes of their channel, without a border; empty: no ledge is near
+	std::vector<uint8_t> ledge; // GRASS_LEDGE_TEXELS^2 codes of their channel, without a border; empty: no ledge nearby
 };
 
 // Updates a chunk's layer in p_region. Returns whether anything changed. p_uncut: code of cuts that cut nothing.

@@ -8,7 +8,7 @@ namespace grass {
 
 namespace {
 
-// The four texels around a point of a layer, and how much each counts.
+// The four texels around a point of a layer, and their weights.
 struct Corners {
 	std::array<size_t, 4> texels;
 	std::array<float, 4> weights;
@@ -30,7 +30,7 @@ struct Corners {
 	}
 };
 
-// [Eq M7] p_share: of the way through the chunk. As grass_ledge_at() in shaders/map/map.inc.
+// [Eq M7] Does the same as grass_ledge_at() in shaders/map/map.inc. p_share: position within the chunk, 0..1.
 void look_beside_ledge(const MapLayer &p_layer, const Eigen::Array2f &p_share, Growth &r_growth, glsl::vec2 &r_normal) {
 	const Eigen::Array2i fine = (p_share * float(GRASS_LEDGE_TEXELS)).cast<int>().max(0).min(GRASS_LEDGE_TEXELS - 1);
 	const int code = p_layer.ledge[size_t(fine.y()) * GRASS_LEDGE_TEXELS + size_t(fine.x())];
@@ -183,7 +183,7 @@ int MapLayers::lay_out(const PaintMap &p_map, const MapKey &p_key, const MapRegi
 	int layer = find(p_key);
 	const bool is_new = layer == GRASS_NO_LAYER;
 	if (is_new && p_map.find(p_key) == nullptr) {
-		return GRASS_NO_LAYER; // nobody painted there
+		return GRASS_NO_LAYER; // nothing is painted there
 	}
 	if (is_new && _layers.size() >= GRASS_MAX_LAYERS) {
 		_is_full = true;

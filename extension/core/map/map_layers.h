@@ -70,13 +70,13 @@ public:
 	int get_width() const { return _width; }
 	int get_depth() const { return _depth; }
 	const std::vector<float> &get_pages() const { return _pages; }
-	// The layers that have ledges, in the order in which they got them.
+	// Returns the layers with ledges, in the order in which they got them.
 	const std::vector<int> &get_ledge_layers() const { return _ledge_layers; }
 
 	bool has_chunk(const MapKey &p_key) const; // under the field
 	int find(const MapKey &p_key) const; // the chunk's layer or GRASS_NO_LAYER
-	std::vector<MapKey> get_chunks(const MapRegion &p_region) const; // under the field, in which a change of p_region shows; row by row
-	// How much farther out a change shows, in metres: in the borders of layers, and where coarse texels blend into finer ones.
+	std::vector<MapKey> get_chunks(const MapRegion &p_region) const; // under the field, that show a change of p_region; row by row
+	// How much farther out a change is visible, in metres: in the borders of layers, and where coarse texels blend into finer ones.
 	static constexpr double CHANGE_MARGIN = 2.0 * info_of(MAP_HEIGHT).texel_size();
 
 	// Returns what grows at a place: field-space x, z in metres.

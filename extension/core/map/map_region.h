@@ -17,7 +17,7 @@ struct MapRegion {
 	}
 	MapRegion grown(double p_metres) const;
 	MapRegion joined(const MapRegion &p_other) const;
-	MapRegion shared(const MapRegion &p_other) const; // min > max along an axis: empty
+	MapRegion shared(const MapRegion &p_other) const; // empty if min > max along an axis
 	bool operator==(const MapRegion &) const = default;
 };
 

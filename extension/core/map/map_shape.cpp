@@ -16,7 +16,7 @@ bool is_before(const Eigen::Vector2d &p_a, const Eigen::Vector2d &p_b) {
 	return p_a.x() != p_b.x() ? p_a.x() < p_b.x() : p_a.y() < p_b.y();
 }
 
-// Corners of the convex hull, counter-clockwise (x to the right, z up): Andrew's monotone chain.
+// Returns the corners of the convex hull, counter-clockwise (x to the right, z up): Andrew's monotone chain.
 std::vector<Eigen::Vector2d> hull_of(std::span<const Eigen::Vector2d> p_points) {
 	std::vector<Eigen::Vector2d> points(p_points.begin(), p_points.end());
 	std::sort(points.begin(), points.end(), is_before);
@@ -33,7 +33,7 @@ std::vector<Eigen::Vector2d> hull_of(std::span<const Eigen::Vector2d> p_points) 
 			}
 			hull.push_back(point);
 		}
-		hull.pop_back(); // the other side begins there
+		hull.pop_back(); // it is the start of the other side
 		std::reverse(points.begin(), points.end());
 	}
 	return hull;
@@ -124,9 +124,9 @@ Eigen::Vector2d MapShape::get_nearest(const Eigen::Vector2d &p_place) const {
 	return inside ? p_place : nearest;
 }
 
-// For two convex sets, projecting to and fro between them converges to their nearest points.
+// Alternating projections between two convex sets converge to their nearest points.
 double MapShape::get_most_weight(const Eigen::Vector2d &p_centre, double p_half) const {
-	constexpr int ROUNDS = 8; // one does for a disc
+	constexpr int ROUNDS = 8; // one suffices for a disc
 	if (_corners.empty() || get_distance(p_centre) > p_half * std::numbers::sqrt2) {
 		return 0.0;
 	}

@@ -13,12 +13,12 @@ public:
 	static constexpr int MOST = 512; // texels along a side
 
 	MapStamp() = default; // empty
-	// p_weights: rows from the top, 0..1; values beyond are clamped, NaN is 0. If their number is not p_width * p_height, or a side has
-	// more texels than MOST, the stamp is empty.
+	// p_weights: rows from the top, 0..1; values outside are clamped, NaN becomes 0. If their number is not p_width * p_height, or a side
+	// has more texels than MOST, the stamp is empty.
 	MapStamp(int p_width, int p_height, std::vector<float> p_weights);
 
 	bool is_empty() const { return _weights.empty(); }
-	// Returns the weight, interpolated between the middles of texels. p_place: 0..1 across and down; outside, the weight is 0.
+	// Returns the weight, interpolated between the centres of texels. p_place: 0..1 across and down; outside, the weight is 0.
 	double get_weight(const Eigen::Vector2d &p_place) const;
 
 private:

@@ -12,7 +12,7 @@ namespace grass {
 
 namespace {
 
-// A chunk's key is the texel's upper bits.
+// The upper bits of a texel's number are its chunk's key.
 static_assert(std::all_of(MAP_CHANNEL_INFO.begin(), MAP_CHANNEL_INFO.end(),
 		[](const MapChannelInfo &p_info) { return std::has_single_bit(unsigned(p_info.side)); }));
 
@@ -29,7 +29,7 @@ size_t index_of(const MapChannelInfo &p_info, const MapKey &p_key, int p_compone
 	return (row * size_t(p_info.side) + column) * size_t(p_info.components) + size_t(p_component);
 }
 
-// Whether two channels hold the same codes. A null channel holds the initial codes.
+// Returns whether two channels hold the same codes. A null channel has the initial codes.
 bool same(const std::shared_ptr<const MapTexels> &p_a, const std::shared_ptr<const MapTexels> &p_b) {
 	return p_a == p_b || (p_a && p_b && *p_a == *p_b);
 }
@@ -112,7 +112,7 @@ bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j,
 	}
 	const int32_t code = std::clamp(p_code, info.lowest, info.highest);
 	if (code == get_code(p_channel, p_component, p_i, p_j)) {
-		return true; // an untouched chunk stays untouched
+		return true; // an unused chunk stays unused
 	}
 	MapTexels *texels = write(key, p_channel);
 	if (texels == nullptr) {
@@ -124,8 +124,8 @@ bool PaintMap::set_code(MapChannel p_channel, int p_component, int p_i, int p_j,
 
 namespace {
 
-// A count of 1 alone does not say that another thread, which held the texels until now, has read them: that its reading comes before our
-// writing, one asks by taking and giving back a share of them, as it did.
+// A count of 1 alone does not ensure that another thread, which held the texels until now, has finished reading them. Taking and releasing
+// a share of them, as that thread did, orders its reads before our writes.
 bool is_sole_owner(const std::shared_ptr<const MapTexels> &p_texels) {
 	if (p_texels.use_count() > 1) {
 		return false;
@@ -136,7 +136,7 @@ bool is_sole_owner(const std::shared_ptr<const MapTexels> &p_texels) {
 
 } // namespace
 
-// The chunk's own texels: made if it has none, copied if a snapshot shares them. Null if the map is full.
+// Returns the chunk's own texels: made if it has none, copied if a snapshot shares them. Returns null if the map is full.
 MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	if (_chunks.size() >= MAX_CHUNKS && find(p_key) == nullptr) {
 		return nullptr;
@@ -147,7 +147,7 @@ MapTexels *PaintMap::write(const MapKey &p_key, MapChannel p_channel) {
 	} else if (!is_sole_owner(texels)) {
 		texels = std::make_shared<MapTexels>(*texels);
 	}
-	return const_cast<MapTexels *>(texels.get()); // nobody else holds it
+	return const_cast<MapTexels *>(texels.get()); // nothing else holds it
 }
 
 bool PaintMap::set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels) {
@@ -243,7 +243,7 @@ int MapReader::ledge_code(const Eigen::Vector2d &p_place) {
 	return _ledges[size_t(texel.y() & (LEDGE.side - 1)) * size_t(LEDGE.side) + size_t(texel.x() & (LEDGE.side - 1))];
 }
 
-// [Eq M7] p_i, p_j: the first of the four texels around the place, p_t of the way towards the others.
+// [Eq M7] p_i, p_j: the first of the four texels around the place; p_t: share of the way towards the others.
 double MapReader::sample_beside(int p_component, int p_code, int p_i, int p_j, const Eigen::Array2d &p_t) {
 	const glsl::vec4 shares = glsl::grass_ledge_weights(p_code, glsl::vec2(float(p_t.x()), float(p_t.y())));
 	const double weights[] = { double(shares.x), double(shares.y), double(shares.z), double(shares.w) };
@@ -271,7 +271,7 @@ double MapReader::sample(int p_component, const Eigen::Vector2d &p_place) {
 		const Eigen::Array2d texel = (p_place.array() / _info.texel_size()).floor();
 		return value(p_component, int(texel.x()), int(texel.y()));
 	}
-	const Eigen::Array2d between = p_place.array() / _info.texel_size() - 0.5; // texel centres are whole numbers
+	const Eigen::Array2d between = p_place.array() / _info.texel_size() - 0.5; // texel centres have integer coordinates
 	const Eigen::Array2d corner = between.floor(), t = between - corner;
 	const int i = int(corner.x()), j = int(corner.y());
 	if (_channel == MAP_GROUND || _channel == MAP_NORMAL) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The painted map: what grows where, and what happened to it. Places are x, z in metres from the map's origin, the field's centre. It is
-// sparse: only chunks that differ from the initial codes use memory. Copies share their texels until one of them changes, so a snapshot
-// for undo costs a pointer per channel.
+// sparse: only chunks that differ from the initial codes use memory. Copies share their texels until one of them changes, so a snapshot for
+// undo costs one pointer for each channel.
 #pragma once
 
 #include "core/map/map_channels.h"
@@ -18,13 +18,13 @@
 
 namespace grass {
 
-// A chunk: covers x * MAP_CHUNK_SIZE to (x + 1) * MAP_CHUNK_SIZE metres, z likewise.
+// A chunk, which covers x * MAP_CHUNK_SIZE to (x + 1) * MAP_CHUNK_SIZE metres, and z likewise.
 struct MapKey {
 	int x = 0, z = 0;
 	auto operator<=>(const MapKey &) const = default;
 };
 
-using MapTexels = std::vector<uint8_t>; // row by row along x, components together
+using MapTexels = std::vector<uint8_t>; // row by row along x, components interleaved
 
 struct MapChunk {
 	std::array<std::shared_ptr<const MapTexels>, MAP_CHANNELS> channels; // null: all texels have the initial codes
@@ -39,7 +39,7 @@ public:
 	static constexpr size_t MAX_CHUNKS = 16384; // 67 km^2 painted
 	static bool is_in_reach(const MapKey &p_key) { return p_key.x >= -REACH && p_key.z >= -REACH && p_key.x < REACH && p_key.z < REACH; }
 
-	// The density where nothing was painted, 0..1. It is 0 by default: nothing grows there.
+	// Sets the density where nothing was painted, 0..1. The default is 0: nothing grows there.
 	void set_base_density(double p_density);
 	double get_base_density() const;
 	int32_t initial_code(MapChannel p_channel, int p_component) const;
@@ -52,7 +52,7 @@ public:
 
 	// Texel i, j of a channel covers i * texel_size to (i + 1) * texel_size metres along x, j along z.
 	int32_t get_code(MapChannel p_channel, int p_component, int p_i, int p_j) const;
-	// Clamps codes to the channel's limits. Returns false, and changes nothing, outside of the map's reach or if the map is full.
+	// Sets a code, clamped to the channel's limits. Returns false, and changes nothing, outside the map's reach or if the map is full.
 	bool set_code(MapChannel p_channel, int p_component, int p_i, int p_j, int32_t p_code);
 
 	// Returns the channel's value at a place (metres), interpolated between the centres of the four nearest texels if the channel blends,
@@ -66,7 +66,7 @@ public:
 	void drop_empty(); // chunks without texels
 	void clear() { _chunks.clear(); }
 	bool is_empty() const { return _chunks.empty(); }
-	size_t get_memory_usage() const; // bytes; texels that snapshots share count in full
+	size_t get_memory_usage() const; // bytes; counts texels that snapshots share in full
 
 	// Replaces a channel of a chunk; null empties it. Returns false if the key is out of reach, the map full or the size wrong.
 	bool set_texels(const MapKey &p_key, MapChannel p_channel, std::shared_ptr<const MapTexels> p_texels);
@@ -113,7 +113,7 @@ private:
 	const PaintMap &_map;
 	const MapChannelInfo &_info;
 	MapChannel _channel;
-	int _shift; // a chunk has 2^_shift texels along a side
+	int _shift; // a chunk has 2^_shift texels on each side
 	std::array<int32_t, 4> _initial;
 	MapKey _key{ PaintMap::REACH, PaintMap::REACH }; // of _texels; none yet
 	const uint8_t *_texels = nullptr;
@@ -121,9 +121,9 @@ private:
 	const uint8_t *_ledges = nullptr; // the codes of ledges at a place; null: there is no ledge
 };
 
-// The chunk that holds texel p_i, p_j of a channel.
+// Returns the chunk that contains texel p_i, p_j of a channel.
 MapKey key_of(MapChannel p_channel, int p_i, int p_j);
-// The chunk that holds a place (metres); out of reach if the place is.
+// Returns the chunk that contains a place (metres); out of reach if the place is.
 MapKey key_at(const Eigen::Vector2d &p_place);
 
 } // namespace grass

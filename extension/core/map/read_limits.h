@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The limits for a map that is read from outside bytes. Texels pack a thousand times smaller: a file or a message of a megabyte could take
+// Limits for a map that is read from external bytes. Texels pack a thousand times smaller: a file or a message of a megabyte could take
 // gigabytes.
 #pragma once
 
@@ -17,13 +17,13 @@ struct ReadLimits {
 
 	size_t map_bytes = MAP_MEGABYTES * MEGABYTE; // texels of the whole map
 	size_t changes_bytes = CHANGES_MEGABYTES * MEGABYTE; // texels that one message changes
-	std::vector<MapRegion> regions; // chunks must meet one of them; none: the map's whole reach
+	std::vector<MapRegion> regions; // chunks must overlap one of them; none: the map's whole reach
 	std::string map_hint, changes_hint; // names the setting that raises a limit; ends a sentence
 
 	bool allow(const MapKey &p_key) const;
 };
 
-// "3 MB", rounded up.
+// Returns "3 MB", rounded up.
 std::string megabytes(size_t p_bytes);
 
 } // namespace grass

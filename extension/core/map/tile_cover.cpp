@@ -11,7 +11,8 @@ namespace grass {
 
 namespace {
 
-// Beside a ledge the plane through a texel's ground counts as far as its neighbours: how much that rises or falls by then, metres. [Eq M7]
+// [Eq M7] Beside a ledge the plane through a texel's ground is used up to its neighbours. Returns how far it rises or falls by then,
+// metres.
 float beyond_texel(const MapLayer &p_layer, size_t p_texel) {
 	const auto normal = [&](size_t p_component) { return (float(p_layer.form[p_texel * 4 + p_component]) - 128.0f) / 127.0f; };
 	const float x = normal(2), z = normal(3);
@@ -39,7 +40,7 @@ TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region
 	const TileRange range = _grid.get_range(region.min.x(), region.max.x(), region.min.y(), region.max.y(), 0.0);
 	const std::vector<Stretch> columns = stretches(range.x_begin, range.x_end, _grid.get_tiles_x()),
 							   rows = stretches(range.z_begin, range.z_end, _grid.get_tiles_z());
-	bool has_shrunk = false; // the lowest or highest ground may have gone
+	bool has_shrunk = false; // the lowest or highest ground may have disappeared
 	for (int z = range.z_begin; z < range.z_end; z++) {
 		for (int x = range.x_begin; x < range.x_end; x++) {
 			Tile &tile = _tiles[size_t(_grid.get_index(x, z))];
@@ -59,7 +60,7 @@ TileRange TileCover::update(const MapLayers &p_layers, const MapRegion &p_region
 	return range;
 }
 
-// Along one axis, of tiles p_begin to p_end - 1 of p_count.
+// Returns the stretches of tiles p_begin to p_end - 1 of p_count along one axis.
 std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int p_count) const {
 	std::vector<Stretch> found;
 	found.reserve(size_t(std::max(p_end - p_begin, 0)));
@@ -87,7 +88,7 @@ std::vector<TileCover::Stretch> TileCover::stretches(int p_begin, int p_end, int
 TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_column, const Stretch &p_row) const {
 	bool stands = false;
 	Tile tile{ 1e9f, -1e9f, 0.0f, float(GRASS_UNCUT), 0.0f };
-	int64_t grown = 0, texels = 0; // the sum of products of two codes
+	int64_t grown = 0, texels = 0; // sum of products of two codes
 	for (int z = 0; z < p_row.chunks; z++) {
 		for (int x = 0; x < p_column.chunks; x++) {
 			const int found = p_layers.find({ p_column.first_chunk + x, p_row.first_chunk + z });
@@ -131,7 +132,7 @@ TileCover::Tile TileCover::find(const MapLayers &p_layers, const Stretch &p_colu
 	return stands ? tile : Tile();
 }
 
-// At least two texels count for any place.
+// At least two texels contribute to any place.
 double TileCover::Stretch::get_metres() const {
 	int texels = 0;
 	for (int c = 0; c < chunks; c++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The map for whole tiles: whether anything grows on a tile, how much, and the lowest and highest ground. Culling and the waking of tiles
-// read it; only fields with a map have one.
+// The map for whole tiles: whether anything grows on a tile, how much, and the lowest and highest ground. Only fields with a map have a
+// cover. Culling and the waking of tiles read it.
 #pragma once
 
 #include "core/map/map_region.h"
@@ -16,10 +16,10 @@ class MapLayers;
 class TileCover {
 public:
 	struct Tile {
-		float low = 1.0f, high = -1.0f; // The ground under it, metres above the field. Bare: nothing grows there; low > high.
+		float low = 1.0f, high = -1.0f; // The ground below it, metres above the field. Bare: nothing grows there; low > high.
 		float grown = 0.0f; // Mean share of the grass of a field without a map: density times height, 0..1.
 		float cut = 0.0f; // Greatest height of its grass, metres above the ground.
-		float slope = 0.0f; // Of the ground, from end to end: rise over run.
+		float slope = 0.0f; // Of the ground, from one end to the other: rise over run.
 		bool is_bare() const { return low > high; }
 		bool operator==(const Tile &) const = default;
 	};
@@ -34,7 +34,7 @@ public:
 	const Tile &get(int p_x, int p_z) const { return _tiles[size_t(_grid.get_index(p_x, p_z))]; }
 	std::span<const Tile> get_tiles() const { return _tiles; } // by index
 	int get_bare_count() const { return _bare; }
-	float get_low() const { return _low; } // of all ground, and the field's plane
+	float get_low() const { return _low; } // of all ground, including the field's plane
 	float get_high() const { return _high; }
 	size_t get_memory_usage() const { return _tiles.capacity() * sizeof(Tile); } // bytes
 
