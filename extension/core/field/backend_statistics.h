@@ -15,22 +15,22 @@ struct BackendStatistics {
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
 	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares
-	int64_t compiling = 0; // GPU: passes that the driver is still compiling: until then sharp colliders are met with knots only,
-						   // free tiles by whole solves
+	int64_t compiling = 0; // GPU: passes that the driver is still compiling. Until they are ready, only knots meet sharp colliders,
+						   // and free tiles take whole solves
 	int64_t uploaded_bytes = 0; // GPU: bytes sent to the device
-	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, patch and MultiMesh excepted
+	int64_t buffer_bytes = 0; // now: of the buffers and textures on the device, except patch and MultiMesh
 	int64_t pool_bytes = 0; // now: the part of them that grows with the pool
 	int64_t culls = 0; // culling passes
-	int64_t mixes = 0; // frames for which the offsets of two steps were mixed
-	int64_t instance_updates = 0; // changes of the node that went to the renderer: place, world, visibility, layers
+	int64_t mixes = 0; // frames that mixed the offsets of two steps
+	int64_t instance_updates = 0; // changes of the node that were passed to the renderer: place, world, visibility, layers
 	// In the newest frame known (GPU: about two frames late): tiles of each level, blades in the picture and in shadows.
 	std::array<int64_t, GRASS_ALL_LEVELS> drawn_tiles{};
 	int64_t drawn_blades = 0, shadow_blades = 0;
-	std::array<int64_t, 2> left_out_tiles{}; // that had no room in the MultiMeshes of picture and shadows
-	int64_t drawn_plants = 0, left_out_plants = 0; // in the newest frame known: drawn by a mesh; without room
-	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, one a blade and read
+	std::array<int64_t, 2> left_out_tiles{}; // that did not fit in the MultiMeshes of picture and shadows
+	int64_t drawn_plants = 0, left_out_plants = 0; // in the newest frame known: drawn by a mesh; left out for lack of room
+	int64_t knots_read = 0; // GPU: blades whose knots were read back without waiting, counted in each read
 	int64_t knot_waits = 0; // GPU: times that the main thread waited for knots
-	int64_t knots_age = 0; // GPU, now: steps by which the known knots lag behind; 0 if nobody queries them
+	int64_t knots_age = 0; // GPU, now: steps by which the known knots are late; 0 if nothing queries them
 	double upload_ms = 0.0; // CPU time of handing a step's records to the GPU: copies, uploads, recording the pass
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull: GPU timestamps, or CPU time; 0 until known
 };

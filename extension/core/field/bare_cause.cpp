@@ -10,7 +10,7 @@ namespace grass {
 
 namespace {
 
-// Codes by which what a rule gives may differ from what the map has while the rule is still its cause: neighbours blend, and a fill may
+// Difference in codes between a rule's result and the map up to which the rule still counts as the cause: neighbours blend, and filling may
 // be some frames late.
 constexpr int32_t SAME = 4;
 

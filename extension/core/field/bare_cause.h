@@ -11,23 +11,23 @@ namespace grass {
 enum class BareKind {
 	GRASS, // nothing reduces the grass
 	MAP, // the map has no grass here, neither by hand paint nor by the rule
-	PAINTED, // a hand
+	PAINTED, // painted by hand
 	RULE, // see BareCause::rule
 	WORN,
 	SHORT, // painted low
 	CUT,
 	HOLE, // of the terrain
-	LEDGE, // the place is on no side of a ledge
+	LEDGE, // the place is on neither side of a ledge
 };
 
 struct BareCause {
 	BareKind kind = BareKind::GRASS;
-	double share = 1.0; // of the grass that it leaves, 0..1
+	double share = 1.0; // share of the grass that it leaves, 0..1
 	double value = 0.0; // CUT: metres
 	FillCause rule; // RULE
 };
 
-// p_rule: what fills the map, if anything does. p_height: of uncut grass there, metres. p_at: x, z in metres.
+// p_rule: the rule that fills the map, if any. p_height: of uncut grass there, metres. p_at: x, z in metres.
 BareCause find_bare_cause(
 		const PaintMap &p_map, const FillRule *p_rule, const FillSources &p_sources, const Eigen::Vector2d &p_at, double p_height);
 

@@ -9,7 +9,7 @@ namespace grass {
 
 namespace {
 
-// Of the pass that takes most: simulate, of species, with edges. All of its bindings but the patch and the pool's texture are buffers.
+// For the most demanding pass: simulate, with species and edges. All of its bindings except the patch and the pool's texture are buffers.
 constexpr int64_t NEEDED_BUFFERS = GRASS_BINDING_WORK + 1 - 2;
 constexpr int64_t NEEDED_SHARED_BYTES = 16384;
 constexpr int64_t NEEDED_CONSTANT_BYTES = sizeof(GrassStep);

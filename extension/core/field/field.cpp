@@ -11,8 +11,8 @@ namespace grass {
 
 namespace {
 
-// Grass this far outside of the view counts as seen, so that a camera that turns finds it up to date. Metres. Smaller: bodies
-// visibly push into the grass when the camera turns fast. Larger: more is simulated that nobody sees.
+// Grass this far outside the view counts as visible, so that it is up to date when a camera turns towards it. Metres. Smaller: bodies
+// visibly push into the grass when the camera turns fast. Larger: more invisible grass is simulated.
 constexpr float VIEW_MARGIN = 3.0f;
 
 } // namespace
@@ -89,7 +89,7 @@ void Field::stir() {
 
 void Field::regrow(const TileRange &p_tiles) {
 	_regrown = _regrown.count() > 0 ? _regrown.joined(p_tiles) : p_tiles;
-	_tiles.set_params(tile_params()); // lowest and highest ground
+	_tiles.set_params(tile_params()); // they depend on the lowest and highest ground
 }
 
 void Field::see(const FieldView &p_view, bool p_is_visible) {
@@ -140,7 +140,7 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 	_tiles.update(p_delta, p_colliders, p_parallel_for);
 	_tiles_ms = clock.lap();
 	if (!_can_simulate) {
-		_tiles.reset(); // which bodies meet grass is known; the blades stand
+		_tiles.reset(); // which bodies meet grass is known; the blades stay at rest
 		return false;
 	}
 	if (_tiles.get_slots().empty()) { // nothing is awake: no dispatch, no upload
@@ -176,7 +176,7 @@ void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> 
 	r_simulator.step(input);
 }
 
-// The growth of the blades of tiles that woke in this tick, and of awake tiles on which the map changed.
+// Returns the growth of the blades of tiles that woke in this tick, and of awake tiles on which the map changed.
 std::span<const SlotGrowth> Field::grow_tiles() {
 	_growth.clear();
 	if (_blades.needs_growth()) {
@@ -201,7 +201,7 @@ double Field::ground_range() const {
 
 std::shared_ptr<TileBounds> Field::bounds_of(const FieldSetup &p_next) const {
 	ClumpParams clump = _setup.clump;
-	clump.origin = p_next.clump.origin; // bounds hold wherever in the noise
+	clump.origin = p_next.clump.origin; // bounds are valid anywhere in the noise
 	const bool same_blades = _bounds && _setup.patch == p_next.patch && clump == p_next.clump && _setup.seed == p_next.seed &&
 			_setup.is_mapped == p_next.is_mapped && (_setup.species == nullptr) == (p_next.species == nullptr) &&
 			_setup.card_size == p_next.card_size && _setup.follow_slope == p_next.follow_slope;
@@ -209,7 +209,7 @@ std::shared_ptr<TileBounds> Field::bounds_of(const FieldSetup &p_next) const {
 					   : std::make_shared<TileBounds>(*p_next.patch, p_next.grid, p_next.clump, p_next.seed);
 }
 
-// Field space, metres, at the field's height.
+// Returns a root in field space, metres, at the field's height.
 Eigen::Vector3d Field::root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) const {
 	const Eigen::Vector2d offset = (p_root.cast<double>().array() - 0.5) * _setup.grid.get_tile_size();
 	return _setup.grid.get_centre(p_x, p_z) + Eigen::Vector3d(offset.x(), 0.0, offset.y());
@@ -235,7 +235,7 @@ std::vector<BladeNumber> Field::find_blades(const Eigen::Vector2d &p_place, doub
 	for (int z = tiles.z_begin; z < tiles.z_end; z++) {
 		for (int x = tiles.x_begin; x < tiles.x_end; x++) {
 			for (int blade = 0; blade < GRASS_BLADES_PER_TILE; blade++) {
-				// Stems stand where their plant does.
+				// The stems of a plant share its root.
 				const Eigen::Vector2f place = _setup.has_plants ? _blades.get_pose(x, z, blade).root : _blades.get_root(x, z, blade);
 				const Eigen::Vector3d root = root_of(place, x, z);
 				if (std::hypot(root.x() - p_place.x(), root.z() - p_place.y()) <= p_radius && _blades.stands(x, z, blade)) {

@@ -29,7 +29,7 @@ public:
 	void set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const MapLayers *p_map,
 			const SpeciesPatches &p_species, const FieldParams &p_params);
 	void forget_map();
-	// Takes over from another field what blades of the same patch need. Call it before set().
+	// Takes over from another field what blades of the same patch need. Must be called before set().
 	void join(const Field &p_other) {
 		_setup = p_other._setup;
 		_bounds = p_other._bounds;
@@ -37,17 +37,17 @@ public:
 	// Puts every blade to rest at once.
 	void rest() { _tiles.reset(); }
 
-	// Sets the params for the next step. Their method is not read: the field keeps the one that it was made with.
+	// Sets the params for the next step. Ignores their method: the field keeps the one that it was made with.
 	void set_params(const FieldParams &p_params);
-	// Applies the params to the tiles; blades that stand still may move.
+	// Applies the params to the tiles; blades at rest may move.
 	void stir();
-	// Call it when the map has changed under these tiles.
+	// Must be called when the map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
 
 	// Sets the views of a frame's cameras. If no picture of its world is shown, a visible node's field counts as seen: scripts and tests
 	// observe such a world in ways that are not known here.
 	void see(const FieldView &p_view, bool p_is_visible);
-	bool is_seen() const { return _is_seen; } // or a shadow of it
+	bool is_seen() const { return _is_seen; } // or one of its shadows
 
 	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
 	bool begin_tick(Simulator &r_simulator, bool p_is_listened, double p_delta);
@@ -68,7 +68,7 @@ public:
 	const SpeciesPatches &get_species() const { return _species; }
 	double ground_relief() const; // metres that the ground rises above or falls below the field
 	double ground_range() const; // metres from the lowest ground to the highest
-	int64_t get_unseen_ticks() const { return _unseen_ticks; } // left out so far
+	int64_t get_unseen_ticks() const { return _unseen_ticks; } // number of skipped ticks
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick
 
 	// Returns the boxes of the tiles of a field that follows this one.
@@ -97,9 +97,9 @@ private:
 	std::vector<GrassForce> _forces; // of this tick
 	std::vector<SlotGrowth> _growth; // of this tick
 	TileRange _regrown; // tiles below which the map changed since the last tick
-	bool _is_seen = true; // in the last frame; where no frames are drawn, always
+	bool _is_seen = true; // in the last frame; always true if no frames are drawn
 	bool _can_simulate = false; // in this tick
-	double _unseen_time = 0.0; // seconds of ticks left out since the last one that was not
+	double _unseen_time = 0.0; // seconds of skipped ticks since the last one that was not skipped
 	int64_t _unseen_ticks = 0;
 	double _tiles_ms = 0.0;
 };

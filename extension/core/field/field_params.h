@@ -11,15 +11,15 @@ namespace grass {
 
 struct FieldParams {
 	SolverParams solver;
-	std::vector<SolverParams> species; // the same for each species; none in a field without
+	std::vector<SolverParams> species; // the same for each species; empty in a field without
 	SleepMode sleep_mode = SleepMode::ENERGY;
 	double sleep_delay = SLEEP_DELAY.initial; // seconds
 	double sleep_motion = SLEEP_MOTION.initial; // mm
 	double settle_time = SETTLE_TIME.initial; // seconds
 
-	// The time in which a swing dies down, of the species that swings longest, in seconds.
+	// Returns the time in which a swing dies down, in seconds, for the species that swings longest.
 	double calm_time() const;
-	// The energy up to which the blades of every species are calm, J/kg.
+	// Returns the energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;
 };
 

@@ -26,21 +26,21 @@ struct FieldSetup {
 	uint32_t seed = 0;
 	bool is_mapped = false; // a map determines what grows where
 	float follow_slope = 0.0f; // FOLLOW_SLOPE
-	std::shared_ptr<const SpeciesMix> species; // null: one species, which adds no cost
+	std::shared_ptr<const SpeciesMix> species; // null: one species, at no extra cost
 
-	Method method = Method::DIRECT; // that its blades are solved by
+	Method method = Method::DIRECT; // of solving its blades
 
-	bool has_terrain = false; // a texture of the terrain gives it colour
-	float card_size = 0.0f; // farthest that a card or a leaf reaches from its tip, metres; 0: no species has one
-	float leaf_area = 0.0f; // that leaves cover, of the mean blade, m^2
-	bool has_plants = false; // a species has a mesh, or several stems to a root
-	float plant_size = 0.0f; // farthest that a mesh reaches from its blade, metres; 0: no species has one
+	bool has_terrain = false; // a texture of the terrain colours it
+	float card_size = 0.0f; // how far a card or a leaf extends from its tip at most, metres; 0: no species has one
+	float leaf_area = 0.0f; // area that the mean blade's leaf covers, m^2
+	bool has_plants = false; // a species has a mesh, or several stems for each root
+	float plant_size = 0.0f; // how far a mesh extends from its blade at most, metres; 0: no species has one
 
 	// Returns true if the meshes of one field fit the other, provided that the MultiMeshes are large enough.
 	bool has_meshes_of(const FieldSetup &p_other) const {
 		return drawn_tiles_max == p_other.drawn_tiles_max && (card_size > 0.0f) == (p_other.card_size > 0.0f);
 	}
-	// Return how many tiles the MultiMeshes of picture and shadows have room for: powers of two, so that a growing field mostly fits.
+	// Return the capacities of the MultiMeshes of picture and shadows, tiles: powers of two, so that a growing field usually fits.
 	int instance_capacity() const { return capacity(uint64_t(drawn_tiles_max)); }
 	int shadow_capacity() const { return capacity(uint64_t(drawn_tiles_max) / 4); }
 	// Return, of the longest blade at rest, enlarged by its clump: length, height above the root, horizontal spread; the last two include
@@ -48,9 +48,9 @@ struct FieldSetup {
 	float blade_length() const { return patch->max_length * CLUMP_TALLEST; }
 	float blade_height() const { return std::min(patch->max_height * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
 	float blade_spread() const { return std::min(patch->max_spread * CLUMP_TALLEST + blade_lean(), blade_length()) + tip_size(); }
-	// Beyond a blade: its card, its mesh.
+	// Returns how far its card or mesh extends beyond a blade, metres.
 	float tip_size() const { return std::max(card_size, plant_size); }
-	// Of the mean blade.
+	// Returns the size of the mean blade.
 	BladeSize blade_size() const { return { patch->mean_width + width_of_leaf(leaf_area, patch->mean_length), patch->mean_length }; }
 	MapPlace map_place() const { return { grid, double(blade_length()), follow_slope, species != nullptr }; }
 	CullField cull_field() const {
@@ -59,8 +59,7 @@ struct FieldSetup {
 
 private:
 	int capacity(uint64_t p_most) const { return int(std::min(std::bit_ceil(uint64_t(grid.get_tile_count())), p_most)); }
-	// The farthest that a clump's lean and the slope move a tip: the chord of the angle whose half has that tangent, on both
-	// axes.
+	// Returns the farthest that a clump's lean and the slope move a tip: the chord of the angle whose half has that tangent, on both axes.
 	float blade_lean() const {
 		return (2.0f * 1.4143f * float(GRASS_CLUMP_LEAN) + (is_mapped ? slope_lean(follow_slope) : 0.0f)) * blade_length();
 	}

@@ -11,7 +11,7 @@ Growth growth_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
 	return p_layers != nullptr ? p_layers->sample(p_place) : glsl::grass_unpainted(1.0f);
 }
 
-// Of the grass around a place, metres, without clump and map.
+// Returns the mean height of the grass around a place, metres, without clump and map.
 double mean_height_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers) {
 	const FieldSetup &setup = p_field.get_setup();
 	if (!setup.species) {

@@ -11,7 +11,7 @@ namespace grass {
 double density_at(const Eigen::Vector2f &p_place, const MapLayers *p_layers);
 // Returns the height of the grass in metres; 0 where none grows.
 double height_at(const Field &p_field, const Eigen::Vector2f &p_place, const MapLayers *p_layers);
-// Returns the grass for mowing, mending and the bodies in it. Valid until the field is set again.
+// Returns the grass as mowing, regrowing and bodies need it. Valid until the field is set again.
 GrassKind kind_of(const Field &p_field);
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps track of the blades that are queried again and again, and of their last known knots. For a simulator on a device that answers some
+// Keeps track of the blades that are queried repeatedly, and of their last known knots, for a simulator on a device that answers some
 // frames later: a query returns the last known knots at once, and its blades are read back from then on.
 #pragma once
 
@@ -12,13 +12,13 @@ namespace grass {
 
 class KnotWatch {
 public:
-	// A blade that was not queried in this many reads is no longer read. A second at 60 frames/s.
+	// Reads after which a blade that was not queried is no longer read: a second at 60 frames/s.
 	static constexpr int READS_KEPT = 60;
 
 	// The knots of blades after a step, in the form that unpack_knots() reads.
 	struct Answer {
 		uint64_t step = 0;
-		std::vector<BladeNumber> blades; // rising
+		std::vector<BladeNumber> blades; // ascending
 		std::vector<float> knots;
 	};
 
@@ -36,9 +36,9 @@ public:
 		return blades;
 	}
 	void receive(Answer &&p_answer) { _answer = std::move(p_answer); }
-	// Returns the steps by which the newest answer lags behind p_step; 0 if nothing is queried.
+	// Returns the number of steps by which the newest answer is behind p_step; 0 if nothing is queried.
 	int64_t get_age(uint64_t p_step) const { return _asked.empty() || _answer.step == 0 ? 0 : int64_t(p_step - _answer.step); }
-	// Starts again with other blades, none of which was queried.
+	// Starts again with other blades, none of which has been queried.
 	void clear();
 	size_t get_memory_usage() const; // bytes
 
@@ -47,8 +47,8 @@ private:
 
 	std::unordered_map<BladeNumber, int> _asked; // and the read in which it was last queried
 	int _reads = 0;
-	uint64_t _read_step = 0; // of the last one
-	bool _is_unanswered = false; // since then, an awake blade was queried that the newest answer lacks
+	uint64_t _read_step = 0; // of the last read
+	bool _is_unanswered = false; // whether an awake blade was queried since then that the newest answer lacks
 	Answer _answer;
 };
 

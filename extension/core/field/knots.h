@@ -13,7 +13,7 @@
 
 namespace grass {
 
-// A blade of a field: GRASS_BLADES_PER_TILE times its tile's index, and its place in the tile.
+// The number of a blade in a field: GRASS_BLADES_PER_TILE times its tile's index, plus its index in the tile.
 using BladeNumber = int64_t;
 
 constexpr BladeNumber number_of(int p_tile, int p_blade) {
@@ -26,12 +26,12 @@ constexpr int blade_in_tile(BladeNumber p_blade) {
 	return int(p_blade % GRASS_BLADES_PER_TILE);
 }
 
-// From root to tip, metres.
+// The knots of a blade from root to tip, metres.
 template <typename T> using KnotsOf = std::array<Eigen::Vector3<T>, GRASS_KNOTS>;
-// The knots of an awake blade that move, in blade space; the clamped ones are never read. Empty: their positions are not known.
+// The moving knots of an awake blade, in blade space; the clamped ones are never read. Empty: their positions are unknown.
 using SimulatedKnots = std::optional<KnotsOf<float>>;
 
-// The knots as a device reports them: the free ones only, one after the other.
+// The knots as a device reports them: only the free ones, in order.
 inline constexpr int KNOT_NUMBERS = 3 * GRASS_FREE_KNOTS;
 inline KnotsOf<float> unpack_knots(const float *p_numbers) {
 	KnotsOf<float> knots;
@@ -48,7 +48,7 @@ inline KnotsOf<float> unpack_knots(const float *p_numbers) {
 // A blade whose knots are queried.
 struct WantedBlade {
 	BladeNumber number = 0;
-	int slot = GRASS_NO_SLOT; // of its tile; without one it is at rest
+	int slot = GRASS_NO_SLOT; // of its tile; without one the blade is at rest
 };
 
 } // namespace grass

@@ -26,7 +26,7 @@ void PoolTexels::reset(int p_pool_size) {
 }
 
 void PoolTexels::begin_between() {
-	_moved = SlotSet(); // each of its own: a copy would keep the memory
+	_moved = SlotSet(); // new objects, since copies would keep the memory
 	_settled = SlotSet();
 	if (_is_between) {
 		_moved.reset(_pool_size, false);
@@ -58,7 +58,7 @@ void PoolTexels::resize(int p_rows) {
 	}
 }
 
-// Slots beyond the rows are asleep since, or they would have one.
+// Slots beyond the rows fell asleep since, otherwise they would have a row.
 void PoolTexels::pack(const CpuPool &p_pool) {
 	for (const int slot : _changed) {
 		if (slot >= _rows) {
@@ -88,7 +88,7 @@ void PoolTexels::begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_
 	_moved.clear();
 	for (const GrassSlot &slot : p_slots) {
 		if ((slot.list.w & GRASS_SLOT_FRESH) != 0) {
-			std::ranges::fill(row(_earlier, slot.tile.w), uint16_t(0)); // it was at rest; another tile left its blades there
+			std::ranges::fill(row(_earlier, slot.tile.w), uint16_t(0)); // it was at rest; another tile left its blades here
 		}
 	}
 }

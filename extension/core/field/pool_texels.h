@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pool's texture as the CPU makes it: a row for each slot, 4 halves for each knot of each blade. Between two ticks it shows the offsets
-// of the last two steps, mixed (docs/decisions/0060); if that is not needed, only those of the last step are kept. Twin of
+// The pool's texture as the CPU makes it: a row for each slot, 4 halves for each knot of each blade. Between two ticks it shows a mix of
+// the offsets of the last two steps (docs/decisions/0060); if that is not needed, it keeps only those of the last step. Twin of
 // shaders/solver/mix.glsl.
 #pragma once
 
@@ -19,11 +19,11 @@ public:
 
 	// Sets the number of slots that may be awake; none is awake.
 	void reset(int p_pool_size);
-	// Sets whether frames show a mix of two steps. It begins with the last one.
+	// Sets whether frames show a mix of two steps. Begins with the last step.
 	void set_between(bool p_is_between);
 	bool is_between() const { return _is_between; }
 
-	// Call them before and after a step: what p_pool holds before it, and the slots that it moves.
+	// Must be called before and after a step. p_pool: its state before the step; p_slots: those that the step moves.
 	void begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_slots);
 	void end_step(std::span<const GrassSlot> p_slots);
 
@@ -49,11 +49,11 @@ private:
 
 	int _rows = 0, _pool_size = 0;
 	bool _is_between = false;
-	float _share = 1.0f; // that is shown
-	std::vector<uint16_t> _now, _earlier, _shown; // after the last step, the one before, and what is between; the last two may be empty
-	SlotSet _changed; // rows that _now does not have yet
-	SlotSet _moved; // by the last step: rows that are mixed
-	SlotSet _settled; // rows that were mixed, or not shown yet, and that the last step did not move
+	float _share = 1.0f; // that is visible
+	std::vector<uint16_t> _now, _earlier, _shown; // after the last step, after the one before, and their mix; the last two may be empty
+	SlotSet _changed; // rows that are not in _now yet
+	SlotSet _moved; // by the last step: rows to mix
+	SlotSet _settled; // rows that were mixed or not visible yet, and that the last step did not move
 };
 
 } // namespace grass

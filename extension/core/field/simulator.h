@@ -11,13 +11,14 @@ class Simulator {
 public:
 	virtual ~Simulator() = default;
 
-	// Returns true once step() can work: the driver may still compile the pass. Until then all blades are at rest, and nobody calls step().
+	// Returns true once step() can work: the driver may still be compiling the pass. Until then all blades are at rest, and step() is not
+	// called.
 	virtual bool can_simulate() { return true; }
 	// Returns true if no pass replaces one that is still being compiled, so that results no longer depend on it.
 	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
-	// Frees memory that was not needed for a while. Call it in every tick, with or without a step.
+	// Frees memory that was not needed for a while. Must be called in every tick, with or without a step.
 	virtual void tidy() {}
 	// Returns the newest known report without waiting; it is valid until the next call.
 	virtual EnergyReport read_energy() = 0;

@@ -17,11 +17,11 @@ namespace grass {
 class Visitors {
 public:
 	struct Change {
-		std::vector<uint64_t> exited, entered; // owners, rising
+		std::vector<uint64_t> exited, entered; // owners, ascending
 	};
 
-	// Returns the owners of colliders that entered grass in this tick, and of those that left it. Call it after a tick of p_tiles with
-	// p_colliders.
+	// Returns the owners of colliders that entered grass in this tick, and of those that left it. Must be called after a tick of p_tiles
+	// with p_colliders.
 	Change update(const TileManager &p_tiles, std::span<const ColliderShape> p_colliders) {
 		std::vector<uint64_t> now;
 		for (size_t i = 0; i < p_colliders.size(); i++) {
@@ -37,11 +37,11 @@ public:
 		_in_grass.swap(now);
 		return change;
 	}
-	// Call it when the grass is removed. Returns the owners that were in it.
+	// Must be called when the grass is removed. Returns the owners that were in it.
 	std::vector<uint64_t> leave() { return std::exchange(_in_grass, {}); }
 
 private:
-	std::vector<uint64_t> _in_grass; // in the last tick, rising
+	std::vector<uint64_t> _in_grass; // in the last tick, ascending
 };
 
 } // namespace grass
