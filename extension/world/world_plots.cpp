@@ -16,7 +16,7 @@ namespace grass {
 
 namespace {
 
-// Plots that are read ahead of those that come.
+// Most plots that are read ahead of those that appear.
 constexpr int MOST_READ = 2;
 } // namespace
 
@@ -37,7 +37,7 @@ void WorldPlots::start(const WorldSettings &p_settings, const WorldFolders &p_fo
 	_pool_tile.reset();
 	_pool_wanted = 0;
 	const auto start_fields = [&] { _fields.start(p_settings.scene, p_settings.grid.get_plot_size(), p_folders.label); };
-	if (!outlives(_fields.get_world(), start_fields) || _is_running) { // a script of the scene began the world anew
+	if (!outlives(_fields.get_world(), start_fields) || _is_running) { // a script of the scene restarted the world
 		return;
 	}
 	_files.start(p_folders);
@@ -62,8 +62,8 @@ void WorldPlots::stop(bool p_forgets) {
 	_is_running = false;
 }
 
-// Runs a part of a frame in which scripts may run. False: that was all of the frame, since one of them ended the world, freed it, or took
-// it out of the tree.
+// Runs a part of a frame in which scripts may run. Returns false if a script ended the world, freed it, or removed it from the tree; the
+// frame ends then.
 template <typename F> bool WorldPlots::run(F &&p_step) {
 	return outlives(_fields.get_world(), p_step) && _is_running;
 }
@@ -93,7 +93,7 @@ void WorldPlots::take_read() {
 			found->second.state = State::READ;
 		}
 	}
-	std::erase_if(_plots, [this](const auto &p_entry) { // a script freed its field
+	std::erase_if(_plots, [this](const auto &p_entry) { // a script may have freed its field
 		return p_entry.second.field != 0 && field_of(p_entry.second) == nullptr;
 	});
 }
@@ -112,14 +112,14 @@ void WorldPlots::show_coming() {
 		const uint64_t id = plot.field;
 		plot.state = State::STANDING;
 		_statistics.most_build_ms = std::max(_statistics.most_build_ms, field->get_build_ms());
-		if (run([&] { field->set_visible(true); }) && field_with(id) != nullptr) { // a script may hear it
+		if (run([&] { field->set_visible(true); }) && field_with(id) != nullptr) { // a script may be notified
 			_tell("plot_loaded", shown, field);
 		}
 		return; // a listener may have changed everything
 	}
 }
 
-// The nearest of those that are read.
+// Brings the nearest of the plots that are read.
 void WorldPlots::bring_one() {
 	if (is_coming()) {
 		return;
@@ -145,14 +145,14 @@ void WorldPlots::bring(PlotKey p_key, int64_t p_pool) {
 		return;
 	}
 	const auto found = _plots.find(p_key);
-	if (found == _plots.end() || found->second.state != State::READ) { // a script of the field began the world anew
+	if (found == _plots.end() || found->second.state != State::READ) { // a script of the field restarted the world
 		field->queue_free();
 		return;
 	}
 	Plot &plot = found->second;
 	const Eigen::Vector2d centre = _settings.grid.centre(p_key);
 	field->set_position(Vector3(real_t(centre.x()), 0, real_t(centre.y())));
-	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots are made of whole chunks
+	field->set_noise_origin(Vector2i(int32_t(centre.x()), int32_t(centre.y()))); // whole, since plots consist of whole chunks
 	if (field->get_pool_tiles() != p_pool) {
 		field->set_pool_tiles(p_pool);
 	}
@@ -168,9 +168,9 @@ void WorldPlots::bring(PlotKey p_key, int64_t p_pool) {
 	_statistics.brought++;
 }
 
-// One that is read and nobody wants any more is only forgotten.
+// A plot that was read and is no longer wanted is only forgotten.
 void WorldPlots::leave_one() {
-	const std::vector<PlotKey> leaving = _plan.leaving; // listeners may begin the world anew
+	const std::vector<PlotKey> leaving = _plan.leaving; // listeners may restart the world
 	const bool is_all_here = std::ranges::all_of(_plan.wanted, [this](const PlotKey &p_key) { return find(p_key) != nullptr; });
 	for (const PlotKey &key : leaving) {
 		const Plot &plot = _plots.at(key);
@@ -193,7 +193,7 @@ void WorldPlots::leave(PlotKey p_key, const Plot &p_plot) {
 		return;
 	}
 	const auto found = _plots.find(p_key);
-	if (found == _plots.end() || found->second.state != State::STANDING || field_of(found->second) != field) { // a listener freed it
+	if (found == _plots.end() || found->second.state != State::STANDING || field_of(found->second) != field) { // a listener has freed it
 		return;
 	}
 	if (is_changed(found->second, *field)) {
@@ -211,7 +211,7 @@ bool WorldPlots::is_changed(const Plot &p_plot, const GrassField &p_field) const
 			!is_same(kept_of(map->get_map(), _fields.get_pattern().has_terrain), kept_of(p_plot.known, _fields.get_pattern().has_terrain));
 }
 
-// Of the wanted plots the nearest that nobody asked for.
+// Requests the nearest wanted plot that is not requested yet.
 void WorldPlots::ask() {
 	const std::optional<MapPlace> &place = _fields.find_place();
 	if (!place) {
@@ -263,14 +263,14 @@ int64_t WorldPlots::save() {
 	return count;
 }
 
-// One that is being read is read again: what was asked for comes from before.
+// A plot that is being read is read again, since the earlier request returns its old state.
 void WorldPlots::restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to) {
 	const bool has_terrain = _fields.get_pattern().has_terrain;
 	const auto change = [from = kept_of(p_from, has_terrain), to = kept_of(p_to, has_terrain)](
 								PaintMap &r_map) { put_back(r_map, from, to); };
 	const auto found = _plots.find(p_key);
 	if (GrassField *field = found != _plots.end() ? field_of(found->second) : nullptr) {
-		if (field->get_map().is_null()) { // a script took it
+		if (field->get_map().is_null()) { // a script removed it
 			return;
 		}
 		const Ref<GrassMapSnapshot> snapshot = field->get_map()->take_snapshot();

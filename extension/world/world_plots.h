@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plots of a world that are in memory: read by a thread, brought into the tree one at a time, kept while they are wanted, written
-// when they leave changed.
+// The plots of a world in memory: read by a thread, added to the tree one at a time, kept while they are wanted, and written if they
+// changed when they leave.
 #pragma once
 
 #include "core/world/world_movers.h"
@@ -22,12 +22,12 @@ struct WorldSettings {
 };
 
 struct WorldStatistics {
-	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; those that wait are being read or made
+	int64_t plots = 0, waiting = 0, changed = 0, spare = 0; // now; waiting ones are being read or made
 	int64_t memory = 0; // bytes
 	int64_t brought = 0, left = 0, fields_made = 0; // since the world entered the tree
-	double most_build_ms = 0.0; // of one field in one frame
-	int64_t most_moves = 0; // plots that were brought or left in one frame, at most
-	int64_t tests = 0; // distances and ways that the last frame compared with plots
+	double most_build_ms = 0.0; // longest time for one field in one frame
+	int64_t most_moves = 0; // most plots that were added or left in one frame
+	int64_t tests = 0; // distances and paths that the last frame compared with plots
 };
 
 class WorldPlots {
@@ -36,34 +36,34 @@ public:
 
 	WorldPlots(godot::Node3D &p_world, Tell p_tell) : _fields(p_world), _tell(std::move(p_tell)) {}
 
-	// In the tree. This and update() run scripts: afterwards this may be gone, with the world.
+	// Starts when the world is in the tree. This and update() run scripts: afterwards this object may be gone, with the world.
 	void start(const WorldSettings &p_settings, const WorldFolders &p_folders);
-	// What changed is written, unless it is to be forgotten; the fields go with the world's children.
+	// Writes changed plots, unless p_forgets; the fields are freed with the world's children.
 	void stop(bool p_forgets = false);
 	bool is_running() const { return _is_running; }
 	void set_budget(size_t p_bytes) { _settings.budget = p_bytes; }
-	// A frame of p_delta seconds. p_movers: bodies and forces, around which grass is simulated.
+	// Runs a frame of p_delta seconds. p_movers: bodies and forces, around which grass is simulated.
 	void update(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta);
 
 	GrassField *find(const PlotKey &p_key) const; // null: not in memory, or not made yet
 	std::vector<PlotKey> get_standing() const;
-	int64_t save(); // how many plots are written
-	// Makes a plot what p_to says, wherever that differs from p_from, also one that is not in memory.
+	int64_t save(); // returns the number of plots to write
+	// Sets a plot to p_to wherever that differs from p_from, even if it is not in memory.
 	void restore(const PlotKey &p_key, const PaintMap &p_from, const PaintMap &p_to);
 	const WorldPlan &get_plan() const { return _plan; }
 	const WorldGrid &get_grid() const { return _settings.grid; }
 	const WorldFields &get_fields() const { return _fields; }
 	WorldFiles &get_files() { return _files; }
 	const WorldFiles &get_files() const { return _files; }
-	uint32_t find_layers() const; // of the grass that stands, and of what comes
+	uint32_t find_layers() const; // of the grass in the tree, and of the plots that follow
 	WorldStatistics get_statistics() const;
 
 private:
 	enum class State { ASKED, READ, COMING, STANDING };
 	struct Plot {
 		State state = State::ASKED;
-		int64_t ask = 0; // the ask() to answer
-		uint64_t field = 0; // the instance's id: a script may free it
+		int64_t ask = 0; // the request to answer
+		uint64_t field = 0; // instance id, since a script may free it
 		PaintMap known; // as it is in its file
 		std::unique_ptr<ShownMap> prepared;
 		FieldMemory memory; // when it was measured last
@@ -87,7 +87,7 @@ private:
 	bool is_under_eyes(const PlotKey &p_key) const;
 	bool is_changed(const Plot &p_plot, const GrassField &p_field) const;
 	bool is_coming() const;
-	size_t count_bytes() const; // of fields and maps, also of those that wait
+	size_t count_bytes() const; // of fields and maps, including those that wait
 	size_t count_shared() const;
 
 	WorldFields _fields;
@@ -99,10 +99,10 @@ private:
 	std::map<PlotKey, Plot> _plots;
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
-	std::optional<int64_t> _pool_tile; // bytes a tile of a pool needs; empty until a field runs
+	std::optional<int64_t> _pool_tile; // bytes for each tile of a pool; empty until a field runs
 	size_t _pool_wanted = 0; // bytes that wait for other plots to leave
-	PlotKey _measured{ 1 << 30, 0 }; // last
-	double _frame_seconds = 0.0; // of a frame, lately
+	PlotKey _measured{ 1 << 30, 0 }; // the plot measured last
+	double _frame_seconds = 0.0; // mean duration of the last frames
 	WorldStatistics _statistics;
 };
 

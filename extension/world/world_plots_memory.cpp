@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the plots of a world take, what the budget holds of them, and how large their pools are.
+// The memory that the plots of a world use, what the budget holds, and the sizes of their pools.
 #include "world/world_plots.h"
 
 #include <algorithm>
@@ -10,27 +10,27 @@ namespace grass {
 
 namespace {
 
-// The pool of a plot where nothing moves: enough for a blast. More: memory in every plot.
+// The pool of a plot in which nothing moves: enough for a blast. More: more memory in every plot.
 constexpr int64_t QUIET_POOL = 32;
-// A pool is made larger before what moves is there: so many seconds and frames before, since a field is made in parts. More: pools where
-// nothing comes. Less: grass stands upright behind fast bodies.
+// How long before something that moves arrives a pool is made larger: seconds, and frames, since a field is made in parts. More: pools
+// where nothing arrives. Less: grass stays upright behind fast bodies.
 constexpr double LEAD = 2.0; // seconds
 constexpr double LEAD_FRAMES = 40.0;
-// What a frame counts for in the mean of the last ones.
+// Weight of one frame in the mean of the last frames.
 constexpr double FRAME_WEIGHT = 0.05;
 
-// Everything of p_memory is of one field, and even so it may be of two moments, since a device reports late.
+// All of p_memory is of one field, but its parts may be of two moments, since the device reports late.
 size_t rest_of(const FieldMemory &p_memory) {
 	return p_memory.all > 0 ? size_t(std::max<int64_t>(p_memory.all - p_memory.shared - p_memory.pool, 1)) : 0;
 }
 
 size_t pool_of(const FieldMemory &p_memory, int64_t p_tiles) {
-	return size_t(std::max(p_memory.pool, p_memory.pool_tile * p_tiles)); // the larger one, of a pool that is still being made
+	return size_t(std::max(p_memory.pool, p_memory.pool_tile * p_tiles)); // the larger size, for a pool that is still being made
 }
 
 } // namespace
 
-// One a frame, in turn, and those that just came.
+// Measures one plot in each frame, in turn, and those that have just appeared.
 void WorldPlots::measure() {
 	auto next = _plots.upper_bound(_measured);
 	if (next == _plots.end()) {
@@ -71,7 +71,7 @@ void WorldPlots::make_plan(std::span<const WorldEye> p_eyes, std::span<const Wor
 	_planner.learn(loaded);
 	const PlotPools pools = find_pools();
 	const size_t shared = count_shared();
-	// What a plot takes is held back, for the field that comes while another one leaves.
+	// The size of a plot is held back for the field that appears while another one leaves.
 	const size_t held_back = _planner.get_typical() + size_t(pools.quiet) * pools.tile_bytes;
 	_plan = _planner.plan(
 			_settings.grid, { p_eyes, busy.plots, loaded, pools, _settings.budget - std::min(_settings.budget, shared), held_back });
@@ -88,8 +88,8 @@ int64_t WorldPlots::pool_for(const PlotKey &p_key) const {
 	return found != _plan.pools.end() ? found->second : find_pools().quiet;
 }
 
-// One field at a time: a larger pool once the plots that the budget does not hold beside it have left; and only over grass that rests, as
-// all of it does in a field that is made again, unless the pool is one for blasts only.
+// Changes one field at a time: gives it a larger pool once the plots have left that the budget does not hold beside it, and only while its
+// grass is at rest, as it always is in a field that is made again, unless its pool is only for blasts.
 void WorldPlots::fit_pools() {
 	_pool_wanted = 0;
 	const PlotPools pools = find_pools();
