@@ -15,8 +15,8 @@ namespace grass {
 
 namespace {
 
-// Chunks of the map (64 m) that may change without waiting for anything: less than 1 ms each. More: frames stutter when a large brush is
-// used. Less: what is painted with it comes in pieces.
+// Chunks of the map (64 m) that may change in one frame without waiting: less than 1 ms each. More: frames stutter when a large brush is
+// used. Less: its paint appears in pieces.
 constexpr int CHUNKS_AT_ONCE = 4;
 
 } // namespace
@@ -43,7 +43,7 @@ void StandingField::drop_backend() {
 	_backend.reset();
 	_part = Part::NOTHING;
 	_ground.free();
-	_field.rest(); // its blades went with it
+	_field.rest(); // its blades went with the backend
 }
 
 void StandingField::clear() {
@@ -53,7 +53,7 @@ void StandingField::clear() {
 }
 
 void StandingField::update_params() {
-	if (_backend) { // else make() will
+	if (_backend) { // otherwise make() does it
 		_field.set_params(_properties.field_params(_species));
 		_field.stir();
 	}
@@ -92,7 +92,7 @@ void StandingField::set_uniform(const StringName &p_name, const Variant &p_value
 	}
 }
 
-// p_ground: of the ground, too, not of the blades alone.
+// p_ground: for the ground too, instead of only the blades.
 FieldUniforms::Set StandingField::uniform_setter(bool p_ground) {
 	return [this, p_ground](const char *p_name, const Variant &p_value) {
 		if (p_ground) {
@@ -125,7 +125,7 @@ bool StandingField::update_map() {
 	}
 	const bool are_few = _map->get_waiting() <= CHUNKS_AT_ONCE && !_map->is_growing(), is_streamed = _properties.is_streamed;
 	std::optional<FrameShare::Turn> turn;
-	if (is_streamed || !are_few) { // else at once, and not from the share
+	if (is_streamed || !are_few) { // otherwise at once, outside the frame's share
 		turn.emplace(this);
 	}
 	const MapLayers::Changes changes = _map->update([&] { return !turn || (is_streamed ? turn->has_part() : turn->has_time()); });
@@ -215,7 +215,7 @@ bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 bool StandingField::leaves_tiles_out() const {
 	const FieldSetup &setup = _field.get_setup();
 	if (int(setup.grid.get_tile_count()) <= std::min(setup.instance_capacity(), setup.shadow_capacity())) {
-		return false; // all of them have room
+		return false; // there is room for all of them
 	}
 	const auto [picture, shadows] = _backend->get_statistics().left_out_tiles;
 	return picture + shadows > 0;

@@ -19,13 +19,13 @@
 
 namespace grass {
 
-// The memory that a field takes, in bytes.
+// The memory used by a field, in bytes.
 struct FieldMemory {
-	int64_t all = 0; // with its map
-	int64_t shared = 0; // the part of it that fields with the same patch share
-	int64_t pool = 0; // and its pool
-	int64_t pool_tile = 0; // that each tile of a larger pool takes, used or not
-	const void *patch = nullptr; // only to be compared; null: there is no field
+	int64_t all = 0; // including its map
+	int64_t shared = 0; // shared with fields that have the same patch
+	int64_t pool = 0; // its pool
+	int64_t pool_tile = 0; // for each tile of a larger pool, used or not
+	const void *patch = nullptr; // only for comparison; null: there is no field
 };
 
 class StandingField {
@@ -33,9 +33,9 @@ public:
 	// p_properties: the node's. They may differ from this field until it is made again.
 	explicit StandingField(const FieldProperties &p_properties) : _properties(p_properties) {}
 
-	// Makes worker threads prepare the passes of a first field, while the main thread makes the rest.
+	// Lets worker threads prepare the passes of a first field, while the main thread makes the rest.
 	void begin_passes() const;
-	// Becomes p_wanted, all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. Call show() next.
+	// Becomes p_wanted, with all of it at rest. Keeps the buffers, MultiMeshes and materials that still fit. show() must be called next.
 	// With p_in_parts, show() makes a new backend.
 	void make(WantedField &&p_wanted, bool p_in_parts);
 	// Returns true while the drawn field does not match the properties yet; call show() in each frame then.
@@ -44,7 +44,7 @@ public:
 	bool show(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	// Stops simulating and drawing until the field is made again.
 	void drop_backend();
-	// Does the same, and also drops the map.
+	// Does the same, and drops the map too.
 	void clear();
 	// Returns true if the driver has refused a pass of the field that runs on it.
 	bool is_refused() const { return _backend != nullptr && _backend->is_refused(); }
@@ -57,10 +57,10 @@ public:
 	bool stands() const { return _backend != nullptr; }
 	bool is_shown() const { return _part == Part::ALL; } // all of it: a streamed field comes in parts while it is hidden
 
-	// Updates what a field that is not made again reads from the properties.
+	// Updates what a field reads from the properties without being made again.
 	void update_params();
 	void update_measuring();
-	// Continues the gusts of another field with the same blades. Call it before this field is made for the first time.
+	// Continues the gusts of another field with the same blades. Must be called before this field is made for the first time.
 	void join(const StandingField &p_other) {
 		_uniforms.join_wind(p_other._uniforms);
 		_field.join(p_other._field);
@@ -69,14 +69,14 @@ public:
 	// Updates the species' colours and frequencies. Returns false if the change requires making the field again.
 	bool update_species();
 	void set_uniform(const godot::StringName &p_name, const godot::Variant &p_value); // of blades and ground
-	// An idle editor, and a game in low processor mode, draw only after something of the rendering server's has been set.
+	// An idle editor, and a game in low processor mode, draw only after something in the rendering server has changed.
 	void request_draw() { set_uniform("tile_size", _field.get_grid().get_tile_size()); }
 
 	// Takes over the map's changes since the last call: a few chunks at once, more as frames have time. Returns false if the map has more
 	// painted chunks under the field than the field can show.
 	bool update_map();
 	ShownMap *get_map() const { return _map.get(); } // null: none
-	// Returns the map's present layers at a place, whether or not the field shows them already. The result is valid until the next call;
+	// Returns the map's current layers at a place, whether or not the field shows them already. The result is valid until the next call;
 	// null without a map.
 	const MapLayers *layers_at(const Eigen::Vector2f &p_place) const;
 
@@ -85,13 +85,14 @@ public:
 	bool resume() { return _field.resume(); }
 	// Returns true if blades moved.
 	bool tick(std::span<ColliderShape> p_colliders, std::span<const Force> p_forces, double p_delta, const ParallelFor &p_parallel_for);
-	// Call it in each frame of a renderer that adds light in sRGB.
+	// Must be called in each frame of a renderer that adds light in sRGB.
 	void show_light(const godot::Vector4 &p_other) { _uniforms.set_light(p_other, uniform_setter(true)); }
-	// Moves the wind on. Call it in each frame before drawing begins.
+	// Advances the wind. Must be called in each frame before drawing begins.
 	void blow(std::span<const Force> p_forces, double p_delta);
-	// Call it in each frame before show_motion(). See Backend.
+	// Must be called in each frame before show_motion(). See Backend.
 	void show_between(bool p_is_between, float p_share) { _backend->show_between(p_is_between, p_share); }
-	// Call it in each frame once its cameras are known. p_is_read: somebody reads motion vectors; p_is_visible: the node is visible.
+	// Must be called in each frame once its cameras are known. p_is_read: something reads motion vectors; p_is_visible: the node is
+	// visible.
 	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
 	void read_asked(); // reads the blades that scripts query
@@ -109,13 +110,13 @@ public:
 	FieldHook::Set setter() { // of blades and ground
 		return [this](const godot::StringName &p_name, const godot::Variant &p_value) { set_uniform(p_name, p_value); };
 	}
-	void measure_time(); // from now on, whatever the property says
+	void measure_time(); // starts measuring, whatever the property says
 	int64_t get_memory_usage() const; // bytes
 	DrawnStatistics count_drawn() const; // only while there is a field
 	void add_to(FieldStatistics &r_statistics) const;
 
 private:
-	bool wants_device() const; // and there is one
+	bool wants_device() const; // whether the device is wanted and there is one
 	godot::String obstacle_warning() const;
 	void make_backend();
 	bool has_ledges() const { return _map != nullptr && !_map->get_layers().get_ledge_layers().empty(); }
@@ -152,7 +153,7 @@ private:
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
 	bool _is_measured = false; // somebody reads the monitors of times
 	int64_t _builds = 0; // backends made
-	int64_t _wind_updates = 0; // frames in which the wind's clock went to the materials
+	int64_t _wind_updates = 0; // frames that passed the wind's clock to the materials
 };
 
 } // namespace grass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is drawn of a field that was made: at once, or part by part where it is hidden until all of it is there.
+// Shows a field that was made: at once, or part by part while it is hidden.
 #include "field/standing_field.h"
 
 #include "draw/field_shaders.h"
@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-// Of the cover, in one part: 0.3 MB. More: a frame's upload is longer. Fewer: a plot takes more frames to come.
+// Tiles of the cover in one part: 0.3 MB. More: a frame's upload takes longer. Fewer: a plot takes more frames to appear.
 constexpr int TILES_AT_ONCE = 16384;
 
 } // namespace
