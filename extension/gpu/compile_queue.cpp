@@ -67,7 +67,7 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	PassShaders::Made made = _shaders.make(r_pipeline.code, p_is_worker);
 	const uint64_t has_shader = Time::get_singleton()->get_ticks_msec();
 	r_pipeline.make(made.shader);
-	if (!r_pipeline.pipeline.is_valid() && made.from == PassShaders::From::FILE) { // of a driver that has changed since
+	if (!r_pipeline.pipeline.is_valid() && made.from == PassShaders::From::FILE) { // the driver has changed since
 		made = _shaders.make_again(r_pipeline.code);
 		r_pipeline.make(made.shader);
 	}

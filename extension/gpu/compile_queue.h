@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles compute passes beside the frames, since drivers take seconds for one, and keeps the pipelines.
+// Compiles compute passes in the background, since drivers take seconds for one, and keeps the pipelines.
 #pragma once
 
 #include "draw/task_queue.h"
@@ -29,10 +29,10 @@ struct PassCode {
 	std::span<const uint32_t> spirv;
 	const char *name;
 	PassOrder order;
-	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, of passes that have this constant
-	bool crowd = false; // value of GRASS_CONSTANT_CROWD, likewise
+	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, for passes with this constant
+	bool crowd = false; // value of GRASS_CONSTANT_CROWD, for passes with this constant
 	bool has_stand_in = false; // another pass replaces it if it is refused
-	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, of passes with a method; the same for the whole process
+	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, for passes with a method; the same in the whole process
 };
 
 // A singleton, get(). Its functions may be called on any thread, but for free_pipelines().

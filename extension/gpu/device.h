@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Buffers, textures and pipelines on the renderer's own RenderingDevice. Everything here may only be called on
-// the render thread (RenderingServer.call_on_render_thread).
+// Buffers, textures and pipelines on the renderer's own RenderingDevice. Everything here must be called on the render thread
+// (RenderingServer.call_on_render_thread).
 #pragma once
 
 #include "gpu/compile_queue.h"
@@ -21,7 +21,7 @@ namespace grass {
 // Returns the device that the engine draws with; null in Compatibility and headless.
 godot::RenderingDevice *main_device();
 
-// A storage buffer that grows with what is uploaded, and skips an upload of what it already holds.
+// A storage buffer that grows with the uploaded data, and skips an upload of data that it already holds.
 class GpuBuffer {
 public:
 	~GpuBuffer() { free(); }
@@ -46,10 +46,10 @@ private:
 
 	godot::RID _rid;
 	int64_t _size = 0; // bytes
-	godot::PackedByteArray _uploaded; // what the buffer holds since the last upload
+	godot::PackedByteArray _uploaded; // contents as of the last upload
 };
 
-// A compute pass: one shader, its pipeline, and one uniform set that is made again when a resource in it changed.
+// A compute pass: one shader, its pipeline, and one uniform set that is made again when a resource in it has changed.
 class GpuPass {
 public:
 	~GpuPass() { free(); }
@@ -60,14 +60,14 @@ public:
 	void create(const PassCode &p_code, Compile p_when = Compile::NOW);
 	// Queues p_code, once. Returns whether its pipeline is done.
 	static bool prepare(const PassCode &p_code, Need p_need = Need::PREPARED);
-	// Returns the name of p_code if the driver has refused it, else null. From any thread.
+	// Returns the name of p_code if the driver has refused it, otherwise null. On any thread.
 	static const char *find_refused(const PassCode &p_code) { return CompileQueue::get().is_refused(p_code) ? p_code.name : nullptr; }
 	// Sets what the pass binds at p_binding of set 0. dispatch() notices a change.
 	void bind_buffer(int p_binding, const godot::RID &p_buffer);
 	void bind_image(int p_binding, const godot::RID &p_texture);
 	void bind_sampled(int p_binding, const godot::RID &p_sampler, const godot::RID &p_texture);
-	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16. More
-	// workgroups than a dimension holds are laid out in rows, see shaders/base/rows.inc.
+	// Adds the pass to an open compute list. p_constants: the push constant's bytes, a multiple of 16. If there are more workgroups than a
+	// dimension can hold, they are laid out in rows, see shaders/base/rows.inc.
 	void dispatch(int64_t p_list, const godot::PackedByteArray &p_constants, uint32_t p_groups);
 	void free();
 	bool is_created() const { return _source != nullptr; }

@@ -52,7 +52,7 @@ ViewRecords to_records(const FieldView &p_view, const FieldSetup &p_setup) {
 	return records;
 }
 
-// A mesh with the levels from p_first to p_end as its surfaces.
+// Returns a mesh with the levels from p_first to p_end as its surfaces.
 Ref<ArrayMesh> make_mesh(const BladeMaterials &p_materials, int p_first, int p_end, bool p_cards) {
 	Ref<ArrayMesh> mesh;
 	mesh.instantiate();
@@ -86,13 +86,13 @@ GpuBackend::GpuBackend(const FieldSetup &p_setup) :
 GpuBackend::~GpuBackend() {
 	set_uniform("pool_knots_before", Variant());
 	_materials.set("drawn_tiles", Variant());
-	set_uniform("pool_knots", Variant()); // else the engine looks it up once more, and may find another thread's new texture
+	set_uniform("pool_knots", Variant()); // otherwise the engine looks it up again, and may find another thread's new texture
 	RenderQueue::get_singleton()->post([field = _field, multimeshes = multimeshes()] { field->free(multimeshes); });
 }
 
 void GpuBackend::set_look(const Look &p_look) {
 	_materials.set_look(p_look);
-	if (!_picture.is_created()) { // an instance without shaders would be drawn with the engine's own
+	if (!_picture.is_created()) { // an instance without our shaders would be drawn with the engine's own
 		_picture.create(make_mesh(_materials, 0, GRASS_LOD_LEVELS, _setup.card_size > 0.0f), _setup.instance_capacity(), Written::LISTED,
 				_bounds, Role::PICTURE);
 		_shadows.create(make_mesh(_materials, GRASS_LOD_LEVELS, GRASS_ALL_LEVELS, false), _setup.shadow_capacity(), Written::LISTED,
@@ -131,8 +131,8 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 	const bool has_other_blades = p_setup.patch != _setup.patch;
 	_setup = p_setup;
 	_watch.clear();
-	_knot_report = std::make_shared<KnotReport>(); // what is still on its way is the old field's
-	if (has_other_blades) { // plants are set anew
+	_knot_report = std::make_shared<KnotReport>(); // replies still on their way belong to the old field
+	if (has_other_blades) { // plants are set again
 		_patch_texture = _next_patch == _setup.patch ? _next_patch_texture : patch_texture(_setup.patch);
 		_materials.set("patch_knots", _patch_texture);
 		_materials.set("blade_length", _setup.blade_length());
@@ -167,12 +167,12 @@ void GpuBackend::draw(const FieldView &p_view) {
 void GpuBackend::show_between(bool p_is_between, float p_share) {
 	if (_is_between != p_is_between) {
 		_is_between = p_is_between;
-		_share = -1.0f; // no frame has shown anything of it
+		_share = -1.0f; // no frame has shown a mix yet
 		RenderQueue::get_singleton()->post([field = _field, p_is_between] { field->set_between(p_is_between); });
 	}
 	if (_is_between && _steps > 0 && (_has_stepped || _share != p_share)) {
 		_share = p_share;
-		_has_stepped = true; // the blades of this frame are elsewhere, for motion vectors, too
+		_has_stepped = true; // the blades of this frame have moved, also for motion vectors
 		RenderQueue::get_singleton()->post([field = _field, p_share] { field->mix(p_share); });
 	}
 }
@@ -196,7 +196,7 @@ void GpuBackend::show_motion(bool p_is_read, bool p_has_blown) {
 void GpuBackend::set_bounds(const AABB &p_bounds) {
 	_bounds = p_bounds;
 	AABB picture = p_bounds;
-	if (_has_motion) { // upright and turned over
+	if (_has_motion) { // upright and flipped
 		const real_t most = std::max(std::abs(p_bounds.position.y), std::abs(p_bounds.position.y + p_bounds.size.y));
 		picture.position.y = -most;
 		picture.size.y = 2 * most;
@@ -214,7 +214,7 @@ void GpuBackend::follow(GeometryInstance3D *p_node, const Transform3D &p_transfo
 
 void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, const TileRange &p_changed) {
 	set_bounds(field_bounds(_setup, p_cover.get()));
-	if (p_changed.count() > 0) { // whole rows: one copy
+	if (p_changed.count() > 0) { // whole rows, with a single copy
 		const int64_t first = _setup.grid.get_index(0, p_changed.z_begin), count = int64_t(p_changed.depth()) * _setup.grid.get_tiles_x();
 		const auto tiles = p_cover->get_tiles().subspan(size_t(first), size_t(count));
 		RenderQueue::get_singleton()->post([field = _field, first, bytes = to_bytes(tiles)] { field->set_cover(first, bytes); });
@@ -223,7 +223,7 @@ void GpuBackend::set_cover(const std::shared_ptr<const TileCover> &p_cover, cons
 
 EnergyReport GpuBackend::read_energy() {
 	std::lock_guard lock(_report->mutex);
-	if (_energy_step != _report->energy_step) { // swapped, so that the next report reuses the memory of the last
+	if (_energy_step != _report->energy_step) { // swapped, so that the next report reuses the memory of the last one
 		_energy_step = _report->energy_step;
 		_energy.swap(_report->energy);
 		_bends.swap(_report->bends);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh for the picture and one for shadows,
-// whose instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other.
+// The backend of Forward+ and Mobile: simulates in compute passes, and draws one MultiMesh for the picture and one for shadows, whose
+// instances and counts a compute pass writes. This side lives on the main thread; gpu_field.h is the other side.
 #pragma once
 
 #include "core/field/knot_watch.h"
@@ -64,17 +64,17 @@ private:
 	FieldSetup _setup;
 	bool _measure = false;
 	godot::Ref<godot::ImageTexture> _patch_texture; // outlives the materials that read it
-	std::shared_ptr<const Patch> _next_patch; // of the field to come, once its texture is made
+	std::shared_ptr<const Patch> _next_patch; // of the next field, once its texture is made
 	godot::Ref<godot::ImageTexture> _next_patch_texture;
-	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second one for motion vectors
+	godot::Ref<godot::Texture2DRD> _pool_texture, _pool_before_texture; // the second for motion vectors
 	godot::Ref<godot::Texture2DRD> _drawn_texture; // GRASS_CULL_DRAWN
 	BladeMaterials _materials;
 	FieldInstance _picture, _shadows;
 	Plants _plants;
-	PaintedSpecies _painted; // for the pass that chooses plants, where there are any
+	PaintedSpecies _painted; // for the pass that chooses plants, if there are any
 	godot::AABB _bounds; // of the blades
-	bool _has_motion = false; // somebody reads motion vectors
-	bool _is_flipped = false; // the picture's instance, see show_motion()
+	bool _has_motion = false; // something reads motion vectors
+	bool _is_flipped = false; // whether the picture's instance is, see show_motion()
 	bool _has_stepped = false; // since the last frame
 	bool _is_between = false; // frames show a mix of two steps
 	float _share = 1.0f; // of the last step, in the last frame
@@ -84,9 +84,9 @@ private:
 	std::vector<Eigen::Vector3f> _bends;
 	uint64_t _steps = 0; // passed to the device so far
 	KnotWatch _watch;
-	std::shared_ptr<KnotReport> _knot_report; // of the field that runs
+	std::shared_ptr<KnotReport> _knot_report; // of the running field
 	int64_t _knots_read = 0, _knot_waits = 0; // see BackendStatistics
-	std::shared_ptr<GpuField> _field; // used by jobs on the render thread only
+	std::shared_ptr<GpuField> _field; // used only by jobs on the render thread
 };
 
 } // namespace grass

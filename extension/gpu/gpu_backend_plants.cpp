@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What GpuBackend does for plants with a mesh.
+// The part of GpuBackend for plants with a mesh.
 #include "draw/patch_texture.h"
 #include "gpu/gpu_backend.h"
 #include "gpu/gpu_field.h"
@@ -13,7 +13,7 @@ namespace grass {
 
 namespace {
 
-// Plants within reach of a camera, if all blades were of the species.
+// Returns the number of plants within reach of a camera if all blades were of this species.
 int plant_room(const FieldSetup &p_setup, const DrawnPlant &p_plant) {
 	const double size = p_setup.grid.get_tile_size();
 	const double side_x = std::min(2.0 * double(p_plant.distance), double(p_setup.grid.get_tiles_x()) * size),
@@ -36,7 +36,7 @@ void GpuBackend::set_map(const MapBinding &p_map) {
 }
 
 void GpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const PlantCull::PlantsOf &p_plants_of) {
-	(void)p_plants_of; // the GPU finds them
+	(void)p_plants_of; // the GPU finds them itself
 	const bool has_any = std::ranges::any_of(p_plants, [](const DrawnPlant &p_plant) { return p_plant.model != nullptr; });
 	if (_plants.is_empty() && !has_any) {
 		return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What GpuField has on the device. A tick: gpu_field_step.cpp; a frame: gpu_field_draw.cpp.
+// The buffers and textures of GpuField on the device. Its ticks are in gpu_field_step.cpp, its frames in gpu_field_draw.cpp.
 #include "gpu/gpu_field.h"
 
 #include "draw/shared_shader.h"
@@ -59,7 +59,7 @@ void GpuField::set_field(const FieldSetup &p_setup, const RID &p_patch) {
 	report_memory();
 }
 
-// The buffers by tile, with room to spare, so that a field that grows mostly keeps them.
+// Makes the buffers by tile, with spare room, so that a growing field can usually keep them.
 void GpuField::fit_tables() {
 	_table_changed = true;
 	const int64_t room = tile_room(_tiles), cover = _is_mapped ? room * int64_t(sizeof(TileCover::Tile)) : 0;
@@ -86,7 +86,7 @@ void GpuField::make_pool_texture() {
 	make_before_texture();
 }
 
-// Row 0 and a row for each GRASS_PLACES_PER_ROW.
+// Makes row 0, and one row for each GRASS_PLACES_PER_ROW.
 void GpuField::make_drawn_texture(int64_t p_places) {
 	const int rows = 1 + int((p_places + GRASS_PLACES_PER_ROW - 1) / GRASS_PLACES_PER_ROW);
 	if (rows != _drawn_rows) {
@@ -124,7 +124,7 @@ void GpuField::set_between(bool p_is_between) {
 		_mix.create(_pool_texture, _sampler, _pool_size);
 		_mix.keep(_pool_texture, _used_rows);
 	} else {
-		_pool->set_texture_rd_rid(_pool_texture); // it held a view of what is freed next
+		_pool->set_texture_rd_rid(_pool_texture); // it has a view of the texture that is freed next
 		_mix.free();
 		free_unneeded_rows();
 	}
@@ -139,7 +139,7 @@ void GpuField::free_unneeded_rows() {
 	}
 }
 
-// Comes before draw(), which shows it.
+// Runs before draw(), which shows the result.
 void GpuField::mix(float p_share) {
 	if (!_has_kept) {
 		keep_pool();
@@ -154,7 +154,7 @@ void GpuField::mix(float p_share) {
 	_report->statistics.mixes += has_mixed ? 1 : 0;
 }
 
-// What the last frame showed, for the motion vectors of the next one.
+// Keeps what the last frame showed, for the motion vectors of the next one.
 void GpuField::keep_pool() {
 	if (_before.is_valid() && _has_moved && _used_rows > 0) {
 		copy_rows(_mix.is_showing() ? _mix.get_shown() : _pool_texture, _before_texture, 0, 0, _used_rows);
@@ -162,8 +162,8 @@ void GpuField::keep_pool() {
 	}
 }
 
-// Tiles that wake in this step were at rest in the frame and in the step before. Their rows hold what other tiles left there, or nothing
-// that is known.
+// Tiles that wake in this step were at rest in the frame and in the step before. Their rows hold the blades of other tiles, or are
+// undefined.
 void GpuField::rest_before(std::span<const GrassSlot> p_slots) {
 	if (_before.is_valid()) {
 		_resting_rows.copy_to(_before_texture, p_slots);
@@ -177,7 +177,7 @@ void GpuField::make_simulate() {
 	_simulate.create(simulate_code(_kind, TILES_ALL), GpuPass::Compile::LATER);
 	_simulate_free.create(simulate_code(_kind, TILES_FREE), GpuPass::Compile::LATER);
 	_simulate_edges.create(simulate_code(_kind, TILES_WITH_EDGES), GpuPass::Compile::LATER);
-	_simulate_crowds.free(); // made where the first crowd is
+	_simulate_crowds.free(); // made with the first crowd
 }
 
 bool GpuField::can_simulate_crowds() {
@@ -190,7 +190,7 @@ bool GpuField::can_simulate_crowds() {
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	const int64_t uploaded = _cover.write(p_first * int64_t(sizeof(TileCover::Tile)), p_tiles);
-	_table_changed = true; // other tiles may be drawn now
+	_table_changed = true; // the drawn tiles may change
 	std::lock_guard lock(_report->mutex);
 	_report->statistics.uploaded_bytes += uploaded;
 }
@@ -206,13 +206,13 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	set_motion(Ref<Texture2DRD>());
 	set_between(false);
 	for (Ref<Texture2DRD> *shown : { &_pool, &_drawn }) {
-		if (shown->is_valid()) { // the texture resource first: it holds a view of what is freed next
+		if (shown->is_valid()) { // the texture resource first, since it has a view of what is freed next
 			(*shown)->set_texture_rd_rid(RID());
 			shown->unref();
 		}
 	}
 	const auto commands_of = [server](const RID &p_multimesh) {
-		return p_multimesh.is_valid() ? server->multimesh_get_command_buffer_rd_rid(p_multimesh) : RID(); // never shown
+		return p_multimesh.is_valid() ? server->multimesh_get_command_buffer_rd_rid(p_multimesh) : RID(); // it was never shown
 	};
 	for (const RID &rid :
 			{ _pool_texture, _drawn_texture, _sampler, commands_of(p_multimeshes.picture), commands_of(p_multimeshes.shadows) }) {
@@ -236,7 +236,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 void GpuField::report_times() {
 	const GpuTimes times = read_gpu_times();
 	std::lock_guard lock(_report->mutex);
-	BackendStatistics &statistics = _report->statistics; // a pass that the frame did not have keeps its last known time
+	BackendStatistics &statistics = _report->statistics; // a pass that did not run in this frame keeps its last known time
 	statistics.simulate_ms = times.simulate_ms > 0.0 ? times.simulate_ms : statistics.simulate_ms;
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }
@@ -246,7 +246,7 @@ int64_t GpuField::find_pool_tile_bytes(bool p_is_between) {
 			int64_t(sizeof(vec4) + sizeof(SlotGrowth::blades) + sizeof(SlotGrowth::species));
 }
 
-// The report's mutex is held.
+// The caller must hold the report's mutex.
 void GpuField::report_memory() {
 	const int64_t textures = POOL_ROW_BYTES * (_before.is_valid() ? 2 : 1) * _pool_size + _mix.get_memory_usage() +
 			_resting_rows.get_memory_usage() + int64_t(_drawn_rows) * 2 * GRASS_PLACES_PER_ROW * int64_t(sizeof(vec4));

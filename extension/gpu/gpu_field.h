@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A field on the GPU: its buffers and the list of its passes. Lives on the render thread: every function is
-// called there (gpu_backend.h posts them through RenderQueue).
+// A field on the GPU: its buffers and the list of its passes. Every function must be called on the render thread (gpu_backend.h posts the
+// calls through RenderQueue).
 #pragma once
 
 #include "core/field/backend_statistics.h"
@@ -44,7 +44,7 @@ struct StepRecords {
 struct ViewRecords {
 	GrassView view;
 	std::vector<GrassCamera> cameras;
-	PaintedSpecies painted; // of fields with plants and a map
+	PaintedSpecies painted; // for fields with plants and a map
 };
 
 // The MultiMeshes that draw a field.
@@ -69,7 +69,7 @@ public:
 	// set_between().
 	static int64_t find_pool_tile_bytes(bool p_is_between);
 
-	// p_patch: the patch texture of the renderer. p_pool, p_drawn: get the textures of the pool and of the drawn tiles made here.
+	// p_patch: the renderer's patch texture. p_pool, p_drawn: receive the textures of the pool and of the drawn tiles.
 	void create(const FieldSetup &p_setup, const godot::RID &p_patch, const godot::Ref<godot::Texture2DRD> &p_pool,
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
@@ -80,21 +80,21 @@ public:
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
 	// Sets the MultiMeshes of plants. Frees the command buffers of the former ones, which must still exist.
 	void set_plants(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
-	// p_before: gets a texture of where the last drawn frame showed the pool's blades; null: nobody reads motion vectors.
+	// p_before: receives a texture of where the last drawn frame showed the pool's blades; null: nothing reads motion vectors.
 	void set_motion(const godot::Ref<godot::Texture2DRD> &p_before);
-	// Sets whether frames between two ticks show a mix of their steps; if so, call mix().
+	// Sets whether frames between two ticks show a mix of their steps; if so, mix() must be called.
 	void set_between(bool p_is_between);
-	// Mixes p_share of the last step with the rest of the one before. Call it before draw().
+	// Mixes p_share of the last step with the rest of the one before. Must be called before draw().
 	void mix(float p_share);
 	// Sets the cover of consecutive tiles from p_first on: TileCover::Tile[].
 	void set_cover(int64_t p_first, const godot::PackedByteArray &p_tiles);
 	KnotReader &get_reader() { return _reader; }
-	// p_multimeshes: their command buffers go too; the engine never frees those (seen in 4.6).
+	// p_multimeshes: frees their command buffers too, since the engine never does (seen in 4.6).
 	void free(const FieldMultiMeshes &p_multimeshes);
 
 private:
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
-	// Words of CountBuffer in cull.glsl: how many hold what is drawn, and the places of some; how many in all.
+	// Words of CountBuffer in cull.glsl: counts of what is drawn, offsets of some of them, and their total number.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
@@ -107,12 +107,12 @@ private:
 	void rest_before(std::span<const GrassSlot> p_slots);
 	void make_simulate();
 	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
-	// The first call begins to compile their pass.
+	// The first call starts to compile the crowds' pass.
 	bool can_simulate_crowds();
 	void bind_simulate();
-	// For a step of p_slots, of which one dispatch takes p_most: 0, none.
+	// Makes room for a step of p_slots, of which one dispatch takes p_most; 0: none.
 	void make_room_to_work(uint32_t p_slots, uint32_t p_most);
-	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns bytes.
+	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns the bytes uploaded.
 	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
 	bool bind_plants(const ViewRecords &p_records);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
@@ -126,45 +126,46 @@ private:
 	int64_t _tiles = 0, _pool_size = -1; // -1: none yet
 	bool _table_changed = true; // since the last cull
 
-	// Written by the main thread's records every step, read by simulate, one step long.
+	// Lives for one step: written by the main thread's records in every step, read by simulate.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
-	// Written and read by simulate, as long as the field: knots of awake tiles, now and a step before in two halves; which half is which;
-	// twists of their joints, and the blades' lengths; energy. All by slot.
+	// Lives as long as the field, read and written by simulate: knots of awake tiles, now and one step earlier in two halves; which half is
+	// which; twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
-	// Written and read by simulate, one dispatch: what its threads keep of their blades' joints, unless each has an array for it.
+	// Lives for one dispatch, read and written by simulate: what its threads keep of their blades' joints, unless each has an array for it.
 	std::shared_ptr<GpuBuffer> _work; // shared by all fields
-	// Written by simulate, read by cull, as long as the field: slot of each tile.
+	// Lives as long as the field, written by simulate, read by cull: slot of each tile.
 	GpuBuffer _table;
-	// Written by the main thread when the map changes, as long as the field: how blades grow, read by simulate; where tiles are,
-	// read by cull. Fields without a map have none (16 bytes).
+	// Live as long as the field, written by the main thread when the map changes: how blades grow, read by simulate; where tiles are, read
+	// by cull. Fields without a map have none (16 bytes).
 	GpuBuffer _growth, _cover;
 	bool _is_mapped = false;
-	// The same for fields with species: which species the blades of each slot are; and, every step, each species' step.
+	// The same for fields with species: the species of each slot's blades; and, in every step, each species' step.
 	GpuBuffer _blade_species, _species_steps;
 	PassKind _kind;
-	// Written every frame, read by cull.
+	// Written in every frame, read by cull.
 	GpuBuffer _view, _cameras;
-	// Written and read by cull, one frame.
+	// Live for one frame, read and written by cull.
 	GpuBuffer _counts;
-	// Written by simulate, read by the blade shader, as long as the field: offsets of the knots from rest.
-	godot::RID _pool_texture, _sampler, _patch; // the patch texture is the renderer's
+	// Lives as long as the field, written by simulate, read by the blade shader: offsets of the knots from rest.
+	godot::RID _pool_texture, _sampler, _patch; // the patch texture belongs to the renderer
 	godot::Ref<godot::Texture2DRD> _pool;
-	// Written by cull, read by the blade shader, as long as the MultiMeshes: the list of drawn tiles (GRASS_PLACES_PER_ROW).
+	// Lives as long as the MultiMeshes, written by cull, read by the blade shader: the list of drawn tiles (GRASS_PLACES_PER_ROW).
 	godot::RID _drawn_texture;
 	godot::Ref<godot::Texture2DRD> _drawn;
 	int _drawn_rows = 0;
 	std::array<godot::RID, 2> _instances, _begun; // the MultiMeshes' buffers; those that GRASS_CULL_BEGIN has written
-	// A copy of it, as long as motion vectors are read: written before the first step of a frame, read by the blade shader.
+	// A copy of the pool's texture, which exists while motion vectors are read: written before the first step of a frame, read by the blade
+	// shader.
 	godot::RID _before_texture;
-	// As long as that, or _mix: to be copied into both.
+	// Exists as long as that copy or _mix: rows to copy into both.
 	RestingRows _resting_rows;
-	// Where physics is interpolated: written in each frame whose share of the last step is another one, read by the blade shader in place
-	// of the pool's texture.
+	// If physics is interpolated: written in each frame in which the share of the last step changes, read by the blade shader instead of
+	// the pool's texture.
 	PoolMix _mix;
-	godot::Ref<godot::Texture2DRD> _before; // null: nobody reads them
+	godot::Ref<godot::Texture2DRD> _before; // null: nothing reads them
 	int _used_rows = 0; // of the pool's texture
 	bool _has_kept = false; // since the last frame
-	bool _has_moved = false; // blades, since the copy was made
+	bool _has_moved = false; // whether blades have, since the copy was made
 	KnotReader _reader;
 	PlantPasses _plants;
 	GpuPass _simulate, _simulate_edges, _simulate_free, _simulate_crowds; // of tiles with no bit, GRASS_SLOT_EDGES, _FREE, _CROWD

@@ -73,7 +73,7 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 	}
 	const bool has_plants = bind_plants(p_records);
 	if (uploaded == 0 && !_table_changed && !_cull.has_changed() && !(has_plants && _plants.has_changed())) {
-		return; // the same view of the same tiles: the MultiMeshes are still right
+		return; // the same view of the same tiles: the MultiMeshes are up to date
 	}
 	_table_changed = false;
 	{
@@ -104,7 +104,7 @@ void GpuField::dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimesh
 		dispatch(GRASS_CULL_BEGIN, instances, groups_of(instances, GRASS_CULL_GROUP));
 		main_device()->compute_list_add_barrier(p_list);
 	}
-	const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // all at once
+	const bool have_room = _tiles <= std::min(capacity, shadow_capacity); // for all tiles together
 	for (uint32_t phase = GRASS_CULL_COUNT; phase <= GRASS_CULL_WRITE; phase++) {
 		if (have_room && phase > GRASS_CULL_COUNT && phase < GRASS_CULL_WRITE) {
 			continue;

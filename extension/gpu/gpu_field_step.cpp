@@ -46,7 +46,7 @@ void GpuField::bind_simulate() {
 	_reader.bind(_knots.rid(), _halves.rid());
 }
 
-// The device takes steps of two fields one after the other, since both write this buffer.
+// The GPU runs steps of two fields one after the other, since both write this buffer.
 void GpuField::make_room_to_work(uint32_t p_slots, uint32_t p_most) {
 	static std::weak_ptr<GpuBuffer> of_all_fields;
 	_work = of_all_fields.lock();
@@ -108,7 +108,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
 	const uint32_t room = uint32_t(count_working_tiles(device_limits()));
-	const uint32_t most = room > 0 ? room : slots; // that one dispatch takes
+	const uint32_t most = room > 0 ? room : slots; // for one dispatch
 	make_room_to_work(slots, room);
 	for (GpuPass *pass : simulate_passes()) {
 		pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
@@ -125,12 +125,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		GrassStep step = p_records.step;
 		for (uint32_t first = 0; first < slots; first += most) {
 			if (first > 0) {
-				device->compute_list_add_barrier(list); // the next ones work where these did
+				device->compute_list_add_barrier(list); // the next dispatch uses the same memory
 			}
 			step.contact.w = float(first);
 			const PackedByteArray constants = to_bytes(std::span<const GrassStep>(&step, 1));
 			const uint32_t count = std::min(slots - first, most);
-			// What takes longest begins first, so that little is left to do when the last of it ends.
+			// The pass that takes longest begins first, so that little is left to do when its end comes.
 			if (crowds > 0) {
 				_simulate_crowds.dispatch(list, constants, count);
 			}
@@ -167,7 +167,8 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;
 	}
-	// The device copies it between this step's dispatch and the next one's, so it is this step's: energies at its start.
+	// The device makes the copy between the dispatches of this step and the next one, so it has this step's energies, which are those at
+	// its start.
 	const auto receive = [report = _report, number = p_records.number - 1](const PackedByteArray &p_data) {
 		std::lock_guard lock(report->mutex);
 		report->energy_step = number;

@@ -29,9 +29,9 @@ Stopwatch::~Stopwatch() {
 GpuTimes read_gpu_times() {
 	RenderingDevice *device = main_device();
 	GpuTimes times;
-	int steps = 0; // a slow frame holds several
+	int steps = 0; // a slow frame has several
 	const uint32_t count = device->get_captured_timestamps_count();
-	for (uint32_t i = 1; i < count; i++) { // each of ours ends a span that began at the one before it
+	for (uint32_t i = 1; i < count; i++) { // each of ours ends a span that began at the timestamp before it
 		const String name = device->get_captured_timestamp_name(i);
 		if (device->get_captured_timestamp_name(i - 1) != String(BEGIN)) {
 			continue;

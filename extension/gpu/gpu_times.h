@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures how long the passes take on the GPU, by timestamps around them, which are read about two frames later. Render thread.
+// Measures how long the passes take on the GPU, with timestamps around them that are read about two frames later. Render thread.
 #pragma once
 
 namespace grass {
@@ -17,7 +17,7 @@ private:
 	Pass _pass;
 };
 
-// The times of a frame that the GPU has finished, in milliseconds; 0: it had no such pass.
+// The times of a frame that the GPU has finished, in milliseconds; 0: the frame had no such pass.
 struct GpuTimes {
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull
 };

@@ -39,7 +39,7 @@ void KnotReader::bind(const RID &p_knots, const RID &p_halves) {
 	_pass.bind_buffer(GRASS_GATHER_HALVES, p_halves);
 }
 
-// Returns how many bytes of _found hold the knots.
+// Returns how many bytes of _found contain the knots.
 uint32_t KnotReader::gather(std::span<const WantedBlade> p_blades) {
 	std::vector<uint32_t> places;
 	places.reserve(p_blades.size());

@@ -18,11 +18,11 @@ struct KnotReport {
 
 class KnotReader {
 public:
-	static const char *find_refused(); // the name of its pass if the driver has refused it, else null; from any thread
-	void create(); // the driver may still compile its pass when this returns
-	// Sets the pool's buffers: positions of all knots, and the half that holds the present ones.
+	static const char *find_refused(); // the name of its pass if the driver has refused it, otherwise null; on any thread
+	void create(); // the driver may still be compiling its pass when this returns
+	// Sets the pool's buffers: positions of all knots, and which half has the current ones.
 	void bind(const godot::RID &p_knots, const godot::RID &p_halves);
-	// Requests the positions of those blades after all work queued so far. r_report receives them about two frames later.
+	// Requests the positions of these blades after all work queued so far. r_report receives them about two frames later.
 	void read_later(std::vector<WantedBlade> &&p_blades, uint64_t p_step, const std::shared_ptr<KnotReport> &r_report);
 	// Waits for the device, and returns the positions in the order of p_blades; empty if it fails.
 	std::vector<float> read_now(std::span<const WantedBlade> p_blades);

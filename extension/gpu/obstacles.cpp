@@ -18,8 +18,8 @@ namespace {
 constexpr const char *ADVICE = "Update the graphics driver. On Windows, `rendering/rendering_device/driver.windows` in the project "
 							   "settings selects another one: vulkan or d3d12.";
 
-// The engine exposes no limit of storage buffers. What Vulkan's drivers for the cards of these makers are taken to allow; nobody has read
-// it from them for this list. Of all others no more than the 128 MiB that Vulkan promises.
+// The engine does not expose the limit of storage buffers. These are assumed limits of Vulkan drivers for the cards of these makers, not
+// read from the drivers. All others get only the 128 MiB that Vulkan guarantees.
 struct Maker {
 	const char *name;
 	int64_t buffer_bytes;
@@ -34,7 +34,7 @@ DeviceLimits read_limits(RenderingDevice *p_device) {
 	}
 	const auto read = [&](RenderingDevice::Limit p_limit, int64_t &r_value) {
 		const uint64_t value = p_device->limit_get(p_limit);
-		if (value > 0) { // else the driver does not say
+		if (value > 0) { // otherwise the driver does not report it
 			r_value = int64_t(std::min<uint64_t>(value, INT64_MAX));
 		}
 	};

@@ -53,7 +53,7 @@ RID PassShaders::keep(const PassCode &p_code, const RID &p_shader) {
 }
 
 void PassShaders::free() {
-	for (const RID &shader : _made) { // frees its pipelines, too
+	for (const RID &shader : _made) { // also frees its pipelines
 		main_device()->free_rid(shader);
 	}
 	_made.clear();

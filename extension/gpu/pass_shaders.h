@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shaders of compute passes: one for each code, since the engine translates code and not constants. On Direct3D 12 that takes seconds
-// at every start, so the result is kept (gpu/shader_cache.h).
+// at every start, so the result is cached (gpu/shader_cache.h).
 #pragma once
 
 #include "gpu/shader_cache.h"
@@ -17,7 +17,7 @@ struct PassCode;
 
 class PassShaders {
 public:
-	enum class From { PROCESS, FILE, CODE }; // already made for other constants; kept by an earlier run; translated
+	enum class From { PROCESS, FILE, CODE }; // already made for other constants; cached by an earlier run; translated
 	struct Made {
 		godot::RID shader; // invalid: refused
 		From from;
@@ -25,9 +25,9 @@ public:
 
 	// p_is_worker: the caller is the worker thread, which may use files.
 	Made make(const PassCode &p_code, bool p_is_worker);
-	// Translates code whose file could not be used. From the worker thread.
+	// Translates code whose file could not be used. Called on the worker thread.
 	Made make_again(const PassCode &p_code);
-	// Frees the shaders and their pipelines. Nothing is compiled any more.
+	// Frees the shaders and their pipelines. Nothing may be compiled any more.
 	void free();
 
 private:

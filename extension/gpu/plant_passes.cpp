@@ -23,7 +23,7 @@ struct Constants {
 	vec4 box, map;
 };
 
-// Tiles along one side of the square around a camera.
+// Returns the number of tiles along one side of the square around a camera.
 int side_of(int p_tiles, double p_distance, double p_tile_size) {
 	return std::min(2 * int(std::ceil(p_distance / p_tile_size)) + 1, p_tiles);
 }

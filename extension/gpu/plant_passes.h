@@ -34,14 +34,14 @@ struct PlantTarget {
 
 class PlantPasses {
 public:
-	// Makes worker threads prepare the pass of such a field. Returns whether it is ready.
+	// Lets worker threads prepare the pass of such a field. Returns whether it is ready.
 	static bool prepare(bool p_is_mapped, Need p_need = Need::PREPARED);
-	// Returns the name of that pass if the driver has refused it, else null. From any thread.
+	// Returns the name of that pass if the driver has refused it, otherwise null. On any thread.
 	static const char *find_refused(bool p_is_mapped);
-	// p_setup: of several species; it is not read if there are no targets.
+	// p_setup: must have several species; it is not read if there are no targets.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }
-	// Sets the buffers that cull.glsl reads, too, and the patch's texture.
+	// Sets the buffers that cull.glsl reads too, and the patch's texture.
 	struct Shared {
 		godot::RID view, cameras, table, cover, patch, sampler;
 	};
@@ -53,14 +53,14 @@ public:
 	void clear_counts();
 	godot::RID counts() const { return _counts.rid(); }
 	std::vector<PlantTarget> get_targets() const;
-	// Returns how many of these counts have room, and how many do not.
+	// Counts the plants with room, and those without.
 	static void tell(const std::vector<PlantTarget> &p_targets, const godot::PackedByteArray &p_counts, BackendStatistics &r_statistics);
 	int64_t get_memory_usage() const { return _mix.size() + _counts.size(); }
-	// Frees the MultiMeshes' command buffers, too: the engine never does (seen in 4.6).
+	// Also frees the MultiMeshes' command buffers, since the engine never does (seen in 4.6).
 	void free();
 
 private:
-	struct Mix { // as plants.glsl has it
+	struct Mix { // the layout in plants.glsl
 		std::array<ivec4, GRASS_MAX_SPECIES> mix, origin;
 		std::array<int32_t, GRASS_MAX_SPECIES> stems;
 		int32_t count, texel, unused[2];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pool as a frame between two ticks shows it: a mix of the offsets of the last two steps (docs/decisions/0060). It is made if the
-// engine interpolates physics; otherwise it has no texture and no pass. On the render thread.
+// engine interpolates physics; otherwise it has no texture and no pass. Render thread.
 #pragma once
 
 #include "gpu/device.h"
@@ -19,7 +19,7 @@ public:
 	bool is_created() const { return _earlier.is_valid(); }
 	// Returns true if get_shown() is drawn. Until the driver has compiled the pass, the pool itself is drawn.
 	bool is_showing() const { return _is_showing; }
-	// Call it before a step: p_pool, of which p_rows are in use, is the result of the step before.
+	// Must be called before a step. p_pool: the result of the step before, with p_rows in use.
 	void keep(const godot::RID &p_pool, int p_rows);
 	// Mixes p_share of the last step with the rest of the one before. Returns whether it did anything.
 	bool mix(float p_share, int p_rows);

@@ -18,7 +18,7 @@ RID make_texture(RenderingDevice::DataFormat p_format, int64_t p_width, int64_t 
 	format.instantiate();
 	format->set_format(p_format);
 	format->set_width(uint32_t(p_width));
-	format->set_height(uint32_t(std::max<int64_t>(p_height, 1))); // no texture is empty
+	format->set_height(uint32_t(std::max<int64_t>(p_height, 1))); // a texture cannot be empty
 	format->set_usage_bits(p_usage);
 	Ref<RDTextureView> view;
 	view.instantiate();
@@ -44,7 +44,7 @@ void copy_rows(const RID &p_from, const RID &p_to, int p_from_row, int p_to_row,
 }
 
 void replace_texture(const Ref<Texture2DRD> &p_shown, const RID &p_old, const RID &p_new) {
-	p_shown->set_texture_rd_rid(p_new); // it held a view of what is freed next
+	p_shown->set_texture_rd_rid(p_new); // it has a view of the texture that is freed next
 	if (p_old.is_valid()) {
 		main_device()->free_rid(p_old);
 	}
@@ -61,7 +61,7 @@ void RestingRows::copy_to(const RID &p_to, std::span<const GrassSlot> p_slots) {
 		_rows = make_rows(COUNT, RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT, true);
 	}
 	std::ranges::sort(rows);
-	for (size_t first = 0, next = 0; first < rows.size(); first = next) { // rows that follow each other, by one copy
+	for (size_t first = 0, next = 0; first < rows.size(); first = next) { // consecutive rows, with a single copy
 		while (next < rows.size() && rows[next] - rows[first] == int(next - first) && int(next - first) < COUNT) {
 			next++;
 		}

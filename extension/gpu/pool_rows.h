@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Textures on the device, and those that have a row for each slot of the pool: RGBA16F, how far each knot of its blades is from rest.
-// Everything here may only be called on the render thread.
+// Textures on the device, and those with a row for each slot of the pool: RGBA16F, the offset of each knot of its blades from rest.
+// Everything here must be called on the render thread.
 #pragma once
 
 #include "core/base/layout.h"
@@ -16,16 +16,16 @@ inline constexpr int64_t POOL_ROW_BYTES = POOL_TEXTURE_WIDTH * 8;
 
 using TextureUsage = godot::BitField<godot::RenderingDevice::TextureUsageBits>;
 
-// p_data: the texels; without any, the contents are undefined.
+// p_data: the texels; if empty, the contents are undefined.
 godot::RID make_texture(godot::RenderingDevice::DataFormat p_format, int64_t p_width, int64_t p_height, TextureUsage p_usage,
 		const godot::TypedArray<godot::PackedByteArray> &p_data = {});
-// With p_is_resting the rows are blades at rest; without it their contents are undefined.
+// With p_is_resting the rows have blades at rest; otherwise their contents are undefined.
 godot::RID make_rows(int64_t p_slots, TextureUsage p_usage, bool p_is_resting = false);
 void copy_rows(const godot::RID &p_from, const godot::RID &p_to, int p_from_row, int p_to_row, int p_rows);
 // Shows p_new instead of p_old, and frees p_old.
 void replace_texture(const godot::Ref<godot::Texture2DRD> &p_shown, const godot::RID &p_old, const godot::RID &p_new);
 
-// A few rows of blades at rest, for the slots of tiles that wake, since these still hold the blades of other tiles.
+// A few rows of blades at rest, for the slots of tiles that wake, since these still have the blades of other tiles.
 class RestingRows {
 public:
 	static constexpr int COUNT = 16;

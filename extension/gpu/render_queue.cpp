@@ -46,8 +46,7 @@ void RenderQueue::post(Job p_job) {
 	RenderingServer::get_singleton()->call_on_render_thread(callable_mp(this, &RenderQueue::_run));
 }
 
-// One job a call: the calls lie in the renderer's queue among its own commands, and no job may run before an earlier
-// command.
+// Runs one job in each call: the calls are in the renderer's queue among its own commands, and no job may run before an earlier command.
 void RenderQueue::_run() {
 	Job job;
 	{
@@ -61,7 +60,7 @@ void RenderQueue::_run() {
 void RenderQueue::read_later(const RID &p_buffer, uint32_t p_bytes, Receiver p_receiver) {
 	const int64_t ticket = _next_ticket++;
 	_receivers[ticket] = std::move(p_receiver);
-	// By name, so that the engine checks whether this object still exists: it delivers pending reads at its very end.
+	// Called by name, so that the engine checks whether this object still exists: it delivers pending reads at its very end.
 	main_device()->buffer_get_data_async(p_buffer, Callable(this, "_deliver").bind(ticket), 0, p_bytes);
 }
 

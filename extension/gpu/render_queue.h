@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Passes jobs from the main thread to the render thread, and results back, in both of the engine's thread models: in the default one
-// post() runs the job at once, in the separate one the render thread runs it later, in order.
+// Passes jobs from the main thread to the render thread, and results back, in both of the engine's thread models: in the default one post()
+// runs the job at once; in the separate one the render thread runs it later, in order.
 #pragma once
 
 #include <godot_cpp/classes/object.hpp>
@@ -21,11 +21,11 @@ public:
 	using Job = std::function<void()>;
 	using Receiver = std::function<void(const godot::PackedByteArray &)>;
 
-	// The one queue of the process; made on first use, freed when the extension is unloaded.
+	// Returns the only queue of the process, which is made on first use and freed when the extension is unloaded.
 	static RenderQueue *get_singleton();
 	static void free_singleton();
 
-	// Queues a job; from any thread. Capture what the job needs by value or by shared_ptr.
+	// Queues a job, on any thread. Capture what the job needs by value or by shared_ptr.
 	void post(Job p_job);
 	// Reads a buffer without a stall; render thread only. p_receiver runs on the render thread, about two frames later.
 	void read_later(const godot::RID &p_buffer, uint32_t p_bytes, Receiver p_receiver);

@@ -26,7 +26,8 @@ std::string to_text(const String &p_text) {
 	return p_text.utf8().get_data();
 }
 
-// Where the engine keeps its own: who empties that folder empties ours. The editor's is in the project, and no game has it.
+// Returns the folder of the engine's own cache, so that emptying it empties ours too. The editor's folder is in the project, and no game
+// has it.
 std::string find_folder() {
 	const ProjectSettings *settings = ProjectSettings::get_singleton();
 	if (!bool(settings->get_setting("rendering/shader_compiler/shader_cache/enabled", true))) {
@@ -39,8 +40,8 @@ std::string find_folder() {
 			"shader_cache";
 }
 
-// The translation to DXIL depends on the engine and on what the device can do. Its UUID is another one after each start of Windows: it
-// holds the adapter's LUID (rendering_device_driver_d3d12.cpp).
+// Identifies what the translation to DXIL depends on: the engine and the device's capabilities. The device's UUID changes with each start
+// of Windows, since it includes the adapter's LUID (rendering_device_driver_d3d12.cpp).
 std::string find_driver() {
 	const RenderingServer *server = RenderingServer::get_singleton();
 	const RenderingDevice *device = main_device();
@@ -64,7 +65,7 @@ PackedByteArray read_file(const String &p_path, const std::string &p_key) {
 	return to_bytes(read_shader_file(p_key, { bytes.ptr(), size_t(bytes.size()) }));
 }
 
-// Under another name first: a reader finds all of it, or what was there before.
+// Writes under another name first, so that a reader finds the complete file, or the earlier one.
 bool write_file(const String &p_path, const std::vector<uint8_t> &p_bytes) {
 	const String unfinished = vformat("%s.%d.tmp", p_path, OS::get_singleton()->get_process_id());
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
@@ -115,7 +116,7 @@ void ShaderCache::write(std::span<const uint32_t> p_spirv, const PackedByteArray
 	}
 }
 
-// Level by level: make_dir_recursive() reports what cannot be made as an error.
+// Creates one level at a time, since make_dir_recursive() reports an error for a folder that cannot be made.
 bool ShaderCache::make_folder() const {
 	for (const std::string &folder : { _folder, _folder + OUR_FOLDER }) {
 		const String path(folder.c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files with the compute passes that the engine compiled in earlier runs (core/base/shader_file.h), beside the engine's own shader cache.
-// If the folder cannot be written, or the project has shader caches off, nothing is kept and nothing is reported.
+// If the folder cannot be written, or the project has shader caches off, nothing is stored and nothing is reported.
 #pragma once
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -11,12 +11,12 @@
 
 namespace grass {
 
-// Belongs to the worker thread that compiles: files may be slow.
+// Used only by the worker thread that compiles, since files may be slow.
 class ShaderCache {
 public:
 	// Returns the result of RenderingDevice.shader_compile_binary_from_spirv() for this code on this driver; empty if no valid file has it.
 	godot::PackedByteArray read(std::span<const uint32_t> p_spirv);
-	// Stores it, and replaces the file's contents.
+	// Stores it, replacing the file's contents.
 	void write(std::span<const uint32_t> p_spirv, const godot::PackedByteArray &p_shader);
 
 private:
@@ -26,8 +26,8 @@ private:
 	void remove_surplus() const;
 
 	bool _has_looked = false;
-	// Of the standard library: a String must not outlive the engine.
-	std::string _folder; // empty: nothing is kept
+	// Standard strings, since a String must not outlive the engine.
+	std::string _folder; // empty: nothing is stored
 	std::string _driver, _versions;
 };
 
