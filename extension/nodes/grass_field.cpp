@@ -201,7 +201,7 @@ void GrassField::_frame(double p_delta) {
 	}
 }
 
-// Only now has the camera its pose of this frame. Runs in a paused tree too, unlike frame().
+// Runs when the camera has its pose of this frame, which is not earlier. Also runs in a paused tree, unlike frame().
 void GrassField::_before_draw() {
 	if (!advance() || !_standing.stands()) {
 		return;

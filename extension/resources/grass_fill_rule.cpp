@@ -187,7 +187,7 @@ FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
 		}
 		if (!_picture && is_stripped() && !std::exchange(_has_told_missing, true)) {
 			ERR_PRINT(vformat(
-					"%s: the picture of `mask` was stripped by the export, so nothing grows by this rule, other than elsewhere. The "
+					"%s: the picture of `mask` was stripped by the export, so this rule grows nothing, unlike in the editor. The "
 					"add-on keeps pictures of rules in scenes and files. For a picture that a script assigns, choose *Keep* in the "
 					"preset's tab *Resources*; for one that the engine makes (NoiseTexture2D), save it as a file.",
 					label()));

@@ -67,7 +67,7 @@ void GrassMap::tell(const std::vector<MapKey> &p_changed, const Rect2 &p_region)
 
 void GrassMap::tell(const BrushResult &p_result) {
 	if (p_result.out_of_room) {
-		WARN_PRINT(vformat("%s: some of what was painted is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
+		WARN_PRINT(vformat("%s: part of the painting is lost. A map reaches 16,384 m to each side and holds at most %d painted chunks.",
 				label(), int64_t(PaintMap::MAX_CHUNKS)));
 	}
 	const Eigen::Vector2d size = p_result.max - p_result.min;

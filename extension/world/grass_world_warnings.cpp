@@ -111,7 +111,7 @@ void GrassWorld::report_loss() {
 	_plots.stop();
 	const int64_t kept = Engine::get_singleton()->is_editor_hint() ? 0 : _plots.get_files().get_statistics().kept;
 	if (kept > 0) {
-		WARN_PRINT(vformat("%s: it is freed, and changes of %d plots are lost, since they were never written. Before, call save() with a "
+		WARN_PRINT(vformat("%s: it was freed with unwritten changes of %d plots, which are lost. Before that, call save() with a "
 						   "`save_folder` that can be written to, or discard_unsaved() if they are not wanted.",
 				label(), kept));
 	}

@@ -12,8 +12,8 @@ namespace {
 
 // The pool of a plot in which nothing moves: enough for a blast. More: more memory in every plot.
 constexpr int64_t QUIET_POOL = 32;
-// How long before something that moves arrives a pool is made larger: seconds, and frames, since a field is made in parts. More: pools
-// where nothing arrives. Less: grass stays upright behind fast bodies.
+// Lead time: a pool is made larger this many seconds and frames before anything that moves arrives, since a field is made in parts. More:
+// pools where nothing arrives. Less: grass stays upright behind fast bodies.
 constexpr double LEAD = 2.0; // seconds
 constexpr double LEAD_FRAMES = 40.0;
 // Weight of one frame in the mean of the last frames.

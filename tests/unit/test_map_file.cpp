@@ -74,7 +74,7 @@ TEST_CASE("map_file: a file cut off anywhere is refused, and says how much is th
 	}
 	PaintMap map;
 	CHECK(read_map(std::span(bytes).first(bytes.size() - 1), RUNS, map) ==
-			"is cut off: " + std::to_string(bytes.size() - 1) + " of " + std::to_string(bytes.size()) + " bytes are there");
+			"is cut off: " + std::to_string(bytes.size() - 1) + " of " + std::to_string(bytes.size()) + " bytes are present");
 	MapBytes longer = bytes;
 	longer.push_back(0);
 	CHECK(read_map(longer, RUNS, map) == "is damaged: it has 1 extra bytes after its end");

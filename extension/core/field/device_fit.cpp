@@ -9,7 +9,8 @@ namespace grass {
 
 namespace {
 
-// For the most demanding pass: simulate, with species and edges. All of its bindings except the patch and the pool's texture are buffers.
+// Needs of the most demanding pass: simulate, with species and edges. All of its bindings except the patch and the pool's texture are
+// buffers.
 constexpr int64_t NEEDED_BUFFERS = GRASS_BINDING_WORK + 1 - 2;
 constexpr int64_t NEEDED_SHARED_BYTES = 16384;
 constexpr int64_t NEEDED_CONSTANT_BYTES = sizeof(GrassStep);

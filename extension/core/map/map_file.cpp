@@ -9,7 +9,7 @@
 
 namespace grass {
 
-static_assert(std::endian::native == std::endian::little, "texels are kept and written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "texels are stored and written as they are in memory");
 
 namespace {
 
@@ -104,7 +104,7 @@ bool unpack_chunk(std::span<const uint8_t> p_packed, const MapKey &p_key, uint32
 }
 
 std::string of_bytes(size_t p_there, size_t p_wanted) {
-	return std::to_string(p_there) + " of " + std::to_string(p_wanted) + " bytes are there";
+	return std::to_string(p_there) + " of " + std::to_string(p_wanted) + " bytes are present";
 }
 
 struct FileChunk {

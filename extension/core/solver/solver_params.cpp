@@ -33,7 +33,7 @@ struct Oscillator {
 
 // Largest turn of a swing between two steps, radians.
 constexpr double MOST_TURN = 2.5;
-// Of a uniform cantilever: frequency (radians per second), divided by the root of EI / (density area length^4).
+// First frequency of a uniform cantilever (radians per second), divided by the root of EI / (density area length^4).
 constexpr double FIRST_MODE = 3.5160152685;
 static_assert(WILD > FIRST_MODE - 1e-3 && WILD < FIRST_MODE + 1e-3);
 // Turn of the first mode in a step up to which its frequency is exact, radians.

@@ -144,7 +144,7 @@ func test_plots_of_another_size_are_neither_shown_nor_spoiled() -> void:
 	assert_eq(density(world), 0.0, "where it was")
 	assert_eq(density(world, Vector3(200, 0, 200)), 1.0)
 	world.free()
-	expect_error("is freed, and changes of 1 plots are lost")
+	expect_error("was freed with unwritten changes of 1 plots")
 	world = add_world({plot_size = 256.0})  # in the next game, too
 	await go(world, PLACE)
 	assert_eq(density(world, Vector3(128, 0, 128)), 1.0)
@@ -185,7 +185,7 @@ func test_two_worlds_that_write_to_one_folder() -> void:
 
 func test_a_world_that_is_freed_says_what_is_lost() -> void:
 	expect_error("`folder` and `save_folder` are empty")
-	expect_error("is freed, and changes of 1 plots are lost")
+	expect_error("was freed with unwritten changes of 1 plots")
 	var world := add_world({folder = ""})
 	await go(world, PLACE)
 	erase(world, PLACE)
