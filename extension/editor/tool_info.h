@@ -20,7 +20,7 @@ struct ToolInfo {
 inline constexpr std::array<ToolInfo, 10> TOOLS = { {
 		{ GrassBrush::TOOL_PAINT, icon::PAINT, "plant grass; never reduces the density. Ctrl: erase.", "Density", 0.56f, 0.94f, 0.59f },
 		{ GrassBrush::TOOL_ERASE, icon::ERASE, "remove grass. Ctrl: paint.", nullptr, 0.99f, 0.5f, 0.5f },
-		{ GrassBrush::TOOL_SMOOTH, icon::SMOOTH, "smooth what is painted.", nullptr, 0.9f, 0.9f, 0.9f },
+		{ GrassBrush::TOOL_SMOOTH, icon::SMOOTH, "even out the painted values.", nullptr, 0.9f, 0.9f, 0.9f },
 		{ GrassBrush::TOOL_DENSITY, icon::DENSITY, "bring the density to a value. Ctrl: erase.", "Density", 0.56f, 0.94f, 0.59f },
 		{ GrassBrush::TOOL_HEIGHT, icon::HEIGHT, "bring the blades' height to a value. Ctrl: full height.", "Height", 0.55f, 0.65f, 0.95f },
 		{ GrassBrush::TOOL_SPECIES, icon::SPECIES,

@@ -94,7 +94,7 @@ public:
 
 private:
 	static constexpr int64_t TWIST_FLOATS_PER_SLOT = (GRASS_FREE_KNOTS + 1) * GRASS_BLADES_PER_TILE;
-	// Words of CountBuffer in cull.glsl: counts of what is drawn, offsets of some of them, and their total number.
+	// Words of CountBuffer in cull.glsl: offsets of some counts, the number of words that are reported, and the number of all words.
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 

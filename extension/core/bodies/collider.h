@@ -47,7 +47,7 @@ struct TileCollider {
 	float spin = 0.0f; // how far its turn during the step moves a point, as a share of the point's distance from the centre
 	float moved = 0.0f; // the farthest that the step moves any point of it that a blade may meet, metres
 	float thin = 0.0f; // no shorter path can cross the shape, metres
-	float blunt = 0.0f; // knots up to this far apart reveal whatever its edges cut, metres
+	float blunt = 0.0f; // knots up to this far apart reveal whatever a blade's edges cut, metres
 	std::span<const Eigen::Vector4f> planes; // of hulls
 };
 

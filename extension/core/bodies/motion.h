@@ -14,7 +14,7 @@ namespace grass {
 // scripted bodies that start fast leave a gap. Higher: short teleports mow.
 inline constexpr Tunable TELEPORT_SPEED{ "teleport_speed", "m/s", 1.0, 10000.0, 1.0, 120.0 };
 
-// The properties of a tick that judging motion needs.
+// The properties of a tick that are needed to judge motion.
 struct MotionTick {
 	double delta = 1.0 / 60.0; // seconds
 	double teleport_speed = TELEPORT_SPEED.initial; // metres per second

@@ -14,7 +14,7 @@ namespace grass {
 class SoftParts {
 public:
 	static constexpr int MAX_PARTS = 8;
-	static constexpr int MAX_POINTS = 128; // of a part; of a larger one every second, third, ... point counts
+	static constexpr int MAX_POINTS = 128; // of a part; a larger part uses every second, third, ... point
 	// Metres by which parts are wider than their points on each side, so that cloth has a thickness.
 	static constexpr double MARGIN = 0.01;
 

@@ -65,7 +65,7 @@ template <class T> GRASS_INLINE Near<T> find_near(const Blade<T> &p_blade, const
 
 // Whether colliders are on a blade's root at the end of this step, so that its clamp, which cannot move out, is inside.
 template <class T> struct Burial {
-	MaskOf<T> is_buried; // [Eq 46] and the blade lies flat
+	MaskOf<T> is_buried; // [Eq 46] and the blade is down: its tip is below LYING of its length
 	MaskOf<T> is_slow; // none of them has a point faster than BURY_BELOW
 	MaskOf<T> is_laid; // [Eq 47] one of them rests: none of its points is faster than CARRY_FROM
 };
