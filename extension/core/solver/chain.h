@@ -25,7 +25,7 @@ template <class T> GRASS_INLINE T joint_stiffness(const Blade<T> &p_blade, int p
 	return p_bending * joint_section(p_joint, p_chain.thins, p_chain.first_joint) / maximum(stands_for, T(1e-12f));
 }
 
-// Sets where the knots would go without springs and contact: by p_way from p_base.
+// [Eq 24] Sets where the knots would go without springs and contact: by p_way from p_base.
 template <class T> GRASS_INLINE void set_target(Stage<T> &r_stage, int p_knot, const Vec3<T> &p_base, const Vec3<T> &p_way) {
 	r_stage.base[p_knot] = p_base;
 	r_stage.target[p_knot] = p_base + p_way;
