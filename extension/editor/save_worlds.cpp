@@ -37,8 +37,7 @@ void save_world(GrassWorld &r_world) {
 	} else if (const String problem = r_world.find_folder_problem(); r_world.has_unsaved() && !problem.is_empty()) {
 		warn(vformat("GrassWorld '%s': the painted grass is not saved. %s", r_world.get_name(), problem));
 	} else if (r_world.has_unsaved()) {
-		warn(vformat(
-				"GrassWorld '%s': some painted plots cannot be written to '%s'. They stay in memory. Free space there and save again.",
+		warn(vformat("GrassWorld '%s': some painted plots cannot be written to '%s'. They stay in memory. Free space there and save again.",
 				r_world.get_name(), r_world.get_folder()));
 	}
 	EditorInterface::get_singleton()->get_resource_filesystem()->scan(); // new files are exported only once the editor knows them

@@ -186,11 +186,11 @@ FillRule GrassFillRule::get_rule(const MapRegion &p_region) {
 			_picture = read_mask();
 		}
 		if (!_picture && is_stripped() && !std::exchange(_has_told_missing, true)) {
-			ERR_PRINT(vformat(
-					"%s: the picture of `mask` was stripped by the export, so this rule grows nothing, unlike in the editor. The "
-					"add-on keeps pictures of rules in scenes and files. For a picture that a script assigns, choose *Keep* in the "
-					"preset's tab *Resources*; for one that the engine makes (NoiseTexture2D), save it as a file.",
-					label()));
+			ERR_PRINT(
+					vformat("%s: the picture of `mask` was stripped by the export, so this rule grows nothing, unlike in the editor. The "
+							"add-on keeps pictures of rules in scenes and files. For a picture that a script assigns, choose *Keep* in the "
+							"preset's tab *Resources*; for one that the engine makes (NoiseTexture2D), save it as a file.",
+							label()));
 		}
 		rule.has_mask = true;
 		rule.mask = _picture;
