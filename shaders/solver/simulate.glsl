@@ -165,6 +165,7 @@ vec3 width_at_root() {
 	return vec3(cos(azimuth), 0.0, sin(azimuth));
 }
 
+#include "solver/pack.inc"
 #include "solver/work.inc"
 
 #include "base/lanes.inc"
