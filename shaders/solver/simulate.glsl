@@ -129,20 +129,14 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 #endif
 
 GrassSlot slot; // of this workgroup's tile
-uint half_now; // the half that holds its places now
-// This thread's blade. Everything that is kept here takes registers from beginning to end, so derived values are computed again where they
-// are needed.
-uint blade; // number in the tile
-#ifdef GRASS_SPECIES
-uint species;
-#endif
-GrassClump clump;
+
+#include "solver/state.inc"
 
 // Of its knot p_knot in the patch.
 ivec2 patch_texel(int p_knot) {
-	uint place = slot.list.x + blade;
+	uint place = slot.list.x + blade.number;
 #ifdef GRASS_SPECIES
-	place += uint(GRASS_PATCH_BLADES) * species;
+	place += uint(GRASS_PATCH_BLADES) * blade.species;
 #endif
 	return ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot + int(place % GRASS_PATCH_BLADES_PER_ROW), place / GRASS_PATCH_BLADES_PER_ROW);
 }
@@ -152,8 +146,8 @@ ivec2 patch_texel(int p_knot) {
 // grass_rest_knot(), written out and `precise`: a blade at rest must get the same bits wherever this is called.
 vec3 rest_of(int p_knot) {
 	vec3 place = texelFetch(patch_texture, patch_texel(p_knot), 0).xyz;
-	precise vec3 knot = place * clump.height;
-	float x = clump.lean.x, z = clump.lean.y;
+	precise vec3 knot = place * blade.clump.height;
+	float x = blade.clump.lean.x, z = blade.clump.lean.y;
 	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
 	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
 	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
@@ -202,9 +196,9 @@ const float BEND_UNITS = 65536.0;
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
 void find_species() {
-	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade;
-	species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
-	GrassStep own = species_steps[species];
+	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade.number;
+	blade.species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
+	GrassStep own = species_steps[blade.species];
 	step.pbd_motion = own.pbd_motion;
 	step.free_motion = own.free_motion;
 	step.load = own.load;
@@ -228,23 +222,23 @@ void find_air_load() {
 	keep_of_blade(BLADE_AIR, vec4(air * (drag * pbd), drag));
 }
 
-void find_blade(uint p_blade) {
-	blade = p_blade;
+void find_blade(uint p_number) {
+	blade.number = p_number;
 #ifdef GRASS_SPECIES
 	find_species();
 #endif
 	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
 	float ground = 0.0;
 	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
-		vec4 growth = blade_growth[uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade];
-		clump = GrassClump(growth.x, growth.yz, 0.0);
+		vec4 growth = blade_growth[uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade.number];
+		blade.clump = GrassClump(growth.x, growth.yz, 0.0);
 		ground = growth.w;
 	} else {
 		// A field at another origin of the noise gets its clumps from the CPU, as one with a map.
-		clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
+		blade.clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
 	}
 	keep_of_blade(BLADE_ROOT, vec4((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x, 0.0));
-	blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
+	blade.blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
 
 #include "solver/wake.inc"
@@ -275,6 +269,8 @@ bool is_own() {
 
 // One step of the slot's tile. All threads of the workgroup call it together.
 void step_tile() {
+	Stage stage;
+	blade.work_start = gl_WorkGroupID.x * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + gl_LocalInvocationID.x;
 	if (!CROWD) { // also where the pass for crowds is still compiled
 		slot.list.z = min(slot.list.z, uint(GRASS_SHARED_COLLIDERS));
 	}
@@ -285,7 +281,7 @@ void step_tile() {
 	}
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	uint kept = pool_half[slot.tile.w];
-	half_now = kept & 1u;
+	blade.half_now = kept & 1u;
 	uint unasked = is_fresh ? 0u : kept >> 1u;
 	share_colliders(thread);
 	find_blade(thread);
@@ -303,8 +299,8 @@ void step_tile() {
 		load_rest(is_fresh);
 	}
 	if (step.contact.x >= 1.0) { // else no time passes
-		step_blade(takes_step, slot.list.z);
-		half_now = 1u - half_now; // the next step starts from this step's places, which overwrote those before it
+		step_blade(stage, takes_step, slot.list.z);
+		blade.half_now = 1u - blade.half_now; // the next step starts from this step's places, which overwrote those before it
 	}
 	if (takes_step) {
 		vec3 bend = measure_bend() * BEND_UNITS;
@@ -314,7 +310,7 @@ void step_tile() {
 	}
 	barrier();
 	if (thread == 0u) {
-		pool_half[slot.tile.w] = half_now | ((max(unasked, 1u) - 1u) << 1u);
+		pool_half[slot.tile.w] = blade.half_now | ((max(unasked, 1u) - 1u) << 1u);
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
 		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
 	}
@@ -324,7 +320,6 @@ void main() {
 #ifdef GRASS_SPECIES
 	step = field_step;
 #endif
-	work_start = gl_WorkGroupID.x * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + gl_LocalInvocationID.x;
 	slot = slots[uint(step.contact.w) + gl_WorkGroupID.x];
 	if (!is_own()) {
 		return; // another pass's
