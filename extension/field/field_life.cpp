@@ -35,10 +35,10 @@ bool FieldLife::advance() {
 		_stage = _stage == Stage::SHOWN ? Stage::MADE : _stage;
 		_is_new = true;
 	}
-	show();
 	if (is_waiting() && !make()) {
 		return false;
 	}
+	show(); // after that: a field that changes before it is shown keeps what was made
 	if (std::exchange(_is_new, false)) {
 		_host.report_warnings();
 	}
@@ -59,7 +59,6 @@ bool FieldLife::make() {
 		_stage = is_outdated ? Stage::ASKED : Stage::MADE;
 		_makings++;
 		_is_new = true;
-		show();
 	}
 	return true;
 }
