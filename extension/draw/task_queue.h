@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs jobs one after the other in a single task of the engine's worker threads: several tasks would hold up the engine's own. What is
-// wanted comes first (core/base/wait_list.h).
+// Runs jobs one after the other in a single task of the engine's worker threads: several tasks would delay the engine's own. Jobs
+// that somebody waits for come first (core/base/wait_list.h).
 #pragma once
 
 #include "core/base/wait_list.h"
@@ -11,7 +11,7 @@
 
 namespace grass {
 
-// Its functions may be called on any thread, but for finish().
+// Its functions may be called on any thread, except finish().
 class TaskQueue {
 public:
 	// LOW: jobs may wait for tasks of the engine, since tasks of low priority never have all threads.
@@ -19,16 +19,16 @@ public:
 
 	TaskQueue(const char *p_name, Priority p_priority) : _name(p_name), _priority(p_priority) {}
 
-	// Queues a job. p_key: what want() and remove() call it by.
+	// Queues a job. p_key: its name for want() and remove().
 	void push(const void *p_key, std::function<void()> &&p_job, int p_order = 0, Need p_need = Need::WANTED);
-	// From now on somebody waits for the job. Does nothing once it has begun.
+	// Marks a job as one that somebody waits for. Does nothing once it has begun.
 	void want(const void *p_key);
-	// Returns true if the job had not begun. It does not run then.
+	// Removes a job that has not begun. Returns false if it has.
 	bool remove(const void *p_key);
-	// Between these no job begins; one that runs goes on.
+	// Between these calls no job begins; a running one continues.
 	void hold();
 	void release();
-	// Forgets what has not begun, and returns when nothing runs any more. Call it when the library is unloaded.
+	// Drops all jobs that have not begun, and returns when none runs any more. Call it when the library is unloaded.
 	void finish();
 
 private:

@@ -25,7 +25,7 @@ void FieldLife::leave() {
 
 bool FieldLife::advance() {
 	const bool is_refused = _standing.is_refused();
-	report_refusals(); // before a warning of what follows from them
+	report_refusals(); // before warnings about their consequences
 	if (_is_reading || !_node.is_inside_tree() || !(is_waiting() || is_refused || _standing.is_look_waiting())) {
 		return true;
 	}
@@ -47,7 +47,7 @@ bool FieldLife::advance() {
 }
 
 bool FieldLife::make() {
-	FrameShare::Turn turn(this); // with what follows once all is prepared
+	FrameShare::Turn turn(this); // includes the making, once everything is prepared
 	_is_reading = true;
 	if (!_host.read_scene()) {
 		return false;
@@ -63,7 +63,7 @@ bool FieldLife::make() {
 	return true;
 }
 
-// Beside a field that stands, and for one that is streamed, only as far as this frame has time. Returns true once it can be made.
+// Works only as far as this frame has time if another field runs meanwhile, or if this one is streamed. Returns true once it can be made.
 bool FieldLife::prepare(FrameShare::Turn &r_turn) {
 	Backend *backend = _standing.get_backend();
 	const bool in_parts = backend != nullptr || _properties.is_streamed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a field is on its way to being drawn, from the change of a property to the picture: docs/internals/life_of_a_field.md. Setters only
-// ask(); advance() does all of the rest.
+// The stages of a field from a changed property to its picture (docs/internals/life_of_a_field.md). Setters only call ask(); advance() does
+// the rest.
 #pragma once
 
 #include "core/field/field_statistics.h"
@@ -17,34 +17,35 @@ namespace grass {
 
 class FieldLife {
 public:
-	// Of the field that the properties describe. The one before it stands until this one is made.
+	// The stage of the field that the properties describe. The previous field stays until this one is made.
 	enum class Stage {
 		NONE, // the node is not in the tree
 		ASKED, // properties changed
-		PREPARING, // what they make is known, and is prepared beside what stands
-		OUTDATED, // likewise, and properties changed since: it is finished and shown first, so changes in every frame still take effect
-		MADE, // it stands, and its picture is made
-		SHOWN, // all of it
+		PREPARING, // the wanted field is known, and is prepared in the background
+		OUTDATED, // the same, but properties changed since. It is finished and shown first, so changes in every frame still take effect
+		MADE, // the field runs, and parts of its picture are still to be made
+		SHOWN, // the whole picture is made
 	};
 
 	FieldLife(FieldHost &p_host, godot::GeometryInstance3D &p_node, FieldProperties &p_properties, StandingField &p_standing) :
 			_host(p_host), _node(p_node), _properties(p_properties), _standing(p_standing) {}
 
-	// Asks for the field that the properties describe, however many of them change. It is made as advance() comes to it.
+	// Requests the field that the properties describe. Call it once or often after changes; advance() makes the field.
 	void ask();
-	// Takes a map for the field, prepared by another thread; null: none.
+	// Sets a map that another thread has prepared for the field; null: none.
 	void offer(std::unique_ptr<ShownMap> p_prepared) { _prepared = std::move(p_prepared); }
-	// Takes the field as far as this frame has time for. Returns false if a script that ran meanwhile freed it: use nothing of it then.
+	// Advances the field as far as this frame has time. Returns false if a script that ran meanwhile freed the node: do not use it then.
 	// Call it once a frame.
 	[[nodiscard]] bool advance();
-	// The same where no field stands yet, for whoever needs one now: a field that enters the tree is made at once, unless it is streamed.
+	// Calls advance() if there is no field yet, for a caller that needs one now: a field that enters the tree is made at once, unless it
+	// is streamed.
 	[[nodiscard]] bool stand() { return _standing.stands() || advance(); }
-	void leave(); // the tree
+	void leave(); // call it when the node leaves the tree
 
 	Stage get_stage() const { return _stage; }
 	bool is_waiting() const { return _stage == Stage::ASKED || is_preparing(); }
-	ShownMap *get_map() const { return _wanted.map.get(); } // that waits to be shown, or null
-	double get_most_ms() const { return _most_ms; } // of one frame, since the last ask()
+	ShownMap *get_map() const { return _wanted.map.get(); } // the map that waits to be shown, or null
+	double get_most_ms() const { return _most_ms; } // most milliseconds in one frame since the last ask()
 	int64_t get_memory_usage() const { return get_map() != nullptr ? get_map()->get_memory_usage() : 0; } // bytes
 	void add_to(FieldStatistics &r_statistics) const;
 
@@ -63,8 +64,8 @@ private:
 	Stage _stage = Stage::NONE;
 	WantedField _wanted; // while it is being prepared
 	std::unique_ptr<ShownMap> _prepared;
-	bool _is_reading = false; // scripts run: one that asks the field finds it as it was
-	bool _is_new = false; // warnings of it are to be reported
+	bool _is_reading = false; // scripts run; their queries find the field unchanged
+	bool _is_new = false; // its warnings are not reported yet
 	double _most_ms = 0.0;
 	int64_t _makings = 0; // so far
 };

@@ -19,7 +19,7 @@ struct WantedField {
 	std::vector<GrownSpecies> species;
 	std::vector<DrawnPlant> plants; // of the species
 	std::shared_ptr<TileBounds> bounds; // null: not prepared yet
-	godot::Ref<GrassMap> painted; // what `map` is to show; null: none
+	godot::Ref<GrassMap> painted; // the map that `map` will show; null: none
 	std::unique_ptr<ShownMap> map; // null: none, or not begun yet
 };
 

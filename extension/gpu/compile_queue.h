@@ -35,7 +35,7 @@ struct PassCode {
 	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, for passes with a method; the same in the whole process
 };
 
-// A singleton, get(). Its functions may be called on any thread, but for free_pipelines().
+// A singleton, get(). Its functions may be called on any thread, except free_pipelines().
 class CompileQueue {
 public:
 	struct Pipeline {

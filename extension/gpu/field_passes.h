@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The passes that a field needs before it is simulated and drawn, and how far the driver has got with them. From any thread.
+// The passes that a field needs before it is simulated and drawn, and whether the driver has compiled them. Call these functions on any
+// thread.
 #pragma once
 
 #include "core/field/field_setup.h"
@@ -18,7 +19,7 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 	return { p_setup.species != nullptr, p_setup.method };
 }
 
-// What a tile meets, and so which of a field's passes simulates it.
+// Kinds of tiles by the colliders in them: each kind has a pass of its own.
 enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
 PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles);
 extern const PassCode CULL_CODE;
@@ -30,7 +31,7 @@ struct FieldPasses {
 inline FieldPasses passes_of(const FieldSetup &p_setup) {
 	return { kind_of(p_setup), p_setup.has_plants, p_setup.is_mapped };
 }
-// Makes a worker thread compile what a field that enters the tree needs, while the main thread makes the rest.
+// Makes a worker thread compile the passes for a field that enters the tree, while the main thread makes the rest.
 void begin_passes(const FieldPasses &p_passes);
 // Makes a worker thread compile the passes that simulate a field to come. Returns true once the driver has compiled or refused the one for
 // all kinds of tiles.
