@@ -95,11 +95,9 @@ void BodyTracker::follow_member(Body &r_body, const Following &p_following) {
 	if (r_body.is_lost) {
 		return;
 	}
-	p_following.reads.poses++;
-	p_following.reads.engine_calls++;
 	r_body.left_for = 0;
 	r_body.next_look--;
-	const Transform3D world = r_body.state->get_transform();
+	const Transform3D world = find_place(r_body, p_following.reads);
 	follow_sleep(r_body, world, false);
 	if (world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {
 		follow(r_body, world, false, p_following);

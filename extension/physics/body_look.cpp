@@ -5,6 +5,7 @@
 #include "shared/convert.h"
 #include "shared/label.h"
 
+#include <godot_cpp/classes/animatable_body3d.hpp>
 #include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/classes/rigid_body3d.hpp>
@@ -74,6 +75,7 @@ bool BodyTracker::look(Body &r_body) {
 	r_body.is_driven = is_driven_by_velocity(mode);
 	r_body.is_character = mode == PhysicsServer3D::BODY_MODE_KINEMATIC &&
 			Object::cast_to<CharacterBody3D>(ObjectDB::get_instance(r_body.instance_id)) != nullptr;
+	r_body.node = find_leader(r_body, mode, _reads);
 	// A frozen RigidBody3D is not ground.
 	r_body.is_static = mode == PhysicsServer3D::BODY_MODE_STATIC &&
 			Object::cast_to<RigidBody3D>(ObjectDB::get_instance(r_body.instance_id)) == nullptr;
@@ -81,6 +83,23 @@ bool BodyTracker::look(Body &r_body) {
 	const int phase = r_body.has_before ? 0 : int(r_body.rid.get_id() % _look_every);
 	r_body.next_look = _look_every - 1 + phase;
 	return true;
+}
+
+// Returns the node that is ahead of the server whenever it moves; nullptr for a body that the server moves, and for one that has none.
+// With sync_to_physics the node waits for the server. Nodes that are no CollisionObject3D, such as terrains, put their bodies anywhere.
+const CollisionObject3D *BodyTracker::find_leader(const Body &p_body, int64_t p_mode, BodyReads &r_reads) {
+	if (p_mode != PhysicsServer3D::BODY_MODE_KINEMATIC && p_mode != PhysicsServer3D::BODY_MODE_STATIC) {
+		return nullptr;
+	}
+	const Object *object = ObjectDB::get_instance(p_body.instance_id);
+	const AnimatableBody3D *animatable = Object::cast_to<AnimatableBody3D>(object);
+	r_reads.engine_calls += animatable != nullptr ? 1 : 0;
+	if (animatable != nullptr && animatable->is_sync_to_physics_enabled()) {
+		return nullptr;
+	}
+	const CollisionObject3D *node = Object::cast_to<CollisionObject3D>(object);
+	r_reads.engine_calls += node != nullptr ? 1 : 0;
+	return node != nullptr && node->get_rid() == p_body.rid ? node : nullptr;
 }
 
 // A sleeping body is not queried, except from time to time whether it was moved, since the server does not wake it then. When it wakes, its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How BodyTracker tells motion from being put somewhere, and in which ticks it checks a body.
+// Where BodyTracker takes a body to be, how it tells motion from being put somewhere, and in which ticks it checks a body.
 #include "physics/body_tracker.h"
 
 #include "shared/convert.h"
@@ -20,17 +20,24 @@ constexpr int STILL_TICKS = 120;
 // How far a body carried by a field may deviate from its place in the field: metres, plus the same for each metre from its centre.
 constexpr double RIDES_WITHIN = 1e-3;
 
+// Returns where it is in this tick. A node that a script moves tells the server after the field's tick, and the server moves the body later
+// still: the body that is drawn is where its node is.
+Transform3D BodyTracker::find_place(const Body &p_body, BodyReads &r_reads) {
+	r_reads.poses++;
+	r_reads.engine_calls += p_body.node != nullptr ? 2 : 1;
+	return p_body.node != nullptr && p_body.node->is_inside_tree() ? p_body.node->get_global_transform() : p_body.state->get_transform();
+}
+
 // Returns whether it is where it was in the field.
 bool BodyTracker::rides(const Body &p_body, const Eigen::Affine3d &p_now) {
 	return (p_now.matrix() - p_body.before.matrix()).norm() < RIDES_WITHIN;
 }
 
-// Nodes report their place to the server late, and the server moves kinematic bodies later still. So a body carried by a field is one tick
-// behind: it is where it was relative to the field of the tick before. If the field has just begun to move, this holds for every body that
-// does not move yet.
+// The server moves kinematic bodies late. So one that is carried by a field, and has no node to ask, is one tick behind: it is where it was
+// relative to the field of the tick before. If the field has just begun to move, this holds for every such body that does not move yet.
 bool BodyTracker::follows_late(const Body &p_body, const Transform3D &p_world, const FieldPose &p_field) {
-	return p_field.has_moved && p_body.has_before && !p_body.is_driven && (p_field.has_begun || p_world != p_body.world_before) &&
-			rides(p_body, p_field.from_world_before * to_eigen(p_world));
+	return p_field.has_moved && p_body.has_before && !p_body.is_driven && p_body.node == nullptr &&
+			(p_field.has_begun || p_world != p_body.world_before) && rides(p_body, p_field.from_world_before * to_eigen(p_world));
 }
 
 // Returns the pose in field space. Bodies that follow a jump of the field in the next tick (a world shifted about its origin, with
@@ -47,6 +54,15 @@ Eigen::Affine3d BodyTracker::pose_of(const Body &p_body, const Transform3D &p_wo
 	}
 	const Eigen::Vector3d before = p_body.before.translation();
 	return (late.translation() - before).norm() < (now.translation() - before).norm() ? late : now;
+}
+
+// Returns where the server has it, in field space. Its velocity led there, and its node may be a tick ahead. p_now: its pose in this tick.
+Eigen::Vector3d BodyTracker::server_place(const Body &p_body, const Eigen::Affine3d &p_now, const Following &p_following) {
+	if (p_body.node == nullptr) {
+		return p_now.translation();
+	}
+	p_following.reads.engine_calls++;
+	return p_following.field.from_world * to_eigen(p_body.state->get_transform().origin);
 }
 
 // Returns the velocity in the world, metres per second. A kinematic body's velocity follows from the places where it was put, including
@@ -88,7 +104,12 @@ void BodyTracker::judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const
 		const Eigen::Vector3d own = r_body.is_driven ? seen : own_velocity(r_body, seen, p_following.reads);
 		r_body.has_before = true;
 		r_body.before = p_now;
-		r_body.before.translation() = r_body.motion.start(now, from_world * seen + passing, from_world * own + passing, tick);
+		const Eigen::Vector3d reached = server_place(r_body, p_now, p_following);
+		r_body.before.translation() = r_body.motion.start(reached, from_world * seen + passing, from_world * own + passing, tick);
+		if (reached != now) {
+			const Eigen::Vector3d from = r_body.motion.follow(reached, now, from_world * own + passing, tick);
+			r_body.before.translation() = from == reached ? r_body.before.translation() : from;
+		}
 		return;
 	}
 	const Eigen::Vector3d before = r_body.before.translation(), step = now - before;

@@ -142,7 +142,7 @@ bool BodyTracker::find_state(Body &r_body, BodyReads &r_reads) {
 		return r_body.state != nullptr;
 	}
 	r_reads.engine_calls++;
-	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.state_id));
+	return UtilityFunctions::is_instance_id_valid(int64_t(r_body.node != nullptr ? r_body.instance_id : r_body.state_id));
 }
 
 // A moving body is kept for two more ticks: it passed grass on its way out, or was reported only after it had passed all of it.
@@ -250,10 +250,8 @@ void BodyTracker::read(Body &r_body, const Following &p_following) {
 		place(r_body);
 		return;
 	}
-	_reads.poses++;
-	_reads.engine_calls++;
 	const bool is_due = look(r_body);
-	const Transform3D world = r_body.state->get_transform();
+	const Transform3D world = find_place(r_body, _reads);
 	follow_sleep(r_body, world, is_due);
 	place(r_body);
 	if (is_due || world != r_body.world_before || !keep_at_rest(r_body, p_following.field)) {

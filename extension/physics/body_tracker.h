@@ -87,6 +87,7 @@ private:
 		int64_t mesh_pieces = 0; // of these
 		uint64_t state_id = 0; // of the server's state object, which has its pose and ends with the body
 		godot::PhysicsDirectBodyState3D *state = nullptr;
+		const godot::CollisionObject3D *node = nullptr; // of a body that is put where its node is; nullptr: the server moves it
 		godot::Transform3D world_before; // in the last tick; in the world, since a field may move over resting ground
 
 		// The members that a tick reads of a body that moves.
@@ -151,6 +152,7 @@ private:
 	// body_look.cpp
 	static int look_every(size_t p_bodies);
 	bool look(Body &r_body);
+	static const godot::CollisionObject3D *find_leader(const Body &p_body, int64_t p_mode, BodyReads &r_reads);
 	void look_at_shapes(Body &r_body);
 	bool read_shapes(Body &r_body);
 	static void fit_part(const Body &p_body, ShapePart &r_part);
@@ -166,10 +168,12 @@ private:
 	static bool waits_for_slots(const Body &p_body, const TileManager &p_tiles);
 	void wait(Body &r_body, const Following &p_following);
 	static void catch_up(Body &r_body, const Eigen::Affine3d &p_now);
+	static godot::Transform3D find_place(const Body &p_body, BodyReads &r_reads);
 	static bool follows_late(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field);
 	static bool rides(const Body &p_body, const Eigen::Affine3d &p_now);
 	Eigen::Affine3d pose_of(const Body &p_body, const godot::Transform3D &p_world, const FieldPose &p_field) const;
 	bool is_ground(Body &r_body, const godot::Transform3D &p_world, bool p_is_carried) const;
+	static Eigen::Vector3d server_place(const Body &p_body, const Eigen::Affine3d &p_now, const Following &p_following);
 	static Eigen::Vector3d server_velocity(const Body &p_body, BodyReads &r_reads);
 	static Eigen::Vector3d own_velocity(const Body &p_body, const Eigen::Vector3d &p_motion, BodyReads &r_reads);
 	static void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);

@@ -3,8 +3,8 @@
 extends "res://tests/field_case.gd"
 
 
-## Two calls of the engine a body and tick: is it there, where is it. A look at its shapes, every eighth tick, takes six more, and every
-## other of these looks four for what seldom changes.
+## Three calls of the engine a body and tick: is its node there, is it in the tree, where is it. A look at its shapes, every eighth tick,
+## takes eight more, and every other of these looks four for what seldom changes.
 func test_few_calls_of_the_engine() -> void:
 	var field := add_field()
 	for i in 8:
@@ -15,7 +15,7 @@ func test_few_calls_of_the_engine() -> void:
 	var after := field.get_counters()
 	assert_eq(after.body_reads - before.body_reads, 8 * 160, "poses: every tick")
 	assert_eq(after.shape_reads - before.shape_reads, 8 * 160 / 8, "shapes: every eighth")
-	assert_eq(after.engine_calls - before.engine_calls, 8 * (160 * 2 + 160 / 8 * 6 + 160 / 16 * 4))
+	assert_eq(after.engine_calls - before.engine_calls, 8 * (160 * 3 + 160 / 8 * 8 + 160 / 16 * 4))
 
 
 ## A ball on a floor under the grass: asleep after a while.
@@ -41,13 +41,13 @@ func calls_of_ticks(field: GrassField, count: int) -> int:
 func test_bodies_asleep_cost_next_to_nothing() -> void:
 	var field := add_field()
 	var body := await add_sleeper(field)
-	var floor_calls := 64 * 2 + 64 / 8 * 2
+	var floor_calls := 64 * 3 + 64 / 8 * 3
 	assert_less(await calls_of_ticks(field, 64) - floor_calls, 64 / 8 * 2 + 12, "is it there, and where, every eighth tick, and one look")
 	assert_eq(field.get_counters().colliders, 1, "it lies in the grass all the same")
 	var awake := awake_tiles(field)
 	body.apply_central_impulse(Vector3(0, 0, 3) * body.mass)
 	await ticks(3)
-	assert_less(4 * 2 - 1, await calls_of_ticks(field, 4) - 4 * 2, "awake, it is read in every tick")
+	assert_less(4 * 2 - 1, await calls_of_ticks(field, 4) - 4 * 3, "awake, it is read in every tick")
 	await ticks(20)
 	assert_ne(awake_tiles(field), awake, "and bends grass where it slides")
 
