@@ -86,6 +86,7 @@ struct Around {
 	int covered = 0, covered_moving = 0; // their clamps are inside; of those, farther than 1e-5 of their length in a step
 	int standing_out = 0; // of those, with a knot outside of the body and more than 6 cm above the ground
 	int touching = 0, touching_moving = 0; // others at its surface, and those that go farther than 1 mm in a step
+	int trembling = 0; // of those at its surface, farther than 0.1 mm in a step
 	int pierced = 0, cut = 0; // of those whose roots are outside, with a knot more than 1 mm inside, and with an edge
 	double covered_sunk = 0.0; // sum of how far tips of covered blades are below where they rest, blade lengths
 };
@@ -128,6 +129,7 @@ inline Around look_around(BladeScene &r_scene, float p_rate) {
 		const bool touches = deepest > -AT;
 		around.touching += touches ? 1 : 0;
 		around.touching_moving += touches && moved > 1e-3f ? 1 : 0;
+		around.trembling += touches && moved > 1e-4f ? 1 : 0;
 		around.pierced += root <= 0.0f && knots > 1e-3f ? 1 : 0;
 		around.cut += root <= 0.0f && deepest > 1e-3f ? 1 : 0;
 	}

@@ -139,14 +139,15 @@ GRASS_INLINE Vec3<T> push_out(const Blade<T> &p_blade, const StepTerms<T> &p_ter
 
 // Blades that no surface pushes at the end of a step.
 template <class Mask> struct Spared {
-	Mask is_held; // [Eq 36] they stay as they are: in a wedge, surfaces would turn them back and forth
+	Mask is_held; // [Eq 36], [Eq 48] they stay as they are: in a wedge, surfaces would turn them back and forth
 	Mask is_laid; // [Eq 47] a body rests on their roots
 };
 
 // [Eq 16], [Eq 17] Moves every knot, from root to tip, to its segment's length from the knot before it, outside the colliders and above the
-// ground. Knots that already satisfy this stay the same, bit for bit.
-template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Spared<Mask> &p_spared) {
+// ground. Knots that already satisfy this stay the same, bit for bit. Returns the blades that a collider pushed.
+template <class T, class Mask> GRASS_INLINE Mask finish(Blade<T> &r_blade, const StepTerms<T> &p_terms, const Spared<Mask> &p_spared) {
 	const T zero(0.0f);
+	Mask is_touched = zero > T(1.0f);
 	Vec3<T> carry{};
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 		const Vec3<T> parent = r_blade.knots[k - 1];
@@ -162,7 +163,9 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 		for (int round = 0; round < PUSH_ROUNDS; round++) {
 			const Vec3<T> start = segment;
 			segment = place_before_plane(segment, Vec3<T>{ zero, T(1.0f), zero }, gap - parent.y, rest_length);
+			const Vec3<T> above = segment;
 			segment = push_out(r_blade, p_terms, parent, segment, rest_length, gap);
+			is_touched = is_touched | (sum_of(segment - above) > zero);
 			if (!any(sum_of(segment - start) > zero)) { // no squares, which would underflow for the smallest turns
 				break;
 			}
@@ -178,6 +181,7 @@ template <class T, class Mask> GRASS_INLINE void finish(Blade<T> &r_blade, const
 		const auto is_pushed = dot(change, change) > zero;
 		r_blade.before[k] = select(is_pushed, r_blade.knots[k], r_blade.before[k]);
 	}
+	return is_touched;
 }
 
 } // namespace grass

@@ -13,6 +13,7 @@ template <class T> struct Blade {
 	Vec3<T> knots[GRASS_KNOTS]; // in: at the start of the step; out: at its end
 	Vec3<T> before[GRASS_KNOTS]; // in: one step earlier; out: at the start of the step
 	T twist[GRASS_SEGMENTS]{}; // of each joint, radians: METHOD_DIRECT's first guess, which bending corrects within a step
+	T calm = T(0.0f); // METHOD_PBD: what kept_calm() returned, [Eq 48]
 	Vec3<T> width{}; // direction of the width at the root; zero: equally stiff across and in the plane
 	Vec3<T> root; // relative to the centre of the tile, metres
 	T lengths[GRASS_SEGMENTS]; // of the segments at rest, metres

@@ -170,6 +170,7 @@ void CpuPool::wake(const GrassSlot &p_slot) {
 		std::memcpy(state.before[c], state.rest[c][GRASS_CLAMPED_KNOTS], sizeof(state.before[c]));
 	}
 	std::memset(state.twist, 0, sizeof(state.twist));
+	std::memset(state.calm, 0, sizeof(state.calm));
 }
 
 void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileStep p_step) {

@@ -8,6 +8,12 @@
 
 namespace grass {
 
+#include "core/base/lane_words.h"
+
+#include "solver/calm.inc"
+
+#include "core/base/lane_words_end.h"
+
 // [Eq 18] Moves the blade a share of the way to rest, and stops its motion; a share of 1 arrives exactly.
 template <class T> GRASS_INLINE void settle(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
 	const auto arrives = p_terms.blend >= T(1.0f);
@@ -50,7 +56,7 @@ template <class T> GRASS_INLINE T measure_energy(const Blade<T> &p_blade, const 
 
 // Returns true if the blade is at rest without a load and nothing can touch it there: a step would not change a single bit of it.
 template <class T> GRASS_INLINE auto is_idle(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
-	T sum = sum_of(p_terms.load);
+	T sum = sum_of(p_terms.load) + p_blade.calm;
 	T longest(0.0f);
 	Extent<T> extent = extent_of(p_blade.rest[1], p_blade.rest[1]);
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
@@ -80,24 +86,53 @@ template <class T, class Mask> GRASS_INLINE void keep_idle(Blade<T> &r_blade, co
 	}
 }
 
+// [Eq 48] Returns how many colliders could touch the blade in any pose, 0 if one of them moves or anything else drives the blade.
+template <class T> GRASS_INLINE T count_resting(const Blade<T> &p_blade, const StepTerms<T> &p_terms) {
+	T count(0.0f);
+	MaskOf<T> is_driven = sum_of(p_terms.load) > T(0.0f);
+	for (const TileCollider &collider : p_terms.colliders) {
+		const auto is_reached = comes_within(collider, p_blade.root, p_blade.blade_length * T(LENGTH_MARGIN));
+		count = count + select(is_reached, T(1.0f), T(0.0f));
+		if (!stands_still(collider)) {
+			is_driven = is_driven | is_reached;
+		}
+	}
+	return select(is_driven, T(0.0f), count);
+}
+
+// [Eq 48] For how long bodies at rest alone have touched a blade, seconds, how many could touch it, and whether one has bent it in this step.
+template <class T> struct Calm {
+	T so_far, count;
+	MaskOf<T> is_touched;
+};
+
 // Takes a step of the method of Han and Harada 2012 that Fan et al. 2015 use (section 4.2), repaired.
-template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms) {
-	const MaskOf<T> is_laid = find_burial(r_blade, p_terms).is_laid;
+template <class T> GRASS_INLINE Spared<MaskOf<T>> step_pbd(Blade<T> &r_blade, const StepTerms<T> &p_terms, Calm<T> &r_calm) {
+	using Mask = MaskOf<T>;
+	const Mask is_laid = find_burial(r_blade, p_terms).is_laid;
+	const T count = count_resting(r_blade, p_terms);
+	const T calm = calm_so_far(r_blade.calm, count);
+	const T share = calm_share(calm);
+	const Mask is_held = (share <= T(HELD_SHARE)) & !is_laid;
+	Mask touches = T(0.0f) > T(1.0f);
 	integrate(r_blade, p_terms);
 	for (int i = 0; i < p_terms.iterations; i++) {
 		straighten(r_blade, p_terms);
 		keep_lengths(r_blade);
 		if (!p_terms.colliders.empty()) {
 			const DeepestCorrection<T> deepest = find_deepest_correction(r_blade, p_terms);
+			touches = touches | (deepest.correction.depth > T(0.0f));
 			if (any(deepest.correction.depth > T(0.0f))) {
 				bend(r_blade, deepest);
 			}
 		}
 	}
 	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-		r_blade.knots[k] = select(is_laid, r_blade.before[k], r_blade.knots[k]);
+		const Vec3<T> calmed = r_blade.before[k] + (r_blade.knots[k] - r_blade.before[k]) * share;
+		r_blade.knots[k] = select(is_laid | is_held, r_blade.before[k], select(share < T(1.0f), calmed, r_blade.knots[k]));
 	}
-	return { T(0.0f) > T(1.0f), is_laid };
+	r_calm = { calm, count, touches };
+	return { is_held, is_laid };
 }
 
 // Takes the whole step. Afterwards lengths are right, and knots are finite and, where possible, outside the colliders.
@@ -110,14 +145,19 @@ template <class T> GRASS_INLINE void step_blade(Blade<T> &r_blade, const StepTer
 	if (!any(!idle)) {
 		return;
 	}
-	Spared<MaskOf<T>> spared = p_terms.is_direct ? step_direct(r_blade, p_terms) : step_pbd(r_blade, p_terms);
+	Calm<T> calm{};
+	Spared<MaskOf<T>> spared = p_terms.is_direct ? step_direct(r_blade, p_terms) : step_pbd(r_blade, p_terms, calm);
 	if (any(p_terms.blend > T(0.0f))) {
 		settle(r_blade, p_terms);
 		spared.is_held = spared.is_held & !(p_terms.blend > T(0.0f));
 		spared.is_laid = spared.is_laid & !(p_terms.blend > T(0.0f));
 	}
 	mend(r_blade);
-	finish(r_blade, p_terms, spared);
+	const MaskOf<T> is_pushed = finish(r_blade, p_terms, spared);
+	if (!p_terms.is_direct) {
+		const MaskOf<T> is_touched = ((is_pushed | calm.is_touched) & !spared.is_laid) | spared.is_held;
+		r_blade.calm = kept_calm(calm.so_far, calm.count, is_touched, p_terms.seconds);
+	}
 	mend(r_blade); // repairs what a body of absurd size did in finish()
 	if (any(idle)) {
 		keep_idle(r_blade, idle);

@@ -116,6 +116,7 @@ GRASS_INLINE float step_tile(
 		}
 		blade.width = { load<T>(&r_state.width[0][first]), T(0.0f), load<T>(&r_state.width[1][first]) };
 		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
+		blade.calm = load<T>(&r_state.calm[first]);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
 		}
@@ -125,6 +126,7 @@ GRASS_INLINE float step_tile(
 			add_air_load(own, *r_state.air, first);
 		}
 		step_blade(blade, own);
+		store(blade.calm, &r_state.calm[first]);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
 			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
 			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);

@@ -21,6 +21,7 @@ struct alignas(64) TileState {
 	float knots[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE];
 	float before[3][GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // one step earlier
 	float twist[GRASS_FREE_KNOTS][GRASS_BLADES_PER_TILE]; // of the joint below each knot, radians
+	float calm[GRASS_BLADES_PER_TILE]; // METHOD_PBD: what kept_calm() returned, [Eq 48]
 	float width[2][GRASS_BLADES_PER_TILE]; // x and z of the direction of a blade's width at its root
 	float root[3][GRASS_BLADES_PER_TILE]; // relative to the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];

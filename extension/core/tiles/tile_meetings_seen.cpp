@@ -29,8 +29,8 @@ size_t TileMeetings::queue_seen_tiles(size_t p_room) {
 		queue_seen_tiles_of(seen, p_room, most_waiting);
 	}
 	std::ranges::sort(_waiting, {}, &Waiting::tile); // two bodies may wait for one tile
-	const auto repeated = std::ranges::unique(_waiting, {}, &Waiting::tile);
-	_waiting.erase(repeated.begin(), repeated.end());
+	const auto is_same = [](const Waiting &p_a, const Waiting &p_b) { return p_a.tile == p_b.tile; };
+	_waiting.erase(std::unique(_waiting.begin(), _waiting.end(), is_same), _waiting.end());
 	std::ranges::sort(_waiting, {}, &Waiting::band);
 	_unmet_seen.take_difference(_tiles->held, _tiles->met);
 	return std::max(p_room - std::min(p_room, size_t(_unmet_seen.count())), _wanted.size());
