@@ -35,7 +35,8 @@ BladeScene make_calm(const Sunken &p_body, const Patch &p_patch, float p_rate, u
 
 } // namespace
 
-TEST_CASE("METHOD_PBD: blades that bodies at rest hold go on as if never held as soon as a body moves, turns, comes or goes, or air blows") {
+TEST_CASE(
+		"METHOD_PBD: blades that bodies at rest hold go on as if never held as soon as a body moves, turns, comes or goes, or air blows") {
 	const Patch patch = generate_patch(PatchParams());
 	const std::vector<Sunken> bodies = make_sunken();
 	for (const float rate : sampled({ 30.0f, 60.0f, 144.0f })) {

@@ -47,8 +47,8 @@ Around look_around_all(const Patch &p_patch, Method p_method, float p_rate) {
 		}
 	}
 	MESSAGE(p_rate << " steps a second: " << sum.covered_moving << " of " << sum.covered << " covered blades move, " << sum.touching_moving
-				   << " of " << sum.touching << " beside bodies and " << sum.trembling << " tremble, " << sum.pierced << " are pierced, " << sum.cut << " cut, "
-				   << sum.standing_out << " stand out");
+				   << " of " << sum.touching << " beside bodies and " << sum.trembling << " tremble, " << sum.pierced << " are pierced, "
+				   << sum.cut << " cut, " << sum.standing_out << " stand out");
 	return sum;
 }
 
@@ -71,8 +71,9 @@ TEST_CASE("METHOD_DIRECT: a second after a body came to rest in the ground, on r
 	}
 }
 
-TEST_CASE("METHOD_PBD: the blades that such a body covers are still and lie, and of the others that touch it one in a hundred moves by more "
-		  "than 0.1 mm a step, since it came to touch it late") {
+TEST_CASE(
+		"METHOD_PBD: the blades that such a body covers are still and lie, and of the others that touch it one in a hundred moves by more "
+		"than 0.1 mm a step, since it came to touch it late") {
 	const Patch patch = generate_patch(PatchParams());
 	for (const float rate : sampled({ 30.0f, 60.0f, 144.0f })) {
 		CAPTURE(rate);

@@ -100,7 +100,7 @@ template <class T> GRASS_INLINE T count_resting(const Blade<T> &p_blade, const S
 	return select(is_driven, T(0.0f), count);
 }
 
-// [Eq 48] For how long bodies at rest alone have touched a blade, seconds, how many could touch it, and whether one has bent it in this step.
+// [Eq 48] For how long bodies at rest alone have touched a blade, seconds, how many could, and whether one has bent it in this step.
 template <class T> struct Calm {
 	T so_far, count;
 	MaskOf<T> is_touched;
