@@ -62,7 +62,7 @@ void GrassPath3D::_changed() {
 }
 
 void GrassPath3D::set_mode(Mode p_mode) {
-	ERR_FAIL_INDEX_MSG(int64_t(p_mode), int64_t(MODE_PLANT) + 1, label() + String(": `mode` is MODE_CLEAR or MODE_PLANT."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_mode), int64_t(MODE_PLANT) + 1, label() + String(": `mode` must be MODE_CLEAR or MODE_PLANT."));
 	if (replace(_mode, p_mode)) {
 		_picture.free(); // to change its colour
 		_changed();

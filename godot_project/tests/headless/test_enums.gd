@@ -17,7 +17,7 @@ func enums_of(type: StringName) -> Array[String]:
 func check_refusals(object: Object, owner_name: String, expected: Array[String]) -> void:
 	assert_eq(enums_of(object.get_class()), expected)
 	for property in expected:
-		expect_error("%s: `%s` is" % [owner_name, property])
+		expect_error("%s: `%s` must be" % [owner_name, property])
 		var before: int = object.get(property)
 		for number in NUMBERS:
 			object.set(property, number)

@@ -105,7 +105,7 @@ func test_what_is_no_path() -> void:
 	path.curve.add_point(Vector3.ZERO)
 	await frames(2)
 	assert_eq(_density(field, 0, 0), 1.0, "a point is no way")
-	expect_error("`mode` is MODE_CLEAR or MODE_PLANT")
+	expect_error("`mode` must be MODE_CLEAR or MODE_PLANT")
 	path.set("mode", 7)
 	assert_eq(path.mode, GrassPath3D.MODE_CLEAR)
 	path.width = -3.0

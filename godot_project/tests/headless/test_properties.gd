@@ -155,7 +155,7 @@ func test_bad_patches_still_grow() -> void:
 func test_enums_refuse_what_they_do_not_have() -> void:
 	var field := add_field()
 	for property: String in ["backend", "debug_view"]:
-		expect_error("GrassField 'Meadow': `%s` is" % property)
+		expect_error("GrassField 'Meadow': `%s` must be" % property)
 		for bad: int in [-1, 99]:
 			field.set(property, bad)
 			assert_eq(field.get(property), 0, property)
