@@ -22,7 +22,7 @@ enum MapChannel {
 	MAP_PAINT, // density painted by hand, and how much of the rules' filling it covers, 0..1 each (core/paint/hand_paint.h)
 	MAP_WEAR_REST, // the fractional part of wear: 1/256 of a code (core/paint/fine_wear.h)
 	MAP_HOLE, // 1: a terrain has no ground here, so nothing grows, whatever is painted
-	MAP_LEDGE, // which of the four heights around count here, one bit each [Eq M7]; 0: none, so nothing grows (core/paint/lay_ledges.h)
+	MAP_LEDGE, // which of the four heights around count here, one bit each [Eq M7]; 0: none, so nothing grows (core/paint/ledges.h)
 	MAP_CHANNELS,
 };
 
