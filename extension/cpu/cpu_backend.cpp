@@ -96,6 +96,14 @@ void CpuBackend::step(const StepInput &p_input) {
 	}
 }
 
+void CpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
+	(void)p_step; // the pool keeps the rest poses
+	for (const GrassSlot &slot : p_slots) {
+		_pool.join(slot);
+	}
+	_texels.change(_pool, p_slots);
+}
+
 void CpuBackend::tidy() {
 	if (_ticks_to_look-- > 0) {
 		return;

@@ -2,8 +2,8 @@
 #include "draw/growing_arrays.h"
 
 #include "draw/task_queue.h"
+#include "shared/frames.h"
 
-#include <godot_cpp/classes/display_server.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -28,11 +28,6 @@ TaskQueue arrays_queue("GrassField's textures", TaskQueue::Priority::LOW);
 // one leaked at exit in some runs).
 bool has_texture_threads() {
 	return RenderingServer::get_singleton()->get_rendering_device() != nullptr;
-}
-
-// Without a renderer nothing is uploaded, so no frame has to wait for another one: scripts find a first field made at once.
-bool uploads() {
-	return DisplayServer::get_singleton()->get_name() != "headless";
 }
 
 } // namespace
@@ -115,7 +110,7 @@ void GrowingArrays::work(int p_filled, const MakeImage &p_make) {
 		arrays_queue.push(_next.get(), [next = _next] { next->make(); });
 	} else if (!_next->is_made) {
 		_uploaded += _next->make_one();
-		_made_in = uploads() ? Engine::get_singleton()->get_process_frames() : UINT64_MAX;
+		_made_in = draws_frames() ? Engine::get_singleton()->get_process_frames() : UINT64_MAX;
 	} else if (!_stale.empty()) {
 		const int layer = *_stale.begin();
 		_stale.erase(_stale.begin());

@@ -62,6 +62,7 @@ FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_spe
 	if (species.is_plain()) {
 		field.species.clear();
 	}
+	field.detail = simulation_detail;
 	field.sleep_mode = sleep_mode;
 	field.sleep_delay = param(PARAM_SLEEP_DELAY);
 	field.sleep_motion = param(PARAM_SLEEP_MOTION);

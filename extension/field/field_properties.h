@@ -48,6 +48,7 @@ struct FieldProperties {
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
 	bool simulated = true, measure_time = false, has_ground = true;
 	Method method = SolverParams().method;
+	SimulationDetail simulation_detail = FieldParams().detail;
 	SleepMode sleep_mode = TileParams().sleep_mode;
 	bool is_on_cpu = false;
 	bool is_streamed = false; // a plot of a world: made in parts, a few a frame, from the first time on

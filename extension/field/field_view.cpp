@@ -2,6 +2,7 @@
 #include "field/field_view.h"
 
 #include "shared/convert.h"
+#include "shared/frames.h"
 #include "shared/scene_watch.h"
 
 #include <godot_cpp/classes/compositor.hpp>
@@ -201,6 +202,7 @@ FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, 
 	FieldView view;
 	const Eigen::Affine3d field = to_eigen(p_transform);
 	find_cameras(p_node, field, view);
+	view.is_drawn = draws_frames();
 	if (view.cameras.empty()) {
 		return view;
 	}

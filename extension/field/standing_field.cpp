@@ -194,13 +194,21 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	}
 }
 
+void StandingField::ask(std::span<const BladeNumber> p_blades) {
+	std::vector<int> tiles;
+	for (const BladeNumber blade : p_blades) {
+		tiles.push_back(tile_of(blade));
+	}
+	_field.ask(*_backend, tiles);
+}
+
 void StandingField::read_asked() {
 	_backend->read_asked([this](int p_tile) { return _field.get_tiles().get_slot_of(p_tile); });
 }
 
 bool StandingField::draw(const FieldView &p_view, bool p_is_visible) {
 	const bool was_seen = _field.is_seen(), was_crowded = _is_crowded;
-	_field.see(p_view, p_is_visible);
+	_field.see(*_backend, p_view, p_is_visible);
 	if (is_shown() && p_view.is_watched && (_field.is_seen() || was_seen)) { // once more, to know that nothing is drawn
 		_backend->draw(p_view);
 		_is_crowded = _is_crowded || leaves_tiles_out();

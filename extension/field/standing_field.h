@@ -95,6 +95,8 @@ public:
 	// visible.
 	void show_motion(bool p_is_read) { _backend->show_motion(p_is_read, p_is_read && _uniforms.keep_wind_clock(uniform_setter(false))); }
 	void follow(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform);
+	// Simulates these blades, even if no camera needs them, for a while.
+	void ask(std::span<const BladeNumber> p_blades);
 	void read_asked(); // reads the blades that scripts query
 	// Returns true once after the field was made, as soon as more tiles are in view than it has room for.
 	bool draw(const FieldView &p_view, bool p_is_visible);

@@ -52,6 +52,8 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["tile_steps"] = int64_t(tiles.tile_steps);
 	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
 	result["still_tile_steps"] = int64_t(tiles.still_steps);
+	result["left_out_blade_steps"] = int64_t(tiles.left_out_blades);
+	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
 	result["wind_updates"] = p_statistics.wind_updates;
 	result["woken"] = int64_t(tiles.woken);

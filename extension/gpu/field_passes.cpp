@@ -9,6 +9,15 @@
 
 namespace grass {
 
+namespace {
+
+bool is_compiled(const PassCode &p_code) {
+	const CompileQueue::Pipeline &pipeline = CompileQueue::get().find(p_code);
+	return pipeline.is_done && pipeline.pipeline.is_valid();
+}
+
+} // namespace
+
 const PassCode CULL_CODE = { shader::CULL_SPIRV, "GrassField cull", PassOrder::CULL };
 
 PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
@@ -29,6 +38,12 @@ PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
 		device_limits().has_quick_arrays };
 }
 
+// If it is refused, all blades of awake tiles are simulated.
+PassCode join_code(const PassKind &p_kind) {
+	const std::span<const uint32_t> code = p_kind.species ? std::span<const uint32_t>(shader::JOIN_GRASS_SPECIES_SPIRV) : shader::JOIN_SPIRV;
+	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, false, true };
+}
+
 void begin_passes(const FieldPasses &p_passes) {
 	if (main_device() == nullptr) {
 		return;
@@ -42,14 +57,18 @@ void begin_passes(const FieldPasses &p_passes) {
 
 bool prepare_passes(const PassKind &p_kind) {
 	const bool is_done = GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
+	GpuPass::prepare(join_code(p_kind));
 	GpuPass::prepare(simulate_code(p_kind, TILES_FREE));
 	GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
 	return is_done;
 }
 
 bool can_simulate(const PassKind &p_kind) {
-	const CompileQueue::Pipeline &pipeline = CompileQueue::get().find(simulate_code(p_kind, TILES_ALL));
-	return pipeline.is_done && pipeline.pipeline.is_valid();
+	return is_compiled(simulate_code(p_kind, TILES_ALL));
+}
+
+bool can_join(const PassKind &p_kind) {
+	return is_compiled(join_code(p_kind));
 }
 
 const char *find_refused(const FieldPasses &p_passes) {

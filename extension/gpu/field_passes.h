@@ -22,6 +22,7 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 // Kinds of tiles by the colliders in them: each kind has a pass of its own.
 enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
 PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles);
+PassCode join_code(const PassKind &p_kind);
 extern const PassCode CULL_CODE;
 
 struct FieldPasses {
@@ -38,6 +39,8 @@ void begin_passes(const FieldPasses &p_passes);
 bool prepare_passes(const PassKind &p_kind);
 // Returns whether the pass that simulates all kinds of tiles is compiled.
 bool can_simulate(const PassKind &p_kind);
+// Returns whether blades can join the simulated ones of their tile.
+bool can_join(const PassKind &p_kind);
 // Returns the name of a pass that the driver has refused; null: none so far.
 const char *find_refused(const FieldPasses &p_passes);
 

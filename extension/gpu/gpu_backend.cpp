@@ -156,6 +156,12 @@ void GpuBackend::step(const StepInput &p_input) {
 			[field = _field, records = StepRecords(p_input, _energy), measure = _measure] { field->step(records, measure); });
 }
 
+void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
+	RenderQueue::get_singleton()->post([field = _field, slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step] {
+		field->join(slots, step);
+	});
+}
+
 void GpuBackend::draw(const FieldView &p_view) {
 	ViewRecords view = to_records(p_view, _setup);
 	view.painted = _painted;

@@ -33,6 +33,8 @@ public:
 	bool can_simulate() override { return grass::can_simulate(kind_of(_setup)); }
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
+	bool can_join() override { return grass::can_join(kind_of(_setup)); }
+	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
 	void draw(const FieldView &p_view) override;
 	void show_between(bool p_is_between, float p_share) override;
 	void show_motion(bool p_is_read, bool p_has_blown) override;

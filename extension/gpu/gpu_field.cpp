@@ -175,6 +175,7 @@ void GpuField::rest_before(std::span<const GrassSlot> p_slots) {
 
 void GpuField::make_simulate() {
 	_simulate.create(simulate_code(_kind, TILES_ALL), GpuPass::Compile::LATER);
+	_join.create(join_code(_kind), GpuPass::Compile::LATER);
 	_simulate_free.create(simulate_code(_kind, TILES_FREE), GpuPass::Compile::LATER);
 	_simulate_edges.create(simulate_code(_kind, TILES_WITH_EDGES), GpuPass::Compile::LATER);
 	_simulate_crowds.free(); // made with the first crowd
@@ -195,8 +196,8 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 	_report->statistics.uploaded_bytes += uploaded;
 }
 
-std::array<GpuBuffer *, 17> GpuField::buffers() {
-	return { &_slot_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
+std::array<GpuBuffer *, 18> GpuField::buffers() {
+	return { &_slot_records, &_join_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
 		&_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
 }
 
@@ -226,6 +227,7 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 		pass->free();
 	}
 	_cull.free();
+	_join.free();
 	_reader.free();
 	_work.reset();
 	for (GpuBuffer *buffer : buffers()) {

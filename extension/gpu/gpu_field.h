@@ -76,6 +76,8 @@ public:
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
+	// Poses blades that join the simulated ones. p_slots, p_step: see Simulator::join().
+	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step);
 	// Runs one frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
 	// Sets the MultiMeshes of plants. Frees the command buffers of the former ones, which must still exist.
@@ -98,7 +100,7 @@ private:
 	static constexpr int COUNT_BLADES = 2 * GRASS_ALL_LEVELS, COUNT_LEFT_OUT = COUNT_BLADES + 2, COUNTS_TOLD = COUNT_LEFT_OUT + 2;
 	static constexpr int COUNTS = COUNTS_TOLD + 2 + GRASS_ALL_LEVELS * GRASS_TURNS;
 
-	std::array<GpuBuffer *, 17> buffers();
+	std::array<GpuBuffer *, 18> buffers();
 	void fit_tables();
 	void make_pool_texture();
 	void make_before_texture();
@@ -109,6 +111,7 @@ private:
 	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
 	// The first call starts to compile the crowds' pass.
 	bool can_simulate_crowds();
+	void bind_pool(GpuPass &r_pass);
 	void bind_simulate();
 	// Makes room for a step of p_slots, of which one dispatch takes p_most; 0: none.
 	void make_room_to_work(uint32_t p_slots, uint32_t p_most);
@@ -128,7 +131,9 @@ private:
 
 	// Lives for one step: written by the main thread's records in every step, read by simulate.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
-	// Lives as long as the field, read and written by simulate: knots of awake tiles, now and one step earlier in two halves; which half is
+	// Lives for one frame: written by the main thread's records, read by join.
+	GpuBuffer _join_records;
+	// Lives as long as the field, read and written by simulate and join: knots of awake tiles, now and one step earlier in two halves; which half is
 	// which; twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Lives for one dispatch, read and written by simulate: what its threads keep of their blades' joints, unless each has an array for it.
@@ -169,7 +174,7 @@ private:
 	KnotReader _reader;
 	PlantPasses _plants;
 	GpuPass _simulate, _simulate_edges, _simulate_free, _simulate_crowds; // of tiles with no bit, GRASS_SLOT_EDGES, _FREE, _CROWD
-	GpuPass _cull;
+	GpuPass _cull, _join;
 };
 
 } // namespace grass

@@ -15,6 +15,18 @@ using namespace godot;
 
 namespace grass {
 
+namespace {
+
+int64_t count_blades(std::span<const GrassSlot> p_slots) {
+	int64_t blades = 0;
+	for (const GrassSlot &slot : p_slots) {
+		blades += GRASS_BLADES_PER_TILE - int64_t(slot.blend.y);
+	}
+	return blades;
+}
+
+} // namespace
+
 StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_energies) : number(p_input.number), step(p_input.step) {
 	CpuClock clock;
 	slots.resize(p_input.slots.size());
@@ -28,21 +40,29 @@ StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_ener
 	copy_ms = clock.lap();
 }
 
+// Binds the pool, and what its blades grow from.
+void GpuField::bind_pool(GpuPass &r_pass) {
+	r_pass.bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
+	r_pass.bind_buffer(GRASS_BINDING_HALVES, _halves.rid());
+	r_pass.bind_buffer(GRASS_BINDING_TWISTS, _twists.rid());
+	r_pass.bind_sampled(GRASS_BINDING_PATCH, _sampler, _patch);
+	r_pass.bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
+	r_pass.bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
+	if (_kind.species) {
+		r_pass.bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
+	}
+}
+
 void GpuField::bind_simulate() {
 	for (GpuPass *pass : simulate_passes()) {
-		pass->bind_buffer(GRASS_BINDING_KNOTS, _knots.rid());
-		pass->bind_buffer(GRASS_BINDING_HALVES, _halves.rid());
-		pass->bind_buffer(GRASS_BINDING_TWISTS, _twists.rid());
-		pass->bind_sampled(GRASS_BINDING_PATCH, _sampler, _patch);
-		pass->bind_image(GRASS_BINDING_POOL_TEXTURE, _pool_texture);
+		bind_pool(*pass);
 		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
 		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
-		pass->bind_buffer(GRASS_BINDING_GROWTH, _growth.rid());
 		if (_kind.species) {
-			pass->bind_buffer(GRASS_BINDING_BLADE_SPECIES, _blade_species.rid());
 			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
 		}
 	}
+	bind_pool(_join);
 	_reader.bind(_knots.rid(), _halves.rid());
 }
 
@@ -68,6 +88,21 @@ int64_t GpuField::upload_slots(const StepRecords &p_records, uint32_t p_left) {
 		slot.list.w &= ~p_left;
 	}
 	return _slot_records.upload(std::span<const GrassSlot>(slots));
+}
+
+void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
+	if (!_join.is_ready()) {
+		return;
+	}
+	const int64_t uploaded = _join_records.upload(p_slots);
+	_join.bind_buffer(GRASS_BINDING_SLOTS, _join_records.rid());
+	RenderingDevice *device = main_device();
+	const int64_t list = device->compute_list_begin();
+	_join.dispatch(list, to_bytes(std::span<const GrassStep>(&p_step, 1)), uint32_t(p_slots.size()));
+	device->compute_list_end();
+	_has_moved = true;
+	std::lock_guard lock(_report->mutex);
+	_report->statistics.uploaded_bytes += uploaded;
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
@@ -162,7 +197,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.edge_tile_steps += sharp;
 		statistics.free_tile_steps += free;
 		statistics.crowd_tile_steps += crowds;
-		statistics.simulated_blades += int64_t(end - live) * GRASS_BLADES_PER_TILE;
+		statistics.simulated_blades += count_blades({ live, end });
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;

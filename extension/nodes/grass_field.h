@@ -38,6 +38,10 @@ public:
 		METHOD_DIRECT = int(Method::DIRECT),
 		METHOD_PBD = int(Method::PBD),
 	};
+	enum SimulationDetail : int64_t {
+		SIMULATION_SEEN = int(grass::SimulationDetail::SEEN),
+		SIMULATION_WHOLE = int(grass::SimulationDetail::WHOLE),
+	};
 	enum SleepMode : int64_t {
 		SLEEP_TIMER = int(grass::SleepMode::TIMER),
 		SLEEP_ENERGY = int(grass::SleepMode::ENERGY),
@@ -117,6 +121,8 @@ public:
 	bool is_simulated() const { return _properties.simulated; }
 	void set_method(SolverMethod p_method);
 	SolverMethod get_method() const { return SolverMethod(_properties.method); }
+	void set_simulation_detail(SimulationDetail p_detail);
+	SimulationDetail get_simulation_detail() const { return SimulationDetail(_properties.simulation_detail); }
 	void set_sleep_mode(SleepMode p_mode);
 	SleepMode get_sleep_mode() const { return SleepMode(_properties.sleep_mode); }
 	void set_backend(BackendMode p_mode);
@@ -160,10 +166,10 @@ public:
 	int64_t get_awake_tile_count() const;
 	// Returns a blade's 16 knots from root to tip, without wind and without waiting: for an awake tile on the GPU they are at most two
 	// ticks old.
-	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade) const;
-	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile) const;
-	godot::PackedVector3Array get_blade_knots(const godot::PackedInt64Array &p_blades) const;
-	godot::PackedVector3Array wait_for_knots(const godot::PackedInt64Array &p_blades) const; // their current state
+	godot::PackedVector3Array get_knots(const godot::Vector2i &p_tile, int64_t p_blade);
+	godot::PackedVector3Array get_tile_knots(const godot::Vector2i &p_tile);
+	godot::PackedVector3Array get_blade_knots(const godot::PackedInt64Array &p_blades);
+	godot::PackedVector3Array wait_for_knots(const godot::PackedInt64Array &p_blades); // their current state
 	godot::PackedInt64Array get_tile_blades(const godot::Vector2i &p_tile) const;
 	godot::PackedInt64Array find_blades(const godot::Vector3 &p_global_position, double p_radius);
 	int64_t get_blade_species(const godot::Vector2i &p_tile, int64_t p_blade) const; // index in `species`
@@ -261,6 +267,7 @@ private:
 	GrassMap *need_map(const char *p_method) override;
 	void make_map();
 	bool prepare_places();
+	godot::PackedVector3Array find_knots(std::span<const BladeNumber> p_blades, FieldPlaces::Knots p_knots);
 	FieldPlaces places() const { return FieldPlaces(_standing, field_transform()); }
 	bool has_blades() const;
 	bool has_tile(const godot::Vector2i &p_tile) const;
@@ -293,6 +300,7 @@ private:
 } // namespace grass
 
 VARIANT_ENUM_CAST(grass::GrassField::SolverMethod);
+VARIANT_ENUM_CAST(grass::GrassField::SimulationDetail);
 VARIANT_ENUM_CAST(grass::GrassField::SleepMode);
 VARIANT_ENUM_CAST(grass::GrassField::BackendMode);
 VARIANT_ENUM_CAST(grass::GrassField::DebugView);

@@ -57,6 +57,8 @@ void GrassField::_bind_methods() {
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "collision_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), set_collision_mask,
 			get_collision_mask);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM, "Direct,PBD"), set_method, get_method);
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "simulation_detail", PROPERTY_HINT_ENUM, "Seen,Whole"),
+			set_simulation_detail, get_simulation_detail);
 	GRASS_BIND_PROPERTY(
 			GrassField, PropertyInfo(Variant::INT, "sleep_mode", PROPERTY_HINT_ENUM, "Timer,Energy"), set_sleep_mode, get_sleep_mode);
 	add_numbers("Simulation");
@@ -140,6 +142,8 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(BACKEND_CPU);
 	BIND_ENUM_CONSTANT(METHOD_DIRECT);
 	BIND_ENUM_CONSTANT(METHOD_PBD);
+	BIND_ENUM_CONSTANT(SIMULATION_SEEN);
+	BIND_ENUM_CONSTANT(SIMULATION_WHOLE);
 	BIND_ENUM_CONSTANT(SLEEP_TIMER);
 	BIND_ENUM_CONSTANT(SLEEP_ENERGY);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_OFF);

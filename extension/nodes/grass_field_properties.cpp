@@ -59,6 +59,14 @@ void GrassField::set_method(SolverMethod p_method) {
 	}
 }
 
+void GrassField::set_simulation_detail(SimulationDetail p_detail) {
+	GRASS_MAIN_THREAD_ONLY();
+	ERR_FAIL_INDEX_MSG(int64_t(p_detail), 2, message("`simulation_detail` must be SIMULATION_SEEN or SIMULATION_WHOLE."));
+	if (replace(_properties.simulation_detail, grass::SimulationDetail(p_detail))) {
+		_standing.update_params();
+	}
+}
+
 void GrassField::set_sleep_mode(SleepMode p_mode) {
 	GRASS_MAIN_THREAD_ONLY();
 	ERR_FAIL_INDEX_MSG(int64_t(p_mode), 2, message("`sleep_mode` must be SLEEP_TIMER or SLEEP_ENERGY."));

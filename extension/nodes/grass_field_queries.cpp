@@ -90,29 +90,35 @@ bool GrassField::has_tile(const Vector2i &p_tile) const {
 	return true;
 }
 
-PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) const {
+// Blades that are read are simulated, even if no camera needs them.
+PackedVector3Array GrassField::find_knots(std::span<const BladeNumber> p_blades, FieldPlaces::Knots p_knots) {
+	_standing.ask(p_blades);
+	return places().find_knots(p_blades, p_knots);
+}
+
+PackedVector3Array GrassField::get_knots(const Vector2i &p_tile, int64_t p_blade) {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
 	ERR_FAIL_INDEX_V_MSG(p_blade, int64_t(GRASS_BLADES_PER_TILE), PackedVector3Array(), message("a tile has 64 blades, 0 to 63."));
 	if (!has_tile(p_tile)) {
 		return PackedVector3Array();
 	}
 	const BladeNumber blade = number_of(_standing.get_grid().get_index(p_tile.x, p_tile.y), int(p_blade));
-	return places().find_knots(std::span(&blade, 1), FieldPlaces::Knots::KNOWN);
+	return find_knots(std::span(&blade, 1), FieldPlaces::Knots::KNOWN);
 }
 
-PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) const {
+PackedVector3Array GrassField::get_tile_knots(const Vector2i &p_tile) {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_tile(p_tile) ? places().find_knots(places().blades_of(p_tile), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
+	return has_tile(p_tile) ? find_knots(places().blades_of(p_tile), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
 }
 
-PackedVector3Array GrassField::get_blade_knots(const PackedInt64Array &p_blades) const {
+PackedVector3Array GrassField::get_blade_knots(const PackedInt64Array &p_blades) {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
+	return has_blades_of(p_blades) ? find_knots(span_of(p_blades), FieldPlaces::Knots::KNOWN) : PackedVector3Array();
 }
 
-PackedVector3Array GrassField::wait_for_knots(const PackedInt64Array &p_blades) const {
+PackedVector3Array GrassField::wait_for_knots(const PackedInt64Array &p_blades) {
 	GRASS_MAIN_THREAD_ONLY_V(PackedVector3Array());
-	return has_blades_of(p_blades) ? places().find_knots(span_of(p_blades), FieldPlaces::Knots::EXACT) : PackedVector3Array();
+	return has_blades_of(p_blades) ? find_knots(span_of(p_blades), FieldPlaces::Knots::EXACT) : PackedVector3Array();
 }
 
 PackedInt64Array GrassField::get_tile_blades(const Vector2i &p_tile) const {

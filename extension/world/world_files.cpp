@@ -2,7 +2,8 @@
 // The thread, what it is asked, and what is kept. The files themselves: world_files_disk.cpp.
 #include "world/world_files.h"
 
-#include <godot_cpp/classes/display_server.hpp>
+#include "shared/frames.h"
+
 #include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -31,7 +32,7 @@ void WorldFiles::start(const WorldFolders &p_folders) {
 	_folders.keeps = _folders.keeps || _sizes.has_wrong_to();
 	running[this] = _folders;
 	// Without a renderer only one thread may use the engine's list of textures (Godot 4.6: one leaked at exit in some runs).
-	_makes_textures = DisplayServer::get_singleton()->get_name() != "headless";
+	_makes_textures = draws_frames();
 	_is_ending = _has_ended = false;
 	_thread = std::thread([this] { work(); });
 }

@@ -132,27 +132,9 @@ GrassSlot slot; // of this workgroup's tile
 
 #include "solver/state.inc"
 
-// Of its knot p_knot in the patch.
-ivec2 patch_texel(int p_knot) {
-	uint place = slot.list.x + blade.number;
-#ifdef GRASS_SPECIES
-	place += uint(GRASS_PATCH_BLADES) * blade.species;
-#endif
-	return ivec2(GRASS_PATCH_BLADES_PER_ROW * p_knot + int(place % GRASS_PATCH_BLADES_PER_ROW), place / GRASS_PATCH_BLADES_PER_ROW);
-}
-
+#include "solver/rest.inc"
 #include "solver/pool.inc"
 
-// grass_rest_knot(), written out and `precise`: a blade at rest must get the same bits wherever this is called.
-vec3 rest_of(int p_knot) {
-	vec3 place = texelFetch(patch_texture, patch_texel(p_knot), 0).xyz;
-	precise vec3 knot = place * blade.clump.height;
-	float x = blade.clump.lean.x, z = blade.clump.lean.y;
-	precise vec3 once = vec3(x * knot.y, -x * knot.x - z * knot.z, z * knot.y);
-	precise vec3 twice = vec3(x * once.y, -x * once.x - z * once.z, z * once.y);
-	precise vec3 rest = knot + (once + twice) * (2.0 / (1.0 + (x * x + z * z)));
-	return rest;
-}
 // The direction of the blade's width at the root.
 vec3 width_at_root() {
 	float azimuth = texelFetch(patch_texture, patch_texel(0), 0).z;
@@ -196,8 +178,7 @@ const float BEND_UNITS = 65536.0;
 #ifdef GRASS_SPECIES
 // The blade's species, and its step.
 void find_species() {
-	uint place = uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade.number;
-	blade.species = (blade_species[place / 4u] >> (8u * (place % 4u))) & 255u;
+	blade.species = species_of_blade();
 	GrassStep own = species_steps[blade.species];
 	step.pbd_motion = own.pbd_motion;
 	step.free_motion = own.free_motion;
@@ -228,15 +209,7 @@ void find_blade(uint p_number) {
 	find_species();
 #endif
 	vec2 place = texelFetch(patch_texture, patch_texel(0), 0).xy;
-	float ground = 0.0;
-	if ((slot.list.w & GRASS_SLOT_MAPPED) != 0u) {
-		vec4 growth = blade_growth[uint(slot.tile.w * GRASS_BLADES_PER_TILE) + blade.number];
-		blade.clump = GrassClump(growth.x, growth.yz, 0.0);
-		ground = growth.w;
-	} else {
-		// A field at another origin of the noise gets its clumps from the CPU, as one with a map.
-		blade.clump = grass_clump_at(grass_root_place(vec2(slot.tile.xy), place, step.field.yz, step.field.x), step.clump, vec4(0.0));
-	}
+	float ground = find_growth(place);
 	keep_of_blade(BLADE_ROOT, vec4((place.x - 0.5) * step.field.x, ground, (place.y - 0.5) * step.field.x, 0.0));
 	blade.blend = (slot.list.w & GRASS_SLOT_SETTLING) != 0u ? slot.blend.x : 0.0;
 }
@@ -282,12 +255,14 @@ void step_tile() {
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
 	uint kept = pool_half[slot.tile.w];
 	blade.half_now = kept & 1u;
-	uint unasked = is_fresh ? 0u : kept >> 1u;
+	uint blades = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
+	uint unasked = is_fresh || blades < uint(GRASS_BLADES_PER_TILE) ? 0u : kept >> 1u;
 	share_colliders(thread);
 	find_blade(thread);
 	uint count = uint(GRASS_BLADES_PER_TILE);
 	if (unasked == 0u) {
-		count = share_blades(thread, is_fresh || !is_idle(slot.list.z)); // so that as few warps as possible have work
+		// So that as few warps as possible have work.
+		count = share_blades(thread, is_fresh || (thread < blades && !is_idle(slot.list.z)));
 		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
 	}
 	bool takes_step = thread < count;
@@ -312,7 +287,7 @@ void step_tile() {
 	if (thread == 0u) {
 		pool_half[slot.tile.w] = blade.half_now | ((max(unasked, 1u) - 1u) << 1u);
 		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
-		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(GRASS_BLADES_PER_TILE)));
+		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(blades)));
 	}
 }
 

@@ -27,12 +27,20 @@ public:
 	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_size) {}
 
 	bool can_simulate() override { return can; }
+	bool can_join() override { return joins; }
 	void step(const StepInput &p_input) override {
 		_pool.step(p_input);
 		_step = p_input.number;
 		method = Method(int(p_input.step.contact.w));
 		slots.assign(p_input.slots.begin(), p_input.slots.end());
 		steps++;
+	}
+	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override {
+		(void)p_step;
+		for (const GrassSlot &slot : p_slots) {
+			_pool.join(slot);
+		}
+		joined.insert(joined.end(), p_slots.begin(), p_slots.end());
 	}
 	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	SimulatedKnots read_knots(int p_slot, int p_blade) const {
@@ -41,10 +49,11 @@ public:
 		return knots;
 	}
 
-	bool can = true;
+	bool can = true, joins = true;
 	int steps = 0;
 	Method method = Method::DIRECT; // of the last step
 	std::vector<GrassSlot> slots; // likewise
+	std::vector<GrassSlot> joined;
 
 private:
 	CpuPool _pool;
@@ -159,7 +168,7 @@ TEST_CASE("field: ticks that nobody sees are left out, unless somebody listens, 
 	scene.put_ball({ 0.5, 0.2, 0.5 });
 	scene.ticks(5);
 	CHECK(scene.field.is_seen());
-	scene.field.see(make_view(false), true);
+	scene.field.see(scene.simulator, make_view(false), true);
 	CHECK_FALSE(scene.field.is_seen());
 	CHECK_FALSE(scene.tick());
 	CHECK(scene.simulator.steps == 5);
@@ -167,13 +176,13 @@ TEST_CASE("field: ticks that nobody sees are left out, unless somebody listens, 
 	CHECK(scene.tick(true)); // resumes
 	CHECK_FALSE(scene.field.resume());
 	CHECK_FALSE(scene.tick());
-	scene.field.see(make_view(true), true);
+	scene.field.see(scene.simulator, make_view(true), true);
 	REQUIRE(scene.field.begin_tick(scene.simulator, false, TICK));
 	CHECK(scene.field.resume());
 	CHECK_FALSE(scene.field.resume());
-	scene.field.see(FieldView(), false); // hidden
+	scene.field.see(scene.simulator, FieldView(), false); // hidden
 	CHECK_FALSE(scene.field.is_seen());
-	scene.field.see(FieldView(), true); // a world without a camera
+	scene.field.see(scene.simulator, FieldView(), true); // a world without a camera
 	CHECK(scene.field.is_seen());
 }
 
@@ -265,4 +274,70 @@ TEST_CASE("visitors: a body is listed once when it comes and once when it goes, 
 	change = scene.visitors.update(scene.field.get_tiles(), scene.bodies);
 	CHECK(change.exited == std::vector<uint64_t>{ 7 });
 	CHECK(scene.visitors.leave().empty());
+}
+
+namespace {
+
+FieldView view_from(float p_away) {
+	FieldView view = make_view(true);
+	view.cameras[0].eye = { p_away, 1.7f, 0.0f };
+	view.cameras[0].pixel_slope = 0.0014f;
+	view.is_watched = true;
+	return view;
+}
+
+} // namespace
+
+TEST_CASE("field: a far camera leaves blades out, a near one makes them join, and whoever reads a blade gets it") {
+	FieldScene scene;
+	scene.field.see(scene.simulator, view_from(60.0f), true);
+	scene.put_ball({ 0.5, 0.2, 0.5 });
+	scene.ticks(10);
+	const auto left_out = [&] { return int(scene.simulator.slots.front().blend.y); };
+	const int far = left_out();
+	CHECK(far >= 48);
+	CHECK(scene.simulator.joined.empty());
+	CHECK(scene.field.get_tiles().get_statistics().left_out_blades > 0);
+	scene.field.see(scene.simulator, view_from(12.0f), true);
+	REQUIRE_FALSE(scene.simulator.joined.empty());
+	CHECK(int(scene.simulator.joined.front().blend.z) == far); // so many were left out
+	scene.tick();
+	CHECK(left_out() < far);
+	CHECK(left_out() == int(scene.simulator.joined.front().blend.y));
+	scene.field.see(scene.simulator, view_from(60.0f), true);
+	scene.tick();
+	REQUIRE(left_out() == far);
+	scene.simulator.joined.clear();
+	const int tile = scene.setup.grid.get_index(8, 8);
+	scene.field.ask(scene.simulator, std::span(&tile, 1));
+	REQUIRE(scene.simulator.joined.size() == 1);
+	scene.field.ask(scene.simulator, std::span(&tile, 1));
+	CHECK(scene.simulator.joined.size() == 1); // once
+	scene.tick();
+	const auto asked = std::ranges::find_if(scene.simulator.slots, [tile](const GrassSlot &p_slot) { return p_slot.tile.z == tile; });
+	REQUIRE(asked != scene.simulator.slots.end());
+	CHECK(int(asked->blend.y) == 0);
+}
+
+TEST_CASE("field: nothing is left out without frames, with plants, with WHOLE, or while blades cannot join") {
+	const auto count = [](auto &&p_change) {
+		FieldScene scene;
+		FieldView view = view_from(60.0f);
+		p_change(scene, view);
+		scene.field.see(scene.simulator, view, true);
+		scene.put_ball({ 0.5, 0.2, 0.5 });
+		scene.ticks(3);
+		return int64_t(scene.field.get_tiles().get_statistics().left_out_blades);
+	};
+	CHECK(count([](FieldScene &, FieldView &) {}) > 0);
+	CHECK(count([](FieldScene &, FieldView &r_view) { r_view.is_drawn = false; }) == 0);
+	CHECK(count([](FieldScene &r_scene, FieldView &) { r_scene.simulator.joins = false; }) == 0);
+	CHECK(count([](FieldScene &r_scene, FieldView &) {
+		r_scene.params.detail = SimulationDetail::WHOLE;
+		r_scene.field.set_params(r_scene.params);
+	}) == 0);
+	CHECK(count([](FieldScene &r_scene, FieldView &) {
+		r_scene.setup.has_plants = true;
+		r_scene.field.set(r_scene.setup, r_scene.field.bounds_of(r_scene.setup), nullptr, {}, r_scene.params);
+	}) == 0);
 }

@@ -48,6 +48,7 @@ void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_
 	_tiles.set_grid(_setup.grid);
 	_tiles.set_params(tile_params());
 	_tiles.set_bounds(_bounds);
+	_tiles.get_detail().forget();
 	_tiles.reset();
 	_clock.reset();
 }
@@ -88,11 +89,43 @@ void Field::stir() {
 }
 
 void Field::regrow(const TileRange &p_tiles) {
+	_tiles.get_detail().forget();
 	_regrown = _regrown.count() > 0 ? _regrown.joined(p_tiles) : p_tiles;
 	_tiles.set_params(tile_params()); // they depend on the lowest and highest ground
 }
 
-void Field::see(const FieldView &p_view, bool p_is_visible) {
+void Field::see(Simulator &r_simulator, const FieldView &p_view, bool p_is_visible) {
+	see_tiles(p_view, p_is_visible);
+	if (see_detail(r_simulator, p_view)) {
+		widen(r_simulator);
+	}
+}
+
+// Plants draw other blades of their tiles than the first ones.
+bool Field::see_detail(Simulator &r_simulator, const FieldView &p_view) {
+	TileDetail &detail = _tiles.get_detail();
+	const bool is_thinned = _params.detail == SimulationDetail::SEEN && p_view.is_drawn && !_setup.has_plants && r_simulator.can_join();
+	return is_thinned ? detail.see(_setup.cull_field(), p_view, _map != nullptr ? _map->get_cover() : nullptr) : detail.see_all();
+}
+
+void Field::widen(Simulator &r_simulator) {
+	const std::span<const GrassSlot> slots = _tiles.widen();
+	if (!slots.empty()) {
+		r_simulator.join(slots, _step);
+	}
+}
+
+void Field::ask(Simulator &r_simulator, std::span<const int> p_tiles) {
+	bool is_new = false;
+	for (const int tile : p_tiles) {
+		is_new = _tiles.get_detail().ask(tile) || is_new;
+	}
+	if (is_new) {
+		widen(r_simulator);
+	}
+}
+
+void Field::see_tiles(const FieldView &p_view, bool p_is_visible) {
 	if (p_view.cameras.empty() && !p_view.is_watched && p_is_visible) {
 		_tiles.get_view().see_all();
 		_is_seen = true;
@@ -173,6 +206,7 @@ void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> 
 	input.step.field = { float(_setup.grid.get_tile_size()), float(_setup.grid.get_tiles_x()), float(_setup.grid.get_tiles_z()),
 		float(GRASS_KNOTS) };
 	input.step.clump = { _setup.clump.size, _setup.clump.height, _setup.clump.lean, _setup.clump.tint };
+	_step = input.step;
 	r_simulator.step(input);
 }
 

@@ -45,8 +45,11 @@ public:
 	void regrow(const TileRange &p_tiles);
 
 	// Sets the views of a frame's cameras. If no picture of its world is shown, a visible node's field counts as seen: scripts and tests
-	// observe such a world in ways that are not known here.
-	void see(const FieldView &p_view, bool p_is_visible);
+	// observe such a world in ways that are not known here. r_simulator poses the blades that join the simulated ones, since an eye is
+	// nearer.
+	void see(Simulator &r_simulator, const FieldView &p_view, bool p_is_visible);
+	// Simulates all blades of these tiles for a while, since somebody reads them.
+	void ask(Simulator &r_simulator, std::span<const int> p_tiles);
 	bool is_seen() const { return _is_seen; } // or one of its shadows
 
 	// Begins a tick of p_delta seconds. Returns false if nobody would notice its effect, so that the rest of it is skipped.
@@ -82,6 +85,9 @@ private:
 	TileParams tile_params() const;
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
+	void see_tiles(const FieldView &p_view, bool p_is_visible);
+	bool see_detail(Simulator &r_simulator, const FieldView &p_view);
+	void widen(Simulator &r_simulator);
 	void step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces);
 	Eigen::Vector3d root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) const;
 
@@ -93,6 +99,7 @@ private:
 	FieldBlades _blades;
 	TileManager _tiles;
 	StepClock _clock;
+	GrassStep _step; // of the last tick that moved blades
 	std::vector<GrassStep> _species_steps; // of this tick
 	std::vector<GrassForce> _forces; // of this tick
 	std::vector<SlotGrowth> _growth; // of this tick

@@ -15,6 +15,7 @@ struct FieldParams {
 	SleepMode sleep_mode = SleepMode::ENERGY;
 	double sleep_delay = SLEEP_DELAY.initial; // seconds
 	double sleep_motion = SLEEP_MOTION.initial; // mm
+	SimulationDetail detail = SimulationDetail::SEEN;
 	double settle_time = SETTLE_TIME.initial; // seconds
 
 	// Returns the time in which a swing dies down, in seconds, for the species that swings longest.

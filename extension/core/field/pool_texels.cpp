@@ -104,6 +104,24 @@ void PoolTexels::end_step(std::span<const GrassSlot> p_slots) {
 	}
 }
 
+void PoolTexels::change(const CpuPool &p_pool, std::span<const GrassSlot> p_slots) {
+	for (const GrassSlot &slot : p_slots) {
+		_changed.insert(slot.tile.w);
+		if (!_is_between || slot.tile.w >= _rows) {
+			continue;
+		}
+		const std::span<uint16_t> now = row(_now, slot.tile.w), earlier = row(_earlier, slot.tile.w);
+		p_pool.pack_row(slot.tile.w, now);
+		for (int texel = 0; texel < ROW_TEXELS; texel++) {
+			const int blade = texel % GRASS_POOL_BLADES_PER_ROW;
+			if (blade >= GRASS_BLADES_PER_TILE - int(slot.blend.z)) {
+				std::copy_n(now.begin() + ptrdiff_t(texel) * 4, 4, earlier.begin() + ptrdiff_t(texel) * 4);
+			}
+		}
+		_settled.insert(slot.tile.w);
+	}
+}
+
 void PoolTexels::mix(float p_share) {
 	for (const int slot : _settled) {
 		if (slot < _rows && !_moved.has(slot)) {

@@ -18,6 +18,10 @@ public:
 	virtual bool is_complete() const { return true; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
+	// Returns true once join() can work; until then all blades of awake tiles are simulated.
+	virtual bool can_join() { return true; }
+	// Poses the blades that join the simulated ones from the next step on, [Eq 49]. p_slots: of TileManager::widen(); p_step: the last one.
+	virtual void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) = 0;
 	// Frees memory that was not needed for a while. Must be called in every tick, with or without a step.
 	virtual void tidy() {}
 	// Returns the newest known report without waiting; it is valid until the next call.

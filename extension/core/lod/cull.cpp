@@ -8,23 +8,16 @@
 
 namespace grass {
 
-namespace {
-
-// [Eq L7] [Eq L9] Returns the share of the tile's blades that p_camera needs. p_middle: middle of its box; p_pixel: metres of the tile in
-// one pixel.
-float in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
-		const Eigen::Vector3f &p_middle, float p_pixel) {
+float lod_in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
+		float p_away, float p_above, float p_pixel) {
 	if (p_camera.pixel_slope <= 0.0f || p_lod.pixels_min <= 0.0f) {
 		return 1.0f; // an orthogonal camera has no eye position
 	}
 	const float height = p_ground.cut < float(GRASS_UNCUT) ? std::min(p_field.size.length, p_ground.cut) : p_field.size.length;
 	const float cover = p_ground.grown * grass_lod_cover(p_field.size.width, height, float(p_field.grid.get_tile_size()));
-	const Eigen::Vector3f to_eye = p_camera.eye - p_middle;
-	const float share = grass_lod_in_sight(cover, std::hypot(to_eye.x(), to_eye.z()), to_eye.y(), height, p_ground.slope);
+	const float share = grass_lod_in_sight(cover, p_away, p_above, height, p_ground.slope);
 	return share * grass_lod_ends(height / (p_lod.pixels_min * p_pixel), share, p_lod.is_carried ? 1.0f : 0.0f);
 }
-
-} // namespace
 
 bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half) {
 	const Eigen::Vector3f none = Eigen::Vector3f::Zero();
@@ -62,7 +55,9 @@ void TileCull::choose_tile(
 		const float distance = std::max((camera.eye - middle).norm(), camera.near), pixel = camera.pixel_at(distance);
 		const float lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near; // an orthogonal camera sees all distances alike
 		if (grass_tile_visible(camera.planes, middle, half, 0.0f, Eigen::Vector3f::Zero())) {
-			const float shown = in_sight(p_field, camera, p_view.lod, p_ground, middle, pixel);
+			const Eigen::Vector3f to_eye = camera.eye - middle;
+			const float away = std::hypot(to_eye.x(), to_eye.z());
+			const float shown = lod_in_sight(p_field, camera, p_view.lod, p_ground, away, to_eye.y(), pixel);
 			seen.add(p_view.lod, p_field.size, lod_distance, camera.near, pixel, shown);
 		}
 		if (distance < p_view.shadow_distance && casts_into(p_view, camera, middle, half)) {

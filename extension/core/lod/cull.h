@@ -27,6 +27,11 @@ struct CullField {
 	std::array<uint32_t, 2> room = {}; // capacity of the MultiMeshes of picture and shadows, tiles
 };
 
+// [Eq L7] [Eq L9] Returns the share of a tile's blades that a camera needs. p_away, p_above: of its eye from the middle of the tile's box,
+// along the level and upwards, metres; p_pixel: metres of the tile in one pixel.
+float lod_in_sight(const CullField &p_field, const ViewCamera &p_camera, const LodParams &p_lod, const TileCover::Tile &p_ground,
+		float p_away, float p_above, float p_pixel);
+
 // Returns whether a camera sees a box within the margin, or its shadow.
 bool casts_into(const FieldView &p_view, const ViewCamera &p_camera, const Eigen::Vector3f &p_middle, const Eigen::Vector3f &p_half);
 

@@ -33,6 +33,7 @@ ViewCamera view_of_eye(const Eigen::Matrix4d &p_projection, const Eigen::Affine3
 struct FieldView {
 	std::vector<ViewCamera> cameras; // all that render in this frame and see the field's layers; a headset has two
 	bool is_watched = false; // a picture of the field's world is rendered, with whatever layers; otherwise it is unknown who looks at it
+	bool is_drawn = true; // the engine renders frames; a headless one does not, whatever cameras it has
 	LodParams lod;
 	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none do
 	float shadow_margin = 0.0f; // how far outside a frustum a tile still casts its shadow, for any light

@@ -5,6 +5,7 @@
 #include "core/base/half.h"
 #include "core/blades/blade.h"
 #include "core/solver/constants.h"
+#include "core/solver/join.h"
 #include "core/solver/tile_state.h"
 
 #include <algorithm>
@@ -25,10 +26,15 @@ Eigen::Vector3f knot_of(const TileState &p_state, int p_knot, int p_blade) {
 	return knot;
 }
 
-// [Eq M5] Returns the mean bend. All segments of a blade have the same length.
+// Returns how many blades a step leaves out: whole groups of lanes, so that all versions of the step do the same. p_wanted: of a record.
+int whole_groups(float p_wanted) {
+	return std::clamp(int(p_wanted), 0, BLADES - 1) / MOST_LANES * MOST_LANES;
+}
+
+// [Eq M5] Returns the mean bend of the simulated blades. All segments of a blade have the same length.
 Eigen::Vector3f bend_of(const TileState &p_state) {
 	Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-	for (int b = 0; b < BLADES; b++) {
+	for (int b = 0; b < BLADES - p_state.left_out; b++) {
 		Eigen::Vector3f first, away;
 		for (int c = 0; c < 3; c++) {
 			first[c] = p_state.rest[c][1][b] - p_state.rest[c][0][b];
@@ -36,7 +42,7 @@ Eigen::Vector3f bend_of(const TileState &p_state) {
 		}
 		sum += away / (float(GRASS_SEGMENTS) * std::max(first.norm(), 1e-6f));
 	}
-	return sum / float(BLADES);
+	return sum / float(BLADES - p_state.left_out);
 }
 
 glsl::vec4 to_glsl(const vec4 &p_a) {
@@ -45,7 +51,7 @@ glsl::vec4 to_glsl(const vec4 &p_a) {
 
 // [Eq W6] Computes what forces do to the blades, from the air at their roots.
 void find_air_load(const TileState &p_state, const GrassSlot &p_slot, const StepInput &p_input, AirLoad &r_air) {
-	for (int b = 0; b < BLADES; b++) {
+	for (int b = 0; b < BLADES - p_state.left_out; b++) {
 		glsl::vec3 air(0.0f);
 		for (uint32_t left = p_slot.list.w >> GRASS_SLOT_FORCES; left != 0; left &= left - 1) {
 			const size_t index = size_t(std::countr_zero(left));
@@ -84,6 +90,7 @@ void CpuPool::set_pool_size(int p_pool_size) {
 
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
 	std::vector<const GrassSlot *> awake;
+	int64_t blades = 0;
 	for (const GrassSlot &slot : p_input.slots) {
 		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
 				uint64_t(slot.list.y) + slot.list.z <= p_input.collider_list.size();
@@ -98,10 +105,12 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 		if (!state) {
 			state = std::make_unique<TileState>();
 		}
+		state->left_out = whole_groups(slot.blend.y);
+		blades += BLADES - state->left_out;
 		awake.push_back(&slot);
 	}
 	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_step); });
-	_simulated_blades += int64_t(awake.size()) * BLADES;
+	_simulated_blades += blades;
 }
 
 // Computes the rest pose: the patch's, grown by the clump at the root, or as a map and species define it (p_growth).
@@ -208,6 +217,13 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileS
 	_energy[slot] = p_step(state, steps, blend, colliders);
 	state.air = nullptr;
 	_bends[slot] = bend_of(state);
+}
+
+void CpuPool::join(const GrassSlot &p_slot) {
+	const bool is_known = p_slot.tile.w >= 0 && size_t(p_slot.tile.w) < _slots.size() && _slots[size_t(p_slot.tile.w)];
+	if (is_known) {
+		join_blades(*_slots[size_t(p_slot.tile.w)], BLADES - whole_groups(p_slot.blend.z), BLADES - whole_groups(p_slot.blend.y));
+	}
 }
 
 std::vector<Eigen::Vector3f> CpuPool::get_knots(int p_slot, int p_blade) const {

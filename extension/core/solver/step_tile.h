@@ -103,7 +103,7 @@ GRASS_INLINE float step_tile(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
 	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders);
 	float liveliest = 0.0f;
-	for (int first = 0; first < GRASS_BLADES_PER_TILE; first += LANE_COUNT<T>) {
+	for (int first = 0; first < GRASS_BLADES_PER_TILE - r_state.left_out; first += LANE_COUNT<T>) {
 		if (p_steps.size() > 1) {
 			take_species(terms, p_steps, &r_state.species[first]);
 		}

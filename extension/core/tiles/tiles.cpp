@@ -32,6 +32,7 @@ void TileManager::reset() {
 	_motions.assign(size_t(_params.pool_size), {});
 	_places.assign(size_t(_params.pool_size), {});
 	_lives.assign(size_t(_params.pool_size), {});
+	_blades.assign(size_t(_params.pool_size), 0);
 	_entries.assign(size_t(_params.pool_size), 0);
 	_forces.assign(size_t(_params.pool_size), 0);
 	_signatures.assign(size_t(_params.pool_size), 0);
@@ -93,6 +94,7 @@ void TileManager::activate(int p_slot, int p_tile) {
 	_times[size_t(p_slot)] = {};
 	_motions[size_t(p_slot)] = {};
 	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
+	_blades[size_t(p_slot)] = uint8_t(_detail.blades_of(x, z, 0));
 	_fresh.insert(p_slot);
 	_met.insert(p_slot); // deactivate_tiles() sets the timestamps
 	_stirred.insert(p_slot);
@@ -135,9 +137,9 @@ size_t TileManager::get_memory_usage() const {
 	for (const SlotSet *set : { &_free, &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
 		sets += set->get_memory_usage();
 	}
-	return sets + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_entries) + bytes(_forces) + bytes(_bends) +
+	return sets + _detail.get_memory_usage() + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_blades) + bytes(_entries) + bytes(_forces) + bytes(_bends) +
 			bytes(_signatures) + bytes(_signatures_before) + _slot_of_tile.get_memory_usage() + _meetings.get_memory_usage() +
-			bytes(_given_slots) + bytes(_calm) + bytes(_yielding) + bytes(_yielded) + bytes(_seen_worst) + bytes(_records) +
+			bytes(_given_slots) + bytes(_calm) + bytes(_yielding) + bytes(_yielded) + bytes(_seen_worst) + bytes(_widened) + bytes(_records) +
 			_colliders.get_memory_usage() + bytes(_collider_list);
 }
 

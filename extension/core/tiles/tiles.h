@@ -3,6 +3,7 @@
 // 5.2. It visits colliders and awake tiles only, never the field's other tiles.
 #pragma once
 
+#include "core/lod/tile_detail.h"
 #include "core/solver/step.h"
 #include "core/tiles/tile_colliders.h"
 #include "core/tiles/tile_meetings.h"
@@ -38,6 +39,11 @@ public:
 	// Gives access to the views of the field. Out of view, a tile is simulated only while something moves in it. In view again, it
 	// continues where it stopped, or is at rest by then.
 	TileView &get_view() { return _view; }
+	// Gives access to how many blades of each tile are simulated. After a change, widen() must be called.
+	TileDetail &get_detail() { return _detail; }
+	// Sets how many blades of the awake tiles are simulated from now on. Returns the tiles in which there are more than before, as records
+	// with both numbers. Valid until the next call.
+	std::span<const GrassSlot> widen();
 	bool is_field_seen() const { return _view.sees_field(_grid, _params); }
 	// Must be called when the ground under these tiles has changed: the next step simulates those that are awake, even out of view.
 	void stir(const TileRange &p_tiles);
@@ -146,6 +152,7 @@ private:
 	TileParams _params;
 	std::shared_ptr<const TileBounds> _bounds;
 	TileView _view;
+	TileDetail _detail;
 	bool _has_passed_unseen = false; // since the last step
 	double _time = 0.0; // seconds since reset
 	uint64_t _step_number = 0;
@@ -155,6 +162,7 @@ private:
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
+	std::vector<uint8_t> _blades; // how many of the tile are simulated
 	std::vector<uint32_t> _entries; // in this step: number of colliders; later the index in the collider list for the next one
 	std::vector<uint16_t> _forces; // in this step: bits of the forces that move the tile
 	SlotSet _free, _used, _settling;
@@ -177,6 +185,7 @@ private:
 	std::vector<int> _yielded; // tiles that lost their slots to others that cameras see better
 	std::vector<int> _seen_worst; // awake tiles: band of their distance (see TileView) and slot
 
+	std::vector<GrassSlot> _widened; // of widen()
 	std::vector<GrassSlot> _records; // room for the largest possible number
 	size_t _record_count = 0;
 	TileColliders _colliders;

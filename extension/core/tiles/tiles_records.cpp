@@ -7,6 +7,14 @@
 
 namespace grass {
 
+namespace {
+
+int left_out(int p_blades) {
+	return GRASS_BLADES_PER_TILE - p_blades;
+}
+
+} // namespace
+
 // Removes the meetings of tiles that are not simulated, counts the others by slot, and packs the colliders in use. Forces have no entries
 // in the list: each is only a bit in a tile's record.
 void TileManager::count_meetings(std::span<const ColliderShape> p_colliders) {
@@ -45,8 +53,12 @@ void TileManager::write_records() {
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
 		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
 				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
-		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags }, { blend_of(slot), 0.0f, 0.0f, 0.0f } };
+		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are drawn.
+		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)]);
+		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags },
+			{ blend_of(slot), float(left_out(blades)), 0.0f, 0.0f } };
 		entries += count;
+		_statistics.left_out_blades += uint64_t(left_out(blades));
 	}
 	_record_count = size_t(record - _records.data());
 	_statistics.awake = _used.count();
@@ -59,6 +71,21 @@ void TileManager::write_records() {
 	_met.clear();
 	_stirred.clear();
 	_fresh.clear();
+}
+
+std::span<const GrassSlot> TileManager::widen() {
+	_widened.clear();
+	for (const int slot : _used) {
+		const Place &place = _places[size_t(slot)];
+		const int x = place.tile.x, z = place.tile.z, now = _blades[size_t(slot)], wanted = _detail.blades_of(x, z, now);
+		if (wanted > now) {
+			const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
+			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped }, { 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f } });
+		}
+		_blades[size_t(slot)] = uint8_t(wanted);
+	}
+	_statistics.widened += _widened.size();
+	return _widened;
 }
 
 // Writes each tile's colliders, in the order in which update() got them.

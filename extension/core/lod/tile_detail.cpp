@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "core/lod/tile_detail.h"
+
+#include "core/base/hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace grass {
+
+namespace {
+
+// A tile keeps its blades until an eye is farther away than its number requires by so many times SLACK, and by this share of the distance.
+constexpr float KEPT_SLACKS = 3.0f, KEPT_SHARE = 0.1f;
+
+int round_up(float p_blades) {
+	const int steps = int(std::ceil(p_blades / float(GRASS_DETAIL_BLADES)));
+	return std::clamp(steps * GRASS_DETAIL_BLADES, GRASS_DETAIL_BLADES, GRASS_BLADES_PER_TILE);
+}
+
+bool has_same_lens(const ViewCamera &p_a, const ViewCamera &p_b) {
+	return p_a.near == p_b.near && p_a.pixel == p_b.pixel && p_a.pixel_slope == p_b.pixel_slope;
+}
+
+} // namespace
+
+bool TileDetail::forget_asked() {
+	for (auto &[tile, frames] : _asked) {
+		frames--;
+	}
+	return std::erase_if(_asked, [](const auto &p_asked) { return p_asked.second <= 0; }) > 0;
+}
+
+bool TileDetail::see_all() {
+	const bool changes = !_sees_all;
+	_sees_all = true;
+	_is_known = false;
+	_cover.reset();
+	return changes;
+}
+
+bool TileDetail::is_near(const CullField &p_field, const FieldView &p_view, const std::shared_ptr<const TileCover> &p_cover) const {
+	return _is_known && p_field.grid == _field.grid && _cover == p_cover && p_view.lod == _view.lod &&
+			p_view.shadow_distance == _view.shadow_distance &&
+			std::ranges::equal(p_view.cameras, _view.cameras, [](const ViewCamera &p_a, const ViewCamera &p_b) {
+				return has_same_lens(p_a, p_b) && (p_a.eye - p_b.eye).norm() <= SLACK;
+			});
+}
+
+bool TileDetail::see(const CullField &p_field, const FieldView &p_view, const std::shared_ptr<const TileCover> &p_cover) {
+	const bool has_forgotten = forget_asked();
+	if (p_view.cameras.empty()) {
+		return see_all() || has_forgotten;
+	}
+	if (is_near(p_field, p_view, p_cover)) {
+		return has_forgotten;
+	}
+	_sees_all = false;
+	_is_known = true;
+	_field = p_field;
+	_view = p_view;
+	_cover = p_cover;
+	return true;
+}
+
+bool TileDetail::ask(int p_tile) {
+	return !_sees_all && std::exchange(_asked[p_tile], FRAMES_ASKED) == 0;
+}
+
+int TileDetail::blades_of(int p_x, int p_z, int p_now) const {
+	if (_sees_all || (!_asked.empty() && _asked.contains(_field.grid.get_index(p_x, p_z)))) {
+		return GRASS_BLADES_PER_TILE;
+	}
+	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::FULL;
+	if (ground.is_bare()) {
+		return GRASS_DETAIL_BLADES;
+	}
+	const int least = blades_within(p_x, p_z, ground, SLACK);
+	if (p_now <= least) {
+		return least;
+	}
+	return std::min(p_now, blades_within(p_x, p_z, ground, KEPT_SLACKS * SLACK));
+}
+
+// Returns what the tile needs while each eye is within p_slack metres.
+int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const {
+	const float half_height = 0.5f * (_field.height + p_ground.high - p_ground.low);
+	const Eigen::Vector3f middle =
+			_field.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, p_ground.low + half_height, 0.0f);
+	const float share = p_slack > SLACK ? KEPT_SHARE : 0.0f;
+	LodNeed need;
+	for (const ViewCamera &camera : _view.cameras) {
+		const float away = (camera.eye - middle).norm(), distance = std::max(away * (1.0f - share) - p_slack, camera.near);
+		const float pixel = camera.pixel_at(distance), lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near;
+		const Eigen::Vector3f to_eye = camera.eye - middle;
+		const float along = std::max(std::hypot(to_eye.x(), to_eye.z()) * (1.0f - share) - p_slack, 0.0f);
+		const float shown = lod_in_sight(_field, camera, _view.lod, p_ground, along, to_eye.y() + p_slack, pixel);
+		need.add(_view.lod, _field.size, lod_distance, camera.near, pixel, shown);
+		if (distance < _view.shadow_distance) {
+			need.add(_view.lod, _field.size, lod_distance, camera.near, pixel * _view.lod.shadow_coarseness);
+		}
+	}
+	return round_up(grass_lod_shown(need.blades, grass_tile_hash(uint32_t(p_x), uint32_t(p_z), _field.seed)));
+}
+
+size_t TileDetail::get_memory_usage() const {
+	return _asked.size() * (sizeof(std::pair<int, int>) + 2 * sizeof(void *)) + _view.cameras.capacity() * sizeof(ViewCamera) +
+			_view.falls.capacity() * sizeof(Eigen::Vector3f);
+}
+
+} // namespace grass

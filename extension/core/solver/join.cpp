@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "core/solver/join.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <limits>
+
+namespace grass {
+
+namespace {
+
+template <int N> Eigen::Vector3f at(const float (&p_from)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	return { p_from[0][p_knot][p_blade], p_from[1][p_knot][p_blade], p_from[2][p_knot][p_blade] };
+}
+
+template <int N>
+void set(const Eigen::Vector3f &p_place, float (&r_to)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+	for (int c = 0; c < 3; c++) {
+		r_to[c][p_knot][p_blade] = p_place[c];
+	}
+}
+
+int find_nearest(const TileState &p_state, int p_blade, int p_count) {
+	int nearest = 0;
+	float least = std::numeric_limits<float>::max();
+	for (int other = 0; other < p_count; other++) {
+		const float x = p_state.root[0][other] - p_state.root[0][p_blade], z = p_state.root[2][other] - p_state.root[2][p_blade];
+		const float squared = x * x + z * z;
+		if (squared < least) {
+			least = squared;
+			nearest = other;
+		}
+	}
+	return nearest;
+}
+
+void join_blade(TileState &r_state, int p_blade, int p_other) {
+	const Eigen::Vector3f first = at(r_state.rest, 1, p_blade), other_first = at(r_state.rest, 1, p_other);
+	const float ratio = first.norm() / std::max(other_first.norm(), 1e-6f);
+	Eigen::Vector3f parent = first, parent_rest = first, parent_offset = Eigen::Vector3f::Zero();
+	for (int free = 0; free < GRASS_FREE_KNOTS; free++) {
+		const int k = free + GRASS_CLAMPED_KNOTS;
+		const Eigen::Vector3f rest = at(r_state.rest, k, p_blade), there = at(r_state.knots, free, p_other);
+		const Eigen::Vector3f offset = (there - at(r_state.rest, k, p_other)) * ratio;
+		const Eigen::Vector3f moved = (there - at(r_state.before, free, p_other)) * ratio;
+		Eigen::Vector3f knot = rest;
+		if (offset.squaredNorm() > 0.0f || parent_offset.squaredNorm() > 0.0f) {
+			const Eigen::Vector3f rest_segment = rest - parent_rest, segment = rest_segment + (offset - parent_offset);
+			knot = parent + segment * (rest_segment.norm() / std::max(segment.norm(), 1e-6f));
+		}
+		set(knot, r_state.knots, free, p_blade);
+		set(Eigen::Vector3f(knot - moved), r_state.before, free, p_blade);
+		r_state.twist[free][p_blade] = r_state.twist[free][p_other];
+		parent = knot;
+		parent_rest = rest;
+		parent_offset = offset;
+	}
+	r_state.calm[p_blade] = r_state.calm[p_other];
+}
+
+} // namespace
+
+void join_blades(TileState &r_state, int p_from, int p_to) {
+	for (int blade = p_from; blade < std::min(p_to, GRASS_BLADES_PER_TILE); blade++) {
+		join_blade(r_state, blade, find_nearest(r_state, blade, p_from));
+	}
+}
+
+} // namespace grass

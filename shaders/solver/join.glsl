@@ -1,0 +1,121 @@
+#version 450
+// SPDX-License-Identifier: MIT
+// Poses the blades that join the simulated ones of their tile, since a camera has come nearer: one workgroup a tile, one thread a blade.
+// Dispatched over GrassSlot records, before a frame is drawn. Twin of core/solver/join.cpp.
+#extension GL_GOOGLE_include_directive : require
+#pragma variant GRASS_SPECIES // for fields with species
+
+#include "base/constants.inc"
+#include "base/structs.inc"
+#include "base/hash.inc"
+#include "blades/clump.inc"
+#include "blades/blade.inc"
+
+layout(local_size_x = GRASS_BLADES_PER_TILE) in;
+
+layout(push_constant, std430) uniform StepBlock {
+	GrassStep step;
+};
+
+// Written by the CPU for this frame.
+layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
+	GrassSlot slots[];
+};
+// The pool and what the blades grow from: see simulate.glsl.
+layout(set = 0, binding = GRASS_BINDING_KNOTS, std430) restrict buffer KnotBuffer {
+	float pool_knots[];
+};
+layout(set = 0, binding = GRASS_BINDING_HALVES, std430) restrict readonly buffer HalfBuffer {
+	uint pool_half[];
+};
+layout(set = 0, binding = GRASS_BINDING_TWISTS, std430) restrict buffer TwistBuffer {
+	float pool_twists[];
+};
+layout(set = 0, binding = GRASS_BINDING_PATCH) uniform sampler2D patch_texture;
+layout(set = 0, binding = GRASS_BINDING_POOL_TEXTURE, rgba16f) uniform restrict writeonly image2D pool_texture;
+layout(set = 0, binding = GRASS_BINDING_GROWTH, std430) restrict readonly buffer GrowthBuffer {
+	vec4 blade_growth[];
+};
+#ifdef GRASS_SPECIES
+layout(set = 0, binding = GRASS_BINDING_BLADE_SPECIES, std430) restrict readonly buffer BladeSpeciesBuffer {
+	uint blade_species[];
+};
+#endif
+
+GrassSlot slot; // of this workgroup's tile
+shared vec2 places[GRASS_BLADES_PER_TILE + 1]; // of the blades' roots in the tile, shares of its side
+
+#include "solver/state.inc"
+#include "solver/rest.inc"
+#include "solver/pool.inc"
+
+void find_blade(uint p_number) {
+	blade.number = p_number;
+	blade.half_now = pool_half[slot.tile.w] & 1u;
+#ifdef GRASS_SPECIES
+	blade.species = species_of_blade();
+#endif
+	places[p_number] = texelFetch(patch_texture, patch_texel(0), 0).xy;
+	find_growth(places[p_number]);
+}
+
+// Of the first p_count blades.
+uint find_nearest(vec2 p_place, uint p_count) {
+	uint nearest = 0u;
+	float least = 1e30;
+	for (uint other = 0u; other < p_count; other++) {
+		vec2 way = places[other] - p_place;
+		if (dot(way, way) < least) {
+			least = dot(way, way);
+			nearest = other;
+		}
+	}
+	return nearest;
+}
+
+// A knot of the other blade, metres from its place at rest: its offset, and how far it moved in the last step. w: its twist, radians.
+struct Bent {
+	vec3 offset, moved;
+	float twist;
+};
+Bent bent_of(int p_knot) {
+	vec3 knot = start_of(p_knot);
+	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), start_twist_of(p_knot - 1));
+}
+
+// [Eq 49]
+void join_blade(uint p_other) {
+	Blade own = blade;
+	vec3 parent = rest_of(1), parent_rest = parent, parent_offset = vec3(0.0);
+	float size = length(parent);
+	find_blade(p_other);
+	Blade other = blade;
+	float ratio = size / max(length(rest_of(1)), 1e-6);
+	for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
+		blade = other;
+		Bent bent = bent_of(k);
+		blade = own;
+		vec3 rest = rest_of(k), offset = bent.offset * ratio, knot = rest;
+		if (dot(offset, offset) > 0.0 || dot(parent_offset, parent_offset) > 0.0) {
+			vec3 segment = (rest - parent_rest) + (offset - parent_offset);
+			knot = parent + segment * (length(rest - parent_rest) / max(length(segment), 1e-6));
+		}
+		set_start(k, knot);
+		set_before(k, knot - bent.moved * ratio);
+		set_twist(k - 1, bent.twist);
+		imageStore(pool_texture, pool_texel(k), vec4(knot - rest, bent.twist));
+		parent = knot;
+		parent_rest = rest;
+		parent_offset = offset;
+	}
+}
+
+void main() {
+	slot = slots[gl_WorkGroupID.x];
+	uint from = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.z), to = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
+	find_blade(gl_LocalInvocationID.x);
+	barrier();
+	if (blade.number >= from && blade.number < to) {
+		join_blade(find_nearest(places[blade.number], from));
+	}
+}
