@@ -29,7 +29,7 @@ TypedArray<Ref<RDPipelineSpecializationConstant>> constants_of(const PassCode &p
 	};
 	if (p_code.method != PassCode::NO_METHOD) {
 		add(GRASS_CONSTANT_METHOD, p_code.method);
-		add(GRASS_CONSTANT_CROWD, p_code.crowd);
+		add(GRASS_CONSTANT_TILES, p_code.tiles);
 		add(GRASS_CONSTANT_OWN_WORK, p_code.own_work);
 	}
 	return constants;
@@ -48,7 +48,7 @@ CompileQueue &CompileQueue::get() {
 
 CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) {
 	std::unique_lock lock(_mutex);
-	const auto [found, is_new] = _pipelines.try_emplace({ p_code.spirv.data(), p_code.method, p_code.crowd }, p_code);
+	const auto [found, is_new] = _pipelines.try_emplace({ p_code.spirv.data(), p_code.method, p_code.tiles }, p_code);
 	lock.unlock();
 	Pipeline &pipeline = found->second;
 	if (is_new) {
@@ -100,7 +100,7 @@ void CompileQueue::finish(Pipeline &r_pipeline) {
 bool CompileQueue::is_refused(const PassCode &p_code) {
 	std::lock_guard lock(_mutex);
 	return std::ranges::any_of(_refused, [&](const PassCode &p_refused) {
-		return p_refused.spirv.data() == p_code.spirv.data() && p_refused.method == p_code.method && p_refused.crowd == p_code.crowd;
+		return p_refused.spirv.data() == p_code.spirv.data() && p_refused.method == p_code.method && p_refused.tiles == p_code.tiles;
 	});
 }
 

@@ -2,6 +2,7 @@
 // Compiles compute passes in the background, since drivers take seconds for one, and keeps the pipelines.
 #pragma once
 
+#include "core/base/layout.h"
 #include "draw/task_queue.h"
 #include "gpu/pass_shaders.h"
 
@@ -20,7 +21,7 @@
 namespace grass {
 
 // The order in which a field needs its passes: those that draw it, those that bend it and that scripts query, then faster variants.
-enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, EDGES, CROWDS };
+enum class PassOrder { CULL, PLANTS, SIMULATE, GATHER, JOIN, MIX, FREE, EDGES, CROWDS, MANY };
 
 // The parts that a pipeline is made of.
 struct PassCode {
@@ -30,7 +31,7 @@ struct PassCode {
 	const char *name;
 	PassOrder order;
 	int method = NO_METHOD; // value of GRASS_CONSTANT_METHOD, for passes with this constant
-	bool crowd = false; // value of GRASS_CONSTANT_CROWD, for passes with this constant
+	int tiles = GRASS_TILES_ONE; // value of GRASS_CONSTANT_TILES, for passes with this constant
 	bool has_stand_in = false; // another pass replaces it if it is refused
 	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, for passes with a method; the same in the whole process
 };
@@ -76,7 +77,7 @@ private:
 	TaskQueue _queue{ "GrassField's compute passes", TaskQueue::Priority::HIGH };
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;
-	std::map<std::tuple<const uint32_t *, int, bool>, Pipeline> _pipelines; // by code, method and crowd; guarded by _mutex
+	std::map<std::tuple<const uint32_t *, int, int>, Pipeline> _pipelines; // by code, method and tiles; guarded by _mutex
 	std::vector<PassCode> _refused; // guarded by _mutex
 	std::atomic<size_t> _refused_count = 0;
 	size_t _refused_taken = 0; // guarded by _mutex

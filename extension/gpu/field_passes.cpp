@@ -20,28 +20,33 @@ bool is_compiled(const PassCode &p_code) {
 
 const PassCode CULL_CODE = { shader::CULL_SPIRV, "GrassField cull", PassOrder::CULL };
 
-PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles) {
+PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 	struct Variant {
 		std::span<const uint32_t> grass, species;
-		const char *name;
+		const char *name, *many_name;
 		PassOrder order;
 	};
-	static const Variant variants[] = {
-		{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate", PassOrder::SIMULATE },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges", PassOrder::EDGES },
-		{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free", PassOrder::FREE },
-		{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds", PassOrder::CROWDS },
-	};
-	const Variant &variant = variants[p_tiles];
-	const bool crowd = p_tiles == TILES_WITH_CROWDS;
-	return { p_kind.species ? variant.species : variant.grass, variant.name, variant.order, int(p_kind.method), crowd, p_tiles != TILES_ALL,
+	static const std::array<Variant, SLOT_PASSES> variants{ {
+			{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate crowds", nullptr,
+					PassOrder::CROWDS },
+			{ shader::SIMULATE_GRASS_EDGES_SPIRV, shader::SIMULATE_GRASS_SPECIES_EDGES_SPIRV, "GrassField simulate edges",
+					"GrassField simulate edges of many", PassOrder::EDGES },
+			{ shader::SIMULATE_SPIRV, shader::SIMULATE_GRASS_SPECIES_SPIRV, "GrassField simulate", "GrassField simulate many",
+					PassOrder::SIMULATE },
+			{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free",
+					"GrassField simulate free of many", PassOrder::FREE },
+	} };
+	const Variant &variant = variants[size_t(p_pass)];
+	const int tiles = p_many ? GRASS_TILES_MANY : p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD : GRASS_TILES_ONE;
+	return { p_kind.species ? variant.species : variant.grass, p_many ? variant.many_name : variant.name,
+		p_many ? PassOrder::MANY : variant.order, int(p_kind.method), tiles, p_many || p_pass != SlotPass::PLAIN,
 		device_limits().has_quick_arrays };
 }
 
 // If it is refused, all blades of awake tiles are simulated.
 PassCode join_code(const PassKind &p_kind) {
 	const std::span<const uint32_t> code = p_kind.species ? std::span<const uint32_t>(shader::JOIN_GRASS_SPECIES_SPIRV) : shader::JOIN_SPIRV;
-	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, false, true };
+	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
 }
 
 void begin_passes(const FieldPasses &p_passes) {
@@ -52,19 +57,27 @@ void begin_passes(const FieldPasses &p_passes) {
 	if (p_passes.has_plants) {
 		PlantPasses::prepare(p_passes.is_mapped, Need::WANTED);
 	}
-	GpuPass::prepare(simulate_code(p_passes.kind, TILES_ALL), Need::WANTED);
+	GpuPass::prepare(simulate_code(p_passes.kind, SlotPass::PLAIN), Need::WANTED);
 }
 
 bool prepare_passes(const PassKind &p_kind) {
-	const bool is_done = GpuPass::prepare(simulate_code(p_kind, TILES_ALL));
+	const bool is_done = GpuPass::prepare(simulate_code(p_kind, SlotPass::PLAIN));
 	GpuPass::prepare(join_code(p_kind));
-	GpuPass::prepare(simulate_code(p_kind, TILES_FREE));
-	GpuPass::prepare(simulate_code(p_kind, TILES_WITH_EDGES));
+	GpuPass::prepare(simulate_code(p_kind, SlotPass::FREE));
+	GpuPass::prepare(simulate_code(p_kind, SlotPass::EDGES));
 	return is_done;
 }
 
 bool can_simulate(const PassKind &p_kind) {
-	return is_compiled(simulate_code(p_kind, TILES_ALL));
+	return is_compiled(simulate_code(p_kind, SlotPass::PLAIN));
+}
+
+bool can_share(const PassKind &p_kind) {
+	bool can = true;
+	for (const SlotPass pass : { SlotPass::FREE, SlotPass::PLAIN, SlotPass::EDGES }) {
+		can = is_compiled(simulate_code(p_kind, pass, true)) && can; // all of them are asked for
+	}
+	return can;
 }
 
 bool can_join(const PassKind &p_kind) {
@@ -72,7 +85,7 @@ bool can_join(const PassKind &p_kind) {
 }
 
 const char *find_refused(const FieldPasses &p_passes) {
-	for (const PassCode &code : { CULL_CODE, simulate_code(p_passes.kind, TILES_ALL) }) {
+	for (const PassCode &code : { CULL_CODE, simulate_code(p_passes.kind, SlotPass::PLAIN) }) {
 		if (CompileQueue::get().is_refused(code)) {
 			return code.name;
 		}

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/field/field_setup.h"
+#include "core/solver/slot_passes.h"
 #include "gpu/compile_queue.h"
 
 namespace grass {
@@ -19,9 +20,8 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 	return { p_setup.species != nullptr, p_setup.method };
 }
 
-// Kinds of tiles by the colliders in them: each kind has a pass of its own.
-enum Tiles { TILES_ALL, TILES_WITH_EDGES, TILES_FREE, TILES_WITH_CROWDS };
-PassCode simulate_code(const PassKind &p_kind, Tiles p_tiles);
+// Returns the code of a pass that simulates tiles. p_many: several in a workgroup. SlotPass::PLAIN simulates all kinds, if need be.
+PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many = false);
 PassCode join_code(const PassKind &p_kind);
 extern const PassCode CULL_CODE;
 
@@ -39,6 +39,8 @@ void begin_passes(const FieldPasses &p_passes);
 bool prepare_passes(const PassKind &p_kind);
 // Returns whether the pass that simulates all kinds of tiles is compiled.
 bool can_simulate(const PassKind &p_kind);
+// Returns whether the passes for several tiles in a workgroup are compiled. The first call starts to compile them.
+bool can_share(const PassKind &p_kind);
 // Returns whether blades can join the simulated ones of their tile.
 bool can_join(const PassKind &p_kind);
 // Returns the name of a pass that the driver has refused; null: none so far.

@@ -153,7 +153,7 @@ void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
 	_steps++;
 	RenderQueue::get_singleton()->post(
-			[field = _field, records = StepRecords(p_input, _energy), measure = _measure] { field->step(records, measure); });
+			[field = _field, records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure] { field->step(records, measure); });
 }
 
 void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {

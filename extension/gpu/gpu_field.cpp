@@ -174,19 +174,15 @@ void GpuField::rest_before(std::span<const GrassSlot> p_slots) {
 }
 
 void GpuField::make_simulate() {
-	_simulate.create(simulate_code(_kind, TILES_ALL), GpuPass::Compile::LATER);
-	_join.create(join_code(_kind), GpuPass::Compile::LATER);
-	_simulate_free.create(simulate_code(_kind, TILES_FREE), GpuPass::Compile::LATER);
-	_simulate_edges.create(simulate_code(_kind, TILES_WITH_EDGES), GpuPass::Compile::LATER);
-	_simulate_crowds.free(); // made with the first crowd
-}
-
-bool GpuField::can_simulate_crowds() {
-	if (!_simulate_crowds.is_created()) {
-		_simulate_crowds.create(simulate_code(_kind, TILES_WITH_CROWDS), GpuPass::Compile::LATER);
-		bind_simulate();
+	for (auto &passes : _simulate) { // those for crowds and for many tiles are made when they are first needed
+		for (GpuPass &pass : passes) {
+			pass.free();
+		}
 	}
-	return _simulate_crowds.is_ready();
+	_simulate[size_t(SlotPass::PLAIN)][0].create(simulate_code(_kind, SlotPass::PLAIN), GpuPass::Compile::LATER);
+	_join.create(join_code(_kind), GpuPass::Compile::LATER);
+	_simulate[size_t(SlotPass::FREE)][0].create(simulate_code(_kind, SlotPass::FREE), GpuPass::Compile::LATER);
+	_simulate[size_t(SlotPass::EDGES)][0].create(simulate_code(_kind, SlotPass::EDGES), GpuPass::Compile::LATER);
 }
 
 void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
@@ -223,8 +219,10 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 	}
 	_pool_texture = _drawn_texture = _sampler = RID();
 	_plants.free();
-	for (GpuPass *pass : simulate_passes()) {
-		pass->free();
+	for (auto &passes : _simulate) {
+		for (GpuPass &pass : passes) {
+			pass.free();
+		}
 	}
 	_cull.free();
 	_join.free();

@@ -36,8 +36,8 @@ struct StepRecords {
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
 
-	// p_energies: see choose_passes().
-	StepRecords(const StepInput &p_input, std::span<const float> p_energies);
+	// p_energies: see choose_passes(). p_kind: of the field.
+	StepRecords(const StepInput &p_input, std::span<const float> p_energies, const PassKind &p_kind);
 };
 
 // The records of one drawn frame.
@@ -108,15 +108,13 @@ private:
 	void free_unneeded_rows();
 	void rest_before(std::span<const GrassSlot> p_slots);
 	void make_simulate();
-	std::array<GpuPass *, 4> simulate_passes() { return { &_simulate, &_simulate_edges, &_simulate_free, &_simulate_crowds }; }
-	// The first call starts to compile the crowds' pass.
-	bool can_simulate_crowds();
+	// Returns the pass that simulates workgroups of a kind: their own, or another one until that is compiled.
+	GpuPass &find_pass(SlotPass p_pass, bool p_many);
+	void dispatch_simulate(const StepRecords &p_records);
 	void bind_pool(GpuPass &r_pass);
 	void bind_simulate();
-	// Makes room for a step of p_slots, of which one dispatch takes p_most; 0: none.
-	void make_room_to_work(uint32_t p_slots, uint32_t p_most);
-	// p_left: flags of slots that the pass for all kinds simulates, since their own pass is not ready. Returns the bytes uploaded.
-	int64_t upload_slots(const StepRecords &p_records, uint32_t p_left);
+	// Makes room for a step of p_groups workgroups, of which one dispatch takes p_most; 0: none.
+	void make_room_to_work(uint32_t p_groups, uint32_t p_most);
 	bool bind_plants(const ViewRecords &p_records);
 	bool bind_cull(const FieldMultiMeshes &p_multimeshes);
 	void dispatch_cull(int64_t p_list, const FieldMultiMeshes &p_multimeshes);
@@ -173,7 +171,7 @@ private:
 	bool _has_moved = false; // whether blades have, since the copy was made
 	KnotReader _reader;
 	PlantPasses _plants;
-	GpuPass _simulate, _simulate_edges, _simulate_free, _simulate_crowds; // of tiles with no bit, GRASS_SLOT_EDGES, _FREE, _CROWD
+	std::array<std::array<GpuPass, 2>, SLOT_PASSES> _simulate; // by SlotPass: with one tile in a workgroup, and with many
 	GpuPass _cull, _join;
 };
 

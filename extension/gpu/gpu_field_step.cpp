@@ -20,17 +20,32 @@ namespace {
 int64_t count_blades(std::span<const GrassSlot> p_slots) {
 	int64_t blades = 0;
 	for (const GrassSlot &slot : p_slots) {
-		blades += GRASS_BLADES_PER_TILE - int64_t(slot.blend.y);
+		blades += slot.list.w & GRASS_SLOT_RETIRED ? 0 : GRASS_BLADES_PER_TILE - int64_t(slot.blend.y);
 	}
 	return blades;
 }
 
+// Returns whether the tile can share a workgroup.
+bool is_thinned(const GrassSlot &p_slot) {
+	return 2 * int(p_slot.blend.y) >= GRASS_BLADES_PER_TILE;
+}
+
+uint32_t count_groups(const SlotPasses &p_passes) {
+	uint32_t count = 0;
+	for (const PassGroups &pass : p_passes) {
+		count += pass.single.count + pass.many.count;
+	}
+	return count;
+}
+
 } // namespace
 
-StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_energies) : number(p_input.number), step(p_input.step) {
+StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_energies, const PassKind &p_kind) :
+		number(p_input.number), step(p_input.step) {
 	CpuClock clock;
 	slots.resize(p_input.slots.size());
-	passes = choose_passes(p_input, p_energies, slots);
+	const bool may_share = std::ranges::any_of(p_input.slots, is_thinned) && can_share(p_kind);
+	passes = choose_passes(p_input, p_energies, { uint32_t(count_working_tiles(device_limits())), may_share }, slots);
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
@@ -54,12 +69,14 @@ void GpuField::bind_pool(GpuPass &r_pass) {
 }
 
 void GpuField::bind_simulate() {
-	for (GpuPass *pass : simulate_passes()) {
-		bind_pool(*pass);
-		pass->bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
-		pass->bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
-		if (_kind.species) {
-			pass->bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+	for (auto &passes : _simulate) {
+		for (GpuPass &pass : passes) {
+			bind_pool(pass);
+			pass.bind_buffer(GRASS_BINDING_ENERGY, _energy.rid());
+			pass.bind_buffer(GRASS_BINDING_TILE_TABLE, _table.rid());
+			if (_kind.species) {
+				pass.bind_buffer(GRASS_BINDING_SPECIES_STEPS, _species_steps.rid());
+			}
 		}
 	}
 	bind_pool(_join);
@@ -67,27 +84,71 @@ void GpuField::bind_simulate() {
 }
 
 // The GPU runs steps of two fields one after the other, since both write this buffer.
-void GpuField::make_room_to_work(uint32_t p_slots, uint32_t p_most) {
+void GpuField::make_room_to_work(uint32_t p_groups, uint32_t p_most) {
 	static std::weak_ptr<GpuBuffer> of_all_fields;
 	_work = of_all_fields.lock();
 	if (!_work) {
 		of_all_fields = _work = std::make_shared<GpuBuffer>();
 	}
-	const int64_t bytes = int64_t(std::min(std::bit_ceil(p_slots), p_most)) * WORK_BYTES;
+	const int64_t bytes = int64_t(std::min(std::bit_ceil(p_groups), p_most)) * WORK_BYTES;
 	if (!_work->rid().is_valid() || bytes > _work->size()) {
 		_work->allocate(bytes);
 	}
 }
 
-int64_t GpuField::upload_slots(const StepRecords &p_records, uint32_t p_left) {
-	if (p_left == 0) {
-		return _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
+GpuPass &GpuField::find_pass(SlotPass p_pass, bool p_many) {
+	const auto own = [this, p_many](SlotPass p_kind) -> GpuPass & { return _simulate[size_t(p_kind)][p_many ? 1 : 0]; };
+	if (!own(p_pass).is_created()) {
+		own(p_pass).create(simulate_code(_kind, p_pass, p_many), GpuPass::Compile::LATER);
+		bind_simulate();
 	}
-	std::vector<GrassSlot> slots = p_records.slots;
-	for (GrassSlot &slot : slots) {
-		slot.list.w &= ~p_left;
+	if (p_pass == SlotPass::CROWD && !own(p_pass).is_ready()) {
+		return find_pass(SlotPass::EDGES, p_many);
 	}
-	return _slot_records.upload(std::span<const GrassSlot>(slots));
+	return own(p_pass).is_ready() ? own(p_pass) : own(SlotPass::PLAIN);
+}
+
+// The passes that take longest begin first, so that little is left to do when the last one ends.
+void GpuField::dispatch_simulate(const StepRecords &p_records) {
+	struct Work {
+		SlotGroups groups;
+		GpuPass *pass;
+	};
+	std::vector<Work> works;
+	for (int pass = 0; pass < SLOT_PASSES; pass++) {
+		const PassGroups &groups = p_records.passes[size_t(pass)];
+		for (const bool many : { false, true }) {
+			if (const SlotGroups &some = many ? groups.many : groups.single; some.count > 0) {
+				works.push_back({ some, &find_pass(SlotPass(pass), many) });
+			}
+		}
+	}
+	for (const Work &work : works) {
+		work.pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
+		work.pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
+		work.pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
+		work.pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
+		work.pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
+		work.pass->bind_buffer(GRASS_BINDING_FORCES, _forces.rid());
+	}
+	const uint32_t groups = count_groups(p_records.passes), room = uint32_t(count_working_tiles(device_limits()));
+	const uint32_t most = room > 0 ? room : groups; // at once
+	RenderingDevice *device = main_device();
+	const int64_t list = device->compute_list_begin();
+	GrassStep step = p_records.step;
+	for (uint32_t first = 0; first < groups; first += most) {
+		if (first > 0) {
+			device->compute_list_add_barrier(list); // the next dispatches use the same memory
+		}
+		for (const Work &work : works) {
+			const uint32_t begin = std::max(first, work.groups.first), end = std::min(first + most, work.groups.first + work.groups.count);
+			if (begin < end) {
+				step.contact.w = float(begin);
+				work.pass->dispatch(list, to_bytes(std::span<const GrassStep>(&step, 1)), end - begin);
+			}
+		}
+	}
+	device->compute_list_end();
 }
 
 void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
@@ -106,7 +167,7 @@ void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step)
 }
 
 void GpuField::step(const StepRecords &p_records, bool p_measure) {
-	if (p_records.slots.empty() || !_simulate.is_ready()) {
+	if (p_records.slots.empty() || !_simulate[size_t(SlotPass::PLAIN)][0].is_ready()) {
 		return;
 	}
 	CpuClock clock;
@@ -121,14 +182,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	}
 	rest_before(p_records.slots);
 	int64_t uploaded = 0;
-	const uint32_t slots = uint32_t(p_records.slots.size()); // each belongs to one of the passes; the others return at once
-	const uint32_t sharp = p_records.passes.edges > 0 && _simulate_edges.is_ready() ? uint32_t(p_records.passes.edges) : 0;
-	const uint32_t free = p_records.passes.free > 0 && _simulate_free.is_ready() ? uint32_t(p_records.passes.free) : 0;
-	const uint32_t crowds = p_records.passes.crowds > 0 && can_simulate_crowds() ? uint32_t(p_records.passes.crowds) : 0;
-	const uint32_t crowds_left = p_records.passes.crowds > 0 && crowds == 0 ? GRASS_SLOT_CROWD : 0;
-	const uint32_t sharp_left = p_records.passes.edges > 0 && sharp == 0 ? GRASS_SLOT_EDGES : 0;
-	const uint32_t free_left = p_records.passes.free > 0 && free == 0 ? GRASS_SLOT_FREE : 0;
-	uploaded += upload_slots(p_records, crowds_left | sharp_left | free_left);
+	uploaded += _slot_records.upload(std::span<const GrassSlot>(p_records.slots));
 	uploaded += _colliders.upload(std::span<const GrassCollider>(p_records.colliders));
 	uploaded += _collider_list.upload(std::span<const uint32_t>(p_records.collider_list));
 	uploaded += _planes.upload(std::span<const Eigen::Vector4f>(p_records.planes));
@@ -142,62 +196,30 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	if (_kind.species) {
 		uploaded += _species_steps.upload(std::span<const GrassStep>(p_records.species));
 	}
-	const uint32_t room = uint32_t(count_working_tiles(device_limits()));
-	const uint32_t most = room > 0 ? room : slots; // for one dispatch
-	make_room_to_work(slots, room);
-	for (GpuPass *pass : simulate_passes()) {
-		pass->bind_buffer(GRASS_BINDING_WORK, _work->rid());
-		pass->bind_buffer(GRASS_BINDING_SLOTS, _slot_records.rid());
-		pass->bind_buffer(GRASS_BINDING_COLLIDERS, _colliders.rid());
-		pass->bind_buffer(GRASS_BINDING_COLLIDER_LIST, _collider_list.rid());
-		pass->bind_buffer(GRASS_BINDING_PLANES, _planes.rid());
-		pass->bind_buffer(GRASS_BINDING_FORCES, _forces.rid());
-	}
+	make_room_to_work(count_groups(p_records.passes), uint32_t(count_working_tiles(device_limits())));
 	{
 		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
-		RenderingDevice *device = main_device();
-		const int64_t list = device->compute_list_begin();
-		GrassStep step = p_records.step;
-		for (uint32_t first = 0; first < slots; first += most) {
-			if (first > 0) {
-				device->compute_list_add_barrier(list); // the next dispatch uses the same memory
-			}
-			step.contact.w = float(first);
-			const PackedByteArray constants = to_bytes(std::span<const GrassStep>(&step, 1));
-			const uint32_t count = std::min(slots - first, most);
-			// The pass that takes longest begins first, so that little is left to do when its end comes.
-			if (crowds > 0) {
-				_simulate_crowds.dispatch(list, constants, count);
-			}
-			if (sharp > 0) {
-				_simulate_edges.dispatch(list, constants, count);
-			}
-			if (crowds + sharp + free < slots) {
-				_simulate.dispatch(list, constants, count);
-			}
-			if (free > 0) {
-				_simulate_free.dispatch(list, constants, count);
-			}
-		}
-		device->compute_list_end();
+		dispatch_simulate(p_records);
 	}
 	_has_kept = _has_moved = true;
 	for (const GrassSlot &slot : p_records.slots) {
 		_used_rows = std::max(_used_rows, slot.tile.w + 1);
 	}
 	const double upload_ms = clock.lap();
-	const auto is_retired = [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_RETIRED) != 0; };
-	const auto is_fresh = [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_FRESH) != 0; };
-	const auto end = p_records.slots.end(), live = std::find_if_not(p_records.slots.begin(), end, is_retired);
-	_table_changed = _table_changed || live != p_records.slots.begin() || std::any_of(live, end, is_fresh);
+	_table_changed = _table_changed || std::ranges::any_of(p_records.slots, [](const GrassSlot &p_slot) {
+		return (p_slot.list.w & (GRASS_SLOT_RETIRED | GRASS_SLOT_FRESH)) != 0;
+	});
+	const auto count_own = [&](SlotPass p_pass) { // of tiles whose own pass was ready
+		return _simulate[size_t(p_pass)][0].is_ready() ? p_records.passes[size_t(p_pass)].tiles() : 0;
+	};
 	{
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
-		statistics.edge_tile_steps += sharp;
-		statistics.free_tile_steps += free;
-		statistics.crowd_tile_steps += crowds;
-		statistics.simulated_blades += count_blades({ live, end });
+		statistics.edge_tile_steps += count_own(SlotPass::EDGES);
+		statistics.free_tile_steps += count_own(SlotPass::FREE);
+		statistics.crowd_tile_steps += count_own(SlotPass::CROWD);
+		statistics.simulated_blades += count_blades(p_records.slots);
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;

@@ -12,7 +12,7 @@ using namespace godot;
 namespace grass {
 
 namespace {
-const PassCode MIX = { shader::MIX_SPIRV, "GrassField mix", PassOrder::MIX, PassCode::NO_METHOD, false, true };
+const PassCode MIX = { shader::MIX_SPIRV, "GrassField mix", PassOrder::MIX, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
 } // namespace
 
 void PoolMix::create(const RID &p_pool, const RID &p_sampler, int64_t p_slots) {

@@ -10,8 +10,9 @@ var gpu: GrassField
 
 
 func add_pair(properties := {}) -> bool:
-	gpu = add_field(properties)
-	cpu = add_field(properties)
+	var whole := properties.merged({simulation_detail = GrassField.SIMULATION_WHOLE})
+	gpu = add_field(whole)
+	cpu = add_field(whole)
 	cpu.backend = GrassField.BACKEND_CPU
 	await ticks(2)
 	await compiled(gpu)

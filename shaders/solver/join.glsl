@@ -113,9 +113,10 @@ void join_blade(uint p_other) {
 void main() {
 	slot = slots[gl_WorkGroupID.x];
 	uint from = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.z), to = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
-	find_blade(gl_LocalInvocationID.x);
+	uint number = gl_LocalInvocationID.x;
+	find_blade(number);
 	barrier();
-	if (blade.number >= from && blade.number < to) {
-		join_blade(find_nearest(places[blade.number], from));
+	if (number >= from && number < to) {
+		join_blade(find_nearest(places[number], from));
 	}
 }

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Simulates the awake tiles for one step: one workgroup a tile, one thread a blade; a thread whose own blade is at rest takes one that is
-// not. Dispatched over the GrassSlot records. Twin of core/solver/simulate.cpp.
+// Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes one that is not. A workgroup has one
+// tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower
@@ -27,9 +27,13 @@
 layout(local_size_x = GRASS_BLADES_PER_TILE) in;
 // Unsigned: Godot's translator for Direct3D 12 has no specialization constants of type int.
 layout(constant_id = GRASS_CONSTANT_METHOD) const uint METHOD = uint(GRASS_METHOD_DIRECT);
+layout(constant_id = GRASS_CONSTANT_TILES) const uint TILES = uint(GRASS_TILES_ONE);
 // Whether a tile may have more colliders than GRASS_SHARED_COLLIDERS. The code that reads the others is in so many places that it costs a
 // tenth of the time if there are none.
-layout(constant_id = GRASS_CONSTANT_CROWD) const bool CROWD = false;
+#define CROWD (TILES == uint(GRASS_TILES_CROWD))
+// Whether a workgroup has several tiles. With one, much of what a thread knows is the same for all of its workgroup: compilers for AMD's
+// and Intel's cards need fewer registers.
+#define MANY (TILES == uint(GRASS_TILES_MANY))
 
 // Whether threads keep the state of joints in arrays of their own, not in a buffer (solver/work.inc).
 layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
@@ -128,7 +132,7 @@ layout(set = 0, binding = GRASS_BINDING_SPECIES_STEPS, std430) restrict readonly
 };
 #endif
 
-GrassSlot slot; // of this workgroup's tile
+GrassSlot slot; // of this thread's tile
 
 #include "solver/state.inc"
 
@@ -172,7 +176,7 @@ vec3 width_at_root() {
 #include "solver/direct.inc"
 #include "solver/solve.inc"
 
-shared int bend_sum[3]; // of all blades, in shares of BEND_UNITS: whole numbers add up alike in any order
+shared int bend_sum[3 * GRASS_GROUP_TILES]; // of the blades of each tile, in shares of BEND_UNITS: whole numbers add up alike in any order
 const float BEND_UNITS = 65536.0;
 
 #ifdef GRASS_SPECIES
@@ -223,55 +227,60 @@ vec3 measure_bend() {
 	return clamp((start_of(tip) - rest_of(tip)) / size, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }
 
-// Whether the slot's tile is for this pass.
-bool is_own() {
-#ifdef GRASS_EVERY_SLOT
-	return true;
-#else
-#if defined(GRASS_EDGES)
-	const uint own = GRASS_SLOT_EDGES;
-#elif defined(GRASS_FREE)
-	const uint own = GRASS_SLOT_FREE;
-#else
-	const uint own = 0u;
-#endif
-	const uint kinds = CROWD ? GRASS_SLOT_CROWD : GRASS_SLOT_EDGES | GRASS_SLOT_FREE | GRASS_SLOT_CROWD;
-	return (slot.list.w & kinds) == (CROWD ? GRASS_SLOT_CROWD : own);
-#endif
+// Writes what is known of a tile after the step. p_unasked: see pool_half, and one more.
+void report_tile(uint p_tile, uint p_unasked) {
+	pool_half[slot.tile.w] = blade.half_now | ((max(p_unasked, 1u) - 1u) << 1u);
+	vec3 sum = vec3(ivec3(bend_sum[3u * p_tile], bend_sum[3u * p_tile + 1u], bend_sum[3u * p_tile + 2u]));
+	float blades = float(GRASS_BLADES_PER_TILE) - slot.blend.y;
+	slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest[p_tile]), sum / (BEND_UNITS * blades));
 }
 
-// One step of the slot's tile. All threads of the workgroup call it together.
-void step_tile() {
-	Stage stage;
-	blade.work_start = gl_WorkGroupID.x * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + gl_LocalInvocationID.x;
+// Takes the tile of thread p_thread. Returns whether it has one that is simulated.
+bool find_tile(uvec4 p_group, uint p_thread) {
+	uint tile = MANY ? p_thread / p_group.y : 0u;
+	slot = slots[p_group.x + min(tile, p_group.z - 1u)];
+	if (MANY) {
+		tile_of[gl_LocalInvocationID.x] = tile;
+	}
 	if (!CROWD) { // also where the pass for crowds is still compiled
 		slot.list.z = min(slot.list.z, uint(GRASS_SHARED_COLLIDERS));
 	}
-	uint thread = gl_LocalInvocationID.x;
-	if (thread == 0u) {
-		liveliest = 0u;
-		bend_sum[0] = bend_sum[1] = bend_sum[2] = 0;
+	blade.half_now = pool_half[slot.tile.w] & 1u;
+	return !MANY || (tile < p_group.z && (slot.list.w & GRASS_SLOT_RETIRED) == 0u);
+}
+
+// One step of the workgroup's tiles. All of its threads call it together.
+void step_tiles(uvec4 p_group) {
+	Stage stage;
+	uint thread = gl_LocalInvocationID.x, lanes = MANY ? p_group.y : uint(GRASS_BLADES_PER_TILE), lane = thread % lanes;
+	blade.work_start = p_group.w * uint(GRASS_WORK_PARTS * GRASS_SEGMENTS * GRASS_BLADES_PER_TILE) + thread;
+	bool has_tile = find_tile(p_group, thread);
+	if (lane == 0u) {
+		uint tile = MANY ? thread / lanes : 0u;
+		liveliest[tile] = 0u;
+		bend_sum[3u * tile] = bend_sum[3u * tile + 1u] = bend_sum[3u * tile + 2u] = 0;
 	}
+	share_colliders(lane, lanes, has_tile);
+	find_blade(lane);
 	bool is_fresh = (slot.list.w & GRASS_SLOT_FRESH) != 0u;
-	uint kept = pool_half[slot.tile.w];
-	blade.half_now = kept & 1u;
-	uint blades = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
-	uint unasked = is_fresh || blades < uint(GRASS_BLADES_PER_TILE) ? 0u : kept >> 1u;
-	share_colliders(thread);
-	find_blade(thread);
-	uint count = uint(GRASS_BLADES_PER_TILE);
+	uint blades = has_tile ? uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y) : 0u, count = uint(GRASS_BLADES_PER_TILE);
+	bool is_whole = !MANY && slot.blend.y <= 0.0 && !is_fresh;
+	uint unasked = is_whole ? pool_half[slot.tile.w] >> 1u : 0u;
 	if (unasked == 0u) {
 		// So that as few warps as possible have work.
-		count = share_blades(thread, is_fresh || (thread < blades && !is_idle(slot.list.z)));
+		count = share_blades(thread, lane < blades && (is_fresh || !is_idle(slot.list.z)));
 		unasked = is_fresh || count < uint(GRASS_BLADES_PER_TILE) ? 0u : STEPS_UNASKED + 1u;
 	}
 	bool takes_step = thread < count;
 	if (takes_step) {
 		if (count < uint(GRASS_BLADES_PER_TILE)) {
-			find_blade(blade_of[thread]);
+			if (MANY) {
+				find_tile(p_group, blade_of[thread]);
+			}
+			find_blade(blade_of[thread] % lanes);
 		}
 		find_air_load();
-		load_rest(is_fresh);
+		load_rest((slot.list.w & GRASS_SLOT_FRESH) != 0u);
 	}
 	if (step.contact.x >= 1.0) { // else no time passes
 		step_blade(stage, takes_step, slot.list.z);
@@ -279,15 +288,27 @@ void step_tile() {
 	}
 	if (takes_step) {
 		vec3 bend = measure_bend() * BEND_UNITS;
-		for (int c = 0; c < 3; c++) {
-			atomicAdd(bend_sum[c], int(round(bend[c])));
+		for (uint c = 0u; c < 3u; c++) {
+			atomicAdd(bend_sum[3u * tile_of_blade() + c], int(round(bend[c])));
 		}
 	}
 	barrier();
-	if (thread == 0u) {
-		pool_half[slot.tile.w] = blade.half_now | ((max(unasked, 1u) - 1u) << 1u);
-		vec3 sum = vec3(ivec3(bend_sum[0], bend_sum[1], bend_sum[2]));
-		slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest), sum / (BEND_UNITS * float(blades)));
+	if (lane == 0u && (!MANY || find_tile(p_group, thread))) {
+		if (MANY && step.contact.x >= 1.0) {
+			blade.half_now = 1u - blade.half_now;
+		}
+		report_tile(MANY ? thread / lanes : 0u, unasked);
+	}
+}
+
+// Keeps the table of awake tiles.
+void list_tiles(uvec4 p_group) {
+	if (gl_LocalInvocationID.x < p_group.z) {
+		GrassSlot own = slots[p_group.x + gl_LocalInvocationID.x];
+		bool is_retired = (own.list.w & GRASS_SLOT_RETIRED) != 0u;
+		if (is_retired || (own.list.w & GRASS_SLOT_FRESH) != 0u) {
+			tile_table[own.tile.z] = is_retired ? 0 : own.tile.w + 1;
+		}
 	}
 }
 
@@ -295,15 +316,9 @@ void main() {
 #ifdef GRASS_SPECIES
 	step = field_step;
 #endif
-	slot = slots[uint(step.contact.w) + gl_WorkGroupID.x];
-	if (!is_own()) {
-		return; // another pass's
-	}
-	bool is_retired = (slot.list.w & GRASS_SLOT_RETIRED) != 0u;
-	if (gl_LocalInvocationID.x == 0u && (slot.list.w & (GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) != 0u) {
-		tile_table[slot.tile.z] = is_retired ? 0 : slot.tile.w + 1;
-	}
-	if (!is_retired) {
-		step_tile();
+	uvec4 group = slots[uint(step.contact.w) + gl_WorkGroupID.x].group;
+	list_tiles(group);
+	if (MANY || (slots[group.x].list.w & GRASS_SLOT_RETIRED) == 0u) {
+		step_tiles(group);
 	}
 }

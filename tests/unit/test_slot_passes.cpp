@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <vector>
 
 using namespace grass;
@@ -12,7 +14,11 @@ using namespace grass;
 namespace {
 
 GrassSlot make_slot(uint32_t p_first, uint32_t p_count, uint32_t p_bits) {
-	return { { 0, 0, 0, 0 }, { 0, p_first, p_count, p_bits }, { 0.0f, 0.0f, 0.0f, 0.0f } };
+	return { { 0, 0, 0, 0 }, { 0, p_first, p_count, p_bits }, { 0.0f, 0.0f, 0.0f, 0.0f }, {} };
+}
+
+const PassGroups &of(const SlotPasses &p_passes, SlotPass p_pass) {
+	return p_passes[size_t(p_pass)];
 }
 
 } // namespace
@@ -29,11 +35,11 @@ TEST_CASE("slot passes: one sharp collider is enough for edges, none at all for 
 		make_slot(3, 0, GRASS_SLOT_SETTLING), make_slot(3, 1, GRASS_SLOT_MAPPED) };
 	input.slots = slots;
 	std::vector<GrassSlot> chosen(slots.size());
-	const SlotPasses passes = choose_passes(input, {}, chosen);
-	CHECK(passes.edges == 2);
-	CHECK(passes.free == 1);
-	const std::vector<uint32_t> expected{ GRASS_SLOT_RETIRED, GRASS_SLOT_FRESH, GRASS_SLOT_EDGES, GRASS_SLOT_SETTLING | GRASS_SLOT_FREE,
-		GRASS_SLOT_MAPPED | GRASS_SLOT_EDGES };
+	const SlotPasses passes = choose_passes(input, {}, {}, chosen);
+	CHECK(of(passes, SlotPass::EDGES).tiles() == 2);
+	CHECK(of(passes, SlotPass::PLAIN).tiles() == 1);
+	CHECK(of(passes, SlotPass::FREE).tiles() == 1);
+	const std::vector<uint32_t> expected{ 0, GRASS_SLOT_MAPPED, GRASS_SLOT_FRESH, GRASS_SLOT_RETIRED, GRASS_SLOT_SETTLING };
 	for (size_t i = 0; i < slots.size(); i++) {
 		CHECK(chosen[i].list.w == expected[i]);
 	}
@@ -53,15 +59,14 @@ TEST_CASE("slot passes: a tile with more colliders than a workgroup shares has a
 		make_slot(1, GRASS_SHARED_COLLIDERS + 1, 0) };
 	input.slots = slots;
 	std::vector<GrassSlot> chosen(slots.size());
-	const SlotPasses passes = choose_passes(input, {}, chosen);
-	CHECK(passes.crowds == 2);
-	CHECK(passes.edges == 0);
-	CHECK(chosen[0].list.w == 0);
-	CHECK(chosen[1].list.w == GRASS_SLOT_CROWD);
-	CHECK(chosen[2].list.w == (GRASS_SLOT_CROWD | GRASS_SLOT_EDGES)); // until the pass is compiled, that for edges takes it
+	const SlotPasses passes = choose_passes(input, {}, {}, chosen);
+	CHECK(of(passes, SlotPass::CROWD).single.count == 2);
+	CHECK(of(passes, SlotPass::CROWD).many.count == 0);
+	CHECK(of(passes, SlotPass::EDGES).tiles() == 0);
+	CHECK(of(passes, SlotPass::PLAIN).single.count == 1);
 }
 
-TEST_CASE("slot passes: retired tiles stay first, then come those with a fast collider, then the liveliest, alike ones in their order") {
+TEST_CASE("slot passes: first come those with a fast collider, then the liveliest, alike ones in their order") {
 	GrassCollider slow{}, fast{};
 	slow.position.x = 0.01f;
 	fast.position.z = 0.1f;
@@ -83,7 +88,7 @@ TEST_CASE("slot passes: retired tiles stay first, then come those with a fast co
 	const auto order_of = [&](std::span<const GrassSlot> p_slots, const std::vector<float> &p_energies) {
 		input.slots = p_slots;
 		std::vector<GrassSlot> chosen(p_slots.size());
-		choose_passes(input, p_energies, chosen);
+		choose_passes(input, p_energies, {}, chosen);
 		std::vector<int> order;
 		for (const GrassSlot &slot : std::span(chosen).first(looked_at)) {
 			order.push_back(slot.tile.w);
@@ -91,12 +96,72 @@ TEST_CASE("slot passes: retired tiles stay first, then come those with a fast co
 		return order;
 	};
 	const auto order_by = [&](const std::vector<float> &p_energies) { return order_of(slots, p_energies); };
-	CHECK(order_of(std::span(slots).first(looked_at), { 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 2.0f }) ==
-			std::vector<int>{ 0, 2, 4, 1, 3, 5, 6 }); // so few run at once
-	CHECK(order_by({}) == std::vector<int>{ 0, 2, 4, 1, 3, 5, 6 });
-	CHECK(order_by({ 9.0f, 0.5f, 0.0f, 2.0f, 0.0f, 0.5f, 8.0f }) == std::vector<int>{ 0, 2, 4, 6, 3, 1, 5 });
-	CHECK(order_by({ 0.0f, 1e-30f, 0.0f, 1e30f }) == std::vector<int>{ 0, 2, 4, 3, 1, 5, 6 }); // of the last nothing is known
+	const std::vector<int> as_given{ 2, 4, 1, 5, 6, 0, 3 }; // the retired one and that without colliders have workgroups of another kind
+	CHECK(order_of(std::span(slots).first(looked_at), { 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 2.0f }) == as_given); // so few run at once
+	CHECK(order_by({}) == as_given);
+	CHECK(order_by({ 9.0f, 0.5f, 0.0f, 2.0f, 0.0f, 0.5f, 8.0f }) == std::vector<int>{ 2, 4, 6, 1, 5, 0, 3 });
+	CHECK(order_by({ 0.0f, 1e-30f, 0.0f, 0.0f, 0.0f, 1e30f }) == std::vector<int>{ 2, 4, 5, 1, 6, 0, 3 }); // of the last nothing is known
+	CHECK(order_by({ 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f }) == std::vector<int>{ 2, 4, 1, 5, 6, 0, 8 });
 	const float infinite = std::numeric_limits<float>::infinity();
-	CHECK(order_by({ 0.0f, 1.0f, 0.0f, std::numeric_limits<float>::quiet_NaN(), 0.0f, infinite, 2.0f }) ==
-			std::vector<int>{ 0, 2, 4, 3, 5, 6, 1 });
+	CHECK(order_by({ 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, infinite, std::numeric_limits<float>::quiet_NaN() }) ==
+			std::vector<int>{ 2, 4, 6, 5, 1, 0, 3 });
+}
+
+TEST_CASE("slot passes: tiles of which few blades are simulated share a workgroup as long as there is room for their colliders") {
+	std::mt19937 random(41);
+	const std::vector<GrassCollider> colliders(8, GrassCollider{});
+	const std::vector<uint8_t> sharp{ 0, 0, 0, 0, 0, 1, 1, 1 };
+	std::vector<uint32_t> list(4096);
+	std::ranges::generate(list, [&] { return random() % 8; });
+	for (const bool may_share : { true, false }) {
+		std::vector<GrassSlot> slots;
+		int blades = 0, live = 0;
+		for (int i = 0; i < 700; i++) {
+			const uint32_t entries = random() % 3 == 0 ? random() % 40 : random() % 3;
+			slots.push_back(make_slot(random() % 4000, entries, random() % 20 == 0 ? GRASS_SLOT_RETIRED : 0));
+			slots.back().tile.w = i;
+			slots.back().blend.y = float(8 * (random() % 8));
+			if (slots.back().list.w == 0) {
+				live++;
+				blades += 64 - int(slots.back().blend.y);
+			}
+		}
+		StepInput input;
+		input.colliders = colliders;
+		input.sharp = sharp;
+		input.collider_list = list;
+		input.slots = slots;
+		std::vector<GrassSlot> chosen(slots.size());
+		const SlotPasses passes = choose_passes(input, {}, { 64, may_share }, chosen);
+		std::vector<int> seen(slots.size(), 0);
+		uint32_t group = 0;
+		int tiles = 0;
+		for (int pass = 0; pass < SLOT_PASSES; pass++) {
+			for (const bool many : { false, true }) {
+				const SlotGroups &groups = many ? passes[size_t(pass)].many : passes[size_t(pass)].single;
+				CHECK((groups.count == 0 || groups.first == group)); // one after the other
+				CHECK((may_share || !many || groups.count == 0));
+				tiles += groups.tiles;
+				for (uint32_t i = 0; i < groups.count; i++, group++) {
+					const uvec4 own = chosen[group].group;
+					CHECK(own.w == group % 64);
+					CHECK(own.y * own.z <= 64);
+					CHECK((many || (own.y == 64 && own.z == 1)));
+					uint32_t shared = 0;
+					for (uint32_t at = own.x; at < own.x + own.z; at++) {
+						const GrassSlot &slot = chosen[at];
+						seen[size_t(slot.tile.w)]++;
+						const bool is_retired = slot.list.w != 0;
+						CHECK((is_retired || 64 - uint32_t(slot.blend.y) <= own.y));
+						CHECK(uint32_t(slot.blend.w) == shared);
+						shared += slot.list.z;
+					}
+					CHECK((shared <= GRASS_SHARED_COLLIDERS || own.z == 1));
+				}
+			}
+		}
+		CHECK(tiles == live);
+		CHECK(std::ranges::all_of(seen, [](int p_times) { return p_times == 1; }));
+		CHECK((may_share ? int(group) < blades / 64 + live / 3 : group == slots.size()));
+	}
 }

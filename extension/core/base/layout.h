@@ -30,10 +30,11 @@ struct alignas(16) uvec4 {
 // Every member is one 16-byte vector, so member n of a record is at offset 16 n, in std430 and here.
 static_assert(sizeof(vec4) == 16 && sizeof(ivec4) == 16 && sizeof(uvec4) == 16);
 
-static_assert(sizeof(GrassSlot) == 48 && std::is_trivially_copyable_v<GrassSlot>);
+static_assert(sizeof(GrassSlot) == 64 && std::is_trivially_copyable_v<GrassSlot>);
 static_assert(offsetof(GrassSlot, tile) == 0);
 static_assert(offsetof(GrassSlot, list) == 16);
 static_assert(offsetof(GrassSlot, blend) == 32);
+static_assert(offsetof(GrassSlot, group) == 48);
 
 static_assert(sizeof(GrassCollider) == 96 && std::is_trivially_copyable_v<GrassCollider>);
 static_assert(offsetof(GrassCollider, anchor) == 0);

@@ -27,12 +27,16 @@ std::vector<uint8_t> find_fast(const StepInput &p_input) {
 
 // A GPU simulates up to this many tiles at once. These are not sorted by energy, since moved records must be uploaded again.
 constexpr size_t AT_ONCE = 128;
-// The order of a step's slots: ranks of equal work, within which slots keep their order.
-constexpr int RETIRED_RANK = 0, FAST_RANK = 1, LIVELIEST_RANK = 2;
+// The order of a pass's slots: ranks of equal work, within which slots keep their order.
+constexpr int FAST_RANK = 0, LIVELIEST_RANK = 1;
 // Two ranks for each power of 2 of energy, from 64 J/kg (11 m/s) down to 1e-5 (5 mm/s): the number of parts of a step follows from a
 // blade's speed.
 constexpr int HALF_OCTAVES = 46, RANKS = LIVELIEST_RANK + HALF_OCTAVES;
 constexpr float MOST_ENERGY = 64.0f;
+// The threads for each tile of a workgroup.
+constexpr std::array<uint32_t, 4> LANES{ 64, 32, 16, 8 };
+static_assert(LANES.front() == GRASS_BLADES_PER_TILE && LANES.back() == GRASS_DETAIL_BLADES);
+constexpr size_t KINDS = SLOT_PASSES * LANES.size(); // of workgroups
 
 int half_octave_of(float p_energy) {
 	return int((std::bit_cast<uint32_t>(p_energy) & 0x7fffffffu) >> 22);
@@ -41,41 +45,103 @@ int half_octave_of(float p_energy) {
 int rank_of(float p_energy) {
 	return LIVELIEST_RANK + std::clamp(half_octave_of(MOST_ENERGY) - half_octave_of(p_energy), 0, HALF_OCTAVES - 1);
 }
+
+// Finds for each slot the kind of its workgroup and its rank.
+class SlotOrder {
+public:
+	SlotOrder(const StepInput &p_input, std::span<const float> p_energies, bool p_may_share) :
+			_input(p_input), _may_share(p_may_share), _fast(find_fast(p_input)), _energies(p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>()) {}
+
+	size_t find_kind(const GrassSlot &p_slot) const {
+		const SlotPass pass = find_pass(p_slot);
+		size_t lanes = 0;
+		while (_may_share && pass != SlotPass::CROWD && lanes + 1 < LANES.size() && count_blades(p_slot) <= LANES[lanes + 1]) {
+			lanes++;
+		}
+		return size_t(pass) * LANES.size() + lanes;
+	}
+	size_t find_rank(const GrassSlot &p_slot) const {
+		const size_t number = size_t(p_slot.tile.w);
+		return size_t(has_any(p_slot, _fast) ? FAST_RANK : rank_of(number < _energies.size() ? _energies[number] : 0.0f));
+	}
+
+private:
+	bool has_any(const GrassSlot &p_slot, std::span<const uint8_t> p_of_colliders) const {
+		const std::span<const uint32_t> colliders = _input.collider_list.subspan(p_slot.list.y, p_slot.list.z);
+		return std::ranges::any_of(colliders, [&](uint32_t p_collider) { return p_of_colliders[p_collider] != 0; });
+	}
+	SlotPass find_pass(const GrassSlot &p_slot) const {
+		if (p_slot.list.w & GRASS_SLOT_RETIRED) {
+			return SlotPass::PLAIN;
+		}
+		if (p_slot.list.z == 0) {
+			return SlotPass::FREE;
+		}
+		return p_slot.list.z > GRASS_SHARED_COLLIDERS ? SlotPass::CROWD : has_any(p_slot, _input.sharp) ? SlotPass::EDGES : SlotPass::PLAIN;
+	}
+	static uint32_t count_blades(const GrassSlot &p_slot) {
+		return p_slot.list.w & GRASS_SLOT_RETIRED ? 0u : uint32_t(GRASS_BLADES_PER_TILE) - uint32_t(p_slot.blend.y);
+	}
+
+	const StepInput &_input;
+	bool _may_share;
+	std::vector<uint8_t> _fast;
+	std::span<const float> _energies;
+};
+
+// Divides the slots of one kind among workgroups, whose colliders are shared. p_first: number of the first slot; r_group: of the next
+// workgroup.
+SlotGroups make_groups(std::span<GrassSlot> r_slots, uint32_t p_first, uint32_t p_count, uint32_t p_lanes, uint32_t p_room, uint32_t &r_group) {
+	SlotGroups groups{ r_group, 0, 0 };
+	uint32_t colliders = 0;
+	uvec4 *group = nullptr;
+	for (uint32_t i = p_first; i < p_first + p_count; i++) {
+		GrassSlot &slot = r_slots[i];
+		const bool has_room = group != nullptr && group->z < GRASS_BLADES_PER_TILE / p_lanes && colliders + slot.list.z <= GRASS_SHARED_COLLIDERS;
+		if (!has_room) {
+			group = &r_slots[r_group].group;
+			*group = { i, p_lanes, 0, p_room > 0 ? r_group % p_room : 0 };
+			r_group++;
+			groups.count++;
+			colliders = 0;
+		}
+		group->z++;
+		slot.blend.w = float(colliders);
+		colliders += slot.list.z;
+		groups.tiles += slot.list.w & GRASS_SLOT_RETIRED ? 0 : 1;
+	}
+	return groups;
+}
+
+void add(SlotGroups &r_groups, const SlotGroups &p_more) {
+	r_groups.first = r_groups.count == 0 ? p_more.first : r_groups.first;
+	r_groups.count += p_more.count;
+	r_groups.tiles += p_more.tiles;
+}
 } // namespace
 
-SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, std::span<GrassSlot> r_slots) {
-	const std::vector<uint8_t> fast = find_fast(p_input);
-	const auto has_any = [&](const GrassSlot &p_slot, std::span<const uint8_t> p_of_colliders) {
-		const std::span<const uint32_t> colliders = p_input.collider_list.subspan(p_slot.list.y, p_slot.list.z);
-		return std::ranges::any_of(colliders, [&](uint32_t p_collider) { return p_of_colliders[p_collider] != 0; });
-	};
-	const std::span<const float> energies = p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>();
-	const auto find_rank = [&](const GrassSlot &p_slot) {
-		if (p_slot.list.w & GRASS_SLOT_RETIRED) {
-			return RETIRED_RANK;
-		}
-		const size_t number = size_t(p_slot.tile.w);
-		return has_any(p_slot, fast) ? FAST_RANK : rank_of(number < energies.size() ? energies[number] : 0.0f);
-	};
-	std::vector<uint8_t> ranks(p_input.slots.size());
-	std::array<size_t, RANKS + 1> places{}; // of the first slot of each rank
-	for (size_t i = 0; i < ranks.size(); i++) {
-		const int rank = find_rank(p_input.slots[i]);
-		ranks[i] = uint8_t(rank);
-		places[size_t(rank) + 1]++;
+SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, GroupLimits p_limits, std::span<GrassSlot> r_slots) {
+	const SlotOrder order(p_input, p_energies, p_limits.may_share);
+	std::vector<uint16_t> keys(p_input.slots.size());
+	std::vector<uint32_t> places(KINDS * RANKS + 1); // of the first slot of each kind and rank
+	std::array<uint32_t, KINDS> counts{};
+	for (size_t i = 0; i < keys.size(); i++) {
+		const size_t kind = order.find_kind(p_input.slots[i]);
+		keys[i] = uint16_t(kind * RANKS + order.find_rank(p_input.slots[i]));
+		places[size_t(keys[i]) + 1]++;
+		counts[kind]++;
 	}
 	std::partial_sum(places.begin(), places.end(), places.begin());
+	for (size_t i = 0; i < keys.size(); i++) {
+		r_slots[places[keys[i]]++] = p_input.slots[i];
+	}
 	SlotPasses passes;
-	for (size_t i = 0; i < ranks.size(); i++) {
-		GrassSlot &slot = r_slots[places[ranks[i]]++] = p_input.slots[i];
-		if (ranks[i] == RETIRED_RANK) {
-			continue;
-		}
-		const bool is_crowd = slot.list.z > GRASS_SHARED_COLLIDERS, is_sharp = has_any(slot, p_input.sharp);
-		slot.list.w |= (is_crowd ? GRASS_SLOT_CROWD : 0) | (is_sharp ? GRASS_SLOT_EDGES : 0) | (slot.list.z == 0 ? GRASS_SLOT_FREE : 0);
-		passes.crowds += is_crowd;
-		passes.edges += is_sharp && !is_crowd;
-		passes.free += slot.list.z == 0;
+	uint32_t first = 0, group = 0;
+	for (size_t kind = 0; kind < KINDS; kind++) {
+		const uint32_t lanes = LANES[kind % LANES.size()];
+		PassGroups &pass = passes[kind / LANES.size()];
+		add(lanes == LANES.front() ? pass.single : pass.many, make_groups(r_slots, first, counts[kind], lanes, p_limits.room, group));
+		first += counts[kind];
 	}
 	return passes;
 }

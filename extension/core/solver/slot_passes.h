@@ -1,23 +1,43 @@
 // SPDX-License-Identifier: MIT
-// Determines which pass of the GPU simulates which slot (docs/decisions/0019-dispatches-without-barriers.md).
+// Determines which pass of the GPU simulates which slot (docs/decisions/0019-dispatches-without-barriers.md), and in which workgroup
+// (docs/decisions/0079-simulate-what-is-seen.md).
 #pragma once
 
 #include "core/solver/step.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 
 namespace grass {
 
-// The number of slots that each separate pass simulates.
-struct SlotPasses {
-	int edges = 0, free = 0, crowds = 0;
+// The kinds of tiles by their colliders, each with a pass of its own, in the order of their work. CROWD: more than a workgroup shares.
+// EDGES: one is sharper than a blade's segment is long. PLAIN: the others; retired tiles too. FREE: none.
+enum class SlotPass { CROWD, EDGES, PLAIN, FREE };
+inline constexpr int SLOT_PASSES = 4;
+
+// Consecutive workgroups.
+struct SlotGroups {
+	uint32_t first = 0, count = 0;
+	int tiles = 0; // that they simulate
 };
 
-// Copies p_input.slots to r_slots, which has room for as many, and sets the bits of the live ones: GRASS_SLOT_EDGES where a collider is
-// sharp, GRASS_SLOT_FREE where there is no collider, GRASS_SLOT_CROWD where there are many. After the retired slots, those that take
-// longest come first: tiles with a fast collider, then, if there are more tiles than a GPU simulates at once, those with the liveliest
-// blades (docs/decisions/0047-lively-tiles-first.md). p_energies: J/kg, by slot, as last reported; slots beyond its end have no known
-// energy and come last. Returns how many slots the pass of each bit simulates.
-SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, std::span<GrassSlot> r_slots);
+// The workgroups of a pass: those of one tile, and those of several tiles, of which few blades are simulated.
+struct PassGroups {
+	SlotGroups single, many;
+	int tiles() const { return single.tiles + many.tiles; }
+};
+// The limits of workgroups.
+struct GroupLimits {
+	uint32_t room = 0; // workgroups for which there is room to work at once; 0: none is needed
+	bool may_share = true; // one may have several tiles
+};
+using SlotPasses = std::array<PassGroups, SLOT_PASSES>; // by SlotPass
+
+// Copies p_input.slots to r_slots, which has room for as many, in the order of the workgroups that simulate them, and sets GrassSlot.group
+// of as many records as there are workgroups. Those that take longest come first: by pass; then, within a pass, tiles with a fast collider,
+// then, if there are more tiles than a GPU simulates at once, those with the liveliest blades (docs/decisions/0047-lively-tiles-first.md).
+// p_energies: J/kg, by slot, as last reported; slots beyond its end have no known energy and come last.
+SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, GroupLimits p_limits, std::span<GrassSlot> r_slots);
 
 } // namespace grass

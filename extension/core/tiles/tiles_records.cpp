@@ -56,7 +56,7 @@ void TileManager::write_records() {
 		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are drawn.
 		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)]);
 		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags },
-			{ blend_of(slot), float(left_out(blades)), 0.0f, 0.0f } };
+			{ blend_of(slot), float(left_out(blades)), 0.0f, 0.0f }, {} };
 		entries += count;
 		_statistics.left_out_blades += uint64_t(left_out(blades));
 	}
@@ -80,7 +80,8 @@ std::span<const GrassSlot> TileManager::widen() {
 		const int x = place.tile.x, z = place.tile.z, now = _blades[size_t(slot)], wanted = _detail.blades_of(x, z, now);
 		if (wanted > now) {
 			const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
-			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped }, { 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f } });
+			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped }, { 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f },
+					{} });
 		}
 		_blades[size_t(slot)] = uint8_t(wanted);
 	}

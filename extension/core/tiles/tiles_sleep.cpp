@@ -199,7 +199,7 @@ void TileManager::retire(int p_slot, bool p_is_at_rest) {
 	const Place &place = _places[size_t(p_slot)];
 	const int x = place.tile.x, z = place.tile.z;
 	(p_is_at_rest ? _statistics.slept : _statistics.evicted)++;
-	_records[_record_count++] = { { x, z, _grid.get_index(x, z), p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {} };
+	_records[_record_count++] = { { x, z, _grid.get_index(x, z), p_slot }, { place.start, 0, 0, GRASS_SLOT_RETIRED }, {}, {} };
 	_slot_of_tile.erase(x, z);
 	_used.erase(p_slot);
 	_settling.erase(p_slot);
