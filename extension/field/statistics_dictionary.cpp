@@ -79,6 +79,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["simulated_blades"] = backend.simulated_blades;
 	result["edge_tile_steps"] = backend.edge_tile_steps;
 	result["free_tile_steps"] = backend.free_tile_steps;
+	result["workgroups"] = backend.workgroups;
 	result["crowd_tile_steps"] = backend.crowd_tile_steps;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;

@@ -216,6 +216,7 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		std::lock_guard lock(_report->mutex);
 		BackendStatistics &statistics = _report->statistics;
 		statistics.steps++;
+		statistics.workgroups += count_groups(p_records.passes);
 		statistics.edge_tile_steps += count_own(SlotPass::EDGES);
 		statistics.free_tile_steps += count_own(SlotPass::FREE);
 		statistics.crowd_tile_steps += count_own(SlotPass::CROWD);

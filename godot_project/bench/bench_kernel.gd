@@ -71,7 +71,7 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	if colliders == 1:
 		bend = free  # what no body touches stands at rest
 	_run(sets, bend, p_tiles, WARM_UP)  # a strong wind bends all blades
-	_device.buffer_update(shared[0], 0, p_tiles * 48, _slots(p_tiles, colliders, 0))
+	_device.buffer_update(shared[0], 0, p_tiles * SimulatePass.SLOT_BYTES, _slots(p_tiles, colliders, 0))
 	var awake := Time.get_ticks_msec() + (0 if p_steps < STEPS else WAKING)
 	_run(sets, bend, p_tiles, WARM_UP)
 	while Time.get_ticks_msec() < awake:
@@ -128,7 +128,7 @@ func _shared_resources(p_tiles: int) -> Array[RID]:
 	pool_texture.usage_bits = RenderingDevice.TEXTURE_USAGE_STORAGE_BIT
 	return _keep(
 		[
-			_device.storage_buffer_create(p_tiles * 48, _slots(p_tiles, 0, 1)),
+			_device.storage_buffer_create(p_tiles * SimulatePass.SLOT_BYTES, _slots(p_tiles, 0, 1)),
 			_device.storage_buffer_create(pool),
 			_device.storage_buffer_create(p_tiles * 4),
 			_device.texture_create(patch, RDTextureView.new(), [_patch_texels()]),
@@ -152,21 +152,9 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 	var words := PackedInt32Array()
 	var across := _across(p_tiles)
 	for tile in p_tiles:
+		var blade := (tile * 8) % (PATCH_BLADES - BLADES)
 		words.append_array(
-			[
-				tile % across,
-				tile / across,
-				tile,
-				tile,
-				(tile * 8) % (PATCH_BLADES - BLADES),
-				tile * p_colliders,
-				p_colliders,
-				p_bits,
-				0,
-				0,
-				0,
-				0
-			]
+			SimulatePass.slot_words(tile % across, tile / across, tile, blade, tile * p_colliders, p_colliders, p_bits)
 		)
 	return words.to_byte_array()
 

@@ -93,7 +93,7 @@ func _measure(p_method: int, p_objects: int, p_is_listed: bool, p_patch: PackedB
 	_pass.step(push, tiles)
 	_pass.pause()
 	for tile in tiles:  # no longer fresh
-		words[tile * 12 + 7] = 0
+		words[tile * SimulatePass.SLOT_WORDS + 7] = 0
 	_pass.device.buffer_update(_pass.slots, 0, words.size() * 4, words.to_byte_array())
 	var start := Time.get_ticks_msec()
 	while Time.get_ticks_msec() - start < WARM_UP * 1e3 and not _software:

@@ -11,7 +11,9 @@ const METHOD_BYTE := 44  # of the push constant: GrassStep.contact.w, which step
 const QUICK_ARRAYS := "NVIDIA"  # whose threads keep joints in arrays of their own, and not in a buffer
 const WORK_BYTES := 7 * 16 * BLADES  # of a tile, for each segment of a blade
 const SHARED := 32  # colliders that a workgroup shares, at most; more in any tile: the pipeline for crowds
-const SLOT_BYTES := 48
+const SLOT_BYTES := 64
+const SLOT_WORDS := SLOT_BYTES / 4
+const ROOM := 256  # tiles for which the buffer of joints has room, where there is one
 const COUNT_BYTE := 24  # of a slot: how many colliders it has
 const COLLIDER_BYTES := 96
 
@@ -57,19 +59,19 @@ static func make_pipeline(p_device: RenderingDevice, p_shader: RID, p_method: in
 	var method := RDPipelineSpecializationConstant.new()
 	method.constant_id = 0
 	method.value = p_method
-	var crowd := RDPipelineSpecializationConstant.new()
-	crowd.constant_id = 1
-	crowd.value = p_crowd
+	var tiles := RDPipelineSpecializationConstant.new()
+	tiles.constant_id = 1
+	tiles.value = int(p_crowd)
 	var own_work := RDPipelineSpecializationConstant.new()
 	own_work.constant_id = 2
 	own_work.value = working_tiles(p_device) == 0
-	return p_device.compute_pipeline_create(p_shader, [method, crowd, own_work])
+	return p_device.compute_pipeline_create(p_shader, [method, tiles, own_work])
 
 
 ## The most tiles for which the buffer of joints has room; 0: there is no buffer. See count_working_tiles().
 static func working_tiles(p_device: RenderingDevice) -> int:
 	var vendor := p_device.get_device_vendor_name()
-	return 0 if vendor == QUICK_ARRAYS else 256
+	return 0 if vendor == QUICK_ARRAYS else ROOM
 
 
 ## Bytes of that buffer for p_tiles.
@@ -262,9 +264,9 @@ func _uniform(p_binding: int, p_type: RenderingDevice.UniformType, p_ids: Array)
 	return uniform
 
 
-## A slot record: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
+## A slot record, which has a workgroup of its own: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
 static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: int, p_count: int, p_bits: int) -> PackedInt32Array:
-	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0]
+	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0, p_slot, BLADES, 1, p_slot % ROOM]
 
 
 ## The push constant of a step at 60 Hz. p_load: m/s^2.

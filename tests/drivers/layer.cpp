@@ -91,10 +91,10 @@ VkResult create_shader_module(void *p_device, const ShaderModuleCreateInfo *p_in
 bool is_crowd(const Specialization *p_specialization) {
 	for (uint32_t i = 0; p_specialization != nullptr && i < p_specialization->count; i++) {
 		const SpecializationEntry &entry = p_specialization->entries[i];
-		if (entry.constant == GRASS_CONSTANT_CROWD) {
+		if (entry.constant == GRASS_CONSTANT_TILES) {
 			uint32_t value = 0;
 			std::memcpy(&value, static_cast<const char *>(p_specialization->data) + entry.offset, sizeof(value));
-			return value != 0;
+			return value == GRASS_TILES_CROWD;
 		}
 	}
 	return false;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What Mesa's compilers make of each pipeline: registers, spills, scratch, code. `./grass bench drivers` writes the table.
 
-Each pass is compiled in all its variants, by both methods, with crowds and without, for cards that need not be here. The
+Each pass is compiled in all its variants, by both methods, with one tile in a workgroup, a crowded one or many, for cards that need not be here. The
 layers `drivers` and `drivers-quick` compare that with the committed table.
 """
 
@@ -20,12 +20,13 @@ from tools.say import Failure, progress, say
 
 SPIRV = BUILD / "gen/spirv"
 TABLE = ROOT / "docs/benchmarks/drivers/drivers.csv"
-KEYS = ("card", "pass", "method", "crowd")
+KEYS = ("card", "pass", "method", "tiles")
 FIGURES = ("registers", "spills", "scratch", "code")
 COLUMNS = (*KEYS, *FIGURES, "seconds")
 MARGIN = 1.05  # a figure may grow so far
 METHODS = {"DIRECT": 0, "PBD": 1}  # values of GRASS_CONSTANT_METHOD
-CROWDED = "edges"  # the variants that fields take for crowds (gpu/gpu_field.cpp)
+TILES = {"one": 0, "crowd": 1, "many": 2}  # values of GRASS_CONSTANT_TILES
+CROWDED = "edges"  # the variants that fields take for crowds (gpu/field_passes.cpp)
 LETTERS = {"buffer": "b", "uniforms": "u", "image": "i", "texture": "t", "plain texture": "p", "sampler": "s"}  # of pipelines.c
 
 
@@ -59,26 +60,30 @@ CARDS = {
 QUICK = "vangogh"
 
 
+def label_of(name, method, tiles):
+	return " ".join(filter(None, (name, method, tiles.replace("one", ""))))
+
+
 @dataclass(frozen=True)
 class Pipeline:
 	file: pathlib.Path
 	name: str  # of the pass and its variant: `simulate edges`
 	method: str  # "" where there is but one
-	crowd: int
+	tiles: str  # "" where there is but one kind
 
 	def key(self):
-		return self.name, self.method, str(self.crowd)
+		return self.name, self.method, self.tiles
 
 	def family(self):
 		return self.name.split()[0]
 
 	def label(self):
-		return " ".join(filter(None, (self.name, self.method, "crowd" if self.crowd else "")))
+		return label_of(*self.key())
 
 	def job(self):
 		"""A line for tests/driver_compilers/pipelines.c."""
 		bound = " ".join(f"{number}:{LETTERS[binding.kind]}" for number, binding in sorted(spirv.read_file(self.file).bindings.items()))
-		return f"{self.label().replace(' ', '_')} {self.file} {METHODS.get(self.method, 0)} {self.crowd} {bound}\n"
+		return f"{self.label().replace(' ', '_')} {self.file} {METHODS.get(self.method, 0)} {TILES.get(self.tiles, 0)} {bound}\n"
 
 
 def passes():
@@ -99,9 +104,9 @@ def pipelines(with_species=True):
 	for name, file in passes().items():
 		if "species" in name and not with_species:
 			continue
-		methods = METHODS if spirv.read_file(file).constants else [""]
-		crowds = (0, 1) if name.endswith(CROWDED) else (0,)
-		found += [Pipeline(file, name, method, crowd) for method in methods for crowd in crowds]
+		has_kinds = bool(spirv.read_file(file).constants)
+		tiles = [kind for kind in TILES if kind != "crowd" or name.endswith(CROWDED)] if has_kinds else [""]
+		found += [Pipeline(file, name, method, kind) for method in (METHODS if has_kinds else [""]) for kind in tiles]
 	return found
 
 

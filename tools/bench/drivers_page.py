@@ -35,8 +35,7 @@ def figures():
 		cards = {name: card for name, card in driver_figures.CARDS.items() if card.driver == driver}
 		body = []
 		for key in dict.fromkeys(key[1:] for key in rows if key[0] in cards and "species" not in key[1]):
-			label = " ".join(filter(None, (key[0], key[1], "crowd" if key[2] == "1" else "")))
-			body.append([label, *(cell(rows[name, *key]) if (name, *key) in rows else "" for name in cards)])
+			body.append([driver_figures.label_of(*key), *(cell(rows[name, *key]) if (name, *key) in rows else "" for name in cards)])
 		lines += grid(["pipeline", *(card.title for card in cards.values())], body)[:-1]
 	made = dict.fromkeys(re.sub(r"^\w+(?:: | (?=\w+: ))", "", note) for note in notes)  # a card's name says nothing here
 	return [*lines, "", f"[drivers.csv](../benchmarks/drivers/drivers.csv). {'. '.join(made)}.", ""]

@@ -15,6 +15,7 @@ struct BackendStatistics {
 	int64_t edge_tile_steps = 0; // GPU: steps of tiles with a collider that blades' edges must meet
 	int64_t free_tile_steps = 0; // GPU: steps of tiles without a collider
 	int64_t crowd_tile_steps = 0; // GPU: steps of tiles with more colliders than a workgroup shares
+	int64_t workgroups = 0; // GPU: of steps; one has a tile, or several of which few blades are simulated
 	int64_t compiling = 0; // GPU: passes that the driver is still compiling. Until they are ready, only knots meet sharp colliders,
 						   // and free tiles take whole solves
 	int64_t uploaded_bytes = 0; // GPU: bytes sent to the device

@@ -30,7 +30,7 @@ func test_field_refuses_what_is_no_constant() -> void:
 	var field := add_field()
 	field.name = "Lawn"
 	field.method = GrassField.METHOD_PBD
-	check_refusals(field, "GrassField 'Lawn'", ["method", "sleep_mode", "backend", "debug_view"])
+	check_refusals(field, "GrassField 'Lawn'", ["method", "sleep_mode", "simulation_detail", "backend", "debug_view"])
 	assert_eq(field.method, GrassField.METHOD_PBD)
 
 
@@ -85,6 +85,7 @@ func test_hints_name_the_enums() -> void:
 		["GrassField", "set_method", &"GrassField.SolverMethod"],
 		["GrassField", "set_backend", &"GrassField.BackendMode"],
 		["GrassField", "set_sleep_mode", &"GrassField.SleepMode"],
+		["GrassField", "set_simulation_detail", &"GrassField.SimulationDetail"],
 		["GrassField", "set_debug_view", &"GrassField.DebugView"],
 		["GrassPath3D", "set_mode", &"GrassPath3D.Mode"],
 		["GrassBrush", "set_tool", &"GrassBrush.Tool"],

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+## Only the blades that cameras need are simulated; they move as if all were, and others join them in their pose.
+extends "res://tests/view_case.gd"
+
+const FIRST := 8  # blades of a far tile that are simulated
+const APART := 2e-3  # of a blade's length
+const FEW := 0.03  # share of the blades
+const FAR := Vector3(3, 3, 5)
+
+
+func add_bodies() -> Array[AnimatableBody3D]:
+	var box := BoxShape3D.new()
+	box.size = Vector3(0.5, 0.3, 0.4)
+	var bodies: Array[AnimatableBody3D] = []
+	for i in 6:
+		var body := add_held_body(ball(0.2) if i % 2 == 0 else box, Vector3(-3.0, 0.15, i - 2.4))
+		remove_child(body)
+		viewport.add_child(body)
+		bodies.append(body)
+	return bodies
+
+
+## Blades of the awake tiles, the first `count` of each.
+func blades_of(field: GrassField, count: int) -> PackedInt64Array:
+	var blades := PackedInt64Array()
+	for tile in awake_tiles(field):
+		blades.append_array(field.get_tile_blades(tile).slice(0, count))
+	return blades
+
+
+func add_whole_and_seen(properties := {}) -> Array[GrassField]:
+	var fields: Array[GrassField] = []
+	for detail: GrassField.SimulationDetail in [GrassField.SIMULATION_WHOLE, GrassField.SIMULATION_SEEN]:
+		fields.append(
+			add_seen_field(
+				properties.merged(
+					{size = Vector2(12, 8), simulation_detail = detail, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 30.0}
+				)
+			)
+		)
+	return fields
+
+
+func roll(bodies: Array[AnimatableBody3D], count: int) -> void:
+	for i in count:
+		for body in bodies:
+			body.position.x += 0.03
+			body.rotate_z(-0.1)
+		await ticks(1)
+
+
+## Waits until tiles can share workgroups: the first step with thinned tiles asks for those passes.
+func shared(field: GrassField, bodies: Array[AnimatableBody3D]) -> void:
+	await compiled(field)
+	await roll(bodies, 3)
+	await compiled(field)
+
+
+func test_the_simulated_blades_of_far_tiles_move_as_in_whole_ones() -> void:
+	look(FAR, Vector3.ZERO)
+	for properties: Dictionary in [{}, {method = GrassField.METHOD_PBD}]:
+		var fields := add_whole_and_seen(properties)
+		await fields_shown()
+		var bodies := add_bodies()
+		await shared(fields[1], bodies)
+		await roll(bodies, 45)
+		var before := fields[1].get_counters()
+		await roll(bodies, 1)
+		var after := fields[1].get_counters()
+		var tiles: int = after.tile_steps - before.tile_steps
+		assert_greater(tiles, 80)
+		assert_less(after.simulated_blades - before.simulated_blades, 0.3 * tiles * BLADES)
+		assert_greater(after.left_out_blade_steps - before.left_out_blade_steps, 0.7 * tiles * BLADES)
+		if after.workgroups > 0:  # on the GPU
+			assert_less(after.workgroups - before.workgroups, 0.4 * tiles, "tiles share workgroups")
+		var blades := blades_of(fields[0], FIRST)
+		assert_eq(blades, blades_of(fields[1], FIRST))
+		var whole := fields[0].wait_for_knots(blades)
+		var thinned := fields[1].wait_for_knots(blades)
+		var apart := 0
+		var bent := 0
+		for blade in blades.size():
+			var own := blade_of(whole, blade)
+			var off := farthest(own, blade_of(thinned, blade)) / (15 * own[0].distance_to(own[1]))
+			apart += int(off > APART)
+			bent += int(own[15].y - own[0].y < 0.8 * 15 * own[0].distance_to(own[1]))
+		print("    %d of %d blades are apart, %d are bent" % [apart, blades.size(), bent])
+		assert_less(apart, FEW * blades.size() + 1)
+		assert_greater(bent, 50)
+		for node: Node in fields + bodies as Array[Node]:
+			node.free()
+
+
+func test_blades_join_in_the_pose_of_their_neighbours() -> void:
+	look(FAR, Vector3.ZERO)
+	var fields := add_whole_and_seen()
+	await fields_shown()
+	var bodies := add_bodies()
+	await shared(fields[1], bodies)
+	await roll(bodies, 60)
+	assert_eq(fields[1].get_counters().widened_tiles, 0)
+	viewport.size = Vector2i(2560, 1440)  # as if the camera came near
+	viewport.render_target_update_mode = SubViewport.UPDATE_DISABLED
+	viewport.render_target_update_mode = SubViewport.UPDATE_ONCE
+	await drawn()
+	assert_greater(fields[1].get_counters().widened_tiles, 100)
+	var blades := blades_of(fields[0], BLADES)
+	var whole := fields[0].wait_for_knots(blades)
+	var joined := fields[1].wait_for_knots(blades)
+	var alike := 0
+	var bent := 0
+	for blade in blades.size():
+		var own := blade_of(whole, blade)
+		var other := blade_of(joined, blade)
+		var length := 15 * own[0].distance_to(own[1])
+		assert_near(length_of(joined, blade), length_of(whole, blade), 1e-3 * length)
+		if own[15].y - own[0].y < 0.8 * length:
+			bent += 1
+			alike += int(own[15].distance_to(other[15]) < 0.5 * length)
+	print("    %d of %d bent blades have joined near where they would be" % [alike, bent])
+	assert_greater(bent, 400)
+	assert_greater(alike, 0.6 * bent)
