@@ -85,7 +85,7 @@ def parser():
 	bench.add_argument(
 		"--only",
 		metavar="PART",
-		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, cpu, questions, change, "
+		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail, cpu, questions, change, "
 		"hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
 	)
 

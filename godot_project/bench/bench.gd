@@ -2,7 +2,7 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, cpu,
+##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail, cpu,
 ##                  questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
@@ -15,6 +15,7 @@ const Simulate := preload("res://bench/bench_simulate.gd")
 const Sleep := preload("res://bench/bench_sleep.gd")
 const Rest := preload("res://bench/bench_rest.gd")
 const Crowd := preload("res://bench/bench_crowd.gd")
+const Detail := preload("res://bench/bench_detail.gd")
 const Awake := preload("res://bench/bench_awake.gd")
 const Cpu := preload("res://bench/bench_cpu.gd")
 const Questions := preload("res://bench/bench_questions.gd")
@@ -48,7 +49,7 @@ func _ready() -> void:
 	var spirv := _argument("--spirv", "")
 	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
 	for script: GDScript in [
-		Draw, Limits, Meadow, Forces, Movers, Simulate, Sleep, Awake, Rest, Crowd, Cpu, Questions, Change, Hitch, Species, Kernel, Accuracy
+		Draw, Limits, Meadow, Forces, Movers, Simulate, Sleep, Awake, Rest, Crowd, Detail, Cpu, Questions, Change, Hitch, Species, Kernel, Accuracy
 	]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])

@@ -43,6 +43,7 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 
 func _add_field(p_mode: GrassField.SleepMode, p_simulated: bool) -> GrassField:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(SIDE, SIDE)
 	field.sleep_mode = p_mode
 	field.simulated = p_simulated

@@ -34,6 +34,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 
 func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(p_size, p_size)
 	add_child(field)
 	var camera := Camera3D.new()

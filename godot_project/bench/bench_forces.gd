@@ -36,6 +36,7 @@ func _measure(p_kind: String, p_side: float, p_software: bool) -> PackedStringAr
 	var timer := FrameTimer.new(get_viewport(), p_software)
 	FrameTimer.look(camera, "eye", minf(p_side, SIDES[0]))
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2.ONE * p_side
 	field.density = DENSITY
 	field.measure_time = true

@@ -36,6 +36,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 
 func _measure(p_mover: String, p_share: float) -> PackedStringArray:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2.ONE * SIDE
 	field.measure_time = true
 	var camera := Camera3D.new()

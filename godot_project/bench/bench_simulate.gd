@@ -19,6 +19,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 
 func _measure(p_side: float, p_ticks: int) -> PackedStringArray:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(64.0, 64.0)
 	field.measure_time = true
 	add_child(field)

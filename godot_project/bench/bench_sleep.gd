@@ -41,6 +41,7 @@ func run(_p_software: bool) -> Array[PackedStringArray]:
 
 func _add_field(p_properties: Dictionary) -> GrassField:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(SIDE, SIDE)
 	for property: String in p_properties:
 		field.set(property, p_properties[property])

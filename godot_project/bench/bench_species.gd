@@ -34,6 +34,7 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 
 func _field(p_species: int, p_side: float) -> GrassField:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2.ONE * p_side
 	field.measure_time = true
 	field.wind_speed = 3.0

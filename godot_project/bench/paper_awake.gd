@@ -39,6 +39,7 @@ func run(r_table: Table, p_software: bool) -> void:
 
 func _measure(p_series: String, p_side: float, p_tiles: int) -> Dictionary:
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(p_side, p_side)
 	field.pool_tiles = p_tiles  # so no more than these are awake
 	field.measure_time = true

@@ -26,6 +26,7 @@ func run(r_table: Table, p_software: bool) -> void:
 		body.add_to_group("thrown")
 	var empty := await timer.measure(camera)
 	var field := GrassField.new()
+	field.simulation_detail = GrassField.SIMULATION_WHOLE
 	field.size = Vector2(side, side)
 	field.measure_time = true
 	field.sleep_mode = GrassField.SLEEP_TIMER  # as in the paper

@@ -36,6 +36,7 @@ func _measure(p_fields: int, p_throw: int, p_side: float, p_bodies: int, p_secon
 	var fields: Array[GrassField] = []
 	for i in p_fields:
 		var field := GrassField.new()
+		field.simulation_detail = GrassField.SIMULATION_WHOLE
 		field.size = Vector2(p_side, p_side)
 		field.density = DENSITY / p_fields
 		field.seed = i

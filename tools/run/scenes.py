@@ -25,6 +25,7 @@ BENCHES = (
 	"awake",
 	"rest",
 	"crowd",
+	"detail",
 	"cpu",
 	"questions",
 	"change",
