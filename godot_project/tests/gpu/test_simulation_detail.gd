@@ -120,3 +120,38 @@ func test_blades_join_in_the_pose_of_their_neighbours() -> void:
 	print("    %d of %d bent blades have joined near where they would be" % [alike, bent])
 	assert_greater(bent, 400)
 	assert_greater(alike, 0.6 * bent)
+
+
+## The greatest change from one frame to the next while the camera comes nearer to balls that lie in the grass.
+func most_change(field: GrassField) -> float:
+	var most := 0.0
+	var before: Image = null
+	for i in 25:
+		look(Vector3(0.4, 1.3, lerpf(5.0, 3.6, i / 24.0)), Vector3.ZERO)
+		await frames(1)
+		var now := await next_picture()
+		most = maxf(most, difference(now, before).y) if before else 0.0
+		before = now
+	assert_false(field.get_statistics().waiting)
+	return most
+
+
+func test_nothing_jumps_as_blades_join() -> void:
+	viewport.free()
+	open_view(Vector2i(192, 108))
+	add_light()
+	var changes := PackedFloat64Array()
+	for detail: GrassField.SimulationDetail in [GrassField.SIMULATION_WHOLE, GrassField.SIMULATION_SEEN]:
+		var field := add_seen_field({size = Vector2(12, 12), simulation_detail = detail, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
+		look(Vector3(0.4, 1.7, 12.0), Vector3.ZERO)
+		await fields_shown()
+		var bodies := add_bodies()
+		await shared(field, bodies)
+		await roll(bodies, 60)
+		await ticks(20)
+		changes.append(await most_change(field))
+		assert_eq(field.get_counters().widened_tiles > 20, detail == GrassField.SIMULATION_SEEN)
+		for node: Node in bodies + [field] as Array[Node]:
+			node.free()
+	print("    most change of a frame: %.5f if whole, %.5f if seen" % [changes[0], changes[1]])
+	assert_less(changes[1], 1.15 * changes[0])
