@@ -53,6 +53,7 @@ CompileQueue::Pipeline &CompileQueue::find(const PassCode &p_code, Need p_need) 
 	Pipeline &pipeline = found->second;
 	if (is_new) {
 		_compiling++;
+		_deciding += p_code.changes_results() ? 1 : 0;
 		_queue.push(
 				&pipeline, [this, &pipeline] { compile(pipeline, true); }, int(p_code.order), p_need);
 	} else if (p_need == Need::WANTED) {
@@ -80,6 +81,7 @@ void CompileQueue::compile(Pipeline &r_pipeline, bool p_is_worker) {
 	}
 	r_pipeline.is_done = true;
 	_compiling--;
+	_deciding -= r_pipeline.code.changes_results() ? 1 : 0;
 	_has_compiled.notify_all();
 }
 
@@ -115,7 +117,7 @@ void CompileQueue::free_pipelines() {
 	std::lock_guard lock(_mutex);
 	_refused.clear();
 	_refused_count = _refused_taken = 0;
-	_compiling = 0;
+	_compiling = _deciding = 0;
 	_shaders.free();
 	_pipelines.clear();
 }

@@ -34,6 +34,8 @@ struct PassCode {
 	int tiles = GRASS_TILES_ONE; // value of GRASS_CONSTANT_TILES, for passes with this constant
 	bool has_stand_in = false; // another pass replaces it if it is refused
 	bool own_work = false; // value of GRASS_CONSTANT_OWN_WORK, for passes with a method; the same in the whole process
+
+	bool changes_results() const { return order != PassOrder::MANY; }
 };
 
 // A singleton, get(). Its functions may be called on any thread, except free_pipelines().
@@ -63,6 +65,8 @@ public:
 	void free_pipelines();
 	// Returns the number of pipelines that are not done yet.
 	int count_compiling() const { return _compiling; }
+	// Returns true if no pipeline that is not done yet would change a result: only passes for many tiles wait, which compute the same.
+	bool is_complete() const { return _deciding == 0; }
 	// Return true if the driver has refused the pipeline; any pipeline at all.
 	bool is_refused(const PassCode &p_code);
 	bool has_refused() const { return _refused_count > 0; }
@@ -74,6 +78,7 @@ private:
 
 	PassShaders _shaders;
 	std::atomic<int> _compiling = 0;
+	std::atomic<int> _deciding = 0; // of these, pipelines that change results
 	TaskQueue _queue{ "GrassField's compute passes", TaskQueue::Priority::HIGH };
 	std::mutex _mutex;
 	std::condition_variable _has_compiled;

@@ -146,7 +146,7 @@ bool GpuBackend::set_field(const FieldSetup &p_setup) {
 }
 
 bool GpuBackend::is_complete() const {
-	return CompileQueue::get().count_compiling() == 0;
+	return CompileQueue::get().is_complete();
 }
 
 void GpuBackend::step(const StepInput &p_input) {

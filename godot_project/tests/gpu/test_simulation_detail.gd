@@ -52,7 +52,7 @@ func roll(bodies: Array[AnimatableBody3D], count: int) -> void:
 ## Waits until tiles can share workgroups: the first step with thinned tiles asks for those passes.
 func shared(field: GrassField, bodies: Array[AnimatableBody3D]) -> void:
 	await compiled(field)
-	await roll(bodies, 3)
+	await roll(bodies, 8)
 	await compiled(field)
 
 
