@@ -52,6 +52,7 @@ SolverParams FieldProperties::solver() const {
 	solver.friction = param(PARAM_FRICTION);
 	solver.max_speed = param(PARAM_MAX_SPEED);
 	solver.iterations = int(param(PARAM_ITERATIONS));
+	solver.contact_rate = param(PARAM_CONTACT_RATE);
 	return solver;
 }
 

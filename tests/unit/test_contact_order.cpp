@@ -183,7 +183,7 @@ TEST_CASE("[Eq 43] parts of a step: at most 16, halved while longer than 1/400 s
 		for (size_t i = 0; i < parts.size(); i++) {
 			CAPTURE(iterations);
 			CAPTURE(seconds[i]);
-			CHECK(most_parts(iterations, float(seconds[i])) == parts[i]);
+			CHECK(most_parts(iterations, float(seconds[i]), 1.0f) == parts[i]);
 		}
 	}
 }

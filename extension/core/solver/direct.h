@@ -188,6 +188,7 @@ GRASS_INLINE void step_in_parts(Blade<T> &r_blade, const StepTerms<T> &p_terms, 
 		stage.weight = T(1.0f) + terms.drag * stage.span;
 		stage.caution = T(CAUTION);
 		stage.is_part = true;
+		stage.over_inertia = over_inertia_in_part(terms.finer);
 		stage.most_depth = most_depth_in_part(p_thin, p_chain.mean_length);
 		for (int i = 0; i < parts; i++) {
 			terms.colliders = colliders_between(p_terms.colliders, float(i) * share, float(i + 1) * share);
@@ -231,6 +232,7 @@ template <class T> GRASS_INLINE Spared<MaskOf<T>> step_direct(Blade<T> &r_blade,
 	stage.weight = select(is_free, free.weight / free.ahead, euler_weight);
 	stage.caution = select(is_free, T(0.0f), T(CAUTION));
 	stage.is_part = false;
+	stage.over_inertia = CONTACT_OVER_INERTIA;
 	stage.is_buried = is_buried;
 	stage.most_depth = chain.mean_length * T(MOST_DEPTH);
 	const Mask none = is_near & !is_near;

@@ -92,9 +92,11 @@ template <class T> GRASS_INLINE Burial<T> find_burial(const Blade<T> &p_blade, c
 // the step, metres.
 template <class T>
 GRASS_INLINE T count_parts(const Blade<T> &p_blade, const StepTerms<T> &p_terms, const Near<T> &p_near, const T &p_fastest) {
-	const MaskOf<T> is_asked = p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move));
+	const MaskOf<T> is_asked =
+			p_near.is_near | (p_near.is_reached & (p_fastest > p_blade.blade_length * p_terms.wild_move / T(p_terms.finer)));
 	const T moved = maximum(p_near.moved, p_fastest * T(PART_OF_KNOT));
-	const T wanted = moved * T(float(p_terms.iterations)) / (p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
+	const T wanted = moved * T(float(p_terms.iterations) * p_terms.finer * p_terms.finer) /
+			(p_blade.blade_length * T(2.0f * PART / float(GRASS_SEGMENTS)));
 	T parts(1.0f);
 	for (int i = 2; i <= p_terms.most_parts; i *= 2) {
 		parts = select(is_asked & (wanted > parts), T(float(i)), parts);

@@ -54,7 +54,7 @@ TwoStep two_step(const Oscillator &p_swing, double p_h, double p_g) {
 
 constexpr double RADIANS_PER_CYCLE = 2.0 * std::numbers::pi;
 
-// Sets GrassStep::free_motion, and load.xyz for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
+// Sets GrassStep::free_motion, and load.xyz and pbd_motion.x for METHOD_DIRECT. p_h: seconds of the step, p_g: of the one before.
 void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p_h, double p_g) {
 	// [Eq 39] Two positions give the speed in the middle of the step before; forces act from there to the middle of this step.
 	const double half_turn = 0.5 * std::min(RADIANS_PER_CYCLE * p_params.natural_frequency * p_h, EXACT_TURN);
@@ -64,6 +64,7 @@ void set_direct_motion(GrassStep &r_step, const SolverParams &p_params, double p
 	r_step.free_motion.z = float(section.stiffness);
 	r_step.free_motion.w = float(section.first_joint);
 	r_step.load = { float(p_params.load[0]), float(p_params.load[1]), float(p_params.load[2]), 0.0f };
+	r_step.pbd_motion.x = float(p_params.contact_rate / CONTACT_RATE.initial);
 }
 
 // Sets GrassStep::pbd_motion, and load.xyz for METHOD_PBD.
@@ -100,6 +101,7 @@ SolverParams SolverParams::sanitised() const {
 	params.friction = FRICTION.clamp(friction);
 	params.max_speed = MAX_SPEED.clamp(max_speed);
 	params.iterations = int(ITERATIONS.clamp(iterations));
+	params.contact_rate = CONTACT_RATE.clamp(contact_rate);
 	for (int i = 0; i < 3; i++) {
 		params.load[i] = std::clamp(or_zero(load[i]), -MAX_LOAD, MAX_LOAD);
 	}

@@ -28,6 +28,9 @@ inline constexpr Tunable FRICTION{ "friction", "x", 0.0, 4.0, 0.05, 1.0 };
 // METHOD_DIRECT: solves in one step of a blade near something; with 1 it may tremble; other blades take one. METHOD_PBD: rounds of local
 // shape and contact; the paper found two or three enough; with 1 knots rest on each other's contacts.
 inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true };
+// METHOD_DIRECT: how often in a second contact with moving bodies is solved, at most. More: single blades follow bodies more exactly, for
+// as much more time. From two iterations on.
+inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 100.0, 400.0 };
 // Greatest speed of a knot that swings freely, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 
@@ -45,6 +48,7 @@ struct SolverParams {
 	double friction = FRICTION.initial;
 	double max_speed = MAX_SPEED.initial; // blade lengths per second
 	int iterations = int(ITERATIONS.initial);
+	double contact_rate = CONTACT_RATE.initial; // Hz
 	double load[3] = { 0.0, 0.0, 0.0 }; // m/s^2 on every knot, in addition to the gravity that the rest pose already includes
 
 	// [Eq S1] Returns the energy up to which no knot of a blade is farther than p_distance (metres) from rest, and none is fast enough to
