@@ -20,6 +20,7 @@
 #include "resources/grass_map_file.h"
 #include "resources/grass_patch.h"
 #include "resources/grass_path_3d.h"
+#include "resources/grass_quality.h"
 #include "resources/grass_species.h"
 #include "resources/size_limits.h"
 #include "shared/parallel.h"
@@ -42,6 +43,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassPatch);
 		GDREGISTER_CLASS(grass::GrassSpecies);
 		GDREGISTER_CLASS(grass::GrassBrush);
+		GDREGISTER_CLASS(grass::GrassQuality);
 		GDREGISTER_CLASS(grass::GrassMapSnapshot);
 		GDREGISTER_CLASS(grass::GrassFillRule);
 		GDREGISTER_CLASS(grass::GrassMap);
@@ -52,6 +54,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(grass::GrassField);
 		GDREGISTER_CLASS(grass::GrassWorld);
 		grass::register_size_limits();
+		grass::register_quality();
 		grass::register_map_files();
 	}
 	if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR) {
@@ -77,6 +80,7 @@ void uninitialize_grass_field(ModuleInitializationLevel p_level) {
 		grass::unregister_map_files();
 		grass::FieldMonitors::free_singleton();
 		grass::GrassPatch::free_default();
+		grass::free_quality();
 		grass::finish_growing_arrays();
 		grass::free_shared_textures();
 		grass::free_shared_shaders();

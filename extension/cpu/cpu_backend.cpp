@@ -104,6 +104,21 @@ void CpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 	_texels.change(_pool, p_slots);
 }
 
+void CpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
+	_pool.resize(p_slots, p_moves);
+	_texels.resize_pool(p_slots, p_moves);
+	for (const SlotMove &move : p_moves) {
+		if (move.to == GRASS_NO_SLOT) {
+			_slot_of_tile.erase(move.tile);
+		} else {
+			_slot_of_tile[move.tile] = move.to;
+		}
+	}
+	_highest_slot = std::min(_highest_slot, p_slots - 1);
+	_tiles_changed = true;
+	_setup.pool_size = p_slots;
+}
+
 void CpuBackend::tidy() {
 	if (_ticks_to_look-- > 0) {
 		return;
@@ -163,7 +178,8 @@ void CpuBackend::set_plants(const std::vector<DrawnPlant> &p_plants, const Plant
 void CpuBackend::choose_plants(const FieldView &p_view) {
 	PlantCull::Kinds kinds{};
 	for (const auto &plant : _plants.get()) {
-		kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
+		PlantKind &kind = kinds[size_t(plant->species)] = plant->drawn.kind(_setup.grid.get_tile_size());
+		kind.distance *= p_view.plant_reach;
 	}
 	_plant_cull.choose(
 			_setup.cull_field(), p_view, _cover.get(), [this](int p_tile) { return find_slot(p_tile); }, _plants_of, kinds);

@@ -29,6 +29,7 @@ public:
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
+	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;
 	void tidy() override;
 	void draw(const FieldView &p_view) override;
 	void show_between(bool p_is_between, float p_share) override {

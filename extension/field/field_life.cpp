@@ -55,6 +55,7 @@ bool FieldLife::make() {
 	_is_reading = false;
 	if (is_waiting() && _node.is_inside_tree() && prepare(turn)) {
 		const bool is_outdated = _stage == Stage::OUTDATED;
+		_wanted.setup.pool_size = find_pool_size(_properties, _wanted.setup); // the level of quality may have changed meanwhile
 		_standing.make(std::exchange(_wanted, {}), _properties.is_streamed && !_node.is_visible());
 		_stage = is_outdated ? Stage::ASKED : Stage::MADE;
 		_makings++;

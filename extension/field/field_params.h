@@ -8,6 +8,7 @@
 #include "core/blades/patch.h"
 #include "core/blades/wind.h"
 #include "core/bodies/motion.h"
+#include "core/field/quality.h"
 #include "core/lod/lod.h"
 #include "core/map/growth.h"
 #include "core/paint/ledges.h"
@@ -137,5 +138,23 @@ consteval bool is_in_order() {
 	return FIELD_PARAMS.size() == PARAM_COUNT;
 }
 static_assert(is_in_order());
+
+// Returns what scales a number by the level of quality; QUALITY_FACTORS: nothing does.
+constexpr QualityFactorId factor_of(FieldParamId p_param) {
+	switch (p_param) {
+		case PARAM_PIXELS_MIN:
+			return QUALITY_PIXELS_MIN;
+		case PARAM_LOD_ERROR:
+			return QUALITY_LOD_ERROR;
+		case PARAM_LOD_FAR:
+			return QUALITY_LOD_FAR;
+		case PARAM_SHADOW_DISTANCE:
+			return QUALITY_SHADOW_DISTANCE;
+		case PARAM_SHADOW_COARSENESS:
+			return QUALITY_SHADOW_COARSENESS;
+		default:
+			return QUALITY_FACTORS;
+	}
+}
 
 } // namespace grass

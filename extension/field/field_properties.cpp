@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_properties.h"
 
+#include "resources/grass_quality.h"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -30,6 +33,16 @@ FieldProperties::FieldProperties() {
 	}
 }
 
+bool FieldProperties::update_quality() {
+	return std::exchange(quality, current_quality()) != quality;
+}
+
+double FieldProperties::scaled(FieldParamId p_param) const {
+	const QualityFactorId factor = factor_of(p_param);
+	const double value = param(p_param);
+	return factor == QUALITY_FACTORS ? value : quality.scale(factor, FIELD_PARAMS[size_t(p_param)].tunable, value);
+}
+
 ClumpParams FieldProperties::clump() const {
 	ClumpParams clump{ float(param(PARAM_CLUMP_SIZE)), float(param(PARAM_CLUMP_HEIGHT)), float(param(PARAM_CLUMP_LEAN)),
 		float(param(PARAM_CLUMP_TINT)) };
@@ -39,10 +52,10 @@ ClumpParams FieldProperties::clump() const {
 
 LodParams FieldProperties::lod() const {
 	LodParams lod;
-	lod.far = float(param(PARAM_LOD_FAR));
-	lod.error = float(param(PARAM_LOD_ERROR));
-	lod.pixels_min = float(param(PARAM_PIXELS_MIN));
-	lod.shadow_coarseness = float(param(PARAM_SHADOW_COARSENESS));
+	lod.far = float(scaled(PARAM_LOD_FAR));
+	lod.error = float(scaled(PARAM_LOD_ERROR));
+	lod.pixels_min = float(scaled(PARAM_PIXELS_MIN));
+	lod.shadow_coarseness = float(scaled(PARAM_SHADOW_COARSENESS));
 	return lod.sanitised();
 }
 

@@ -24,6 +24,10 @@ struct FieldProperties {
 	FieldProperties(); // defaults
 
 	double param(FieldParamId p_param) const { return params[size_t(p_param)]; }
+	[[nodiscard]] bool update_quality(); // returns whether the game has another level now
+	// Return what is used of a property: scaled by the level of quality. A world scales the pools of its plots itself.
+	double scaled(FieldParamId p_param) const;
+	int64_t scaled_pool() const { return is_streamed ? pool_tiles : quality.scale_pool(pool_tiles); }
 	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
 	ClumpParams clump() const;
 	LodParams lod() const;
@@ -53,6 +57,7 @@ struct FieldProperties {
 	bool is_on_cpu = false;
 	bool is_streamed = false; // a plot of a world: made in parts, a few a frame, from the first time on
 	int64_t debug_view = GRASS_DEBUG_OFF;
+	Quality quality; // of the game, as of this frame
 	std::array<double, FIELD_PARAMS.size()> params;
 	std::array<godot::Color, FIELD_COLORS.size()> colors;
 };

@@ -33,7 +33,7 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 	p_set("other_light", _light);
 	for (size_t i = 0; i < FIELD_PARAMS.size(); i++) {
 		if (FIELD_PARAMS[i].effect == Effect::UNIFORM) {
-			p_set(FIELD_PARAMS[i].tunable.name, p_properties.params[i]);
+			p_set(FIELD_PARAMS[i].tunable.name, p_properties.scaled(FIELD_PARAMS[i].id));
 		}
 	}
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
@@ -127,14 +127,14 @@ void FieldUniforms::set_colors(const std::vector<GrownSpecies> &p_species, const
 }
 
 // How plants with a mesh look as blades, and where they are.
-void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set) {
+void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set) {
 	PackedVector4Array looks, bands;
 	PackedVector2Array reaches;
 	PackedFloat32Array rows;
 	for (const DrawnPlant &plant : p_plants) {
 		const Color color = plant.model ? plant.model->color : Color();
 		looks.push_back({ real_t(color.r), real_t(color.g), real_t(color.b), plant.cover() });
-		reaches.push_back({ plant.distance, plant.width() });
+		reaches.push_back({ plant.distance * p_reach, plant.width() });
 		for (const PlantModel::Band &band : plant.model ? plant.model->bands : decltype(PlantModel::bands)()) {
 			bands.push_back({ real_t(band.color.r), real_t(band.color.g), real_t(band.color.b), band.width });
 			rows.push_back(band.rows);
@@ -151,7 +151,7 @@ void FieldUniforms::set_plants(const std::vector<DrawnPlant> &p_plants, const Se
 }
 
 void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species,
-		const std::vector<DrawnPlant> &p_plants, const Set &p_set, const Set &p_set_blades) {
+		const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set, const Set &p_set_blades) {
 	set_colors(p_species, p_set);
 	if (!p_setup.species) {
 		return;
@@ -174,7 +174,7 @@ void FieldUniforms::set_species(const FieldSetup &p_setup, const std::vector<Gro
 		}
 		stems.resize(GRASS_MAX_SPECIES);
 		p_set_blades("species_stems", stems);
-		set_plants(p_plants, p_set);
+		set_plants(p_plants, p_reach, p_set);
 	}
 	PackedFloat32Array shares;
 	for (int s = 0; s < p_setup.species->get_count(); s++) {

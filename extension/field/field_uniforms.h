@@ -21,9 +21,9 @@ public:
 	// Of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
-	// p_species: the running field's. p_set: for blades and ground; p_set_blades: for blades only.
+	// p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground; p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
-			const Set &p_set, const Set &p_set_blades);
+			float p_reach, const Set &p_set, const Set &p_set_blades);
 	void set_light(const godot::Vector4 &p_other, const Set &p_set); // see OtherLight
 	void set_wind_clock(const Set &p_set);
 	// Sets the wind's clock of the last frame, for motion vectors. Call it once in each frame. Returns whether the clock has run since.
@@ -37,7 +37,7 @@ public:
 	int64_t get_cards_memory() const { return _cards.get_memory_usage(); } // bytes
 
 private:
-	static void set_plants(const std::vector<DrawnPlant> &p_plants, const Set &p_set);
+	static void set_plants(const std::vector<DrawnPlant> &p_plants, float p_reach, const Set &p_set);
 	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
 
 	WindClock _wind;

@@ -208,9 +208,10 @@ FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, 
 	}
 	view.lod = p_properties.lod();
 	view.lod.is_carried = p_properties.has_ground;
+	view.plant_reach = float(p_properties.quality.factor(QUALITY_PLANT_DISTANCE));
 	view.has_motion = are_motion_vectors_read(p_node);
 	if (p_node->get_cast_shadows_setting() != GeometryInstance3D::SHADOW_CASTING_SETTING_OFF) {
-		const double distance = p_properties.param(PARAM_SHADOW_DISTANCE);
+		const double distance = p_properties.scaled(PARAM_SHADOW_DISTANCE);
 		view.shadow_distance = float(distance);
 		view.shadow_margin = float(p_properties.param(PARAM_SHADOW_MARGIN));
 		view.falls = find_falls(p_node, field, p_field.get_setup().blade_height() + p_field.ground_range(), distance);

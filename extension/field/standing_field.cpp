@@ -85,6 +85,29 @@ bool StandingField::update_species() {
 	return true;
 }
 
+void StandingField::update_quality() {
+	if (!_backend) { // make() does it
+		return;
+	}
+	for (const FieldParam &param : FIELD_PARAMS) {
+		if (param.effect == Effect::UNIFORM && factor_of(param.id) != QUALITY_FACTORS) {
+			set_uniform(param.tunable.name, _properties.scaled(param.id));
+		}
+	}
+	if (_part > Part::SPECIES) { // else it will be
+		set_species_uniforms();
+	}
+	fit_pool();
+	request_draw();
+}
+
+void StandingField::fit_pool() {
+	const int slots = _backend ? find_pool_size(_properties, _field.get_setup()) : 0;
+	if (_backend && slots != _field.get_setup().pool_size) {
+		_field.set_pool_size(*_backend, slots);
+	}
+}
+
 void StandingField::set_uniform(const StringName &p_name, const Variant &p_value) {
 	if (_backend) {
 		_backend->set_uniform(p_name, p_value);

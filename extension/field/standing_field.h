@@ -65,6 +65,9 @@ public:
 		_uniforms.join_wind(p_other._uniforms);
 		_field.join(p_other._field);
 	}
+	// Scales what the shaders know, and the pool, by another level of quality. Nothing is made again.
+	void update_quality();
+	void fit_pool(); // to the properties, without putting its blades to rest
 	void update_wind() { _uniforms.set_wind(_properties, uniform_setter(true)); }
 	// Updates the species' colours and frequencies. Returns false if the change requires making the field again.
 	bool update_species();
@@ -132,7 +135,8 @@ private:
 	void set_wind_clock();
 	void bind_map(bool p_all);
 	void set_species_uniforms() {
-		_uniforms.set_species(_field.get_setup(), _species, _plants, uniform_setter(true), uniform_setter(false));
+		_uniforms.set_species(_field.get_setup(), _species, _plants, float(_properties.quality.factor(QUALITY_PLANT_DISTANCE)),
+				uniform_setter(true), uniform_setter(false));
 	}
 	void set_plants();
 	FieldUniforms::Set uniform_setter(bool p_ground);

@@ -8,15 +8,27 @@
 
 namespace grass {
 
+namespace {
+
+void fit(const FieldProperties &p_properties, FieldSetup &r_setup) {
+	r_setup.pool_size = int(p_properties.scaled_pool());
+	r_setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
+	if (!p_properties.is_on_cpu && main_device() != nullptr) {
+		const DeviceFit fit = fit_device(device_limits(), r_setup);
+		r_setup.pool_size = fit.pool_size;
+		r_setup.drawn_tiles_max = fit.drawn_tiles_max;
+	}
+}
+
+} // namespace
+
 WantedField find_wanted(const FieldProperties &p_properties) {
 	WantedField wanted;
 	FieldSetup &setup = wanted.setup;
 	setup.grid = p_properties.grid();
 	setup.patch = p_properties.species.join();
 	setup.clump = p_properties.clump();
-	setup.pool_size = int(p_properties.pool_tiles);
 	setup.method = p_properties.method;
-	setup.drawn_tiles_max = int(p_properties.param(PARAM_DRAWN_TILES_MAX));
 	setup.seed = uint32_t(p_properties.seed);
 	wanted.painted = p_properties.map;
 	setup.is_mapped = wanted.painted.is_valid();
@@ -35,12 +47,14 @@ WantedField find_wanted(const FieldProperties &p_properties) {
 													: std::make_shared<const SpeciesMix>(wanted.mix, setup.grid, setup.seed,
 															  Eigen::Vector2d(p_properties.noise_origin.x, p_properties.noise_origin.y));
 	wanted.species = p_properties.species.find_grown();
-	if (!p_properties.is_on_cpu && main_device() != nullptr) {
-		const DeviceFit fit = fit_device(device_limits(), setup);
-		setup.pool_size = fit.pool_size;
-		setup.drawn_tiles_max = fit.drawn_tiles_max;
-	}
+	fit(p_properties, setup);
 	return wanted;
+}
+
+int find_pool_size(const FieldProperties &p_properties, const FieldSetup &p_setup) {
+	FieldSetup setup = p_setup;
+	fit(p_properties, setup);
+	return setup.pool_size;
 }
 
 std::optional<MapPlace> find_map_place(const FieldProperties &p_properties) {

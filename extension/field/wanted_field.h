@@ -24,6 +24,8 @@ struct WantedField {
 };
 
 WantedField find_wanted(const FieldProperties &p_properties);
+// Returns the number of tiles that its pool should have, on the device that it runs on.
+int find_pool_size(const FieldProperties &p_properties, const FieldSetup &p_setup);
 // Returns where a map would be shown, in order to prepare it, or nothing while the patches are not made yet.
 std::optional<MapPlace> find_map_place(const FieldProperties &p_properties);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 using namespace godot;
 
@@ -34,6 +35,22 @@ void GpuBuffer::resize(int64_t p_bytes) {
 	if (!_rid.is_valid() || _size != std::max<int64_t>(p_bytes, 16)) {
 		allocate(p_bytes);
 	}
+}
+
+void GpuBuffer::resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, std::span<const SlotMove> p_moves) {
+	RenderingDevice *device = main_device();
+	const RID old = std::exchange(_rid, RID());
+	allocate(p_part * p_parts);
+	const auto copy = [&](int64_t p_from, int64_t p_to, int64_t p_count) {
+		if (p_count > 0) {
+			device->buffer_copy(old, _rid, uint32_t(p_from * p_part), uint32_t(p_to * p_part), uint32_t(p_count * p_part));
+		}
+	};
+	copy(0, 0, std::min(p_kept, p_parts));
+	for (const SlotMove &move : p_moves) {
+		copy(move.from, move.to, move.to == GRASS_NO_SLOT ? 0 : 1);
+	}
+	device->free_rid(old);
 }
 
 void GpuBuffer::clear() {

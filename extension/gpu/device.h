@@ -3,6 +3,7 @@
 // (RenderingServer.call_on_render_thread).
 #pragma once
 
+#include "core/solver/step.h"
 #include "gpu/compile_queue.h"
 #include "shared/convert.h"
 
@@ -30,6 +31,8 @@ public:
 	void allocate(int64_t p_bytes);
 	// Allocates p_bytes if the buffer has another size.
 	void resize(int64_t p_bytes);
+	// Makes a buffer of p_parts parts of p_part bytes. Keeps the first p_kept parts, and moves others from one place to another.
+	void resize_parts(int64_t p_part, int64_t p_parts, int64_t p_kept, std::span<const SlotMove> p_moves);
 	void clear(); // to zeros
 	// Uploads plain records; the buffer grows by doubling (then rid() changes). Returns the uploaded bytes.
 	template <typename T> int64_t upload(std::span<const T> p_records) { return upload_bytes(std::as_bytes(p_records)); }

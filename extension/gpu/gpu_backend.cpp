@@ -162,9 +162,18 @@ void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_ste
 	});
 }
 
+void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {
+	_setup.pool_size = p_slots;
+	_share = -1.0f; // the next frame mixes again, if frames do
+	RenderQueue::get_singleton()->post([field = _field, p_slots, moves = std::vector<SlotMove>(p_moves.begin(), p_moves.end())] {
+		field->resize_pool(p_slots, moves);
+	});
+}
+
 void GpuBackend::draw(const FieldView &p_view) {
 	ViewRecords view = to_records(p_view, _setup);
 	view.painted = _painted;
+	view.plant_reach = p_view.plant_reach;
 	RenderQueue::get_singleton()->post([field = _field, records = std::move(view), multimeshes = multimeshes(), measure = _measure] {
 		field->draw(records, multimeshes, measure);
 	});

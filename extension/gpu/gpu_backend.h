@@ -35,6 +35,7 @@ public:
 	void step(const StepInput &p_input) override;
 	bool can_join() override { return grass::can_join(kind_of(_setup)); }
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
+	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;
 	void draw(const FieldView &p_view) override;
 	void show_between(bool p_is_between, float p_share) override;
 	void show_motion(bool p_is_read, bool p_has_blown) override;

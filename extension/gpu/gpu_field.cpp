@@ -74,16 +74,20 @@ void GpuField::fit_tables() {
 }
 
 void GpuField::make_pool_texture() {
-	const RID old = std::exchange(_pool_texture,
-			make_rows(_pool_size,
-					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
-							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT));
-	replace_texture(_pool, old, _pool_texture);
+	replace_texture(_pool, replace_pool_texture(), _pool_texture);
 	_used_rows = std::min(_used_rows, int(_pool_size));
 	if (_mix.is_created()) {
 		_mix.create(_pool_texture, _sampler, _pool_size);
 	}
 	make_before_texture();
+}
+
+// Returns the old one, which is still shown.
+RID GpuField::replace_pool_texture() {
+	return std::exchange(_pool_texture,
+			make_rows(_pool_size,
+					RenderingDevice::TEXTURE_USAGE_STORAGE_BIT | RenderingDevice::TEXTURE_USAGE_SAMPLING_BIT |
+							RenderingDevice::TEXTURE_USAGE_CAN_COPY_FROM_BIT | RenderingDevice::TEXTURE_USAGE_CAN_COPY_TO_BIT));
 }
 
 // Makes row 0, and one row for each GRASS_PLACES_PER_ROW.

@@ -45,6 +45,7 @@ struct ViewRecords {
 	GrassView view;
 	std::vector<GrassCamera> cameras;
 	PaintedSpecies painted; // for fields with plants and a map
+	float plant_reach = 1.0f; // see FieldView
 };
 
 // The MultiMeshes that draw a field.
@@ -74,6 +75,8 @@ public:
 			const godot::Ref<godot::Texture2DRD> &p_drawn);
 	// Becomes another field, all of it at rest, and keeps the buffers that fit. p_patch: as for create().
 	void set_field(const FieldSetup &p_setup, const godot::RID &p_patch);
+	// Changes the number of slots. Awake tiles go on where p_moves says.
+	void resize_pool(int p_slots, std::span<const SlotMove> p_moves);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
 	// Poses blades that join the simulated ones. p_slots, p_step: see Simulator::join().
@@ -102,6 +105,7 @@ private:
 
 	std::array<GpuBuffer *, 18> buffers();
 	void fit_tables();
+	godot::RID replace_pool_texture();
 	void make_pool_texture();
 	void make_before_texture();
 	void keep_pool();

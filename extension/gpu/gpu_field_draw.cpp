@@ -51,6 +51,7 @@ void GpuField::set_plants(const FieldSetup &p_setup, const std::vector<PlantTarg
 }
 
 bool GpuField::bind_plants(const ViewRecords &p_records) {
+	_plants.set_reach(p_records.plant_reach);
 	return !_plants.is_empty() &&
 			_plants.bind({ _view.rid(), _cameras.rid(), _table.rid(), _cover.rid(), _patch, _sampler }, p_records.painted);
 }

@@ -101,11 +101,11 @@ void PlantPasses::clear_counts() {
 void PlantPasses::dispatch(int64_t p_list, int p_cameras, const PaintedSpecies &p_painted) {
 	for (const Choosing &choosing : _targets) {
 		const PlantTarget &target = choosing.target;
-		const int x = side_of(_grid.get_tiles_x(), double(target.kind.distance), _grid.get_tile_size());
-		const int z = side_of(_grid.get_tiles_z(), double(target.kind.distance), _grid.get_tile_size());
+		const float distance = target.kind.distance * _reach;
+		const int x = side_of(_grid.get_tiles_x(), double(distance), _grid.get_tile_size());
+		const int z = side_of(_grid.get_tiles_z(), double(distance), _grid.get_tile_size());
 		for (const int phase : { GRASS_PLANTS_CHOOSE, GRASS_PLANTS_FINISH }) {
-			const Constants constants{ { phase, target.species, target.room, target.surfaces },
-				{ float(x), float(z), target.kind.distance, 0.0f },
+			const Constants constants{ { phase, target.species, target.room, target.surfaces }, { float(x), float(z), distance, 0.0f },
 				{ float(p_painted.origin.x), float(p_painted.origin.y), target.kind.length, target.kind.cover } };
 			const uint32_t groups = phase == GRASS_PLANTS_FINISH ? 1 : uint32_t(x) * uint32_t(z) * uint32_t(p_cameras);
 			choosing.pass->dispatch(p_list, to_bytes(std::span(&constants, 1)), groups);

@@ -41,6 +41,11 @@ public:
 	// p_setup: must have several species; it is not read if there are no targets.
 	void set(const FieldSetup &p_setup, const std::vector<PlantTarget> &p_targets);
 	bool is_empty() const { return _targets.empty(); }
+	// Sets the share of their distances up to which plants are drawn with a mesh.
+	void set_reach(float p_reach) {
+		_is_new = _is_new || _reach != p_reach;
+		_reach = p_reach;
+	}
 	// Sets the buffers that cull.glsl reads too, and the patch's texture.
 	struct Shared {
 		godot::RID view, cameras, table, cover, patch, sampler;
@@ -72,6 +77,7 @@ private:
 
 	TileGrid _grid;
 	bool _is_mapped = false, _is_new = false;
+	float _reach = 1.0f;
 	std::vector<Choosing> _targets;
 	GpuBuffer _mix, _counts; // of the species; plants chosen, by species
 };

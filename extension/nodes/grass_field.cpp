@@ -97,6 +97,7 @@ void GrassField::enter() {
 				callable_mp(this, &GrassField::_area_changed), callable_mp(this, &GrassField::_body_woke),
 				uint32_t(_properties.collision_mask), find_carriers());
 	}
+	(void)_properties.update_quality();
 	_standing.begin_passes();
 	request_rebuild();
 }
@@ -185,7 +186,13 @@ bool GrassField::emit_for_each(const char *p_signal, const std::vector<uint64_t>
 // Once a frame: in _frame(), which is there where nothing is drawn, or else before it is drawn, as in a paused tree.
 bool GrassField::advance() {
 	const uint64_t frame = Engine::get_singleton()->get_process_frames();
-	return std::exchange(_advanced_in, frame) == frame ? stand() : _life.advance();
+	if (std::exchange(_advanced_in, frame) == frame) {
+		return stand();
+	}
+	if (_properties.update_quality()) {
+		_standing.update_quality();
+	}
+	return _life.advance();
 }
 
 void GrassField::_frame(double p_delta) {

@@ -82,6 +82,11 @@ void GrassField::set_pool_tiles(int64_t p_tiles) {
 	}
 }
 
+void GrassField::fit_pool(int64_t p_tiles) {
+	_properties.pool_tiles = p_tiles;
+	_standing.fit_pool();
+}
+
 void GrassField::set_collision_mask(int64_t p_mask) {
 	GRASS_MAIN_THREAD_ONLY();
 	if (!replace(_properties.collision_mask, int64_t(uint32_t(p_mask)))) {
@@ -121,7 +126,7 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 			_standing.update_params();
 			break;
 		case Effect::UNIFORM:
-			_standing.set_uniform(info.tunable.name, _properties.params[size_t(p_param)]);
+			_standing.set_uniform(info.tunable.name, _properties.scaled(info.id));
 			break;
 		case Effect::WIND:
 			_standing.update_wind();

@@ -2,6 +2,8 @@
 // The memory that the plots of a world use, what the budget holds, and the sizes of their pools.
 #include "world/world_plots.h"
 
+#include "resources/grass_quality.h"
+
 #include <algorithm>
 
 using namespace godot;
@@ -60,7 +62,7 @@ std::vector<LoadedPlot> WorldPlots::find_loaded() const {
 }
 
 PlotPools WorldPlots::find_pools() const {
-	const int64_t full = _fields.get_pattern().pool_tiles, quiet = std::min(full, QUIET_POOL);
+	const int64_t full = current_quality().scale_pool(_fields.get_pattern().pool_tiles), quiet = std::min(full, QUIET_POOL);
 	return { quiet, _pool_tile ? full : quiet, size_t(_pool_tile.value_or(0)) };
 }
 
@@ -88,8 +90,8 @@ int64_t WorldPlots::pool_for(const PlotKey &p_key) const {
 	return found != _plan.pools.end() ? found->second : find_pools().quiet;
 }
 
-// Changes one field at a time: gives it a larger pool once the plots have left that the budget does not hold beside it, and only while its
-// grass is at rest, as it always is in a field that is made again, unless its pool is only for blasts.
+// Changes one field at a time: gives it a larger pool once the plots have left that the budget does not hold beside it. Takes from a pool
+// only while its grass is at rest, unless the level of quality has fallen.
 void WorldPlots::fit_pools() {
 	_pool_wanted = 0;
 	const PlotPools pools = find_pools();
@@ -102,7 +104,8 @@ void WorldPlots::fit_pools() {
 			return;
 		}
 		const int64_t has = field->get_pool_tiles(), pool = pool_for(key);
-		if (pool == has || (has > pools.quiet && field->get_awake_tile_count() > 0)) {
+		const bool may_shrink = has > pools.busy || field->get_awake_tile_count() == 0;
+		if (pool == has || (pool < has && !may_shrink)) {
 			continue;
 		}
 		const size_t more = pool > has ? size_t(pool - has) * pools.tile_bytes : 0;
@@ -110,7 +113,7 @@ void WorldPlots::fit_pools() {
 			_pool_wanted = more;
 			continue;
 		}
-		field->set_pool_tiles(pool);
+		field->fit_pool(pool);
 		return;
 	}
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The class reference says what the code does: every number is described, with the default that stands beside its code.
 #include "class_docs.gen.h"
+#include "core/field/quality.h"
 #include "core/fill/fill_params.h"
 #include "core/paint/brush_params.h"
 #include "core/world/world_plan.h"
@@ -80,6 +81,12 @@ TEST_CASE("class docs: every number of a GrassPatch is described, with its defau
 	}
 	for (const Tunable &tunable : TYPE_WEIGHTS) {
 		check(docs_of("GrassPatch"), tunable);
+	}
+}
+
+TEST_CASE("class docs: every factor of a GrassQuality is described, with its default") {
+	for (const QualityFactor &factor : QUALITY_TABLE) {
+		check(docs_of("GrassQuality"), factor.tunable);
 	}
 }
 

@@ -42,6 +42,10 @@ public:
 		}
 		joined.insert(joined.end(), p_slots.begin(), p_slots.end());
 	}
+	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override {
+		_pool.resize(p_slots, p_moves);
+		moves.assign(p_moves.begin(), p_moves.end());
+	}
 	EnergyReport read_energy() override { return { _step > 0 ? _step - 1 : 0, _pool.get_energy(), _pool.get_bends() }; }
 	SimulatedKnots read_knots(int p_slot, int p_blade) const {
 		SimulatedKnots knots;
@@ -54,6 +58,7 @@ public:
 	Method method = Method::DIRECT; // of the last step
 	std::vector<GrassSlot> slots; // likewise
 	std::vector<GrassSlot> joined;
+	std::vector<SlotMove> moves; // of the last change of the pool's size
 
 private:
 	CpuPool _pool;
@@ -147,6 +152,30 @@ TEST_CASE("field: a ball bends the blades of its tile, which rise and sleep when
 	CHECK(scene.field.get_tiles().get_statistics().awake == 0);
 	CHECK(scene.bend_of(8, 8) == 0.0);
 	CHECK(scene.simulator.steps < 80);
+}
+
+TEST_CASE("field: blades go on to the bit while the pool becomes smaller and larger") {
+	FieldScene still, changed;
+	for (FieldScene *scene : { &still, &changed }) { // slot 0 falls asleep, so that the tile under the ball has a later one
+		scene->put_ball({ -3.5, 0.2, -3.5 });
+		scene->ticks(5);
+		scene->put_ball({ 0.5, 0.2, 0.5 });
+		scene->ticks(40);
+	}
+	REQUIRE(still.field.get_tiles().get_statistics().awake <= 9);
+	bool has_moved = false;
+	for (const int slots : { 300, 9, 12, 10 }) {
+		changed.field.set_pool_size(changed.simulator, slots);
+		has_moved = has_moved || !changed.simulator.moves.empty();
+		CHECK(changed.field.get_setup().pool_size == slots);
+		CHECK(changed.field.get_tiles().get_params().pool_size == slots);
+		CHECK(changed.bend_of(8, 8) == still.bend_of(8, 8)); // before the next tick, too
+		still.ticks(3);
+		changed.ticks(3);
+		CHECK(changed.bend_of(8, 8) == still.bend_of(8, 8));
+	}
+	CHECK(has_moved);
+	CHECK(still.bend_of(8, 8) > 0.05);
 }
 
 TEST_CASE("field: the same ticks make the same bits") {

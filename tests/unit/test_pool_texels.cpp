@@ -146,3 +146,23 @@ TEST_CASE("pool texels: a mix that begins between two frames begins with the las
 	scene.step();
 	CHECK(scene.shown(1, 0.0f) == before);
 }
+
+TEST_CASE("pool texels: rows follow their tiles into a smaller pool, and go on being mixed there") {
+	for (const bool is_between : { false, true }) {
+		TexelScene scene(is_between);
+		scene.steps(28); // the ball has come to tile 2
+		(void)scene.shown(2, 0.5f);
+		const Row before = scene.pack(2);
+		scene.step();
+		const Row after = scene.pack(2);
+		REQUIRE(distance_to_mix(before, after, after, 1.0f) > 0.005f); // it moves
+		const std::vector<SlotMove> moves = { { 1, 1, GRASS_NO_SLOT }, { 2, 2, 1 }, { 3, 3, GRASS_NO_SLOT } };
+		scene.scene.pool.resize(2, moves);
+		scene.texels.resize_pool(2, moves);
+		if (is_between) {
+			CHECK(distance_to_mix(scene.shown(1, 0.25f), before, after, 0.25f) < 1e-3f);
+		} else {
+			CHECK(scene.shown(1) == after);
+		}
+	}
+}

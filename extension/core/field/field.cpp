@@ -66,6 +66,12 @@ void Field::set_params(const FieldParams &p_params) {
 	}
 }
 
+void Field::set_pool_size(Simulator &r_simulator, int p_slots) {
+	const std::vector<SlotMove> moves = _tiles.resize_pool(p_slots);
+	_setup.pool_size = _tiles.get_params().pool_size;
+	r_simulator.resize_pool(_setup.pool_size, moves);
+}
+
 TileParams Field::tile_params() const {
 	TileParams params;
 	params.pool_size = _setup.pool_size;

@@ -25,6 +25,25 @@ void PoolTexels::reset(int p_pool_size) {
 	begin_between();
 }
 
+void PoolTexels::resize_pool(int p_pool_size, std::span<const SlotMove> p_moves) {
+	for (const SlotMove &move : p_moves) {
+		if (move.to == GRASS_NO_SLOT) {
+			continue;
+		}
+		_changed.insert(move.to); // the pool has the blades there now
+		if (_is_between) {
+			(_moved.has(move.from) ? _moved : _settled).insert(move.to);
+			std::ranges::copy(row(_earlier, move.from), row(_earlier, move.to).begin());
+		}
+	}
+	for (SlotSet *set : { &_changed, &_moved, &_settled }) {
+		if (set == &_changed || _is_between) {
+			set->resize(_pool_size, p_pool_size, false);
+		}
+	}
+	_pool_size = p_pool_size;
+}
+
 void PoolTexels::begin_between() {
 	_moved = SlotSet(); // new objects, since copies would keep the memory
 	_settled = SlotSet();
@@ -45,7 +64,7 @@ void PoolTexels::set_between(bool p_is_between) {
 	_shown = std::vector<uint16_t>(_earlier); // a copy would keep the memory
 }
 
-void PoolTexels::resize(int p_rows) {
+void PoolTexels::resize_rows(int p_rows) {
 	if (p_rows == _rows) {
 		return;
 	}
@@ -77,7 +96,7 @@ void PoolTexels::begin_step(const CpuPool &p_pool, std::span<const GrassSlot> p_
 	for (const GrassSlot &slot : p_slots) {
 		highest = std::max(highest, slot.tile.w);
 	}
-	resize(highest < _rows ? _rows : int(std::bit_ceil(unsigned(highest + 1))));
+	resize_rows(highest < _rows ? _rows : int(std::bit_ceil(unsigned(highest + 1))));
 	pack(p_pool);
 	for (const int slot : _moved) {
 		if (slot < _rows) {
@@ -140,7 +159,7 @@ void PoolTexels::mix(float p_share) {
 
 bool PoolTexels::show(const CpuPool &p_pool, int p_rows, float p_share) {
 	const bool has_changed = p_rows != _rows || !_changed.is_empty();
-	resize(p_rows);
+	resize_rows(p_rows);
 	pack(p_pool);
 	if (!_is_between) {
 		return has_changed;

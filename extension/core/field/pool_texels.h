@@ -19,6 +19,8 @@ public:
 
 	// Sets the number of slots that may be awake; none is awake.
 	void reset(int p_pool_size);
+	// Sets another number of slots. The blades of awake tiles stay, where p_moves says.
+	void resize_pool(int p_pool_size, std::span<const SlotMove> p_moves);
 	// Sets whether frames show a mix of two steps. Begins with the last step.
 	void set_between(bool p_is_between);
 	bool is_between() const { return _is_between; }
@@ -43,7 +45,7 @@ private:
 	static constexpr size_t ROW = size_t(ROW_TEXELS) * 4;
 
 	void begin_between();
-	void resize(int p_rows);
+	void resize_rows(int p_rows);
 	void pack(const CpuPool &p_pool);
 	void mix(float p_share);
 	std::span<uint16_t> row(std::vector<uint16_t> &r_texels, int p_slot) const {

@@ -5,6 +5,8 @@
 #include "core/solver/solver_params.h"
 #include "core/solver/step.h"
 
+#include <span>
+
 namespace grass {
 
 class Simulator {
@@ -22,6 +24,8 @@ public:
 	virtual bool can_join() { return true; }
 	// Poses the blades that join the simulated ones from the next step on, [Eq 49]. p_slots: of TileManager::widen(); p_step: the last one.
 	virtual void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) = 0;
+	// Changes the number of slots. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their blades.
+	virtual void resize_pool(int p_slots, std::span<const SlotMove> p_moves) = 0;
 	// Frees memory that was not needed for a while. Must be called in every tick, with or without a step.
 	virtual void tidy() {}
 	// Returns the newest known report without waiting; it is valid until the next call.

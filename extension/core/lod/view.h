@@ -35,6 +35,7 @@ struct FieldView {
 	bool is_watched = false; // a picture of the field's world is rendered, with whatever layers; otherwise it is unknown who looks at it
 	bool is_drawn = true; // the engine renders frames; a headless one does not, whatever cameras it has
 	LodParams lod;
+	float plant_reach = 1.0f; // share of its distance up to which a plant is drawn with its mesh
 	float shadow_distance = 0.0f; // tiles farther from every camera cast no shadow; 0: none do
 	float shadow_margin = 0.0f; // how far outside a frustum a tile still casts its shadow, for any light
 	std::vector<Eigen::Vector3f> falls; // for each directional light: from the tallest tip to the end of its shadow

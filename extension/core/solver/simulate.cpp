@@ -88,6 +88,20 @@ void CpuPool::set_pool_size(int p_pool_size) {
 	_bends.assign(_slots.size(), Eigen::Vector3f::Zero());
 }
 
+void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
+	for (const SlotMove &move : p_moves) {
+		if (move.to != GRASS_NO_SLOT) {
+			const size_t from = size_t(move.from), to = size_t(move.to);
+			_slots[to] = std::move(_slots[from]);
+			_energy[to] = _energy[from];
+			_bends[to] = _bends[from];
+		}
+	}
+	_slots.resize(size_t(p_slots));
+	_energy.resize(size_t(p_slots), 0.0f);
+	_bends.resize(size_t(p_slots), Eigen::Vector3f::Zero());
+}
+
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
 	std::vector<const GrassSlot *> awake;
 	int64_t blades = 0;

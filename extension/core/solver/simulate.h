@@ -25,6 +25,8 @@ public:
 	// Set other blades and another number of slots. Tiles that are awake must wake again.
 	void set_patch(std::shared_ptr<const Patch> p_patch) { _patch = std::move(p_patch); }
 	void set_pool_size(int p_pool_size);
+	// Sets another number of slots. Awake tiles go on where p_moves says.
+	void resize(int p_slots, std::span<const SlotMove> p_moves);
 
 	// Takes one step of every tile in p_input; the result does not depend on p_parallel_for. Ignores records of slots that do not exist and
 	// of blades beyond the patch. p_step: one of those in tile_step.h; step_scalar_double() is the reference: slow, with its state stored

@@ -33,6 +33,12 @@ struct StepInput {
 	std::span<const uint8_t> sharp = {}; // For each collider: not 0 if a segment of a blade may lie across it, see is_sharp().
 };
 
+// How a tile fares when the pool is resized.
+struct SlotMove {
+	int tile; // index
+	int from, to; // slots; to GRASS_NO_SLOT: it is at rest from now on
+};
+
 // The remaining motion of each slot's blades after a step, as the backend reports it, perhaps late: energies are measured when the next
 // step begins, bends when it ends.
 struct EnergyReport {

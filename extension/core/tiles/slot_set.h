@@ -23,6 +23,18 @@ public:
 		_first = 0;
 	}
 
+	// Changes the number of slots. The set keeps those that still exist; new ones are in it if p_full.
+	void resize(int p_before, int p_size, bool p_full) {
+		_words.resize(size_t(p_size + 63) / 64, 0);
+		for (int slot = p_before; slot < p_size; slot++) {
+			insert_if(slot, p_full);
+		}
+		if (p_size % 64 != 0) {
+			_words.back() &= (uint64_t(1) << (p_size % 64)) - 1;
+		}
+		_first = 0;
+	}
+
 	void insert(int p_slot) { insert_if(p_slot, true); }
 
 	// Inserts the slot or does nothing. Branch-free, since the branch would be mispredicted.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which tiles wake. Other parts: meetings in tile_meetings.cpp, yielding of slots in tiles_yield.cpp, sleep in tiles_sleep.cpp, the
-// resulting records in tiles_records.cpp.
+// resulting records in tiles_records.cpp, another size of the pool in tiles_pool.cpp.
 #include "core/tiles/tiles.h"
 
 #include <cmath>
@@ -39,9 +39,8 @@ void TileManager::reset() {
 	_signatures_before.assign(size_t(_params.pool_size), 0);
 	_bends.clear();
 	_reported_step = _bend_step = 0;
-	_free.reset(_params.pool_size, true);
-	for (SlotSet *set : { &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated }) {
-		set->reset(_params.pool_size, false);
+	for (SlotSet *set : slot_sets()) {
+		set->reset(_params.pool_size, set == &_free);
 	}
 	_slot_of_tile.reserve(_params.pool_size);
 	_meetings.reset();

@@ -11,6 +11,7 @@
 #include "core/tiles/tile_view.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <span>
@@ -32,6 +33,10 @@ public:
 	}
 	const TileGrid &get_grid() const { return _grid; }
 	const TileParams &get_params() const { return _params; }
+
+	// Changes the pool's size between two steps, and returns what happened to tiles in it. If more are awake than the pool may hold, the
+	// calmest come to rest at once, those out of view before others. Each keeps its slot if that still exists.
+	std::vector<SlotMove> resize_pool(int p_slots);
 
 	// Forgets all awake tiles and statistics, without making records: the backend empties its tile table too.
 	void reset();
@@ -129,6 +134,11 @@ private:
 	int take_calmest_slot(size_t p_wanted);
 	Calm calm_of(int p_slot) const;
 	void find_yielding(size_t p_wanted);
+	void rest_calmest(int p_count, std::vector<SlotMove> &r_moves);
+	void move_slot(int p_from, int p_to);
+	std::array<SlotSet *, 10> slot_sets() {
+		return { &_free, &_used, &_settling, &_held, &_met, &_stirred, &_unmet, &_fresh, &_skipped, &_simulated };
+	}
 	void yield_to_waiting();
 
 	void sign_meetings(std::span<const ColliderShape> p_colliders);
@@ -174,6 +184,7 @@ private:
 			_signatures_before; // by slot: which colliders stand where in its tile, in this step and the last one
 	SlotMap _slot_of_tile;
 	uint64_t _reported_step = 0, _bend_step = 0; // steps of the last report, and of the last one with bends
+	uint64_t _moved_step = 0; // tiles changed slots after it: reports of earlier steps are of others
 	std::vector<Eigen::Vector3f> _bends; // by slot, as reported
 
 	// For one step.

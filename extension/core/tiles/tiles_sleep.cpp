@@ -41,7 +41,7 @@ uint64_t sign_of(const ColliderShape &p_shape) {
 } // namespace
 
 void TileManager::report_energy(const EnergyReport &p_report) {
-	if (p_report.step == _reported_step) {
+	if (p_report.step == _reported_step || p_report.step < _moved_step) {
 		return; // nothing new, and it does not know which tiles were met since
 	}
 	_reported_step = p_report.step;

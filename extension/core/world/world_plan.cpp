@@ -101,14 +101,15 @@ void Draft::hold_under_eyes() {
 	}
 }
 
-// Gives a plot a pool if it wants one: at most half of the bytes left, so that the next plot gets some, and never less than it has.
+// Gives a plot a pool if it wants one: at most half of the bytes left, so that the next plot gets some, and never less than it has, unless
+// busy plots may no longer have so much.
 void Draft::give_pool(const PlotKey &p_key, size_t p_left) {
 	const PlotPools &pools = _needs.pools;
 	if (pools.busy <= pools.quiet || !std::ranges::binary_search(_needs.busy, p_key)) {
 		return;
 	}
 	const LoadedPlot *plot = loaded(p_key);
-	const int64_t has = std::max(plot != nullptr ? plot->pool_tiles : 0, pools.quiet);
+	const int64_t has = std::clamp(plot != nullptr ? plot->pool_tiles : 0, pools.quiet, pools.busy);
 	const auto more = [&](int64_t p_tiles) { return size_t(std::max<int64_t>(p_tiles - has, 0)) * pools.tile_bytes; };
 	int64_t tiles = pools.busy;
 	while (tiles > has && more(tiles) > p_left / 2) {

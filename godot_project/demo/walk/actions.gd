@@ -20,6 +20,7 @@ const ACTIONS := {
 	walk_use = [[KEY_E], [JOY_BUTTON_Y], []],
 	walk_blast = [[KEY_F], [JOY_BUTTON_X], []],
 	walk_weather = [[KEY_G], [JOY_BUTTON_DPAD_RIGHT], []],
+	walk_quality = [[KEY_Q], [JOY_BUTTON_DPAD_DOWN], []],
 	walk_hurry = [[KEY_T], [JOY_BUTTON_DPAD_UP], []],
 	walk_lamp = [[KEY_L], [JOY_BUTTON_DPAD_LEFT], []],
 	walk_view = [[KEY_V], [JOY_BUTTON_RIGHT_STICK], []],

@@ -3,6 +3,7 @@
 extends CanvasLayer
 
 const EVERY := 0.25  # seconds
+const LEVELS := ["low", "medium", "high", "ultra", "own"]
 const HELP := """WASD, left stick     walk, drive
 mouse, right stick   look
 triggers             drive
@@ -11,6 +12,7 @@ Space, A             jump, hand brake
 E, Y                 jeep, mower
 F, X                 blast
 G, D-pad right       weather
+Q, D-pad down        quality: low to ultra
 T, D-pad up          time flies
 L, D-pad left        lamp
 V, right stick       first, third person
@@ -46,7 +48,7 @@ func tell(delta: float, field: GrassField, hour: float, weather: String, hint: S
 	var clock := "%02d:%02d" % [int(hour), int(fmod(hour, 1.0) * 60.0)]
 	var lines: Array[String] = [
 		"%d fps   %s   %s" % [Engine.get_frames_per_second(), clock, weather],
-		"%d tiles awake, %d blades drawn" % [facts.awake_tiles, facts.drawn_blades],
+		"%d tiles awake, %d blades drawn, %s" % [facts.awake_tiles, facts.drawn_blades, LEVELS[GrassQuality.get_level()]],
 		hint + "\n",
 		HELP
 	]

@@ -64,6 +64,7 @@ func _ready() -> void:
 func _exit_tree() -> void:
 	Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
 	get_viewport().msaa_3d = _msaa
+	GrassQuality.reset_level()
 
 
 func _physics_process(delta: float) -> void:
@@ -110,6 +111,8 @@ func _do_actions() -> void:
 		blast.blow(hills.on_ground(walker.global_position + THROW * _ahead(), 0.3), bodies)
 	if Input.is_action_just_pressed("walk_weather"):
 		weather.change()
+	if Input.is_action_just_pressed("walk_quality"):
+		GrassQuality.set_level((GrassQuality.get_level() + 1) % GrassQuality.LEVEL_OWN as GrassQuality.Level)
 	if Input.is_action_just_pressed("walk_lamp"):
 		lamp_flipped = not lamp_flipped
 	if Input.is_action_just_pressed("walk_view"):

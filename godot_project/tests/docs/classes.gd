@@ -12,6 +12,20 @@ func grass_brush() -> void:
 	assert_near(stage.map.sample(GrassMap.CHANNEL_CUT, Vector2.ZERO), 0.04, 0.006, "metres")
 
 
+func grass_quality() -> void:
+	await ran()
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_LOW)
+	GrassQuality.reset_level()
+
+
+func grass_quality_2() -> void:
+	await ran()
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_OWN)
+	assert_eq(GrassQuality.get_own().shadow_distance, 0.0)
+	assert_eq(GrassQuality.get_own().lod_far, GrassQuality.of_level(GrassQuality.LEVEL_MEDIUM).lod_far)
+	GrassQuality.reset_level()
+
+
 func grass_bone_colliders3d() -> void:
 	var stage := await staged()
 	var leg: Skeleton3D = stage.get_node("Skeleton3D")

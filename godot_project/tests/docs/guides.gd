@@ -14,6 +14,20 @@ func readme_install() -> void:
 	assert_eq(meadow.get_statistics().backend, "CPU")
 
 
+func performance_one_switch_for_the_options_menu() -> void:
+	var field := add_field({pool_tiles = 400})
+	var menu := OptionButton.new()
+	menu.set_script(block_script())
+	add_child(menu)
+	assert_eq(menu.selected, GrassQuality.LEVEL_HIGH)
+	for level in menu.item_count:
+		menu.item_selected.emit(level)
+		await ticks(2)
+		assert_eq(GrassQuality.get_level(), level)
+		assert_eq(field.get_counters().pool_tiles, [100, 200, 400, 800][level])
+	GrassQuality.reset_level()
+
+
 func game_a_mower() -> void:
 	var field := add_field({map = full_map()})
 	var mower := CharacterBody3D.new()

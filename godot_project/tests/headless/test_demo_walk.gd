@@ -253,6 +253,20 @@ func test_weather() -> void:
 		assert_eq(each.snow, field.snow, "the same snow lies on all fields")
 
 
+func test_quality() -> void:
+	await open()
+	var levels: Array[int] = []
+	for i in 4:
+		await tap(key(KEY_Q) if i != 1 else button(JOY_BUTTON_DPAD_DOWN))
+		levels.append(GrassQuality.get_level())
+	assert_eq(levels, [3, 0, 1, 2] as Array[int])
+	await ticks(20)
+	assert_true(walk.panel.text().contains("blades drawn, high"))
+	await tap(key(KEY_Q))
+	walk.free()
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH, "the walk leaves nothing behind")
+
+
 func test_day_and_night() -> void:
 	await open()
 	var sun: DirectionalLight3D = walk.get_node("Sun")

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// GrassQuality: the factors of an options menu, and the level that all fields of the game have.
+#pragma once
+
+#include "core/field/quality.h"
+#include "shared/label.h"
+
+#include <godot_cpp/classes/resource.hpp>
+
+namespace grass {
+
+class GrassQuality : public godot::Resource {
+	GDCLASS(GrassQuality, godot::Resource)
+
+public:
+	enum Level : int64_t {
+		LEVEL_LOW = int(QualityLevel::LOW),
+		LEVEL_MEDIUM = int(QualityLevel::MEDIUM),
+		LEVEL_HIGH = int(QualityLevel::HIGH),
+		LEVEL_ULTRA = int(QualityLevel::ULTRA),
+		LEVEL_OWN = int(QualityLevel::OWN),
+	};
+
+	void set_param(int64_t p_param, double p_value);
+	double get_param(int64_t p_param) const;
+	const Quality &get_quality() const { return _quality; }
+
+	static void set_level(Level p_level);
+	static Level get_level();
+	static void set_own(const godot::Ref<GrassQuality> &p_own); // and LEVEL_OWN
+	static godot::Ref<GrassQuality> get_own(); // null: none was set
+	static godot::Ref<GrassQuality> of_level(Level p_level); // a new one
+	static void reset_level(); // to the project's
+
+protected:
+	static void _bind_methods();
+
+private:
+	godot::String label() const { return label_of(*this); } // for messages
+
+	Quality _quality;
+};
+
+// Returns the factors that all fields have now. Fields compare them once in each frame, so nobody needs to notify them. Main thread.
+const Quality &current_quality();
+void register_quality(); // the project settings
+void free_quality();
+
+} // namespace grass
+
+VARIANT_ENUM_CAST(grass::GrassQuality::Level);
