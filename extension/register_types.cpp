@@ -61,7 +61,7 @@ void initialize_grass_field(ModuleInitializationLevel p_level) {
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPalette);
 		GDREGISTER_INTERNAL_CLASS(grass::BrushToolbar);
 		GDREGISTER_INTERNAL_CLASS(grass::ViewDrop);
-		GDREGISTER_INTERNAL_CLASS(grass::ExportCheck);
+		GDREGISTER_INTERNAL_CLASS(grass::GrassExportPlugin);
 		GDREGISTER_INTERNAL_CLASS(grass::ExportMasks);
 		GDREGISTER_INTERNAL_CLASS(grass::KeptPlotsDialog);
 		GDREGISTER_INTERNAL_CLASS(grass::SpeciesPreview);

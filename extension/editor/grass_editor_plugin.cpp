@@ -26,8 +26,8 @@ void GrassEditorPlugin::_enter_tree() {
 	_toolbar->connect("menu_pressed", callable_mp(this, &GrassEditorPlugin::_menu_pressed));
 	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _toolbar);
 	_answer.create();
-	_export_check.instantiate();
-	add_export_plugin(_export_check);
+	_export_plugin.instantiate();
+	add_export_plugin(_export_plugin);
 	_export_masks.instantiate();
 	add_export_plugin(_export_masks);
 	_species_preview.instantiate();
@@ -50,8 +50,8 @@ void GrassEditorPlugin::_exit_tree() {
 	_watch.forget();
 	_ring.free();
 	_answer.free();
-	remove_export_plugin(_export_check);
-	_export_check.unref();
+	remove_export_plugin(_export_plugin);
+	_export_plugin.unref();
 	remove_export_plugin(_export_masks);
 	_export_masks.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);

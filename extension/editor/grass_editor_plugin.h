@@ -6,8 +6,8 @@
 #include "editor/answer_view.h"
 #include "editor/brush_preview.h"
 #include "editor/brush_toolbar.h"
-#include "editor/export_check.h"
 #include "editor/export_masks.h"
+#include "editor/grass_export_plugin.h"
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
 #include "editor/ring_view.h"
@@ -77,7 +77,7 @@ private:
 	void _menu_pressed(int64_t p_item);
 
 	BrushToolbar *_toolbar = nullptr;
-	godot::Ref<ExportCheck> _export_check;
+	godot::Ref<GrassExportPlugin> _export_plugin;
 	godot::Ref<ExportMasks> _export_masks;
 	godot::Ref<SpeciesPreview> _species_preview;
 	godot::Ref<SizeHandles> _size_handles;

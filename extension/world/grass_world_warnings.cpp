@@ -3,6 +3,7 @@
 #include "world/grass_world.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <cmath>
@@ -10,6 +11,14 @@
 using namespace godot;
 
 namespace grass {
+
+namespace {
+
+bool is_exported() {
+	return FileAccess::file_exists("res://project.binary");
+}
+
+} // namespace
 
 PackedStringArray GrassWorld::find_warnings() const {
 	PackedStringArray warnings;
@@ -34,6 +43,12 @@ PackedStringArray GrassWorld::find_warnings() const {
 	}
 	if (const String problem = find_folder_problem(); !problem.is_empty()) {
 		warnings.push_back(problem);
+	}
+	if (_folder.begins_with("res://") && is_exported() && WorldFiles::find_plots(_folder).is_empty()) {
+		warnings.push_back(vformat("`folder` ('%s') holds no plot, so grass stands as if nothing had been painted. If it was painted, the "
+								   "export left its files out: export once more and read what it says about GrassField, or add '%s' to "
+								   "the export filters for non-resource files.",
+				_folder, _folder.trim_prefix("res://").path_join("*.grassmap")));
 	}
 	if (const int64_t elsewhere = count_kept_elsewhere(); elsewhere > 0) {
 		warnings.push_back(

@@ -9,6 +9,7 @@
 #include "world/kept_plots.h"
 
 #include <godot_cpp/variant/packed_byte_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/string.hpp>
 
 #include <condition_variable>
@@ -67,6 +68,8 @@ public:
 	std::vector<ReadPlot> take_read();
 	WorldFileStatistics get_statistics() const;
 	static godot::String path_of(const godot::String &p_folder, const PlotKey &p_key);
+	// Returns the paths of all plots in a folder.
+	static godot::PackedStringArray find_plots(const godot::String &p_folder);
 	// Returns what is wrong with the folders, for the user; "" if nothing is.
 	godot::String find_problem() const;
 

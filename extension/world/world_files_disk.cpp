@@ -37,6 +37,18 @@ String WorldFiles::path_of(const String &p_folder, const PlotKey &p_key) {
 	return p_folder.path_join(vformat("plot_%d_%d.grassmap", p_key.x, p_key.z));
 }
 
+PackedStringArray WorldFiles::find_plots(const String &p_folder) {
+	PackedStringArray plots;
+	if (DirAccess::dir_exists_absolute(p_folder)) {
+		for (const String &file : DirAccess::get_files_at(p_folder)) {
+			if (file.get_extension() == "grassmap") {
+				plots.push_back(p_folder.path_join(file));
+			}
+		}
+	}
+	return plots;
+}
+
 void WorldFiles::put(const PlotKey &p_key, const PaintMap &p_map) {
 	const PackedByteArray data = to_bytes(std::span<const uint8_t>(write_map(p_map, engine_codec())));
 	if (_folders.keeps) {

@@ -205,13 +205,13 @@ def fit(game):
 	settle.replace(game, [*patchelf, "--set-interpreter", f"{libraries}/{settle.LOADER}", "--force-rpath", "--set-rpath", search])
 
 
-def export_runs(kind):
+def export_runs(kind, preset="Linux"):
 	def action(_sources):
-		out = WORK / f"export_{kind}"
+		out = WORK / f"export_{preset}_{kind}"
 		shutil.rmtree(out, ignore_errors=True)
 		out.mkdir()
 		export.install_templates()
-		run_engine(*engine.headless(), "--path", WORK / "project_", f"--export-{kind}", "Linux", out / "game")
+		run_engine(*engine.headless(), "--path", WORK / "project_", f"--export-{kind}", preset, out / "game")
 		check(list(out.glob("libgrass_field.*")), f"the library is not in {sorted(path.name for path in out.iterdir())}")
 		fit(out / "game")
 		bends(run_engine([out / "game", "--headless"], {}, "--fixed-fps", 60), "no GPU")
@@ -259,6 +259,7 @@ BY_NAME = {
 	"a scene runs on software Vulkan": runs_on_software_vulkan,
 	"an export runs, debug": export_runs("debug"),
 	"an export runs, release": export_runs("release"),
+	"an export of selected scenes runs": export_runs("release", "Scenes"),
 	"built in another folder, the same bytes": same_elsewhere,
 }
 
