@@ -6,7 +6,7 @@ import sys
 
 from tools.command_line import EXPLANATION, parser
 from tools.places import OUT
-from tools.say import Failure, complain
+from tools.say import Failure, complain, say
 
 
 def dispatch(options):
@@ -69,6 +69,10 @@ def dispatch(options):
 		site.make()
 	elif options.command == "export":
 		export.export(options.out, options.debug, options.tests)
+	elif options.command == "csharp":
+		from tools.csharp import wrappers
+
+		say(f"Written: the C# wrappers, in {wrappers.write(options.out)}")
 	elif options.command == "release":
 		from tools.release import release
 

@@ -17,6 +17,7 @@ GrassField: grass that every physics body pushes, for Godot 4.6.
   ./grass bench    runs the benchmarks, of the core and in the engine
   ./grass docs     makes the site, out/site
   ./grass export OUT   packs the project to run elsewhere
+  ./grass csharp OUT   writes the C# wrappers, which releases have in addons/grass_field/csharp
   ./grass release  makes the zips of a release, out/release
   ./grass clean    removes everything that was built (--all: also everything that was fetched)
 
@@ -95,6 +96,9 @@ def parser():
 	export.add_argument("out", metavar="OUT", help="folder to write to")
 	export.add_argument("--debug", action="store_true", help="with the debug template and library")
 	export.add_argument("--tests", action="store_true", help="the tests, to run the gpu layer on a machine without engine and compiler")
+
+	csharp = commands.add_parser("csharp", help="write the C# wrappers of the classes")
+	csharp.add_argument("out", metavar="OUT", help="folder to write to, in a project with C#")
 
 	release = commands.add_parser("release", help="make the zips of a release, out/release")
 	release.add_argument(

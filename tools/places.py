@@ -14,3 +14,4 @@ UNPACKED = TOOLS / "root"  # the fetched packages, laid out as under /
 ZIG = TOOLS / "zig"  # the compiler for macOS, from PyPI, and the reader of what it makes
 CROSS = TOOLS / "cross"  # compilers for other platforms, and programs that run what they make
 DRIVERS = TOOLS / "drivers"  # compilers of GPUs' drivers, and programs that read shaders
+CSHARP = TOOLS / "csharp"  # a C# compiler, and what runs C# programs

@@ -91,4 +91,5 @@ GLIBC = {  # what a library for Linux is linked against: glibc 2.31
 	"arm64": Root(TOOLS / "linux_arm64", "bullseye", "arm64"),
 }
 DRIVERS = Root(places.DRIVERS, "trixie", of_cards=True)  # a stable release, so that figures of its compilers can be compared
+CSHARP = Root(places.CSHARP, "bookworm")  # a C# compiler
 ENGINE_ARM64 = Root(TOOLS / "engine_arm64", "testing", "arm64")

@@ -17,7 +17,8 @@ from tools.places import BUILD, ROOT
 
 MADE = BUILD / "snippets"
 CLASSES = ROOT / "extension/doc_classes"
-LANGUAGES = ("gdscript", "cpp", "sh", "text")
+LANGUAGES = ("gdscript", "cpp", "csharp", "sh", "text")
+ELSEWHERE = ("csharp", "text")  # languages whose blocks the layer `docs` leaves alone; the layer `csharp` compiles those in C#
 
 # Blocks that are not run, by key, and why. Each is counted as a skip.
 SKIPPED = {

@@ -17,6 +17,7 @@ import zipfile
 from dataclasses import dataclass
 
 from tools.build import build, toolchains
+from tools.csharp import wrappers
 from tools.fetch import machine
 from tools.places import BUILD, OUT, PROJECT, ROOT
 from tools.run import engine
@@ -132,6 +133,7 @@ def addon(libraries):
 	files = files_in(ADDON, f"{place}/bin/")
 	files[f"{place}/grass_field.gdextension"] = gdextension([path.name for path in libraries]).encode()
 	files[f"{place}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+	files |= {f"{place}/csharp/{name}": text.encode() for name, text in wrappers.texts().items()}
 	return {**files, **{f"{place}/bin/{path.name}": path.read_bytes() for path in libraries}}
 
 

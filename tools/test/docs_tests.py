@@ -171,7 +171,7 @@ def run(only, layers):
 			noted(tally, name, wrong_main_loop(block))
 		elif block.language in CHECKS:
 			noted(tally, name, CHECKS[block.language](block))
-		elif block.language != "text":
+		elif block.language not in snippets.ELSEWHERE:
 			noted(tally, name, f"a block of {block.language or 'no language'}: write one of {', '.join(snippets.LANGUAGES)} behind its ```")
 	if in_godot:
 		environment = {"GRASS_SNIPPETS": str(folder)}

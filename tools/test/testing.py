@@ -14,6 +14,7 @@ from tools.run import engine
 from tools.say import Failure, say
 from tools.test import (
 	binding_tests,
+	csharp_tests,
 	docs_tests,
 	driver_tests,
 	drivers,
@@ -121,6 +122,7 @@ LAYERS = {
 	"sanitize": Layer(lambda only, _: sanitize.run(only), in_all=False),
 	"headless": Layer(lambda only, _: headless(only), minutes=2.1),
 	"docs": Layer(lambda only, _: docs_tests.run(only, LAYERS), minutes=0.2),
+	"csharp": Layer(lambda only, _: csharp_tests.layer(only), minutes=0.3),
 	"drivers-quick": Layer(lambda only, _: driver_tests.run_quick(only), "shaders", minutes=0.3),
 	"drivers": Layer(lambda only, _: driver_tests.run(only), in_all=False),
 	"gpu": Layer(gpu, minutes=23),
