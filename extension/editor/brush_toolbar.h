@@ -37,6 +37,8 @@ public:
 		MENU_CLEAR,
 		MENU_FOLLOW,
 		MENU_NEIGHBOURS,
+		MENU_EXPORT,
+		MENU_IMPORT,
 	};
 
 	BrushToolbar();

@@ -182,6 +182,13 @@ void BrushToolbar::add_menu() {
 	popup->add_separator();
 	popup->add_item("Clear Everything Painted", MENU_CLEAR);
 	popup->add_separator();
+	const auto add_picture = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
+		popup->add_item(p_text, p_item);
+		popup->set_item_tooltip(popup->get_item_index(p_item), p_tooltip);
+	};
+	add_picture(MENU_EXPORT, "Export Picture…", "Saves a channel of the map as PNG or EXR.");
+	add_picture(MENU_IMPORT, "Import Picture…", "Reads a PNG or an EXR into a channel of the map.");
+	popup->add_separator();
 	const auto add_check = [&](MenuItem p_item, const char *p_text, const char *p_tooltip) {
 		popup->add_check_item(p_text, p_item);
 		popup->set_item_checked(popup->get_item_index(p_item), true);

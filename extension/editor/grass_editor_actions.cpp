@@ -2,6 +2,7 @@
 // What the plugin does to whole fields: buttons and the menu of the toolbar, species that are dropped.
 #include "editor/grass_editor_plugin.h"
 
+#include "editor/map_pictures.h"
 #include "editor/map_step.h"
 #include "editor/species_drop.h"
 
@@ -66,6 +67,10 @@ void GrassEditorPlugin::_bake_pressed() {
 }
 
 void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
+	if (p_item == BrushToolbar::MENU_EXPORT || p_item == BrushToolbar::MENU_IMPORT) {
+		_pictures.ask(p_item == BrushToolbar::MENU_IMPORT);
+		return;
+	}
 	static constexpr const char *NAMES[] = { "Bare Grass Field", "Full Grass Field", "Clear Painted Grass" };
 	change_maps(NAMES[p_item], [&](GrassField &, GrassMap &r_map) {
 		const bool is_clear = p_item == BrushToolbar::MENU_CLEAR;
@@ -86,6 +91,26 @@ void GrassEditorPlugin::_menu_pressed(int64_t p_item) {
 		r_map.restore_snapshot(after);
 		return true;
 	});
+}
+
+void GrassEditorPlugin::_picture_chosen(const String &p_path) {
+	GrassWorld *world = Object::cast_to<GrassWorld>(find_selected());
+	MapPictures pictures(_pictures.get_channel(), p_path, world);
+	if (_pictures.is_import()) {
+		change_maps("Import Grass Picture", [&](GrassField &r_field, GrassMap &) { return pictures.read(r_field); });
+	} else if (find_field() != nullptr) {
+		finish_stroke();
+		finish_ground();
+		for (const GrassField *field : world != nullptr ? find_painted()->fields : std::vector<GrassField *>{ find_field() }) {
+			pictures.write(*field);
+		}
+	}
+	const String problem = pictures.get_problem();
+	const bool is_done = problem.is_empty() && pictures.get_count() > 0;
+	EditorInterface::get_singleton()->get_editor_toaster()->push_toast(is_done
+					? vformat(_pictures.is_import() ? "Imported pictures: %d." : "Exported pictures: %d.", pictures.get_count())
+					: "GrassField: " + (problem.is_empty() ? vformat("'%s': there is no picture for a plot in memory.", p_path) : problem),
+			is_done ? EditorToaster::SEVERITY_INFO : EditorToaster::SEVERITY_ERROR);
 }
 
 // They grow beside the field's own, and the last one is in the hand.

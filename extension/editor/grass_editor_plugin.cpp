@@ -28,6 +28,7 @@ void GrassEditorPlugin::_enter_tree() {
 	_answer.create();
 	_export_plugin.instantiate();
 	add_export_plugin(_export_plugin);
+	_pictures.create(callable_mp(this, &GrassEditorPlugin::_picture_chosen));
 	_export_masks.instantiate();
 	add_export_plugin(_export_masks);
 	_species_preview.instantiate();
@@ -52,6 +53,7 @@ void GrassEditorPlugin::_exit_tree() {
 	_answer.free();
 	remove_export_plugin(_export_plugin);
 	_export_plugin.unref();
+	_pictures.free();
 	remove_export_plugin(_export_masks);
 	_export_masks.unref();
 	EditorInterface::get_singleton()->get_resource_previewer()->remove_preview_generator(_species_preview);

@@ -10,6 +10,7 @@
 #include "editor/grass_export_plugin.h"
 #include "editor/ground_watch.h"
 #include "editor/paint_stroke.h"
+#include "editor/picture_dialog.h"
 #include "editor/ring_view.h"
 #include "editor/size_handles.h"
 #include "editor/species_preview.h"
@@ -75,6 +76,7 @@ private:
 	void begin_drag();
 	void end_drag();
 	void _menu_pressed(int64_t p_item);
+	void _picture_chosen(const godot::String &p_path);
 
 	BrushToolbar *_toolbar = nullptr;
 	godot::Ref<GrassExportPlugin> _export_plugin;
@@ -89,6 +91,7 @@ private:
 	std::vector<ViewDrop *> _drops; // exist while species are dragged
 	godot::Vector2 _mouse; // last known place
 	AnswerView _answer;
+	PictureDialog _pictures;
 	double _event_us = 0.0;
 };
 

@@ -235,11 +235,19 @@ void GrassMap::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("stroke", "brush", "from", "to"), &GrassMap::stroke);
 	ClassDB::bind_method(D_METHOD("sample", "channel", "place", "component"), &GrassMap::sample, DEFVAL(0));
 	ClassDB::bind_method(D_METHOD("set_ground", "heights", "region"), &GrassMap::set_ground);
+	ClassDB::bind_method(
+			D_METHOD("get_channel_image", "channel", "region", "use_floats"), &GrassMap::get_channel_image, DEFVAL(Rect2()), DEFVAL(false));
+	ClassDB::bind_method(D_METHOD("set_channel_image", "channel", "image", "region"), &GrassMap::set_channel_image, DEFVAL(Rect2()));
+	ClassDB::bind_method(D_METHOD("save_channel_image", "channel", "path", "region"), &GrassMap::save_channel_image, DEFVAL(Rect2()));
+	ClassDB::bind_method(D_METHOD("load_channel_image", "channel", "path", "region"), &GrassMap::load_channel_image, DEFVAL(Rect2()));
 	ClassDB::bind_method(D_METHOD("fill", "rule", "region"), &GrassMap::fill);
 	ClassDB::bind_method(D_METHOD("take_snapshot"), &GrassMap::take_snapshot);
 	ClassDB::bind_method(D_METHOD("restore_snapshot", "snapshot"), &GrassMap::restore_snapshot);
 	ClassDB::bind_method(D_METHOD("get_changes_since", "snapshot"), &GrassMap::get_changes_since);
 	ClassDB::bind_method(D_METHOD("apply_changes", "changes"), &GrassMap::apply_changes);
+	ClassDB::bind_method(D_METHOD("merge", "base", "theirs", "prefer_theirs"), &GrassMap::merge, DEFVAL(false));
+	ClassDB::bind_static_method("GrassMap", D_METHOD("load_from_file", "path"), &load_map_file);
+	ClassDB::bind_method(D_METHOD("save_to_file", "path"), &GrassMap::save_to_file);
 	ClassDB::bind_method(D_METHOD("clear"), &GrassMap::clear);
 	ClassDB::bind_method(D_METHOD("is_empty"), &GrassMap::is_empty);
 	ClassDB::bind_method(D_METHOD("get_chunks"), &GrassMap::get_chunks);

@@ -4,12 +4,14 @@
 #pragma once
 
 #include "core/paint/brush.h"
+#include "core/paint/channel_picture.h"
 #include "core/paint/lay_ground.h"
 #include "resources/grass_brush.h"
 #include "resources/grass_fill_rule.h"
 
 #include <godot_cpp/classes/image.hpp>
 #include <godot_cpp/classes/resource.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -27,6 +29,12 @@ public:
 
 protected:
 	static void _bind_methods() {}
+};
+
+// What is wrong with a picture or with the region that it is for.
+struct PictureProblem {
+	godot::Error error = godot::OK;
+	godot::String text; // a sentence that says what to do
 };
 
 // Any thread may read and save its contents: readers copy the map, or read it under the lock that changes take. C++ code on the main thread
@@ -65,13 +73,26 @@ public:
 	double sample(Channel p_channel, const godot::Vector2 &p_place, int64_t p_component = 0) const;
 	// Sets the ground's shape from heights in metres (red channel) over a rectangle. Returns false if nothing could be read.
 	bool set_ground(const godot::Ref<godot::Image> &p_heights, const godot::Rect2 &p_region);
+	// Return a channel's texels as an image, and write an image's into it. A region without an area: what was painted in the channel. For
+	// files they return an Error.
+	godot::Ref<godot::Image> get_channel_image(Channel p_channel, const godot::Rect2 &p_region = {}, bool p_is_float = false) const;
+	bool set_channel_image(Channel p_channel, const godot::Ref<godot::Image> &p_image, const godot::Rect2 &p_region = {});
+	int64_t save_channel_image(Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region = {}) const;
+	int64_t load_channel_image(Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region = {});
+	// The same, without a message: returns what is wrong.
+	PictureProblem write_picture(Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region) const;
+	PictureProblem read_picture(Channel p_channel, const godot::String &p_path, const godot::Rect2 &p_region);
+	PictureProblem lay_picture(Channel p_channel, const godot::Ref<godot::Image> &p_image, const godot::Rect2 &p_region);
 	// Fills by a rule without nodes; null: returns to the base density. Returns the square metres of full grass gained.
 	double fill(const godot::Ref<GrassFillRule> &p_rule, const godot::Rect2 &p_region);
+	int64_t save_to_file(const godot::String &p_path) const; // whatever its extension; returns an Error
 	godot::Ref<GrassMapSnapshot> take_snapshot() const;
 	void restore_snapshot(const godot::Ref<GrassMapSnapshot> &p_snapshot);
 	// Returns the changes since a snapshot, in order: what a server sends its clients.
 	godot::PackedByteArray get_changes_since(const godot::Ref<GrassMapSnapshot> &p_snapshot) const;
 	bool apply_changes(const godot::PackedByteArray &p_changes);
+	// Brings the changes from a common state to another map into this one. Returns a report; empty: it was refused.
+	godot::Dictionary merge(const godot::Ref<GrassMap> &p_base, const godot::Ref<GrassMap> &p_theirs, bool p_prefers_theirs = false);
 	void clear();
 	bool is_empty() const;
 	godot::TypedArray<godot::Vector2i> get_chunks() const;
@@ -120,7 +141,10 @@ private:
 		return true;
 	}
 	void replace_by(PaintMap &&p_now);
-	bool is_region(const char *p_method, const godot::Rect2 &p_region) const;
+	bool is_region(const char *p_use, const godot::Rect2 &p_region) const;
+	godot::String problem_of_region(const char *p_use, const godot::Rect2 &p_region) const;
+	PictureProblem find_rect(Channel p_channel, const godot::Rect2 &p_region, TexelRect &r_rect) const;
+	PictureProblem make_picture(Channel p_channel, const godot::Rect2 &p_region, bool p_is_float, godot::Ref<godot::Image> &r_image) const;
 	void _report_unread(const godot::String &p_reason);
 	void tell(const BrushResult &p_result);
 	void tell(const std::vector<MapKey> &p_changed, const godot::Rect2 &p_region);

@@ -50,6 +50,17 @@ const MapCodec &engine_codec() {
 	return codec;
 }
 
+Ref<GrassMap> load_map_file(const String &p_path) {
+	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::READ);
+	ERR_FAIL_COND_V_MSG(file.is_null(), Ref<GrassMap>(),
+			vformat("Cannot open the grass map '%s'. Check that the file exists and can be read.", p_path));
+	Ref<GrassMap> map;
+	map.instantiate();
+	const String reason = map->read(file->get_buffer(int64_t(file->get_length())));
+	ERR_FAIL_COND_V_MSG(!reason.is_empty(), Ref<GrassMap>(), vformat("Cannot load the grass map '%s': the file %s.", p_path, reason));
+	return map;
+}
+
 PackedStringArray GrassMapLoader::_get_recognized_extensions() const {
 	PackedStringArray extensions;
 	extensions.push_back(EXTENSION);
@@ -68,17 +79,8 @@ Variant GrassMapLoader::_load(const String &p_path, const String &p_original_pat
 	(void)p_original_path; // maps are not imported
 	(void)p_use_sub_threads;
 	(void)p_cache_mode; // handled by the engine
-	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::READ);
-	if (file.is_null()) {
-		return fail(ERR_FILE_CANT_OPEN, vformat("Cannot open the grass map '%s'. Check that the file exists and can be read.", p_path));
-	}
-	Ref<GrassMap> map;
-	map.instantiate();
-	const String reason = map->read(file->get_buffer(int64_t(file->get_length())));
-	if (!reason.is_empty()) {
-		return fail(ERR_FILE_CORRUPT, vformat("Cannot load the grass map '%s': the file %s.", p_path, reason));
-	}
-	return map;
+	const Ref<GrassMap> map = load_map_file(p_path);
+	return map.is_valid() ? Variant(map) : Variant(FileAccess::file_exists(p_path) ? ERR_FILE_CORRUPT : ERR_FILE_CANT_OPEN);
 }
 
 bool GrassMapSaver::_recognize(const Ref<Resource> &p_resource) const {
@@ -97,37 +99,41 @@ Error GrassMapSaver::_save(const Ref<Resource> &p_resource, const String &p_path
 	(void)p_flags; // a map refers to no other resource
 	const GrassMap *map = Object::cast_to<GrassMap>(p_resource.ptr());
 	ERR_FAIL_NULL_V(map, ERR_INVALID_PARAMETER);
-	const ReadLimits limits = get_read_limits();
-	if (size_t(map->get_memory_usage()) > limits.map_bytes) {
-		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, but a map that is read may take at most %s. It is saved, but it cannot "
-						   "be loaded until that limit is raised%s.",
-				p_path, megabytes(size_t(map->get_memory_usage())).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
-	}
-	return write_map_file(map->get_data(), p_path);
+	return Error(map->save_to_file(p_path));
 }
 
-Error write_map_file(const PackedByteArray &p_data, const String &p_path) {
+int64_t GrassMap::save_to_file(const String &p_path) const {
+	const ReadLimits limits = get_read_limits();
+	const size_t bytes = size_t(get_memory_usage());
+	if (bytes > limits.map_bytes) {
+		WARN_PRINT(vformat("The grass map '%s' takes %s of memory, but a map that is read may take at most %s. It is saved, but it cannot "
+						   "be loaded until that limit is raised%s.",
+				p_path, megabytes(bytes).c_str(), megabytes(limits.map_bytes).c_str(), limits.map_hint.c_str()));
+	}
+	return write_map_file(get_data(), p_path);
+}
+
+Error write_map_file(const PackedByteArray &p_data, const String &p_path, const String &p_what) {
 	static std::mutex mutex; // two threads may write the same file
 	std::lock_guard lock(mutex);
 	const String unfinished = p_path + String(".tmp");
 	const Ref<FileAccess> file = FileAccess::open(unfinished, FileAccess::WRITE);
 	if (file.is_null()) {
 		return fail(FileAccess::get_open_error(),
-				vformat("Cannot save the grass map '%s': '%s' cannot be written. Check that the folder exists and can be written to.",
-						p_path, unfinished));
+				vformat("Cannot save %s '%s': '%s' cannot be written. Check that the folder exists and can be written to.", p_what, p_path,
+						unfinished));
 	}
 	const bool stored = file->store_buffer(p_data) && file->get_error() == OK;
 	file->close();
 	if (!stored || FileAccess::get_file_as_bytes(unfinished) != p_data) {
 		DirAccess::remove_absolute(unfinished);
 		return fail(ERR_FILE_CANT_WRITE,
-				vformat("Cannot save the grass map '%s': writing failed. Check whether the disk is full. The old file is unchanged.",
-						p_path));
+				vformat("Cannot save %s '%s': writing failed. Check whether the disk is full. The old file is unchanged.", p_what, p_path));
 	}
 	const Error renamed = DirAccess::rename_absolute(unfinished, p_path);
 	if (renamed != OK) {
 		DirAccess::remove_absolute(unfinished);
-		return fail(renamed, vformat("Cannot save the grass map '%s': the old file cannot be replaced. It is unchanged.", p_path));
+		return fail(renamed, vformat("Cannot save %s '%s': the old file cannot be replaced. It is unchanged.", p_what, p_path));
 	}
 	return OK;
 }

@@ -14,7 +14,10 @@ namespace grass {
 const MapCodec &engine_codec();
 // Writes a new file beside the old one and replaces the old one once the new one is complete, so that a whole file exists at any time. May
 // be called on any thread.
-godot::Error write_map_file(const godot::PackedByteArray &p_data, const godot::String &p_path);
+godot::Error write_map_file(
+		const godot::PackedByteArray &p_data, const godot::String &p_path, const godot::String &p_what = "the grass map");
+// Returns the map in a file, whatever its extension, or null after a message that names the file: never half a map.
+godot::Ref<class GrassMap> load_map_file(const godot::String &p_path);
 
 class GrassMapLoader : public godot::ResourceFormatLoader {
 	GDCLASS(GrassMapLoader, godot::ResourceFormatLoader)

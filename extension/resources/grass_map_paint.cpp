@@ -10,18 +10,24 @@ using namespace godot;
 
 namespace grass {
 
-// Whether p_region, for p_method, has a size, and lies where a map can hold it.
-bool GrassMap::is_region(const char *p_method, const Rect2 &p_region) const {
-	ERR_FAIL_COND_V_MSG(!p_region.is_finite() || !p_region.has_area(), false,
-			vformat("%s: %s() needs a region with a width and a depth, in metres.", label(), p_method));
+// Returns what is wrong with p_region, for p_use: it needs a size, and a place where a map can hold it. Empty: nothing.
+String GrassMap::problem_of_region(const char *p_use, const Rect2 &p_region) const {
+	if (!p_region.is_finite() || !p_region.has_area()) {
+		return vformat("%s needs a region with a width and a depth, in metres.", p_use);
+	}
 	constexpr double REACH = PaintMap::REACH * MAP_CHUNK_SIZE, LARGEST = double(PaintMap::MAX_CHUNKS) * MAP_CHUNK_SIZE * MAP_CHUNK_SIZE;
 	const Vector2 end = p_region.get_end();
-	ERR_FAIL_COND_V_MSG(p_region.position.x < -REACH || p_region.position.y < -REACH || end.x > REACH || end.y > REACH ||
-					p_region.size.x * p_region.size.y > LARGEST,
-			false,
-			vformat("%s: the region of %s() must lie within 16,384 m to each side and have at most %d square kilometres, the area that a "
-					"map can hold.",
-					label(), p_method, int64_t(LARGEST * 1e-6)));
+	const bool is_within = p_region.position.x >= -REACH && p_region.position.y >= -REACH && end.x <= REACH && end.y <= REACH &&
+			p_region.size.x * p_region.size.y <= LARGEST;
+	return is_within ? String()
+					 : vformat("the region of %s must lie within 16,384 m to each side and have at most %d square kilometres, the area "
+							   "that a map can hold.",
+							   p_use, int64_t(LARGEST * 1e-6));
+}
+
+bool GrassMap::is_region(const char *p_use, const Rect2 &p_region) const {
+	const String problem = problem_of_region(p_use, p_region);
+	ERR_FAIL_COND_V_MSG(!problem.is_empty(), false, vformat("%s: %s", label(), problem));
 	return true;
 }
 
@@ -34,7 +40,7 @@ bool GrassMap::set_ground(const Ref<Image> &p_heights, const Rect2 &p_region) {
 			vformat("%s: set_ground() needs an image of heights in metres, in its red channel.", label()));
 	ERR_FAIL_COND_V_MSG(p_heights->is_compressed(), false,
 			vformat("%s: set_ground() cannot read a compressed image. Call decompress() on it, or use FORMAT_RF.", label()));
-	if (!is_region("set_ground", p_region)) {
+	if (!is_region("set_ground()", p_region)) {
 		return false;
 	}
 	const int32_t width = p_heights->get_width(), depth = p_heights->get_height();
@@ -94,7 +100,7 @@ double GrassMap::sample(Channel p_channel, const Vector2 &p_place, int64_t p_com
 }
 
 double GrassMap::fill(const Ref<GrassFillRule> &p_rule, const Rect2 &p_region) {
-	if (!is_region("fill", p_region)) {
+	if (!is_region("fill()", p_region)) {
 		return 0.0;
 	}
 	const MapRegion region{ to_eigen(p_region.position), to_eigen(p_region.get_end()) };

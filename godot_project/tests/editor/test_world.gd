@@ -139,3 +139,34 @@ func test_a_picture_of_a_stroke_across_plots() -> void:
 	await move(at(Vector3(0, 0, -0.8)))
 	await frames(4)
 	await shoot("world_painting")
+
+
+func test_each_plot_has_a_picture() -> void:
+	await erase_across()
+	var path := "user://world_density.exr"
+	var menu := (toolbar.get_node("Menu") as MenuButton).get_popup()
+	var dialog: FileDialog = get_tree().root.find_child("GrassPictureDialog", true, false)
+	var answer := func(item: int) -> void:
+		menu.id_pressed.emit(item)
+		dialog.hide()
+		dialog.file_selected.emit(path)
+	answer.call(5)
+	await frames(2)
+	var left := world.get_field_at(LEFT)
+	var right := world.get_field_at(RIGHT)
+	var painted: Array[PackedByteArray] = [left.map.data, right.map.data]
+	answer.call(6)
+	assert_eq([left.map.data, right.map.data], painted, "the same")
+	var image := Image.load_from_file("user://world_density_-1_0.exr")
+	assert_eq(image.get_size(), Vector2i(128, 128))
+	image.fill(Color.WHITE * 0.4)
+	image.save_exr("user://world_density_-1_0.exr")
+	answer.call(6)
+	await frames(2)
+	assert_near(density_there(Vector3(-20, 0, -20)), 0.4, 0.003)
+	assert_near(right.map.sample(GrassMap.CHANNEL_DENSITY, Vector2(-32.25, 0)), 0.4, 0.003, "the edge that its neighbour shows")
+	await undo()
+	assert_eq([left.map.data, right.map.data], painted, "undone in one step")
+	for file in DirAccess.get_files_at("user://"):
+		if file.begins_with("world_density"):
+			DirAccess.remove_absolute("user://" + file)
