@@ -181,6 +181,13 @@ func painting_from_a_script() -> void:
 	assert_greater(stage.field.height_at(Vector3(0, 0, 6)), 0.4, "uncut beside it")
 
 
+func shared_maps_from_a_script() -> void:
+	var stage := await ran()
+	assert_near(stage.map.sample(GrassMap.CHANNEL_HEIGHT, Vector2(0, -4)), 0.5, 0.01, "grey")
+	assert_eq(stage.map.sample(GrassMap.CHANNEL_HEIGHT, Vector2(0, 4)), 1.0)
+	DirAccess.remove_absolute("user://density.png")
+
+
 func first_meadow_from_a_script() -> void:
 	var node := Node3D.new()
 	node.set_script(block_script())
