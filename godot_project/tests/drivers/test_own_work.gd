@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The device says that it is NVIDIA's: simulate keeps joints in arrays of its threads, not in a buffer (extension/gpu/obstacles.cpp). On
-## others test_parity.gd runs with the buffer.
+## The device reports NVIDIA as its vendor, so simulate keeps joints in arrays of its threads, not in a buffer
+## (extension/gpu/obstacles.cpp). On other devices test_parity.gd runs with the buffer.
 extends "res://tests/parity_case.gd"
 
 const AFTER_CONTACT := 1e-3  # of a blade's length

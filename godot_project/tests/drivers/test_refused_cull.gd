@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The driver refuses the pass that chooses what is drawn, from the beginning.
+## The driver refuses, from the start, the pass that chooses what is drawn.
 extends "res://tests/drivers/refused_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The driver refuses the pass that reads blades back, from the beginning: a game would be told that they stand where they do not.
+## The driver refuses, from the start, the pass that reads blades back. A game must not get places where the blades are not.
 extends "res://tests/drivers/refused_case.gd"
 
 

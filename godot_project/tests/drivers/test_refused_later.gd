@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The driver refuses a pass that only the first edge, crowd, plant, species or other method needs, while other fields are drawn. In order:
-## a process compiles a pass once.
+## The driver refuses a pass that only the first edge, crowd, plant or species, or another method, needs, while other fields are drawn. The
+## tests run in order, since a process compiles a pass only once.
 extends "res://tests/drivers/refused_case.gd"
 
 const DAISY := "res://addons/grass_field/presets/ox_eye_daisy.tres"  # with a mesh

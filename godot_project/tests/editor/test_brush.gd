@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The brush in the editor: mouse, keys, ring, history, and what may go wrong meanwhile.
+## The brush in the editor: mouse, keys, ring, undo history, and interruptions of a stroke.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The brush in the editor on uneven ground: where strokes land, what is baked, and what limits hold back.
+## The brush in the editor on uneven ground: where strokes land, what is baked, and which limits apply.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

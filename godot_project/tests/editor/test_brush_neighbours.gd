@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A stroke over several fields: each is painted on its own map, and all of it is one step.
+## A stroke over several fields paints each on its own map, and is one step of the undo history.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

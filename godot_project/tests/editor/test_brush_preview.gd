@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the brush would do is drawn before it does it, and is nowhere but in the picture.
+## The preview of the brush changes the picture and nothing else.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

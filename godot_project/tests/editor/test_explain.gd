@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## "Why is there no grass here?" in the editor: the answer stands beside the cursor.
+## "Why is there no grass here?" in the editor: the answer appears beside the cursor.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Filling by rule in the editor: the inspector's button, and what the history makes of it.
+## Filling by rule in the editor: the inspector's button, undo and redo.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

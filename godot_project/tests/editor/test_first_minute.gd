@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the editor says and shows to somebody who has just begun: warnings beside the node, species by name, exports without a library.
+## What the editor shows to a newcomer: warnings beside the node, species by name, an error for an export without a library.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Baked ground follows what it was read from, while a scene is edited.
+## While a scene is edited, baked ground follows the bodies and terrains that it was read from.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

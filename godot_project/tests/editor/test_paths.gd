@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A path in the editor: Godot's own tools for curves bend it, and the grass follows.
+## A path in the editor: the grass follows a curve that is bent with Godot's own tools.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## The pictures in docs/guide/painting.md: toolbar, ring and strokes on a meadow that rises; what the brush would do; the answer to why
-## there is no grass. Written beside the test's copy of the project as painting.png, preview.png and why.png; what can be told without eyes
-## is checked.
+## The pictures in docs/guide/painting.md: toolbar, ring and strokes on a meadow that rises; the preview of the brush; the answer to why
+## there is no grass. They are saved beside the test's copy of the project as painting.png, preview.png and why.png. The test checks what
+## numbers can check.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Presets that are dropped on the toolbar's Species tool, on its palette, or on a field in the 3D view.
+## Presets dropped on the toolbar's Species tool, on its palette, or on a field in the 3D view.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Pictures of what a level designer does beside painting, for docs/guide/painting.md: each also says that it was done.
+## Pictures, for docs/guide/painting.md, of what a level designer does besides painting. Each test also checks that it was done.
 @tool
 extends "res://tests/editor/editor_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A GrassWorld in the edited scene: its plots stand around the editor's camera, and the brush paints across them.
+## A GrassWorld in the edited scene: its plots load around the editor's camera, and the brush paints across them.
 @tool
 extends "res://tests/editor/world_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Plots that are painted in the editor are written with the scene, and not before, to the folder that they were painted for.
+## Plots painted in the editor are saved with the scene, and not before, to the folder for which they were painted.
 @tool
 extends "res://tests/editor/world_case.gd"
 

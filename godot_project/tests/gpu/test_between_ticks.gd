@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Physics interpolation: what it costs, on both backends, and the motion vectors of what is between two ticks.
+## Physics interpolation: its cost on both backends, and motion vectors between two ticks.
 extends "res://tests/between_case.gd"
 
 const Vectors := preload("res://tests/gpu/test_motion.gd").Vectors

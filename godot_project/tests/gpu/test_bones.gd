@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What bones do to grass on the CPU they do on the GPU.
+## Bones bend grass on the GPU as they do on the CPU.
 extends "res://tests/headless/test_bones.gd"
 
 

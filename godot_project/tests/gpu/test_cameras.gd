@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Several cameras of one world each see the right tiles, and shadows of tiles that none of them sees.
+## Several cameras of one world each see the right tiles, and the shadows of tiles that none of them sees.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(128, 72)

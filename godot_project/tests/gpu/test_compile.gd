@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Worker threads compile the simulation's passes. Until the first one is there grass stands; until the one that meets colliders with edges
-## is there the first one takes all tiles. A field that is given another method goes on until the other one's pass is there.
+## Worker threads compile the simulation's passes. Until the first pass is ready, grass does not bend; until the pass for colliders with
+## edges is ready, the first one simulates all tiles. A field whose method changes keeps its old pass until the new one is ready.
 extends "res://tests/parity_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## More tiles in view than there is room for: always the same far ones are left out, evenly, and the field says so.
+## More tiles in view than there is room for: the field leaves out the same far tiles in every frame, evenly spread, and reports it.
 extends "res://tests/view_case.gd"
 
 const ROOM := 256

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Which tiles are drawn, how finely, and that nothing is chosen or uploaded where nothing changes.
+## Which tiles are drawn, and at what detail. Nothing is chosen or uploaded where nothing changes.
 extends "res://tests/view_case.gd"
 
 # From, at: within, above, along an edge, from afar.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A headset's two eyes. This one tells the engine where they are and how they see, and shows nothing: drawing eyes takes shaders that a
-## project has to ask for (`xr/shaders/enabled`).
+## A headset's two eyes. An XR interface of the test's own gives the engine their places and projections, and shows nothing: to draw for
+## both eyes, a project has to enable shaders (`xr/shaders/enabled`).
 extends "res://tests/view_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Cards on the tips of a species: which blades have one, how they bend, and what is left of their colour far away.
+## Cards on the tips of a species: which blades have one, how they bend, and how much of their colour is left far away.
 extends "res://tests/species_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What forces do is drawn: by the simulation where tiles are awake, as wind elsewhere, and without a jump between the two.
+## The picture shows the effect of forces: simulated where tiles are awake, as wind elsewhere, without a jump between the two.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What TAA keeps of earlier frames: a body that passes through grass leaves no ghost. Beside the view lies another one of the same world,
-## of sixteen samples a pixel and without TAA, which shows what the frame should be.
+## History of TAA: a body that passes through grass leaves no ghost. A second view of the same world, with sixteen samples a pixel and
+## without TAA, shows what each frame should be.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(256, 144)

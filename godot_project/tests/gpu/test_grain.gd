@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Far grass has no grain: when the camera moves by parts of a pixel, pixels change hardly more than those of a picture with 16 samples
-## each.
+## Far grass has no grain: when the camera moves by parts of a pixel, pixels change hardly more than in a picture with 16 samples a pixel.
 extends "res://tests/light_case.gd"
 
 const SMALL := Vector2i(160, 90)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Bodies that roll down a hillside: two fields on one spot, one on each backend.
+## Bodies roll down a hillside through two fields in the same place, one on each backend.
 extends "res://tests/hill_case.gd"
 
 

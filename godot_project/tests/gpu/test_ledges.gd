@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Grass and soil at the edges of baked ground, as they are drawn.
+## Grass and soil as they are drawn at the edges of baked ground.
 extends "res://tests/view_case.gd"
 
 const LedgeScene = preload("res://tests/ledge_scene.gd")

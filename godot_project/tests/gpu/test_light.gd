@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Grass is about as light near as far, whatever light falls on it.
+## Grass has about the same brightness near and far, in any light.
 extends "res://tests/light_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A pool that is larger than a storage buffer of the device may be: as many tiles as it holds, and a warning.
+## A pool larger than the device's largest storage buffer gets as many tiles as fit, and a warning.
 extends "res://tests/view_case.gd"
 
 const HELD := 6241  # slots of 21,504 bytes in 128 MiB, which Vulkan promises

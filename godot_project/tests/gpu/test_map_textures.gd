@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a frame uploads of a map while it grows: one chunk more than the textures have room for must not upload all of it.
+## What a frame uploads of a map while the map grows: one chunk more than the textures have room for must not upload all of it.
 extends "res://tests/field_case.gd"
 
 const CHUNK := 64.0

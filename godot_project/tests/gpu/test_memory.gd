@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The renderer's memory: what a field takes, and that all of it comes back.
+## The renderer's memory: how much a field takes, and that it frees all of it.
 extends "res://tests/view_case.gd"
 
 const MEMORY: Array[Performance.Monitor] = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Motion vectors: what TAA and FSR 2 know of how blades moved since the last frame.
+## Motion vectors: how blades moved since the last frame, for TAA and FSR 2.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(384, 216)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What a field looks like, by numbers that no driver's rounding changes: shares and means, not pixels. Runs in every
-## renderer: Forward+, Mobile, Compatibility.
+## The look of a field, by numbers that a driver's rounding does not change: shares and means, not pixels. Runs in every renderer: Forward+,
+## Mobile, Compatibility.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Physics interpolation: frames between two ticks show blades between two steps, as the engine draws the bodies that bend them.
+## Physics interpolation: between two ticks, a frame shows blades between two steps, as the engine draws the bodies that bend them.
 extends "res://tests/between_case.gd"
 
 

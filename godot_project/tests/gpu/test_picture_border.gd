@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## How a field ends: grass gets thinner and lower, soil has a soft edge. Runs in every renderer.
+## The border of a field: grass gets thinner and lower, soil has a soft edge. Runs in every renderer.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Where blades end the ground goes on: with their colour, in all light, without a line. Runs in every renderer.
+## Beyond the last blades the ground has their colour, in any light and without a visible line. Runs in every renderer.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(96, 54)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a surface hook makes of blades and soil, in every renderer: the inputs it is given, colour, glow, snow and wetness.
+## The effect of a surface hook on blades and soil, in every renderer: its inputs, colour, glow, snow and wetness.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Whatever light falls on it, grass has the same mean colour in every renderer: Forward+, which runs first, writes down what it shows.
+## In any light, grass has the same mean colour in every renderer. Forward+ runs first and saves its colours for the others.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(192, 108)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a field with a map looks like: grass where it was painted, on hills, cut and tinted; both backends alike.
+## The look of a field with a map: grass where it was painted, on hills, cut and tinted; the same on both backends.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(480, 270)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A GrassWorld that is drawn: blades stand on both sides of a plot's border, and where a map that a thread prepared says so. Runs in
+## The picture of a GrassWorld: blades grow on both sides of a plot's border, and where a map that a thread prepared has grass. Runs in
 ## every renderer.
 extends "res://tests/view_case.gd"
 

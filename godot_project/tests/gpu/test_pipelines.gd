@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Shaders and their pipelines are made in the background: in the frame in which a change shows, the renderer needs none that is not there.
+## Shaders and their pipelines are compiled in the background: the frame that first shows a change compiles none.
 extends "res://tests/view_case.gd"
 
 const HOOK := """

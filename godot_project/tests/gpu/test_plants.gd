@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Plants with a mesh: they stand where blades stand, bend and are mown as those are, and far away they are blades.
+## Plants with a mesh: they grow in the places of blades, bend and are mown like them, and are drawn as blades far away.
 extends "res://tests/species_case.gd"
 
 const GREEN := Color(0.3, 0.6, 0.2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What scripts ask about blades on the GPU: answered at once by what was read back, at most two ticks old, or exactly by a call that
+## Queries of scripts about blades on the GPU: answered at once from what was read back, at most two ticks old, or exactly by a call that
 ## waits. Ages are counted in steps of the simulation.
 extends "res://tests/parity_case.gd"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The same ticks twice on one GPU: the same bits.
+## The same ticks twice on one GPU give the same bits.
 extends "res://tests/field_case.gd"
 
 

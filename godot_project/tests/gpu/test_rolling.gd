@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A ball that rolls through grass at 20 ticks a second, seen from the side at 60 frames: blades stand right before the ball that is drawn,
-## in frames between two ticks as well.
+## A ball rolls through grass at 20 ticks a second, seen from the side at 60 frames a second: the grass ends right at the ball as it is
+## drawn, also in frames between two ticks.
 extends "res://tests/view_case.gd"
 
 const TICKS_A_SECOND := 20  # three frames a tick

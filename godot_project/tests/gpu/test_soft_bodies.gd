@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Hulls that change in every tick, and those of a split trimesh, reach the GPU as they reach the CPU; a moving height map bends nothing.
+## Hulls that change in every tick, and those of a split trimesh, reach the GPU as they reach the CPU. A moving height map bends nothing.
 extends "res://tests/field_case.gd"
 
 

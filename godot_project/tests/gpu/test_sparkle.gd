@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## No blade shows a colour that it does not have. A triangle smaller than a pixel covers few of its samples; what is
-## interpolated at the pixel's middle is then extrapolated, far beyond what any of its corners has.
+## No blade shows a colour that it does not have. A triangle smaller than a pixel covers few of its samples; an attribute interpolated at
+## the pixel's centre is then extrapolated far beyond the values at its corners.
 extends "res://tests/view_case.gd"
 
 const SIZE := Vector2i(720, 720)

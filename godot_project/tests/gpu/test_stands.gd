@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A stand of a short species is about as light as the meadow beside it, from near and far, and no carpet of dots.
+## A stand of a short species is about as bright as the meadow beside it, near and far, and does not look like a carpet of dots.
 extends "res://tests/species_case.gd"
 
 const PRESETS := "res://addons/grass_field/presets/%s.tres"

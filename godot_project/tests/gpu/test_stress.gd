@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Both methods on the GPU under random parameters, thrown bodies and odd ticks: what tests/stress asks of the core.
+## Both methods on the GPU with random parameters, thrown bodies and odd time steps: the checks of tests/stress.
 extends "res://tests/field_case.gd"
 
 const STRETCH := 0.01  # of a segment

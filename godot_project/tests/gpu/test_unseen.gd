@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What nobody sees is not done, and is right again when somebody looks.
+## What no camera sees is not computed, and is right again when a camera sees it.
 extends "res://tests/view_case.gd"
 
 const AHEAD := Vector3(0.25, 0.2, -3.75)

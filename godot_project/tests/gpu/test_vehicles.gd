@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What wheels do to grass on the CPU they do on the GPU.
+## Wheels press grass on the GPU as they do on the CPU.
 extends "res://tests/headless/test_vehicles.gd"
 
 

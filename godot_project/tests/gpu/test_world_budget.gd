@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A GrassWorld whose pools live on the GPU, where a pool of 4,096 tiles takes more than all the rest of a plot.
+## A GrassWorld whose pools are on the GPU, where a pool of 4,096 tiles takes more memory than the rest of a plot.
 extends "res://tests/view_case.gd"
 
 

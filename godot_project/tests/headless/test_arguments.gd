@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Every method of every class, with arguments that nobody means: a number that is none, far too large, negative, nothing. Each is brought
-## within its range or refused with a message that names whose method it is; none takes for ever, none changes what is beyond the field.
+## Every method of every class gets arguments that make no sense: NaN, far too large, negative, null. Each is clamped or refused with a
+## message that names the class and the method. No call hangs, and none changes anything beyond the field.
 extends "res://tests/world_case.gd"
 
 const FAR := 1e30

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The benchmarks' scripts load, and those that need no GPU measure something: as small as in software, on the CPU.
+## The benchmarks' scripts load, and those that need no GPU measure something: on the CPU, in the small sizes for software rendering.
 extends "res://tests/case.gd"
 
 const Table := preload("res://bench/table.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Physics interpolation is a matter of frames: ticks and answers are the same, and where no frame is drawn it costs nothing with it.
+## Physics interpolation affects frames only: ticks and queries give the same with it, and where no frame is drawn it costs nothing.
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(4, 4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Which bodies bend grass: every kind that moves, whatever becomes of it while it stands in the field.
+## Which bodies bend grass: every kind that moves, through all changes while it is in the field.
 extends "res://tests/field_case.gd"
 
 const CENTER := Vector2i(4, 4)  # a tile at the middle of the field

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A skeleton without physics bends grass by capsules along its bones.
+## A skeleton without physics bends grass with capsules along its bones.
 extends "res://tests/field_case.gd"
 
 

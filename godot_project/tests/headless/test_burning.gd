@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The demo's fire runs down the wind, leaves stubble, wear and a black tint in the map, and ends.
+## The demo's fire spreads with the wind, leaves stubble, wear and a black tint in the map, and goes out.
 extends "res://tests/field_case.gd"
 
 const Fire := preload("res://demo/fire.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The base of all tests: what it prints of a failure, and that a test without a check fails.
+## The base of all tests: how it prints a failure, and that a test without a check fails.
 extends "res://tests/case.gd"
 
 const Case := preload("res://tests/case.gd")

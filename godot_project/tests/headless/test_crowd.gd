@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A crowd on more tiles than the pool holds: its slots go to what the camera sees.
+## A crowd on more tiles than the pool holds: the tiles that the camera sees get the slots.
 extends "res://tests/field_case.gd"
 
 const SIDE := 20  # bodies along a side of the crowd

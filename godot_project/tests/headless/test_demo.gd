@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The demo's places open, and what goes on in them bends, cuts and treads grass.
+## The demo's places open, and what happens in them bends, cuts and tramples grass.
 extends "res://tests/case.gd"
 
 const Demo := "res://demo/%s.tscn"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The walk is played by events of a keyboard and a gamepad: each thing in it does to the grass what it is there for.
+## Keyboard and gamepad events play the walk: each thing in it has its effect on the grass.
 extends "res://tests/case.gd"
 
 const SCENE := "res://demo/walk.tscn"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A number that is none of an enum's: every setter refuses it, says which property of which class it was, and keeps the value.
+## An invalid enum value: every setter refuses it, names the property and its class, and keeps the old value.
 extends "res://tests/field_case.gd"
 
 const NUMBERS: Array[int] = [-1, 99, 1 << 40, (1 << 40) + 1, -(1 << 40)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Why there is no grass at a place.
+## Why there is no grass in a place.
 extends "res://tests/fill_case.gd"
 
 

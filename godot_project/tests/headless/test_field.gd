@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field at rest: what grows from nothing but the node, what it is grown from, and what it costs.
+## A field at rest: what grows from the node alone, what it is made from, and what it costs.
 extends "res://tests/field_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Fill by rule: once and live, undone, over other ground and under paint.
+## Filling by rule: once and live, undone, over other ground and under paint.
 extends "res://tests/fill_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a rule reads of the scene: nodes that exclude it, collision shapes, masks and vertex colours.
+## What a rule reads from the scene: excluding nodes, collision shapes, masks and vertex colours.
 extends "res://tests/fill_case.gd"
 
 

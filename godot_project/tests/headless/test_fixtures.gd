@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Files of every version so far load, and hold what they held: tests/fixtures/VERSION, written by `./grass release --fixtures`.
+## Files of every version so far load with their values: tests/fixtures/VERSION, written by `./grass release --fixtures`.
 extends "res://tests/field_case.gd"
 
 const Fixture = preload("res://tests/fixtures/fixture.gd")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Forces: blasts, downwash, vortices and winds of a place bend the grass, wake what they move, and leave it as it was.
+## Forces: blasts, downwash, vortices and local winds bend the grass, wake the tiles that they move, and let the grass return to rest.
 extends "res://tests/field_case.gd"
 
 const KINDS: Array[GrassForce3D.Kind] = [

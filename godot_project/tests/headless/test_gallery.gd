@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Every view of the gallery can be built, and has grass before the camera.
+## Every view of the gallery can be built, and has grass in front of the camera.
 extends "res://tests/case.gd"
 
 const Views := preload("res://demo/gallery/views.gd")

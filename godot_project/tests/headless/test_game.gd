@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a game asks of the grass and does to it: questions, cutting, trampling, regrowing; and that what was done lasts.
+## Grass in a game: queries, cutting, trampling, regrowing; and that changes last.
 extends "res://tests/field_case.gd"
 
 const FILE := "user://lawn.grassmap"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Who bends grass in a game, and who hears of it: colliders without physics, bodies that come and go.
+## Bodies in a game: colliders without physics, and signals about bodies that enter and leave.
 extends "res://tests/field_case.gd"
 
 var entered: Array[Node] = []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A scene whose blades are known bit for bit: species, a painted map, bodies of all shapes, two seconds on the CPU. A change of the code
-## that is not meant to change what it computes keeps the hashes; one that is meant to writes down new ones.
+## A scene whose blades are known bit for bit: species, a painted map, bodies of all shapes, two seconds on the CPU. A change that should
+## not affect results keeps the hashes; one that should records new ones.
 extends "res://tests/field_case.gd"
 
 const EVERY := 30  # ticks from one look to the next

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field that changes while it stands: what is kept, and what is drawn until new blades are there.
+## A field that changes at run time: what is kept, and what is drawn until the new blades are ready.
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(3, 3)

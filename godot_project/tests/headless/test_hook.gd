@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field's surface hook: its uniforms are properties, what does not compile is said and left out.
+## A field's surface hook: its uniforms are properties; code that does not compile is reported and left out.
 extends "res://tests/field_case.gd"
 
 const HOOKS := "res://addons/grass_field/hooks/"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Grass bends where a moving body is drawn, whatever moves it: not where it was a tick before.
+## Grass bends where a moving body is drawn, whatever moves it, not where the body was a tick before.
 extends "res://tests/field_case.gd"
 
 const TICKS_A_SECOND := 20

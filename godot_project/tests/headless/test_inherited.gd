@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a newcomer meets first: inherited properties that the inspector shows, and what a field knows in its parent's _ready().
+## What a newcomer meets first: inherited properties in the inspector, and the state of a field in its parent's _ready().
 extends "res://tests/field_case.gd"
 
 const HIDDEN: Array[String] = [

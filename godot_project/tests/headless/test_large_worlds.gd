@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Far from the world's origin, on very large fields, and while the world is shifted about its origin: what is simulated
-## stays the same.
+## Far from the world's origin, on very large fields, and while the world is shifted about its origin, the simulation gives the same
+## results.
 extends "res://tests/field_case.gd"
 
 const SAME := 1e-5  # of a blade's length

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Baked ground with edges: blades are counted against what a ray from above finds where they are rooted.
+## Baked ground with edges: the test compares the root of each blade with what a ray from above hits there.
 extends "res://tests/field_case.gd"
 
 const LedgeScene = preload("res://tests/ledge_scene.gd")

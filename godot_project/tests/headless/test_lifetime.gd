@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field that is moved, turned, rescaled, taken out and put back, copied over another and freed, with bodies in it.
+## A field that is moved, turned, rescaled, removed and added again, copied over another and freed, with bodies in it.
 extends "res://tests/field_case.gd"
 
 

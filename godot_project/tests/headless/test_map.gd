@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## GrassMap as a resource: painting, snapshots, files that are whole, broken, or being replaced.
+## GrassMap as a resource: painting, snapshots, and files that are whole, damaged, or being replaced.
 extends "res://tests/case.gd"
 
 const FOLDER := "user://maps/"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A map on a field: grass stands, is short, is cut and stands on hills as the map says; only what changed travels.
+## A field with a map: grass grows, is short, is cut and follows hills as the map says. Only changes are sent on.
 extends "res://tests/field_case.gd"
 
 const SLOPE := 0.5  # metres up for each metre along x

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Scaled and mirrored shapes press where the physics server has them.
+## Scaled and mirrored shapes press the grass where the physics server has them.
 extends "res://tests/field_case.gd"
 
 const PLACE := Vector3(0.13, 0.32, -0.07)  # of the body

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the debugger shows of all fields together, and that get_statistics() and get_counters() have the keys that they promise.
+## The debugger's monitors of all fields together. get_statistics() and get_counters() have the documented keys.
 extends "res://tests/field_case.gd"
 
 const MONITORS: Array[String] = [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Bodies leave no gap in the grass they pass, whatever moves them, at any speed and tick rate; where one is teleported, the grass between
-## stands.
+## Moving bodies leave no gap in the grass along their way, whatever moves them, at any speed and tick rate. Where a body is teleported, the
+## grass in between is untouched.
 extends "res://tests/field_case.gd"
 
 const PLACES := 48  # along the way, 1 m apart

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Grass on what moves: a raft that carries a field is its ground, and wakes nothing, however it sails; whoever else is aboard bends it.
+## Grass on moving ground: a raft that carries a field is its ground and wakes nothing, however it moves; other bodies aboard bend the
+## grass.
 extends "res://tests/field_case.gd"
 
 const RAFTS: Array[String] = ["synced", "animatable", "rigid", "frozen", "character", "static"]

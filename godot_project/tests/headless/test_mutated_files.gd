@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-## Files of species and patches with anything in them changed, as by a stranger or a broken disk: what loads has only values that are
-## allowed, and takes no more memory and work than any other species. With GRASS_STRESS=full in the environment a field grows from every
-## file, else from some of them.
+## Files of species and patches with anything in them changed, as by a stranger or a faulty disk: what loads has only valid values, and
+## takes no more memory and work than any other species. With GRASS_STRESS=full in the environment a field grows from every file, otherwise
+## from some of them.
 extends "res://tests/fuzz_case.gd"
 
 const FILES := 2000  # of each kind

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Messages name whom they are of: a node by its path, a resource by its file or its name.
+## Messages name their subject: a node by its path, a resource by its file or its name.
 extends "res://tests/field_case.gd"
 
 const PATH := "user://test_names.tres"

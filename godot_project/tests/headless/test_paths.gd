@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Paths that rules clear and plant, and that stay live.
+## Paths that rules clear or plant, live.
 extends "res://tests/fill_case.gd"
 
 

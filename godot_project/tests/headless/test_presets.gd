@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## The species that ship with the add-on: each loads, grows, moves, and is shown by its demo.
+## The species that ship with the add-on: each loads, grows, moves, and appears in its demo.
 extends "res://tests/field_case.gd"
 
 const Presets := preload("res://demo/presets.gd")

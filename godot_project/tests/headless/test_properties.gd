@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the inspector shows, what it sets, and what becomes of numbers that no field can have.
+## The properties in the inspector: what they set, and what happens to invalid numbers.
 extends "res://tests/field_case.gd"
 
 const UNITS: Dictionary[String, String] = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What scripts ask about blades: which there are, and where their knots are. tests/gpu/test_questions.gd asks a field that answers late.
+## Queries of scripts about blades: which exist, and where their knots are. tests/gpu/test_questions.gd queries a field that answers late.
 extends "res://tests/field_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a user sends with a report: version, backend, device and driver.
+## What a user includes in a bug report: version, backend, device and driver.
 extends "res://tests/field_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A property that is set to the value that it has changes nothing; one that changes in every frame still shows.
+## Setting a property to the value that it already has changes nothing; a property that changes in every frame still takes effect.
 extends "res://tests/world_case.gd"
 
 

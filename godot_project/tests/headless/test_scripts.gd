@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field survives what the scripts do that it calls: for its bodies, its map, its rule and its species.
+## A field survives anything that the scripts it calls may do: for its bodies, its map, its rule and its species.
 extends "res://tests/scripts_case.gd"
 
 

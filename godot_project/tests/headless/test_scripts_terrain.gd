@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field survives what a terrain's script does while the field asks it, in every method of docs/guide/terrain.md.
+## A field survives anything that a terrain's script does while the field calls it, in every method of docs/guide/terrain.md.
 extends "res://tests/scripts_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A world survives what scripts do when it tells them of a plot that came or leaves.
+## A world survives anything that scripts do in its signals about plots that load and unload.
 extends "res://tests/scripts_case.gd"
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A project with a rule and its mask, exported for a dedicated server as the engine does by default (*Strip Visuals*): the server answers
-## as the project itself does.
+## A project with a rule and its mask, exported for a dedicated server with the engine's default (*Strip Visuals*): the server gives the
+## same answers as the project itself.
 extends "res://tests/case.gd"
 
 const FOLDER := "user://server_export"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Shapes of bodies: each kind holds blades out of itself, and every change of them at run time is followed.
+## Shapes of bodies: each kind pushes blades out of itself, and the field follows every change of them at run time.
 extends "res://tests/field_case.gd"
 
 const TOLERANCE := 1e-3  # metres that a knot may lie inside of a shape

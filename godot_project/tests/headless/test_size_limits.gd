@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## What maps from elsewhere may take: small files and messages that would unpack to gigabytes, and chunks far from any field. Likewise
-## pictures that are read.
+## Size limits of maps from untrusted sources: small files and messages that would unpack to gigabytes, and chunks far from any field. The
+## same for pictures that are read.
 extends "res://tests/world_case.gd"
 
 const MAP_SETTING := "grass_field/limits/map_megabytes"

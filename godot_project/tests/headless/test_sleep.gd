@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Tiles sleep once their blades are calm, and nobody sees it.
+## Tiles sleep once their blades are calm, without a visible change.
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(4, 4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Soft bodies press grass by bounds of their parts.
+## Soft bodies press grass by the bounds of their parts.
 extends "res://tests/field_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field of several species: what may be set, which blade is which, and that all of them bend and rise.
+## A field of several species: what may be set, which blade belongs to which species, and that all of them bend and rise.
 extends "res://tests/field_case.gd"
 
 

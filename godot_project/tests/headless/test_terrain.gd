@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What a terrain gives a field: heights, normals, holes, textures.
+## What a terrain gives to a field: heights, normals, holes, textures.
 extends "res://tests/terrain_case.gd"
 
 

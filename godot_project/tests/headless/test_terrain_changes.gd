@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What is read of a terrain, and when: its changes, places of a frame, nothing while all is at rest.
+## What is read from a terrain, and when: its changes, a limited number of places a frame, nothing while all is at rest.
 extends "res://tests/terrain_case.gd"
 
 const QUERIES_A_FRAME := 16384

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A terrain whose methods take long, as one that makes its ground at the first question does: a frame waits for few of them.
+## A terrain with slow methods, such as one that makes its ground at the first call: a frame waits for only a few calls.
 extends "res://tests/field_case.gd"
 
 const MOST := 2  # places a frame: one that is read in any case, and one that a field is owed

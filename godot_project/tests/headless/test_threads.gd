@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A field and what it uses, called from another thread while the main thread runs ticks and frames.
+## Another thread calls a field and its resources while the main thread runs ticks and frames.
 extends "res://tests/fuzz_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Tiles wake under bodies and sleep after them, out of a pool that may be too small, and nobody sees it happen.
+## Tiles wake under bodies and sleep after them, from a pool that may be too small, without a visible change.
 extends "res://tests/field_case.gd"
 
 const TILE := Vector2i(4, 4)

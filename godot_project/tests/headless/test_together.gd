@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## A server tells a client, in a process of its own and over the loopback address, what was cut, worn and painted.
+## A server sends a client, in a process of its own and over the loopback address, what was cut, worn and painted.
 extends "res://tests/field_case.gd"
 
 const PLACE := Vector2(0.25, 0.25)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Meshes and height maps as shapes: what stands bends nothing, a trimesh that moves is split into convex pieces.
+## Meshes and height maps as shapes: static ones bend nothing, a moving trimesh is split into convex pieces.
 extends "res://tests/field_case.gd"
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Wheels of a vehicle are rays to the physics server: the field presses grass by them as by cylinders, and they leave tracks where they
-## slip.
+## To the physics server, a vehicle's wheels are rays. The field presses grass with them as with cylinders, and wheels that slip leave
+## tracks.
 extends "res://tests/field_case.gd"
 
 const WHEELS: Array[Vector3] = [Vector3(1, 0, 1.5), Vector3(-1, 0, 1.5), Vector3(1, 0, -1.5), Vector3(-1, 0, -1.5)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## How much is done, by the counters: nothing where nothing changes, and no more on a large field than on a small one.
+## The amount of work, by the counters: none where nothing changes, and no more on a large field than on a small one.
 extends "res://tests/field_case.gd"
 
 const SIZES: Array[float] = [70.5, 500.0]  # metres: 20 thousand and 1 million tiles

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## How much is done for bodies in the grass, by the counters: few calls of the engine for each, and next to none for those that rest.
+## The amount of work for bodies in the grass, by the counters: few calls of the engine for each, and almost none for bodies at rest.
 extends "res://tests/field_case.gd"
 
 

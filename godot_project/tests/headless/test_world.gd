@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-## A GrassWorld of 16 x 16 km: plots come and go around cameras and bodies, within a budget; what was changed is there again.
+## A GrassWorld of 16 x 16 km: plots load and unload around cameras and bodies, within a budget; changes are still there when a plot loads
+## again.
 extends "res://tests/world_case.gd"
 
 const STEP := 1.0 / 64.0  # metres a tick: exact everywhere

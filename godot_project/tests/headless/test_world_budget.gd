@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What the budget of a GrassWorld holds: never nothing, and as much as before once what was dear is gone.
+## The memory budget of a GrassWorld: it never holds nothing, and holds as much as before once something expensive is gone.
 extends "res://tests/world_case.gd"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What was changed of plots belongs to the folders, and to the size of plots, for which it was changed, and is written nowhere else.
+## Changes of plots belong to the folder and the plot size for which they were made, and are saved nowhere else.
 extends "res://tests/world_case.gd"
 
 const SLOT_1 := "user://test_world_slot_1"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Ledges across the border of two plots of a world: of ground that a rule leaves bare, and of ground that grows grass.
+## Ledges across the border of two plots of a world: on ground that a rule leaves bare, and on ground that grows grass.
 extends "res://tests/world_case.gd"
 
 const LedgeScene = preload("res://tests/ledge_scene.gd")

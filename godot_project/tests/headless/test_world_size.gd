@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## What 16 x 16 km of painted grass cost: bytes of a square kilometre on disk, bytes in memory, and what a flight asks of a frame.
+## The cost of 16 x 16 km of painted grass: bytes of a square kilometre on disk, bytes in memory, and work of a frame during a flight.
 extends "res://tests/world_case.gd"
 
 const WIDE := 256.0  # metres of a plot

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Both eyes of a headset in one draw, by the engine's shaders for it (`xr/shaders/enabled`, which tools/test/stereo.py sets in a copy of
+## Both eyes of a headset in one draw, with the engine's shaders for it (`xr/shaders/enabled`, which tools/test/stereo.py sets in a copy of
 ## the project): the right eye sees as much grass as a camera in its place, strip by strip.
 extends "res://tests/view_case.gd"
 
