@@ -1,38 +1,17 @@
 # SPDX-License-Identifier: MIT
 """docs/benchmarks/README.md: today's figures, made from the committed tables. `python3 -m tools.bench.bench_page` writes it.
 
-The layer `docs` fails where the page is not what the tables make, where a newer table of a benchmark is not used, and where no page
-names a table.
+The layer `docs` fails if the page is not what the tables make.
 """
 
-import csv
 import re
 
+from tools.bench.bench_tables import FOLDER, TABLES, read
 from tools.bench.paper_page import grid, number
 from tools.bench.paper_rows import pick
 from tools.pages import prose
-from tools.places import ROOT
 
-FOLDER = ROOT / "docs/benchmarks"
 PAGE = FOLDER / "README.md"
-# The newest table of each benchmark.
-TABLES = {
-	"draw": "2026-11-23-h200/forward_draw.csv",
-	"draw_mobile": "2026-11-23-h200/mobile_draw.csv",
-	"kernel": "2026-11-23-h200/kernel.csv",
-	"flops": "2026-11-23-h200/flops.csv",
-	"sleep": "2026-11-21-h100/sleep.csv",
-	"awake": "2026-11-24-h200/awake.csv",
-	"cpu": "2026-11-25-h100/cpu.csv",
-	"movers": "2026-11-23-xeon/movers.csv",
-	"change": "2026-11-21-epyc/change.csv",
-	"hitch": "2026-11-25-h100/hitch_warm.csv",
-	"hitch_cold": "2026-11-25-h100/hitch_cold.csv",
-	"limits": "2026-11-23-h200/limits.csv",
-	"rest": "2026-11-24-h200/rest.csv",
-	"crowd": "2026-11-25-epyc/crowd.csv",
-}
-FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
 LEFT_OUT = r", (?:Godot|Intel|forward_plus|mobile)[^,;]*|; (?:bench\.tscn.*|\./grass bench.*|\d{4}-\d\d-\d\d)"  # of what a table says of its device
 # An H200: instructions and operations a second (a fused product and sum are one instruction and two operations), bytes a second.
 INSTRUCTIONS, OPERATIONS, BYTES = 33.45e12, 66.9e12, 4.8e12
@@ -44,13 +23,6 @@ TITLES = {
 	"bodies": "bodies at rest",
 	"rolling": "bodies that turn",
 }
-
-
-def read(name):
-	"""(the table's note about its device, its rows)."""
-	lines = (FOLDER / TABLES[name]).read_text().splitlines()
-	notes = [line[2:] for line in lines if line.startswith("#")]
-	return "; ".join(notes), list(csv.DictReader(line for line in lines if not line.startswith("#")))
 
 
 def source(*names):
@@ -278,23 +250,6 @@ def page():
 		*awake(),
 	]
 	return prose.page("\n".join(lines).rstrip() + "\n")
-
-
-def newer():
-	"""Tables of a benchmark that are newer than the page's one, as texts."""
-	wrong = []
-	for name, table in TABLES.items():
-		for other in FOLDER.glob(f"*/{FAMILIES.get(name, f'{name}*.csv')}"):
-			if re.match(r"\d{4}", other.parent.name) and other.parent.name[:10] > table[:10]:
-				wrong.append(f"{other.relative_to(FOLDER)} is newer than {table}")
-	return wrong
-
-
-def unnamed():
-	"""Tables and plots that no page names, as texts. They may be deleted: their commit keeps them."""
-	pages = "".join(path.read_text() for path in (ROOT / "docs").rglob("*.md"))
-	kept = (path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*")))
-	return [f"no page names {path}: name it, or remove it" for path in kept if str(path) not in pages]
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ It takes its figures from the tables that docs/benchmarks/README.md shows. The l
 import os
 import re
 
-from tools.bench import bench_page
+from tools.bench import bench_page, bench_tables
 from tools.bench.paper_page import grid, number
 from tools.bench.paper_rows import pick
 from tools.pages import prose
@@ -22,24 +22,24 @@ DRAWN = (1048576, 16777216)
 
 def row(page, what, name, *times, device=CARD):
 	"""A row of the table: what costs, how much, and the table and the machine that say so."""
-	target = os.path.relpath(bench_page.FOLDER / bench_page.TABLES[name], page.parent)
-	return [what, " / ".join(times), re.search(device, bench_page.read(name)[0])[0], f"[{os.path.basename(target)}]({target})"]
+	target = os.path.relpath(bench_tables.FOLDER / bench_tables.TABLES[name], page.parent)
+	return [what, " / ".join(times), re.search(device, bench_tables.read(name)[0])[0], f"[{os.path.basename(target)}]({target})"]
 
 
 def drawing(page, name, renderer, blades):
-	rows = bench_page.read(name)[1]
+	rows = bench_tables.read(name)[1]
 	times = [f"{float(pick(rows, blades=blades, view='eye', shadows=shadows, msaa=0)[0]['gpu_ms']):.1f}" for shadows in ("off", "on")]
 	return row(page, f"drawing a field of {number(blades)} blades, {renderer}, without / with shadows", name, *times)
 
 
 def crowd(page):
-	moving = pick(bench_page.read("crowd")[1], bodies=128, crowd="moving")[0]
+	moving = pick(bench_tables.read("crowd")[1], bodies=128, crowd="moving")[0]
 	ms = float(moving["gather_ms_median"]) + float(moving["tiles_ms_median"])
 	return row(page, "128 moving bodies and a small pool, a tick, on the processor", "crowd", f"{ms:.2f}", device=PROCESSOR)
 
 
 def churn(page):
-	full = pick(bench_page.read("cpu")[1], tiles=16000000, bodies=128)[0]
+	full = pick(bench_tables.read("cpu")[1], tiles=16000000, bodies=128)[0]
 	ms = sum(float(full[name]) for name in ("gather_ms", "tiles_ms", "upload_ms"))
 	return row(
 		page,
@@ -51,13 +51,13 @@ def churn(page):
 
 
 def rest(page):
-	rows = {entry["field"]: float(entry["wall_ms"]) for entry in bench_page.read("rest")[1]}
+	rows = {entry["field"]: float(entry["wall_ms"]) for entry in bench_tables.read("rest")[1]}
 	added = rows["hidden"] - rows["nothing"]
 	return row(page, "what 64 million blades at rest and out of sight add to a frame", "rest", f"{added:.1f}")
 
 
 def table(page):
-	solved = bench_page.read("kernel")[1]
+	solved = bench_tables.read("kernel")[1]
 	steps = [f"{bench_page.measured(solved, method, 'balls', AWAKE):.2f}" for method in ("DIRECT", "PBD")]
 	body = [
 		*(drawing(page, "draw", "Forward+", blades) for blades in DRAWN),

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 
 from tools import command_line
-from tools.bench import bench_page, cost_table, drivers_page, paper, paper_page
+from tools.bench import bench_page, bench_tables, cost_table, drivers_page, paper, paper_page
 from tools.build import binding
 from tools.fetch import machine, settle
 from tools.pages import links, prose, snippets
@@ -132,9 +132,9 @@ def wrong_guide():
 def wrong_benchmarks():
 	"""Pages of figures that differ from the newest tables, and tables that no page names."""
 	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench.bench_page`"]
-	tables = {part: paper.read(bench_page.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
-	stale += [] if (bench_page.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
-	return "; ".join([*stale, *bench_page.newer(), *bench_page.unnamed()])
+	tables = {part: paper.read(bench_tables.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
+	stale += [] if (bench_tables.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
+	return "; ".join([*stale, *bench_tables.newer(), *bench_tables.unnamed()])
 
 
 def run(only, layers):
