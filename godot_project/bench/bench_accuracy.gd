@@ -5,6 +5,7 @@
 ## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h describes their contents.
 extends Node
 
+const SimulateData := preload("res://bench/simulate_data.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 
 const FILE := "accuracy_gpu.csv"
@@ -116,7 +117,7 @@ func _set_up(p_tiles: int, p_state: int, p_colliders: int) -> bool:
 	var words := PackedInt32Array()
 	var state := PackedByteArray()
 	for tile in p_tiles:  # all at one place: each has a slot of its own
-		words.append_array(SimulatePass.slot_words(0, 0, tile, 0, 0, p_colliders, 0))
+		words.append_array(SimulateData.slot_words(0, 0, tile, 0, 0, p_colliders, 0))
 		state.append_array(_states[2 * p_state])
 		state.append_array(_states[2 * p_state + 1])
 	return _pass.set_up(

@@ -5,6 +5,7 @@
 extends Node
 
 const KernelScenes := preload("res://bench/kernel_scenes.gd")
+const SimulateData := preload("res://bench/simulate_data.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 
 const FILE := "kernel.csv"
@@ -66,8 +67,8 @@ func _measure(p_method: int, p_iterations: int, p_tiles: int, p_scene: String, p
 	var colliders := int(p_scene) if p_scene.is_valid_int() else 1
 	for phase in 8:  # the colliders go to and fro
 		sets.append(_uniform_set(shared, p_tiles, p_scene, colliders, phase))
-	var bend := SimulatePass.push(p_method, KNOTS, TILE_SIZE, 128, Vector3(25.0, 0.0, 10.0), p_iterations)
-	var free := SimulatePass.push(p_method, KNOTS, TILE_SIZE, 128, Vector3.ZERO, p_iterations)
+	var bend := SimulateData.push(p_method, KNOTS, TILE_SIZE, 128, Vector3(25.0, 0.0, 10.0), p_iterations)
+	var free := SimulateData.push(p_method, KNOTS, TILE_SIZE, 128, Vector3.ZERO, p_iterations)
 	if colliders == 1:
 		bend = free  # what no body touches stands at rest
 	_run(sets, bend, p_tiles, WARM_UP)  # a strong wind bends all blades
@@ -154,7 +155,7 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 	for tile in p_tiles:
 		var blade := (tile * 8) % (PATCH_BLADES - BLADES)
 		words.append_array(
-			SimulatePass.slot_words(tile % across, tile / across, tile, blade, tile * p_colliders, p_colliders, p_bits)
+			SimulateData.slot_words(tile % across, tile / across, tile, blade, tile * p_colliders, p_colliders, p_bits)
 		)
 	return words.to_byte_array()
 

@@ -3,6 +3,7 @@
 ## in every tile. Balls lie at random; the tiles that they touch are awake.
 extends Node
 
+const SimulateData := preload("res://bench/simulate_data.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 const Table := preload("res://bench/table.gd")
 
@@ -71,7 +72,7 @@ func _measure(p_method: int, p_objects: int, p_is_listed: bool, p_patch: PackedB
 		var own := touched[tile] if p_is_listed else list
 		entries += own.size()
 		words.append_array(
-			SimulatePass.slot_words(
+			SimulateData.slot_words(
 				tile.x,
 				tile.y,
 				slot,
@@ -89,7 +90,7 @@ func _measure(p_method: int, p_objects: int, p_is_listed: bool, p_patch: PackedB
 		tiles, KNOTS, p_patch, RenderingDevice.DATA_FORMAT_R16G16B16A16_SFLOAT, PATCH_WIDTH, words.to_byte_array(), colliders, list
 	):
 		return {awake_tiles = tiles, outcome = "no room on the device"}
-	var push := SimulatePass.push(p_method, KNOTS, TILE, TILES, Vector3.ZERO)
+	var push := SimulateData.push(p_method, KNOTS, TILE, TILES, Vector3.ZERO)
 	_pass.step(push, tiles)
 	_pass.pause()
 	for tile in tiles:  # no longer fresh
@@ -115,4 +116,4 @@ func _collider(p_place: Vector2, p_way: Vector2) -> PackedByteArray:
 
 
 func _patch_texels() -> PackedByteArray:
-	return SimulatePass.patch_texels(PATCH_WIDTH, PATCH_BLADES, KNOTS, LENGTH)
+	return SimulateData.patch_texels(PATCH_WIDTH, PATCH_BLADES, KNOTS, LENGTH)
