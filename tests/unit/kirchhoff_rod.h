@@ -65,6 +65,9 @@ struct KirchhoffRod {
 			rod.load = load * (double(i) / LOADS);
 			for (int round = 0; round < 8; round++) { // Newton
 				const Eigen::Vector3d found = rod.shoot(moment).moment;
+				if (found.norm() < 1e-10) {
+					break;
+				}
 				Eigen::Matrix3d change;
 				for (int c = 0; c < 3; c++) {
 					constexpr double SMALL = 1e-6;

@@ -61,19 +61,13 @@ double bending_of(const SolverParams &p_params) {
 	const double share = 2.0 * std::numbers::pi * p_params.natural_frequency / 3.5160152685;
 	return share * share;
 }
-// A step far above the ground.
-void step_aloft(ElasticBlade &r_blade, double p_delta) {
-	GrassStep step = r_blade.clock.advance(r_blade.params, p_delta);
-	step.contact.z = -100.0f;
-	step_blade(r_blade.blade, make_terms<double>(step, 0.0f, {}));
-}
 // Standing still under a load of density area g length^3 / EI = p_gamma along p_axis, which then is gone.
 ElasticBlade make_loaded(const Shape &p_shape, double p_gamma, int p_axis) {
 	ElasticBlade blade = along(p_shape.way);
 	blade.params.damping_ratio = 1.0;
 	for (int i = 0; i < 1500; i++) {
 		blade.params.load[p_axis] = p_gamma * bending_of(blade.params) * blade.length() * std::min(1.0, i / 600.0);
-		step_aloft(blade, 1.0 / 60.0);
+		blade.step_aloft(1.0 / 60.0);
 	}
 	blade.params.load[p_axis] = 0.0;
 	for (int k = 0; k < GRASS_KNOTS; k++) {
@@ -85,7 +79,7 @@ ElasticBlade make_loaded(const Shape &p_shape, double p_gamma, int p_axis) {
 std::vector<Eigen::Vector3d> path_of(ElasticBlade p_blade, double p_rate, double p_seconds) {
 	std::vector<Eigen::Vector3d> path;
 	for (int i = 1; i <= int(p_seconds * p_rate); i++) {
-		step_aloft(p_blade, 1.0 / p_rate);
+		p_blade.step_aloft(1.0 / p_rate);
 		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS && i % int(p_rate / 6.0) == 0; k++) {
 			path.push_back(p_blade.place(k));
 		}
@@ -157,7 +151,7 @@ TEST_CASE("METHOD_DIRECT: an undamped swing of the second kind dies down by at m
 		for (int i = 0; i < count; i++) {
 			before = here;
 			here = after;
-			step_aloft(after, delta);
+			after.step_aloft(delta);
 			const double energy = i == 0 ? 0.0 : energy_between(before, here, after, delta);
 			first += i >= 1 && i <= mean ? energy : 0.0;
 			last += i >= count - mean ? energy : 0.0;
@@ -179,7 +173,7 @@ TEST_CASE("METHOD_DIRECT: a slight kick dies down, whatever the blade's shape at
 				}
 				double early = 0.0, late = 0.0;
 				for (int i = 0; i < int(20.0 * rate); i++) {
-					step_aloft(blade, 1.0 / rate);
+					blade.step_aloft(1.0 / rate);
 					early = i < 5.0 * rate ? std::max(early, distance_from_rest(blade)) : early;
 					late = i > 15.0 * rate ? std::max(late, distance_from_rest(blade)) : late;
 				}
@@ -210,7 +204,7 @@ TEST_CASE("METHOD_DIRECT: the energy of a blade that is let go from a violent po
 					for (int i = 0; i < int(10.0 * rate); i++) {
 						before = here;
 						here = after;
-						step_aloft(after, 1.0 / rate);
+						after.step_aloft(1.0 / rate);
 						// As it is let go its speed has a jump, which no mean of both sides tells.
 						most = i == 0 ? most : std::max(most, energy_between(before, here, after, 1.0 / rate));
 					}
@@ -234,7 +228,7 @@ TEST_CASE("METHOD_DIRECT: a load along a blade towards its root makes a slight s
 			}
 			double early = 0.0, late = 0.0;
 			for (int i = 0; i < int(60.0 * rate); i++) {
-				step_aloft(blade, 1.0 / rate);
+				blade.step_aloft(1.0 / rate);
 				early = i < 5.0 * rate ? std::max(early, distance_from_rest(blade)) : early;
 				late = i > 50.0 * rate ? std::max(late, distance_from_rest(blade)) : late;
 			}

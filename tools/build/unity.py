@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 from tools.places import ROOT
 
-# step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework.
-ALONE = ("step_lanes", "main")
+# step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework. elastic_blade: its names
+# are other tests' as well.
+ALONE = ("step_lanes", "main", "elastic_blade")
 CORE = "extension/core/"
 WORD = re.compile(r"\w+")
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\} // namespace$", re.MULTILINE | re.DOTALL)
