@@ -6,7 +6,6 @@
 #include <godot_cpp/classes/physics_server3d.hpp>
 
 #include <algorithm>
-#include <cstddef>
 
 using namespace godot;
 
@@ -16,21 +15,6 @@ namespace {
 
 // The least number of moving bodies for which other threads help. Fewer: waking the threads takes longer than they save.
 constexpr size_t CROWD = 256;
-// How many bodies ahead memory is fetched: as many as are processed during a fetch.
-constexpr size_t FETCH_AHEAD = 4;
-
-// Prefetches p_bytes from p_place on.
-void prefetch(const void *p_place, size_t p_bytes) {
-#ifdef __GNUC__
-	constexpr size_t LINE = 64; // of a cache line
-	for (size_t i = 0; i < p_bytes; i += LINE) {
-		__builtin_prefetch(static_cast<const char *>(p_place) + i);
-	}
-#else
-	(void)p_place;
-	(void)p_bytes;
-#endif
-}
 
 } // namespace
 
@@ -70,7 +54,6 @@ void BodyTracker::follow_crowd(const Following &p_following, const ParallelFor &
 		const size_t begin = size_t(p_block) * PARALLEL_BLOCK, end = std::min(begin + PARALLEL_BLOCK, _crowd.size());
 		Block block;
 		for (size_t i = begin; i < end; i++) {
-			fetch_ahead(i, end, p_following.colliders);
 			uint64_t stamps = _crowd[i].stamps;
 			Body &body = *_crowd[i].body;
 			follow_member(body, { p_following.field, p_following.tick, p_following.colliders, block.reads, stamps });
@@ -120,35 +103,6 @@ void BodyTracker::drop_lost(std::vector<ColliderShape> &r_colliders) {
 		}
 		_written += body->colliders;
 		_mesh_pieces += body->mesh_pieces;
-	}
-}
-
-// Prefetches what the walk over the line reads of body p_index. The memory of a crowd exceeds the caches.
-void BodyTracker::fetch_head(size_t p_index) const {
-	if (const size_t far = p_index + 4 * FETCH_AHEAD; far < _line.size()) {
-		prefetch(_line[far], offsetof(Body, world_before));
-	}
-}
-
-// Prefetches what following body p_index of the crowd reads, pointer by pointer: each pointer farther ahead than what it points to.
-void BodyTracker::fetch_ahead(size_t p_index, size_t p_end, const std::vector<ColliderShape> &p_colliders) const {
-	if (const size_t far = p_index + 3 * FETCH_AHEAD; far < p_end) {
-		prefetch(_crowd[far].body, offsetof(Body, rid));
-	}
-	if (const size_t near = p_index + 2 * FETCH_AHEAD; near < p_end) {
-		const Body &body = *_crowd[near].body;
-		prefetch(body.state, 1);
-		for (const TrackedShape &shape : body.shapes) {
-			prefetch(&shape, offsetof(TrackedShape, rid));
-		}
-		prefetch(p_colliders.data() + body.first_collider, body.colliders * sizeof(ColliderShape));
-	}
-	if (const size_t next = p_index + FETCH_AHEAD; next < p_end) {
-		for (const TrackedShape &shape : _crowd[next].body->shapes) {
-			for (const ShapePart &part : shape.parts) {
-				prefetch(&part, ShapePart::HOT);
-			}
-		}
 	}
 }
 

@@ -146,8 +146,6 @@ private:
 	void join_crowd(Body &r_body, const Following &p_following);
 	void follow_crowd(const Following &p_following, const ParallelFor &p_parallel_for);
 	void follow_member(Body &r_body, const Following &p_following);
-	void fetch_head(size_t p_index) const;
-	void fetch_ahead(size_t p_index, size_t p_end, const std::vector<ColliderShape> &p_colliders) const;
 	void drop_lost(std::vector<ColliderShape> &r_colliders);
 	// body_look.cpp
 	static int look_every(size_t p_bodies);

@@ -22,7 +22,6 @@ struct ShapePart {
 	Eigen::Affine3d local = Eigen::Affine3d::Identity(); // of the solver's shape in the body
 	ColliderPose pose; // in field space, as passed on in the last tick
 	bool has_pose = false; // it was passed on
-	static constexpr size_t HOT = sizeof(Eigen::Affine3d) + sizeof(ColliderPose) + 1; // bytes
 
 	ColliderShape shape;
 	Eigen::Affine3d offset = Eigen::Affine3d::Identity(); // of the solver's shape in the physics shape's space

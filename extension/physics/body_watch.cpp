@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// How BodyTracker learns which bodies are near: it watches a box in the physics server, which reports who enters and leaves.
+#include "physics/body_tracker.h"
+
+#include <godot_cpp/classes/physics_server3d.hpp>
+
+#include <algorithm>
+
+using namespace godot;
+
+namespace grass {
+
+namespace {
+
+// The server reports bodies that overlap the watched box at the end of a tick. The box extends so far beyond the grass that every body up
+// to this speed is inside it at least once on its way, however small the field. Metres per second. Slower: faster bodies fly through small
+// fields unseen. Faster: more bodies to check.
+constexpr double FASTEST = 600.0;
+// The least extension of the box, since bodies are reported a tick late. Metres.
+constexpr double APPROACH_MIN = 3.0;
+
+} // namespace
+
+void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Callable &p_area_changed, const Callable &p_woke,
+		uint32_t p_mask, std::vector<uint64_t> &&p_carriers) {
+	stop();
+	_woke = p_woke;
+	_carriers = std::move(p_carriers);
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	_mask = p_mask;
+	_box = server->box_shape_create();
+	_area = server->area_create();
+	server->area_add_shape(_area, _box);
+	server->area_set_collision_layer(_area, 0);
+	server->area_set_collision_mask(_area, p_mask);
+	server->area_set_monitorable(_area, false);
+	server->area_set_monitor_callback(_area, p_changed);
+	server->area_set_area_monitor_callback(_area, p_area_changed);
+	server->area_set_space(_area, p_space);
+}
+
+void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents, double p_delta) {
+	if (!_area.is_valid()) {
+		return;
+	}
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	// It never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
+	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
+	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
+	if (_box_extents != extents) {
+		_box_extents = extents;
+		server->shape_set_data(_box, extents);
+	}
+	if (_box_transform != p_transform) {
+		_box_transform = p_transform;
+		server->area_set_transform(_area, p_transform);
+	}
+}
+
+void BodyTracker::set_mask(uint32_t p_mask) {
+	_mask = p_mask;
+	if (_area.is_valid()) {
+		PhysicsServer3D::get_singleton()->area_set_collision_mask(_area, p_mask);
+	}
+}
+
+void BodyTracker::stop() {
+	if (_area.is_valid()) {
+		PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+		server->free_rid(_area);
+		server->free_rid(_box);
+	}
+	_area = _box = RID();
+	_box_extents = Vector3();
+	_approach = 0.0;
+	_box_transform = Transform3D();
+	_has_field_before = false;
+	for (auto &[id, body] : _bodies) {
+		watch_sleep(body, false);
+	}
+	_bodies.clear();
+	_line.clear();
+	_woke = Callable();
+}
+
+// Counts overlaps regardless of the shape: indices shift when shapes are added or removed, and the server reports the end of an overlap
+// with the old index.
+void BodyTracker::body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id) {
+	const uint64_t key = uint64_t(p_body.get_id());
+	auto found = _bodies.find(key);
+	if (p_status == PhysicsServer3D::AREA_BODY_ADDED) {
+		if (found == _bodies.end()) {
+			found = _bodies.emplace(key, Body()).first;
+			_line.clear();
+			found->second.rid = p_body;
+			found->second.instance_id = uint64_t(p_instance_id);
+			found->second.turn = int(key % WAITING_TICKS);
+			found->second.is_carrier = carries(uint64_t(p_instance_id));
+		}
+		found->second.overlaps++;
+	} else if (found != _bodies.end()) {
+		found->second.overlaps--;
+	}
+	if (found != _bodies.end()) {
+		found->second.next_look = found->second.next_look_at_all = 0; // its shapes may have changed
+		found->second.is_asleep = found->second.is_at_rest = false;
+	}
+}
+
+void BodyTracker::body_woke(int64_t p_body) {
+	const auto found = _bodies.find(uint64_t(p_body));
+	if (found != _bodies.end()) {
+		found->second.is_asleep = false;
+	}
+}
+
+} // namespace grass
