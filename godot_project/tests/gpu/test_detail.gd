@@ -115,6 +115,32 @@ func test_thinned_grass_covers_as_much() -> void:
 		assert_near(thinned, full, 0.1 * full, "from %s" % view[0])
 
 
+## Rows of a mesh slide together before the next coarser mesh takes its place: no step from fine to coarse shows much of the whole change.
+func test_meshes_change_by_sliding() -> void:
+	open_view(SIZE)
+	viewport.msaa_3d = Viewport.MSAA_4X
+	add_light()
+	var field := add_seen_field({size = Vector2(0.5, 0.5), ground = false, pixels_min = 0.0, lod_far = 10000.0, lod_error = 0.1})
+	look(Vector3(0, 0.4, 1.1), Vector3(0, 0.25, 0))
+	var last := await picture()
+	var triangles: int = field.get_statistics().drawn_triangles
+	var sum := 0.0
+	var most := 0.0
+	for i in range(1, 31):
+		field.lod_error = 0.1 * pow(1.157, i)  # to 8 pixels
+		await frames(1)
+		var now := await next_picture()
+		var changed := difference(last, now).y
+		sum += changed
+		most = maxf(most, changed)
+		last = now
+	await drawn()
+	var left: int = field.get_statistics().drawn_triangles
+	print("    %d triangles become %d; the greatest of 30 steps is %.2f of the change" % [triangles, left, most / sum])
+	assert_less(left, triangles / 15.0)
+	assert_less(most, 0.2 * sum)
+
+
 ## Mean of red, green and blue over some rows, linear.
 func light_of(image: Image, rows: Vector2i) -> Vector3:
 	var sum := Vector3.ZERO
