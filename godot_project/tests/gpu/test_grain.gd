@@ -22,7 +22,8 @@ func grain(view: String, finer: int) -> Vector2:
 		look(VIEWS[view][0], VIEWS[view][1])
 		camera.rotate_object_local(Vector3.UP, shift.x * pixel)
 		camera.rotate_object_local(Vector3.RIGHT, shift.y * pixel)
-		var lights := lights_of(await picture(), finer)
+		var image := await picture() if shift == SHIFTS[0] else await next_picture()
+		var lights := lights_of(image, finer)
 		for i in lights.size():
 			sums[i] += lights[i] / SHIFTS.size()
 			squares[i] += lights[i] * lights[i] / SHIFTS.size()

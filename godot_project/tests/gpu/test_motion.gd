@@ -136,7 +136,7 @@ func test_a_plant_in_the_wind() -> void:
 	var field := await add_one_blade(5.0, stalks())
 	assert_greater(field.get_counters().drawn_plants, 0)
 	Engine.time_scale = 6.0
-	var found := await errors_of(40, func(_frame: int) -> void: pass)
+	var found := await errors_of(24, func(_frame: int) -> void: pass)
 	Engine.time_scale = 1.0
 	assert_less(found.x, 0.5)
 	assert_greater(found.y, 1.0)
@@ -150,7 +150,7 @@ func test_a_plant_that_a_ball_pushes() -> void:
 func test_wind() -> void:
 	await add_one_blade(5.0)
 	Engine.time_scale = 6.0
-	var found := await errors_of(40, func(_frame: int) -> void: pass)
+	var found := await errors_of(24, func(_frame: int) -> void: pass)
 	Engine.time_scale = 1.0
 	assert_less(found.x, 0.5)
 	assert_greater(found.y, 1.0)
