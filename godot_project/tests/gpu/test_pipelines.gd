@@ -8,6 +8,8 @@ void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, 
 }
 """
 
+static var _hook: ShaderInclude
+
 
 ## With the project's samples a pixel: the engine makes pipelines in advance for those only.
 func before() -> void:
@@ -20,6 +22,13 @@ func new_hook() -> ShaderInclude:
 	var hook := ShaderInclude.new()
 	hook.code = HOOK % (1e-6 * Engine.get_frames_drawn())
 	return hook
+
+
+## One text for the fields of several tests, which none else has: what these change is new.
+func shared_hook() -> ShaderInclude:
+	if not _hook:
+		_hook = new_hook()
+	return _hook
 
 
 ## Pipelines that the renderer began in frames, and those that loaders wait for.
@@ -42,7 +51,7 @@ func test_a_hook() -> void:
 	var field := add_seen_field()
 	add_light()
 	await drawn()
-	var found := await pipelines_of(func() -> void: field.surface_hook = new_hook())
+	var found := await pipelines_of(func() -> void: field.surface_hook = shared_hook())
 	assert_eq(found.x, 0, "none by drawing")
 	assert_greater(found.y, 0)
 	assert_greater(share_of(await picture(), is_red), 0.05, "it shows")
@@ -50,7 +59,7 @@ func test_a_hook() -> void:
 
 func test_a_map_and_species() -> void:
 	add_light()
-	var field := add_seen_field({surface_hook = new_hook()})
+	var field := add_seen_field({surface_hook = shared_hook()})
 	var map := GrassMap.new()
 	map.base_density = 1.0
 	for change: Callable in [func() -> void: field.map = map, func() -> void: field.species = [GrassSpecies.new(), GrassSpecies.new()]]:
@@ -63,7 +72,7 @@ func test_plants_with_a_mesh() -> void:
 	add_light()
 	var species := GrassSpecies.new()
 	species.plant_mesh = BoxMesh.new()
-	var field := add_seen_field({surface_hook = new_hook()})
+	var field := add_seen_field({surface_hook = shared_hook()})
 	var found := await pipelines_of(func() -> void: field.species = [species])
 	assert_eq(found.x, 0, "none by drawing")
 	assert_greater(field.get_counters().drawn_plants, 0)
