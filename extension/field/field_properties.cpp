@@ -76,6 +76,7 @@ FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_spe
 	if (species.is_plain()) {
 		field.species.clear();
 	}
+	field.contact_distance = param(PARAM_CONTACT_DISTANCE);
 	field.detail = simulation_detail;
 	field.sleep_mode = sleep_mode;
 	field.sleep_delay = param(PARAM_SLEEP_DELAY);

@@ -370,3 +370,20 @@ TEST_CASE("field: nothing is left out without frames, with plants, with WHOLE, o
 		r_scene.field.set(r_scene.setup, r_scene.field.bounds_of(r_scene.setup), nullptr, {}, r_scene.params);
 	}) == 0);
 }
+
+TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above its default") {
+	FieldScene scene;
+	const auto is_far = [&](float p_away, double p_rate) {
+		scene.params.solver.contact_rate = p_rate;
+		scene.params.contact_distance = 4.0;
+		scene.field.set_params(scene.params);
+		scene.field.stir();
+		scene.field.see(scene.simulator, view_from(p_away), true);
+		scene.put_ball({ 0.5, 0.2, 0.5 });
+		scene.ticks(2);
+		return (scene.simulator.slots.front().list.w & GRASS_SLOT_FAR) != 0;
+	};
+	CHECK(is_far(20.0f, 1600.0));
+	CHECK_FALSE(is_far(2.0f, 1600.0));
+	CHECK_FALSE(is_far(20.0f, CONTACT_RATE.initial));
+}

@@ -215,3 +215,26 @@ TEST_CASE("[Eq 49] blades that join have their neighbour's pose and speed, and t
 	CHECK(scene.pool.get_knots(0, 40)[GRASS_KNOTS - 1].allFinite());
 	CHECK((scene.pool.get_knots(0, 40)[GRASS_KNOTS - 1] - before).norm() < 0.1f);
 }
+
+TEST_CASE("contact_distance: contact is finer where an eye is near, and as by default elsewhere, bit for bit") {
+	PoolScene plain(1), near(1), far(1);
+	near.params.contact_rate = far.params.contact_rate = 3200.0;
+	far.slots[0].list.w |= GRASS_SLOT_FAR;
+	int differing = 0;
+	for (int i = 0; i < 20; i++) {
+		for (PoolScene *scene : { &plain, &near, &far }) {
+			scene->step();
+		}
+	}
+	for (int blade = 0; blade < ALL; blade++) {
+		CHECK(far.pool.get_knots(0, blade) == plain.pool.get_knots(0, blade));
+		differing += near.pool.get_knots(0, blade) != plain.pool.get_knots(0, blade);
+	}
+	CHECK(differing > 20);
+	TileDetail detail;
+	CHECK(detail.is_within(60, 2, 4.0)); // nobody has looked: everything is simulated whole
+	detail.see(make_field(), view_from({ 0.0f, 1.7f, 0.0f }), nullptr);
+	CHECK(detail.is_within(60, 60, 4.0));
+	CHECK(detail.is_within(60, 67, 4.0));
+	CHECK_FALSE(detail.is_within(60, 69, 4.0));
+}

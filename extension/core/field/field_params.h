@@ -15,6 +15,7 @@ struct FieldParams {
 	SleepMode sleep_mode = SleepMode::ENERGY;
 	double sleep_delay = SLEEP_DELAY.initial; // seconds
 	double sleep_motion = SLEEP_MOTION.initial; // mm
+	double contact_distance = CONTACT_DISTANCE.initial; // metres
 	SimulationDetail detail = SimulationDetail::SEEN;
 	double settle_time = SETTLE_TIME.initial; // seconds
 

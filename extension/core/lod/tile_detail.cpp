@@ -83,11 +83,24 @@ int TileDetail::blades_of(int p_x, int p_z, int p_now) const {
 	return std::min(p_now, blades_within(p_x, p_z, ground, KEPT_SLACKS * SLACK));
 }
 
+bool TileDetail::is_within(int p_x, int p_z, double p_distance) const {
+	if (_sees_all) {
+		return true;
+	}
+	const Eigen::Vector3f middle = middle_of(p_x, p_z, _cover ? _cover->get(p_x, p_z) : TileCover::FULL);
+	return std::ranges::any_of(_view.cameras,
+			[&](const ViewCamera &p_camera) { return (p_camera.eye - middle).norm() <= float(p_distance) + SLACK; });
+}
+
+// Returns the middle of the tile's box, field space, metres.
+Eigen::Vector3f TileDetail::middle_of(int p_x, int p_z, const TileCover::Tile &p_ground) const {
+	const float half_height = 0.5f * (_field.height + p_ground.high - p_ground.low);
+	return _field.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, p_ground.low + half_height, 0.0f);
+}
+
 // Returns what the tile needs while each eye is within p_slack metres.
 int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const {
-	const float half_height = 0.5f * (_field.height + p_ground.high - p_ground.low);
-	const Eigen::Vector3f middle =
-			_field.grid.get_centre(p_x, p_z).cast<float>() + Eigen::Vector3f(0.0f, p_ground.low + half_height, 0.0f);
+	const Eigen::Vector3f middle = middle_of(p_x, p_z, p_ground);
 	const float share = p_slack > SLACK ? KEPT_SHARE : 0.0f;
 	LodNeed need;
 	for (const ViewCamera &camera : _view.cameras) {

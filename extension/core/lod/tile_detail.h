@@ -36,11 +36,14 @@ public:
 	// Returns the number of blades to simulate: a multiple of GRASS_DETAIL_BLADES. p_now: the number so far, which stays if it is not
 	// far from what is needed; 0: none.
 	int blades_of(int p_x, int p_z, int p_now) const;
+	// Returns whether an eye may be within p_distance metres of the tile's middle. True while everything is simulated whole.
+	bool is_within(int p_x, int p_z, double p_distance) const;
 	size_t get_memory_usage() const; // bytes
 
 private:
 	bool forget_asked();
 	bool is_near(const CullField &p_field, const FieldView &p_view, const std::shared_ptr<const TileCover> &p_cover) const;
+	Eigen::Vector3f middle_of(int p_x, int p_z, const TileCover::Tile &p_ground) const;
 	int blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const;
 
 	bool _sees_all = true, _is_known = false;

@@ -35,13 +35,16 @@ template <class T> struct StepTerms {
 	std::span<const TileCollider> colliders;
 };
 
-template <class T> StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders) {
+// p_is_far: from every eye, so that contact_rate does not apply.
+template <class T>
+StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const TileCollider> p_colliders, bool p_is_far = false) {
+	const float finer = p_is_far ? 1.0f : p_step.pbd_motion.x;
 	return { T(p_step.pbd_motion.x), T(p_step.pbd_motion.y), T(p_step.pbd_motion.z), T(p_step.pbd_motion.w),
 		{ T(p_step.load.x), T(p_step.load.y), T(p_step.load.z) }, T(p_step.load.w), T(p_step.contact.y), T(p_step.contact.z), T(p_blend),
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z) * T(p_step.free_motion.z), T(p_step.chain.w), T(p_step.free_motion.x),
 		T(p_step.free_motion.y), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
 		T(p_step.energy.y), T(p_step.energy.z), T(p_step.energy.w), int(p_step.contact.x),
-		most_parts(int(p_step.contact.x), p_step.chain.x, p_step.pbd_motion.x), p_step.pbd_motion.x,
+		most_parts(int(p_step.contact.x), p_step.chain.x, finer), finer,
 		int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
 }
 

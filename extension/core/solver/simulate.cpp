@@ -120,6 +120,7 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 			state = std::make_unique<TileState>();
 		}
 		state->left_out = whole_groups(slot.blend.y);
+		state->is_far = slot.list.w & GRASS_SLOT_FAR;
 		blades += BLADES - state->left_out;
 		awake.push_back(&slot);
 	}

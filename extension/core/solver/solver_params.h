@@ -31,6 +31,8 @@ inline constexpr Tunable ITERATIONS{ "iterations", "", 1.0, 10.0, 1.0, 2.0, true
 // METHOD_DIRECT: how often in a second contact with moving bodies is solved, at most. More: single blades follow bodies more exactly, for
 // as much more time. From two iterations on.
 inline constexpr Tunable CONTACT_RATE{ "contact_rate", "Hz", 400.0, 12800.0, 100.0, 400.0 };
+// How far from an eye contact_rate applies, to the middle of a tile; 0: everywhere. Farther: more blades take as much more time.
+inline constexpr Tunable CONTACT_DISTANCE{ "contact_distance", "m", 0.0, 100.0, 0.1, 4.0 };
 // Greatest speed of a knot that swings freely, blade lengths per second. Below 5 grass looks sticky.
 inline constexpr Tunable MAX_SPEED{ "max_speed", "L/s", 1.0, 100.0, 1.0, 20.0 };
 

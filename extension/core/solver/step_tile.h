@@ -101,7 +101,7 @@ template <class T> GRASS_INLINE void add_air_load(StepTerms<T> &r_terms, const A
 template <class T>
 GRASS_INLINE float step_tile(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders) {
-	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders);
+	StepTerms<T> terms = make_terms<T>(p_steps[0], p_blend, p_colliders, r_state.is_far);
 	float liveliest = 0.0f;
 	for (int first = 0; first < GRASS_BLADES_PER_TILE - r_state.left_out; first += LANE_COUNT<T>) {
 		if (p_steps.size() > 1) {

@@ -29,6 +29,7 @@ struct TileParams {
 
 	int pool_size = 4096; // Tiles that can be awake at once; 0 to MAX_POOL_SIZE. Too small: distant bodies bend nothing.
 	SleepMode sleep_mode = SleepMode::ENERGY;
+	double contact_distance = 0.0; // From an eye: contact_rate applies up to there. Metres; 0: everywhere.
 	double sleep_delay = SLEEP_DELAY.initial; // Seconds.
 	double sleep_energy = SolverParams().energy_within(1e-3 * SLEEP_MOTION.initial); // Largest energy of calm blades. J/kg.
 	double settle_time = SETTLE_TIME.initial; // Seconds.

@@ -51,7 +51,8 @@ void TileManager::write_records() {
 		const Place &place = _places[size_t(slot)];
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
-		const uint32_t flags = (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
+		const bool is_far = _params.contact_distance > 0.0 && !_detail.is_within(x, z, _params.contact_distance);
+		const uint32_t flags = (is_far ? GRASS_SLOT_FAR : 0) | (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
 				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
 		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are drawn.
 		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)]);
