@@ -100,6 +100,7 @@ private:
 	int64_t _asks = 0; // so far
 	bool _is_running = false;
 	std::optional<int64_t> _pool_tile; // bytes for each tile of a pool; empty until a field runs
+	std::optional<int64_t> _least_pool; // bytes of the smallest pool that was measured
 	size_t _pool_wanted = 0; // bytes that wait for other plots to leave
 	PlotKey _measured{ 1 << 30, 0 }; // the plot measured last
 	double _frame_seconds = 0.0; // mean duration of the last frames

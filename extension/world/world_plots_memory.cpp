@@ -46,6 +46,7 @@ void WorldPlots::measure() {
 		if (field != nullptr && (plot.memory.all == 0 || key == next->first)) {
 			plot.memory = field->find_memory();
 			_pool_tile = plot.memory.pool_tile;
+			_least_pool = std::min(_least_pool.value_or(plot.memory.pool), plot.memory.pool);
 		}
 	}
 	_measured = next->first;
@@ -63,7 +64,7 @@ std::vector<LoadedPlot> WorldPlots::find_loaded() const {
 
 PlotPools WorldPlots::find_pools() const {
 	const int64_t full = current_quality().scale_pool(_fields.get_pattern().pool_tiles), quiet = std::min(full, QUIET_POOL);
-	return { quiet, _pool_tile ? full : quiet, size_t(_pool_tile.value_or(0)) };
+	return { quiet, _pool_tile ? full : quiet, size_t(_pool_tile.value_or(0)), size_t(_least_pool.value_or(0)) };
 }
 
 void WorldPlots::make_plan(std::span<const WorldEye> p_eyes, std::span<const WorldMover> p_movers, double p_delta) {
@@ -74,7 +75,7 @@ void WorldPlots::make_plan(std::span<const WorldEye> p_eyes, std::span<const Wor
 	const PlotPools pools = find_pools();
 	const size_t shared = count_shared();
 	// The size of a plot is held back for the field that appears while another one leaves.
-	const size_t held_back = _planner.get_typical() + size_t(pools.quiet) * pools.tile_bytes;
+	const size_t held_back = _planner.get_typical() + pools.quiet_bytes();
 	_plan = _planner.plan(
 			_settings.grid, { p_eyes, busy.plots, loaded, pools, _settings.budget - std::min(_settings.budget, shared), held_back });
 	_statistics.tests = busy.tests + _plan.tests;
@@ -134,12 +135,11 @@ size_t WorldPlots::count_shared() const {
 
 size_t WorldPlots::count_bytes() const {
 	const PlotPools pools = find_pools();
-	const size_t quiet = size_t(pools.quiet) * pools.tile_bytes;
-	size_t bytes = count_shared() + _fields.count_spare() * (_planner.get_typical() + quiet);
+	size_t bytes = count_shared() + _fields.count_spare() * (_planner.get_typical() + pools.quiet_bytes());
 	for (const auto &[key, plot] : _plots) {
 		if (const GrassField *field = field_of(plot)) {
 			bytes += plot.memory.all > 0 ? rest_of(plot.memory) + pool_of(plot.memory, field->get_pool_tiles())
-										 : _planner.expected(key) + size_t(field->get_pool_tiles()) * pools.tile_bytes;
+										 : _planner.expected(key) + std::max(size_t(field->get_pool_tiles()) * pools.tile_bytes, pools.least_bytes);
 		} else if (plot.prepared) {
 			bytes += plot.prepared->get_layers().get_memory_usage();
 		}

@@ -26,7 +26,10 @@ std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 		_moved_step = _step_number;
 	}
 	_params.pool_size = after;
-	const auto resize = [after](auto &r_states) { r_states.resize(size_t(after)); };
+	const auto resize = [after](auto &r_states) {
+		r_states.resize(size_t(after));
+		r_states.shrink_to_fit(); // else a smaller pool would save nothing
+	};
 	resize(_times);
 	resize(_motions);
 	resize(_places);
@@ -43,7 +46,7 @@ std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 	for (const int slot : _used) {
 		_slot_of_tile.insert(_places[size_t(slot)].tile.x, _places[size_t(slot)].tile.z, slot);
 	}
-	_records.assign(2 * size_t(after), {});
+	_records = std::vector<GrassSlot>(2 * size_t(after));
 	_record_count = 0;
 	_collider_list.clear();
 	_meetings.forget();

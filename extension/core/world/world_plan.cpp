@@ -52,7 +52,7 @@ private:
 	// Returns the bytes of a plot with its pool: the one it has, or the one that it starts with.
 	size_t cost(const PlotKey &p_key) const {
 		const LoadedPlot *plot = loaded(p_key);
-		return _planner.expected(p_key) + (plot != nullptr ? plot->pool : size_t(_needs.pools.quiet) * _needs.pools.tile_bytes);
+		return _planner.expected(p_key) + (plot != nullptr && plot->pool > 0 ? plot->pool : _needs.pools.quiet_bytes());
 	}
 	// Returns the bytes that are left. Plots under the eyes are not limited by this.
 	size_t left() const { return minus(_needs.budget, _bytes + _needs.held_back); }

@@ -5,6 +5,7 @@
 
 #include "core/world/eye_groups.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <span>
@@ -31,6 +32,10 @@ struct LoadedPlot {
 struct PlotPools {
 	int64_t quiet = 0, busy = 0;
 	size_t tile_bytes = 0; // bytes for each tile, used or not
+	size_t least_bytes = 0; // that any pool has
+
+	// Returns the bytes of a quiet pool.
+	size_t quiet_bytes() const { return std::max(size_t(quiet) * tile_bytes, least_bytes); }
 };
 
 // The input of a plan.

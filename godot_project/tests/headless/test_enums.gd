@@ -30,7 +30,7 @@ func test_field_refuses_what_is_no_constant() -> void:
 	var field := add_field()
 	field.name = "Lawn"
 	field.method = GrassField.METHOD_PBD
-	check_refusals(field, "GrassField 'Lawn'", ["method", "sleep_mode", "simulation_detail", "backend", "debug_view"])
+	check_refusals(field, "GrassField 'Lawn'", ["method", "simulation_detail", "sleep_mode", "backend", "debug_view"])
 	assert_eq(field.method, GrassField.METHOD_PBD)
 
 
