@@ -45,7 +45,8 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 
 // If it is refused, all blades of awake tiles are simulated.
 PassCode join_code(const PassKind &p_kind) {
-	const std::span<const uint32_t> code = p_kind.species ? std::span<const uint32_t>(shader::JOIN_GRASS_SPECIES_SPIRV) : shader::JOIN_SPIRV;
+	const std::span<const uint32_t> code =
+			p_kind.species ? std::span<const uint32_t>(shader::JOIN_GRASS_SPECIES_SPIRV) : shader::JOIN_SPIRV;
 	return { code, "GrassField join", PassOrder::JOIN, PassCode::NO_METHOD, GRASS_TILES_ONE, true };
 }
 

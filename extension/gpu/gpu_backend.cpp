@@ -152,14 +152,14 @@ bool GpuBackend::is_complete() const {
 void GpuBackend::step(const StepInput &p_input) {
 	_has_stepped = true;
 	_steps++;
-	RenderQueue::get_singleton()->post(
-			[field = _field, records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure] { field->step(records, measure); });
+	RenderQueue::get_singleton()->post([field = _field, records = StepRecords(p_input, _energy, kind_of(_setup)), measure = _measure] {
+		field->step(records, measure);
+	});
 }
 
 void GpuBackend::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
-	RenderQueue::get_singleton()->post([field = _field, slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step] {
-		field->join(slots, step);
-	});
+	RenderQueue::get_singleton()->post(
+			[field = _field, slots = std::vector<GrassSlot>(p_slots.begin(), p_slots.end()), step = p_step] { field->join(slots, step); });
 }
 
 void GpuBackend::resize_pool(int p_slots, std::span<const SlotMove> p_moves) {

@@ -197,8 +197,8 @@ void GpuField::set_cover(int64_t p_first, const PackedByteArray &p_tiles) {
 }
 
 std::array<GpuBuffer *, 18> GpuField::buffers() {
-	return { &_slot_records, &_join_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy, &_table, &_growth,
-		&_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
+	return { &_slot_records, &_join_records, &_colliders, &_collider_list, &_planes, &_forces, &_knots, &_halves, &_twists, &_energy,
+		&_table, &_growth, &_blade_species, &_species_steps, &_cover, &_view, &_cameras, &_counts };
 }
 
 void GpuField::free(const FieldMultiMeshes &p_multimeshes) {

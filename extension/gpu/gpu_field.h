@@ -135,8 +135,8 @@ private:
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
 	// Lives for one frame: written by the main thread's records, read by join.
 	GpuBuffer _join_records;
-	// Lives as long as the field, read and written by simulate and join: knots of awake tiles, now and one step earlier in two halves; which half is
-	// which; twists of their joints, and the blades' lengths; energy. All by slot.
+	// Lives as long as the field, read and written by simulate and join: knots of awake tiles, now and one step earlier in two halves;
+	// which half is which; twists of their joints, and the blades' lengths; energy. All by slot.
 	GpuBuffer _knots, _halves, _twists, _energy;
 	// Lives for one dispatch, read and written by simulate: what its threads keep of their blades' joints, unless each has an array for it.
 	std::shared_ptr<GpuBuffer> _work; // shared by all fields

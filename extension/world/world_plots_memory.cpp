@@ -138,8 +138,9 @@ size_t WorldPlots::count_bytes() const {
 	size_t bytes = count_shared() + _fields.count_spare() * (_planner.get_typical() + pools.quiet_bytes());
 	for (const auto &[key, plot] : _plots) {
 		if (const GrassField *field = field_of(plot)) {
-			bytes += plot.memory.all > 0 ? rest_of(plot.memory) + pool_of(plot.memory, field->get_pool_tiles())
-										 : _planner.expected(key) + std::max(size_t(field->get_pool_tiles()) * pools.tile_bytes, pools.least_bytes);
+			bytes += plot.memory.all > 0
+					? rest_of(plot.memory) + pool_of(plot.memory, field->get_pool_tiles())
+					: _planner.expected(key) + std::max(size_t(field->get_pool_tiles()) * pools.tile_bytes, pools.least_bytes);
 		} else if (plot.prepared) {
 			bytes += plot.prepared->get_layers().get_memory_usage();
 		}

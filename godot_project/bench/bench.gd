@@ -2,8 +2,8 @@
 ## Times drawing and simulation on this machine, counts what sleep saves, and writes CSV: `./grass bench`, or by hand.
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
-##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail, cpu,
-##                  questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
+##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail,
+##                  cpu, questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
 ##   --quick yes    the parts `paper` as small as in software
@@ -49,7 +49,24 @@ func _ready() -> void:
 	var spirv := _argument("--spirv", "")
 	var wants := {Kernel: [spirv], Accuracy: [_argument("--packs", ""), spirv, folder]}  # what a part takes, in order
 	for script: GDScript in [
-		Draw, Limits, Meadow, Forces, Movers, Simulate, Sleep, Awake, Rest, Crowd, Detail, Cpu, Questions, Change, Hitch, Species, Kernel, Accuracy
+		Draw,
+		Limits,
+		Meadow,
+		Forces,
+		Movers,
+		Simulate,
+		Sleep,
+		Awake,
+		Rest,
+		Crowd,
+		Detail,
+		Cpu,
+		Questions,
+		Change,
+		Hitch,
+		Species,
+		Kernel,
+		Accuracy
 	]:
 		var part: Node = script.new()
 		var arguments: Array = wants.get(script, [])

@@ -154,9 +154,7 @@ func _slots(p_tiles: int, p_colliders: int, p_bits: int) -> PackedByteArray:
 	var across := _across(p_tiles)
 	for tile in p_tiles:
 		var blade := (tile * 8) % (PATCH_BLADES - BLADES)
-		words.append_array(
-			SimulateData.slot_words(tile % across, tile / across, tile, blade, tile * p_colliders, p_colliders, p_bits)
-		)
+		words.append_array(SimulateData.slot_words(tile % across, tile / across, tile, blade, tile * p_colliders, p_colliders, p_bits))
 	return words.to_byte_array()
 
 

@@ -7,7 +7,7 @@ const BLADES := 64  # a tile
 const ROOM := 256  # tiles for which the buffer of joints has room, where there is one
 
 
-## A slot record, which has a workgroup of its own: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
+## A slot record with a workgroup of its own: tile x, tile z, slot, first blade of the patch, first collider of the list, how many, bits.
 static func slot_words(p_x: int, p_z: int, p_slot: int, p_blade: int, p_first: int, p_count: int, p_bits: int) -> PackedInt32Array:
 	return [p_x, p_z, p_slot, p_slot, p_blade, p_first, p_count, p_bits, 0, 0, 0, 0, p_slot, BLADES, 1, p_slot % ROOM]
 

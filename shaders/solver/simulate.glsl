@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes one that is not. A workgroup has one
-// tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.cpp.
+// Simulates the awake tiles for one step: one thread a blade; a thread whose own blade is at rest takes one that is not. A workgroup has
+// one tile, or several of which few blades are simulated: GrassSlot.group. Twin of core/solver/simulate.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 #pragma variant GRASS_EDGES // for tiles with colliders that blades' edges can meet where no knot does: several times slower

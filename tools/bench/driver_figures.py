@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What Mesa's compilers make of each pipeline: registers, spills, scratch, code. `./grass bench drivers` writes the table.
 
-Each pass is compiled in all its variants, by both methods, with one tile in a workgroup, a crowded one or many, for cards that need not be here. The
-layers `drivers` and `drivers-quick` compare that with the committed table.
+Each pass is compiled in all its variants, by both methods, with one tile in a workgroup, a crowded one or many, for cards
+that need not be here. The layers `drivers` and `drivers-quick` compare that with the committed table.
 """
 
 import concurrent.futures

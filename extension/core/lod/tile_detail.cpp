@@ -88,8 +88,8 @@ bool TileDetail::is_within(int p_x, int p_z, double p_distance) const {
 		return true;
 	}
 	const Eigen::Vector3f middle = middle_of(p_x, p_z, _cover ? _cover->get(p_x, p_z) : TileCover::FULL);
-	return std::ranges::any_of(_view.cameras,
-			[&](const ViewCamera &p_camera) { return (p_camera.eye - middle).norm() <= float(p_distance) + SLACK; });
+	return std::ranges::any_of(
+			_view.cameras, [&](const ViewCamera &p_camera) { return (p_camera.eye - middle).norm() <= float(p_distance) + SLACK; });
 }
 
 // Returns the middle of the tile's box, field space, metres.

@@ -14,8 +14,7 @@ template <int N> Eigen::Vector3f at(const float (&p_from)[3][N][GRASS_BLADES_PER
 	return { p_from[0][p_knot][p_blade], p_from[1][p_knot][p_blade], p_from[2][p_knot][p_blade] };
 }
 
-template <int N>
-void set(const Eigen::Vector3f &p_place, float (&r_to)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
+template <int N> void set(const Eigen::Vector3f &p_place, float (&r_to)[3][N][GRASS_BLADES_PER_TILE], int p_knot, int p_blade) {
 	for (int c = 0; c < 3; c++) {
 		r_to[c][p_knot][p_blade] = p_place[c];
 	}

@@ -44,8 +44,7 @@ StepTerms<T> make_terms(const GrassStep &p_step, float p_blend, std::span<const 
 		T(p_step.chain.x), T(p_step.chain.y), T(p_step.chain.z) * T(p_step.free_motion.z), T(p_step.chain.w), T(p_step.free_motion.x),
 		T(p_step.free_motion.y), T(p_step.free_motion.w), T(WILD * p_step.chain.x) * square_root(T(p_step.chain.z)), T(p_step.energy.x),
 		T(p_step.energy.y), T(p_step.energy.z), T(p_step.energy.w), int(p_step.contact.x),
-		most_parts(int(p_step.contact.x), p_step.chain.x, finer), finer,
-		int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
+		most_parts(int(p_step.contact.x), p_step.chain.x, finer), finer, int(p_step.contact.w) == GRASS_METHOD_DIRECT, p_colliders };
 }
 
 template <class T> GRASS_INLINE Vec3<T> rest_segment(const Blade<T> &p_blade, int p_knot) {

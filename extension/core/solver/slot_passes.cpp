@@ -50,7 +50,10 @@ int rank_of(float p_energy) {
 class SlotOrder {
 public:
 	SlotOrder(const StepInput &p_input, std::span<const float> p_energies, bool p_may_share) :
-			_input(p_input), _may_share(p_may_share), _fast(find_fast(p_input)), _energies(p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>()) {}
+			_input(p_input),
+			_may_share(p_may_share),
+			_fast(find_fast(p_input)),
+			_energies(p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>()) {}
 
 	size_t find_kind(const GrassSlot &p_slot) const {
 		const SlotPass pass = find_pass(p_slot);
@@ -91,13 +94,15 @@ private:
 
 // Divides the slots of one kind among workgroups, whose colliders are shared. p_first: number of the first slot; r_group: of the next
 // workgroup.
-SlotGroups make_groups(std::span<GrassSlot> r_slots, uint32_t p_first, uint32_t p_count, uint32_t p_lanes, uint32_t p_room, uint32_t &r_group) {
+SlotGroups make_groups(
+		std::span<GrassSlot> r_slots, uint32_t p_first, uint32_t p_count, uint32_t p_lanes, uint32_t p_room, uint32_t &r_group) {
 	SlotGroups groups{ r_group, 0, 0 };
 	uint32_t colliders = 0;
 	uvec4 *group = nullptr;
 	for (uint32_t i = p_first; i < p_first + p_count; i++) {
 		GrassSlot &slot = r_slots[i];
-		const bool has_room = group != nullptr && group->z < GRASS_BLADES_PER_TILE / p_lanes && colliders + slot.list.z <= GRASS_SHARED_COLLIDERS;
+		const bool has_room =
+				group != nullptr && group->z < GRASS_BLADES_PER_TILE / p_lanes && colliders + slot.list.z <= GRASS_SHARED_COLLIDERS;
 		if (!has_room) {
 			group = &r_slots[r_group].group;
 			*group = { i, p_lanes, 0, p_room > 0 ? r_group % p_room : 0 };

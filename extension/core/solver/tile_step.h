@@ -14,8 +14,8 @@ inline constexpr int MOST_LANES = 16;
 struct TileCollider;
 struct TileState;
 
-// Takes one step of the blades of a tile without TileState::left_out, a multiple of MOST_LANES. Returns the energy of the liveliest blade, [Eq 19]. p_steps: one for all blades, or one for each
-// species. p_colliders: those of this tile.
+// Takes one step of the blades of a tile without TileState::left_out, a multiple of MOST_LANES. Returns the energy of the liveliest blade,
+// [Eq 19]. p_steps: one for all blades, or one for each species. p_colliders: those of this tile.
 using TileStep = float (*)(
 		TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);
 float step_lanes(TileState &r_state, std::span<const GrassStep> p_steps, float p_blend, std::span<const TileCollider> p_colliders);

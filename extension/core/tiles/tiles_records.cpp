@@ -52,9 +52,10 @@ void TileManager::write_records() {
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
 		const bool is_far = _params.contact_distance > 0.0 && !_detail.is_within(x, z, _params.contact_distance);
-		const uint32_t flags = (is_far ? GRASS_SLOT_FAR : 0) | (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
-				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
-		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are drawn.
+		const uint32_t flags = (is_far ? GRASS_SLOT_FAR : 0) | (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) |
+				(_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped | uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
+		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are
+		// drawn.
 		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)]);
 		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags },
 			{ blend_of(slot), float(left_out(blades)), 0.0f, 0.0f }, {} };
@@ -81,8 +82,8 @@ std::span<const GrassSlot> TileManager::widen() {
 		const int x = place.tile.x, z = place.tile.z, now = _blades[size_t(slot)], wanted = _detail.blades_of(x, z, now);
 		if (wanted > now) {
 			const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
-			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped }, { 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f },
-					{} });
+			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped },
+					{ 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f }, {} });
 		}
 		_blades[size_t(slot)] = uint8_t(wanted);
 	}

@@ -142,7 +142,9 @@ func test_nothing_jumps_as_blades_join() -> void:
 	add_light()
 	var changes := PackedFloat64Array()
 	for detail: GrassField.SimulationDetail in [GrassField.SIMULATION_WHOLE, GrassField.SIMULATION_SEEN]:
-		var field := add_seen_field({size = Vector2(12, 12), simulation_detail = detail, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0})
+		var field := add_seen_field(
+			{size = Vector2(12, 12), simulation_detail = detail, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0}
+		)
 		look(Vector3(0.4, 1.7, 12.0), Vector3.ZERO)
 		await fields_shown()
 		var bodies := add_bodies()
