@@ -228,6 +228,23 @@ def awake():
 	return lines + grid(head, body) + source("awake")
 
 
+def detail():
+	rows = read("detail")[1]
+	lines = [
+		"### Only the blades that cameras need",
+		"",
+		"The same throw seen by a player at the edge of the field: the device's time of a tick, with all blades of awake tiles simulated "
+		"(`SIMULATION_WHOLE`) and with those that a camera needs (`SIMULATION_SEEN`). A row is of the seconds since the one before.",
+	]
+	body = []
+	for whole in pick(rows, detail="whole"):
+		seen = pick(rows, detail="seen", seconds=whole["seconds"])[0]
+		times = [float(row["simulate_ms"]) for row in (whole, seen)]
+		blades = [number(float(row["simulated_blades_a_tick"])) for row in (whole, seen)]
+		body.append([f"to {whole['seconds']} s", *blades, *(f"{ms:.2f}" for ms in times), f"{times[1] / times[0]:.2f}"])
+	return lines + grid(["after the throw", "blades, whole", "seen", "ms, whole", "seen", "share"], body) + source("detail")
+
+
 def page():
 	lines = [
 		"# Benchmarks",
@@ -248,6 +265,7 @@ def page():
 		*resting(),
 		*sleeping(),
 		*awake(),
+		*detail(),
 	]
 	return prose.page("\n".join(lines).rstrip() + "\n")
 

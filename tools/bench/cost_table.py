@@ -50,6 +50,12 @@ def churn(page):
 	)
 
 
+def thrown(page):
+	rows = [pick(bench_tables.read("detail")[1], detail=detail, seconds=3)[0] for detail in ("whole", "seen")]
+	what = "a tick of 128 bodies thrown among 4 million blades, all blades of awake tiles / those that the camera needs (default)"
+	return row(page, what, "detail", *(f"{float(one['simulate_ms']):.2f}" for one in rows))
+
+
 def rest(page):
 	rows = {entry["field"]: float(entry["wall_ms"]) for entry in bench_tables.read("rest")[1]}
 	added = rows["hidden"] - rows["nothing"]
@@ -63,6 +69,7 @@ def table(page):
 		*(drawing(page, "draw", "Forward+", blades) for blades in DRAWN),
 		drawing(page, "draw_mobile", "Mobile", DRAWN[0]),
 		row(page, f"a tick in which balls bend {number(AWAKE)} blades, `METHOD_DIRECT` / `METHOD_PBD`", "kernel", *steps),
+		thrown(page),
 		crowd(page),
 		churn(page),
 		rest(page),
