@@ -86,8 +86,8 @@ def parser():
 	bench.add_argument(
 		"--only",
 		metavar="PART",
-		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail, cpu, questions, change, "
-		"hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
+		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, "
+		"detail, levels, cpu, questions, change, hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
 	)
 
 	commands.add_parser("docs", help="make the site, out/site")

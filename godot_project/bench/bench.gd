@@ -3,7 +3,7 @@
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
 ##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail,
-##                  cpu, questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
+##                  levels, cpu, questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
 ##   --quick yes    the parts `paper` as small as in software
@@ -16,6 +16,7 @@ const Sleep := preload("res://bench/bench_sleep.gd")
 const Rest := preload("res://bench/bench_rest.gd")
 const Crowd := preload("res://bench/bench_crowd.gd")
 const Detail := preload("res://bench/bench_detail.gd")
+const Levels := preload("res://bench/bench_levels.gd")
 const Awake := preload("res://bench/bench_awake.gd")
 const Cpu := preload("res://bench/bench_cpu.gd")
 const Questions := preload("res://bench/bench_questions.gd")
@@ -60,6 +61,7 @@ func _ready() -> void:
 		Rest,
 		Crowd,
 		Detail,
+		Levels,
 		Cpu,
 		Questions,
 		Change,

@@ -31,6 +31,7 @@ func roll(is_interpolated: bool, properties := {}) -> GrassField:
 	viewport.add_child(body)
 	body.reset_physics_interpolation()
 	await ticks(5)
+	await compiled(field)  # frames are mixed from then on
 	Engine.physics_ticks_per_second = TICKS_A_SECOND
 	return field
 

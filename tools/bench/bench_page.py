@@ -245,6 +245,25 @@ def detail():
 	return lines + grid(["after the throw", "blades, whole", "seen", "ms, whole", "seen", "share"], body) + source("detail")
 
 
+def levels():
+	rows = read("levels")[1]
+	lines = [
+		"### Levels of GrassQuality, for one eye and for two",
+		"",
+		"A field of 128 m with the defaults and shadows, from eye level: what it adds to a frame without grass, as one picture of "
+		"1920 x 1080 and for both eyes of a headset.",
+	]
+	body = []
+	for level in ("low", "medium", "high", "ultra"):
+		cells = [level]
+		for eyes in ("1", "2"):
+			of_eyes = {row["level"]: float(row["gpu_ms"]) for row in rows if row["eyes"] == eyes}
+			added = {name: of_eyes[name] - of_eyes["nothing"] for name in (level, "high")}
+			cells += [f"{added[level]:.1f}", f"{added[level] / added['high']:.2f}"]
+		body.append(cells)
+	return lines + grid(["level", "ms, one eye", "of *high*", "ms, two eyes", "of *high*"], body) + source("levels")
+
+
 def page():
 	lines = [
 		"# Benchmarks",
@@ -256,6 +275,7 @@ def page():
 		"",
 		*simulation(),
 		*drawing(),
+		*levels(),
 		*limits(),
 		*processor(),
 		*crowds(),

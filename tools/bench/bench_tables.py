@@ -26,6 +26,7 @@ TABLES = {
 	"limits": "2026-11-23-h200/limits.csv",
 	"rest": "2026-11-24-h200/rest.csv",
 	"crowd": "2026-11-25-epyc/crowd.csv",
+	"levels": "2026-11-26-h200/levels.csv",
 	"detail": "2026-11-26-h200/detail.csv",
 }
 FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv

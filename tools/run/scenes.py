@@ -26,6 +26,7 @@ BENCHES = (
 	"rest",
 	"crowd",
 	"detail",
+	"levels",
 	"cpu",
 	"questions",
 	"change",
