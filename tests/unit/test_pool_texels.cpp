@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace grass;
@@ -165,4 +166,30 @@ TEST_CASE("pool texels: rows follow their tiles into a smaller pool, and go on b
 			CHECK(scene.shown(1) == after);
 		}
 	}
+}
+
+TEST_CASE("pool texels: blades that join between two steps are shown where they are, whatever the share; the others go on being mixed") {
+	TexelScene scene(true);
+	scene.steps(10);
+	const Row before = scene.pack(1);
+	for (int i = 0; i < 3; i++) {
+		scene.scene.slots[1].blend.y = 48.0f;
+		scene.step();
+	}
+	scene.shown(1, 0.5f);
+	GrassSlot &slot = scene.scene.slots[1];
+	slot.blend.z = std::exchange(slot.blend.y, 0.0f);
+	scene.scene.pool.join(slot);
+	scene.texels.change(scene.scene.pool, std::span(&slot, 1));
+	const Row joined = scene.pack(1), half = scene.shown(1, 0.5f), whole = scene.shown(1, 1.0f);
+	CHECK(whole == joined);
+	int mixed = 0, apart = 0;
+	for (size_t i = 0; i < joined.size(); i++) {
+		const bool joins = int(i / 4) % GRASS_POOL_BLADES_PER_ROW >= 16;
+		mixed += !joins && half[i] != joined[i];
+		apart += joins && half[i] != joined[i];
+	}
+	CHECK(mixed > 100);
+	CHECK(apart == 0);
+	CHECK(joined != before);
 }
