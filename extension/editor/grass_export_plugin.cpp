@@ -87,7 +87,7 @@ void GrassExportPlugin::check_libraries(const ExtensionFile &p_extension, const 
 
 void GrassExportPlugin::add_extension(const ExtensionFile &p_extension, const PackedStringArray &p_features) {
 	const ExportChoice choice(get_export_preset());
-	const String path = p_extension.get_path();
+	const String &path = p_extension.get_path();
 	if (!choice.is_selection() || choice.excludes(path) || packs_an_extension(choice)) {
 		return;
 	}

@@ -17,7 +17,8 @@ from tools.test.test_runs import Tally
 NAME = "gpu/start."
 SCENE = "res://tests/gpu/start.tscn"
 LIMIT = 400  # seconds; a tenth of a minute where nothing else runs
-PASSES = ("cull", "simulate", "gather", "simulate free", "simulate edges")
+PASSES = ("cull", "simulate", "gather", "join", "simulate free", "simulate edges")
+AGAIN = " many"  # ends the names of passes of the same code as others, compiled with the first tiles that share a workgroup
 KEPT_MOST = 64  # files, SHADER_FILES_MOST
 BEGUN, DONE = re.compile(r"^GrassField: compiling '(.+)'$"), re.compile(r"^GrassField: compiled '(.+)', shader (\w+) in ")
 
@@ -41,7 +42,8 @@ class Start:
 		assert not errors, errors
 		assert "bent 0:" not in self.result and self.result, f"nothing was simulated: {self.result}"
 		shaders = {f"GrassField {name}": expected for name in PASSES}
-		assert self.shaders == shaders, f"{self.shaders} instead of {shaders}"
+		found = {name: how for name, how in self.shaders.items() if not name.endswith(AGAIN)}
+		assert found == shaders, f"{found} instead of {shaders}"
 
 	def check_order(self):
 		"""Raises AssertionError unless passes were compiled one after the other, in the order in which the field needs them."""

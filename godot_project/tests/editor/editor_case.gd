@@ -38,6 +38,8 @@ func reset_brush() -> void:
 
 
 func after() -> void:
+	for button: Button in EditorInterface.get_editor_toaster().find_children("*", "Button", true, false):
+		button.pressed.emit()  # closes a message, which would catch the next test's clicks
 	EditorInterface.save_scene()  # nothing must ask whether to save when the next test opens its scene
 	await select(null)  # what is selected when the editor closes, it looks for once more where there is no tree any longer
 
