@@ -3,7 +3,8 @@
 ## Absolute times mean something on a GPU only; the files name the device.
 ##   --out DIR      folder for the files
 ##   --only PART    what the part's file begins with: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, detail,
-##                  levels, cpu, questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out without it
+##                  levels, cpu, questions, change, hitch, species, kernel, accuracy; paper or paper_table1 and so on, which are left out
+##                  without it
 ##   --spirv DIR    simulate_KNOTS.spv, for the parts `kernel`, `accuracy` and `paper_lists`, which are left out without it
 ##   --packs DIR    the problems of the part `accuracy`, which is left out without it
 ##   --quick yes    the parts `paper` as small as in software

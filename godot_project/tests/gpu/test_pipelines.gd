@@ -8,8 +8,6 @@ void grass_surface(in GrassSurface s, inout vec3 albedo, inout float roughness, 
 }
 """
 
-static var _hook: ShaderInclude
-
 
 ## With the project's samples a pixel: the engine makes pipelines in advance for those only.
 func before() -> void:
@@ -24,11 +22,12 @@ func new_hook() -> ShaderInclude:
 	return hook
 
 
-## One text for the fields of several tests, which none else has: what these change is new.
+## One text for the fields of several tests, which none else has: what these change is new. Kept by the tree: a static variable would keep
+## scripts alive for ever.
 func shared_hook() -> ShaderInclude:
-	if not _hook:
-		_hook = new_hook()
-	return _hook
+	if not get_tree().has_meta("shared_hook"):
+		get_tree().set_meta("shared_hook", new_hook())
+	return get_tree().get_meta("shared_hook")
 
 
 ## Pipelines that the renderer began in frames, and those that loaders wait for.
