@@ -76,9 +76,9 @@ func _measure(p_detail: String, p_software: bool, p_warm: bool) -> Array[PackedS
 			rows.append(row)
 			from = to
 			span += 1
-	for node: Node in bodies + [field]:
-		node.queue_free()
 	if p_warm:
 		await Scenery.compiled(field)
+	for node: Node in bodies + [field]:
+		node.queue_free()
 	await get_tree().process_frame
 	return rows

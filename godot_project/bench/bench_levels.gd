@@ -18,8 +18,8 @@ const LEVELS := {
 	"ultra": GrassQuality.LEVEL_ULTRA,
 }
 
-var _rig := XROrigin3D.new()
-var _field := GrassField.new()
+var _rig: XROrigin3D
+var _field: GrassField
 var _headset: XRInterface = XRServer.find_interface("Native mobile")
 
 
@@ -48,6 +48,8 @@ func run(p_software: bool) -> Array[PackedStringArray]:
 
 
 func _build(p_side: float) -> void:
+	_rig = XROrigin3D.new()
+	_field = GrassField.new()
 	var eye := XRCamera3D.new()
 	eye.far = 600.0
 	_rig.position = Vector3(0, 0, 0.45 * p_side)
