@@ -90,9 +90,10 @@ def a_second_start_reads(where, home, first):
 
 
 def damage(files):
-	"""Damages each of the files in another way."""
-	cut, flipped, empty, foreign, huge = files
-	cut.write_bytes(cut.read_bytes()[: cut.stat().st_size // 2])
+	"""Damages the files in five ways."""
+	flipped, empty, foreign, huge, *cut = files
+	for file in cut:
+		file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])
 	changed = bytearray(flipped.read_bytes())
 	changed[len(changed) * 3 // 4] ^= 0x10
 	flipped.write_bytes(changed)
