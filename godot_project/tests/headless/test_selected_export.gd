@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 ## A project with a painted GrassWorld, exported as *Export selected scenes*: the engine packs what the scenes refer to, and the add-on's
 ## plugin adds its library and the plots of the worlds in them.
-extends "res://tests/case.gd"
+extends "res://tests/export_case.gd"
 
-const FOLDER := "user://selected_export"
 const SETTINGS := """config_version=5
 [application]
 config/name="Selected"
@@ -86,21 +85,6 @@ func _process(_delta: float) -> void:
 const PLOTS := ["res://grass/plot_0_0.grassmap", "res://other/plots/plot_-1_0.grassmap", "res://unused/plot_0_0.grassmap"]
 
 
-func write(path: String, text: String) -> void:
-	FileAccess.open(FOLDER.path_join(path), FileAccess.WRITE).store_string(text)
-
-
-func after() -> void:
-	if DirAccess.dir_exists_absolute(FOLDER):
-		OS.execute("rm", ["-r", ProjectSettings.globalize_path(FOLDER)])
-
-
-func run(arguments: Array) -> String:
-	var output := []
-	OS.execute(OS.get_executable_path(), ["--headless"] + arguments, output, true)
-	return output[0]
-
-
 func presets() -> String:
 	var text := ""
 	for i in PRESETS.size():
@@ -109,8 +93,7 @@ func presets() -> String:
 
 
 func make_project(folder: String) -> void:
-	DirAccess.make_dir_recursive_absolute(folder.path_join("addons"))
-	DirAccess.open(folder).create_link(ProjectSettings.globalize_path("res://addons/grass_field"), folder.path_join("addons/grass_field"))
+	make_folder(folder)
 	write("project.godot", SETTINGS)
 	write("export_presets.cfg", presets())
 	write("main.tscn", MAIN)
@@ -164,13 +147,6 @@ func play(preset: String, has_library := true) -> String:
 			"4000" if has_library else "2"
 		]
 	)
-
-
-func answers_of(output: String) -> Variant:
-	for line in output.split("\n"):
-		if line.begins_with("answers: "):
-			return JSON.parse_string(line.trim_prefix("answers: "))
-	return output.right(600)
 
 
 func test_selected_scenes_take_the_library_and_the_plots_with_them() -> void:

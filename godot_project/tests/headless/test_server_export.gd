@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 ## A project with a rule and its mask, exported for a dedicated server with the engine's default (*Strip Visuals*): the server gives the
 ## same answers as the project itself.
-extends "res://tests/case.gd"
+extends "res://tests/export_case.gd"
 
-const FOLDER := "user://server_export"
 const SETTINGS := """config_version=5
 [application]
 config/name="Server"
@@ -78,28 +77,6 @@ func _process(_delta: float) -> void:
 """
 
 
-func write(path: String, text: String) -> void:
-	FileAccess.open(FOLDER.path_join(path), FileAccess.WRITE).store_string(text)
-
-
-func after() -> void:
-	if DirAccess.dir_exists_absolute(FOLDER):
-		OS.execute("rm", ["-r", ProjectSettings.globalize_path(FOLDER)])
-
-
-func run(arguments: Array) -> String:
-	var output := []
-	OS.execute(OS.get_executable_path(), ["--headless"] + arguments, output, true)
-	return output[0]
-
-
-func answers_of(output: String) -> Variant:
-	for line in output.split("\n"):
-		if line.begins_with("answers: "):
-			return JSON.parse_string(line.trim_prefix("answers: "))
-	return output.right(400)
-
-
 func save_mask(grass_at: int) -> void:
 	var mask := Image.create(8, 8, false, Image.FORMAT_L8)
 	mask.fill_rect(Rect2i(grass_at, 0, 4, 8), Color.WHITE)
@@ -107,8 +84,7 @@ func save_mask(grass_at: int) -> void:
 
 
 func make_project(folder: String) -> void:
-	DirAccess.make_dir_recursive_absolute(folder.path_join("addons"))
-	DirAccess.open(folder).create_link(ProjectSettings.globalize_path("res://addons/grass_field"), folder.path_join("addons/grass_field"))
+	make_folder(folder)
 	save_mask(0)
 	write("project.godot", SETTINGS)
 	write("export_presets.cfg", PRESETS)
