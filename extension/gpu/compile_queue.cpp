@@ -99,6 +99,11 @@ void CompileQueue::finish(Pipeline &r_pipeline) {
 	}
 }
 
+bool CompileQueue::is_empty() {
+	std::lock_guard lock(_mutex);
+	return _pipelines.empty();
+}
+
 bool CompileQueue::is_refused(const PassCode &p_code) {
 	std::lock_guard lock(_mutex);
 	return std::ranges::any_of(_refused, [&](const PassCode &p_refused) {

@@ -63,6 +63,8 @@ public:
 	void finish(Pipeline &r_pipeline);
 	// Frees all pipelines; call it on the render thread when the library is unloaded.
 	void free_pipelines();
+	// Returns true if no pipeline was ever requested.
+	bool is_empty();
 	// Returns the number of pipelines that are not done yet.
 	int count_compiling() const { return _compiling; }
 	// Returns true if no pipeline that is not done yet would change a result: only passes for many tiles wait, which compute the same.

@@ -24,11 +24,11 @@ RenderQueue *RenderQueue::get_singleton() {
 }
 
 void RenderQueue::free_singleton() {
+	if (!CompileQueue::get().is_empty()) { // maybe of no field: passes are compiled before a field is made, and may be refused
+		get_singleton()->post([] { CompileQueue::get().free_pipelines(); });
+		RenderingServer::get_singleton()->force_sync();
+	}
 	if (_singleton != nullptr) {
-		if (main_device() != nullptr) {
-			_singleton->post([] { CompileQueue::get().free_pipelines(); });
-			RenderingServer::get_singleton()->force_sync();
-		}
 		memdelete(_singleton);
 		_singleton = nullptr;
 	}
