@@ -4,7 +4,7 @@
 //   GRASS_LAYER_COUNTING=zero     vertices and instances count from 0 in every draw call, as in Direct3D 12
 //   GRASS_LAYER_COUNTING=restored rewritten likewise, but with the number that they have in Vulkan
 //   GRASS_LAYER_REFUSED=NAME,...  compute passes that it refuses from now on: the names of their files in the folder below. A name
-//                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_CROWD is true
+//                                 with `+crowd` is the pipeline of that pass whose constant GRASS_CONSTANT_TILES is GRASS_TILES_CROWD
 //   GRASS_LAYER_VENDOR=NUMBER     the device says that it is of this maker
 //   GRASS_LAYER_PASSES=FOLDER     of the passes' SPIR-V
 //   GRASS_LAYER_SHADERS=FOLDER    gets the vertex and fragment shaders that are made from now on: NUMBER.vertex.spv, NUMBER.fragment.spv
