@@ -97,13 +97,13 @@ TEST_CASE("tile detail: every blade that is drawn is simulated, until an eye has
 	CHECK(tiles > 50000);
 }
 
-TEST_CASE("tile detail: far tiles simulate an eighth, whether or not the camera looks there") {
+TEST_CASE("tile detail: far tiles simulate an eighth or less, whether or not the camera looks there") {
 	TileDetail detail;
 	CHECK(detail.blades_of(60, 60, 0) == ALL); // nobody has looked yet
 	REQUIRE(detail.see(make_field(), view_from({ 0.0f, 1.7f, 0.0f }), nullptr));
 	CHECK(detail.blades_of(60, 60, 0) >= 56); // the tile under the eye
 	for (const int z : { 2, 117 }) { // ahead and behind
-		CHECK(detail.blades_of(60, z, 0) == GRASS_DETAIL_BLADES);
+		CHECK(detail.blades_of(60, z, 0) <= ALL / 8);
 	}
 	int last = ALL;
 	for (int z = 60; z >= 0; z--) {
@@ -135,6 +135,8 @@ TEST_CASE("tile detail: a tile whose blades are read is whole for a second") {
 	const CullField field = make_field();
 	const FieldView view = view_from({ 0.0f, 1.7f, 0.0f });
 	detail.see(field, view, nullptr);
+	const int few = detail.blades_of(60, 2, 0);
+	CHECK(few <= ALL / 8);
 	const int tile = field.grid.get_index(60, 2);
 	CHECK(detail.ask(tile));
 	CHECK_FALSE(detail.ask(tile)); // again
@@ -144,7 +146,7 @@ TEST_CASE("tile detail: a tile whose blades are read is whole for a second") {
 	}
 	CHECK(detail.blades_of(60, 2, 0) == ALL);
 	CHECK(detail.see(field, view, nullptr));
-	CHECK(detail.blades_of(60, 2, 0) == GRASS_DETAIL_BLADES);
+	CHECK(detail.blades_of(60, 2, 0) == few);
 }
 
 TEST_CASE("left out blades: the simulated ones move as before, bit for bit; the others stay") {

@@ -33,9 +33,15 @@ constexpr int FAST_RANK = 0, LIVELIEST_RANK = 1;
 // blade's speed.
 constexpr int HALF_OCTAVES = 46, RANKS = LIVELIEST_RANK + HALF_OCTAVES;
 constexpr float MOST_ENERGY = 64.0f;
-// The threads for each tile of a workgroup.
-constexpr std::array<uint32_t, 4> LANES{ 64, 32, 16, 8 };
-static_assert(LANES.front() == GRASS_BLADES_PER_TILE && LANES.back() == GRASS_DETAIL_BLADES);
+// The threads for each tile of a workgroup: all blades of a tile, or half as many each time, down to GRASS_DETAIL_BLADES.
+constexpr auto LANES = [] {
+	std::array<uint32_t, std::bit_width(uint32_t(GRASS_GROUP_TILES))> lanes{ GRASS_BLADES_PER_TILE };
+	for (size_t i = 1; i < lanes.size(); i++) {
+		lanes[i] = lanes[i - 1] / 2;
+	}
+	return lanes;
+}();
+static_assert(LANES.back() == GRASS_DETAIL_BLADES);
 constexpr size_t KINDS = SLOT_PASSES * LANES.size(); // of workgroups
 
 int half_octave_of(float p_energy) {

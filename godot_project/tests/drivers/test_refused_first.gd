@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## The driver refuses the pass that chooses what is drawn, before any field is made. The passes that it has compiled by then are freed all the
-## same: the runner counts leaks at exit, so this script has no other test, whose field might free them.
+## The driver refuses the pass that chooses what is drawn, before any field is made. The passes that it has compiled by then are freed all
+## the same: the runner counts leaks at exit, so this script has no other test, whose field might free them.
 extends "res://tests/drivers/refused_case.gd"
 
 const LONGER_THAN_COMPILING := 0.5  # s of the clock; the first pass takes a fifth of this on software Vulkan
