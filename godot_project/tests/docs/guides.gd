@@ -28,6 +28,24 @@ func performance_one_switch_for_the_options_menu() -> void:
 	GrassQuality.reset_level()
 
 
+func vr_holding_the_frame_rate() -> void:
+	var node := Node.new()
+	node.set_script(block_script())
+	add_child(node)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_LOW)
+	await wait_until(func() -> bool: return GrassQuality.get_level() == GrassQuality.LEVEL_MEDIUM, "frames take no time here")
+	node.set_process(false)
+	node.call("choose", 5.0)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH)
+	node.call("choose", 8.0)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH, "neither room nor late")
+	node.call("choose", 10.5)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_MEDIUM)
+	node.call("choose", 5.0)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_MEDIUM, "high was too slow")
+	GrassQuality.reset_level()
+
+
 func game_a_mower() -> void:
 	var field := add_field({map = full_map()})
 	var mower := CharacterBody3D.new()
