@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 ## The paper's figure 6: 128 mixed bodies thrown through a field. Started with `-- --out DIR` it takes its pictures
 ## and prints its table, then ends (`./grass demo` does that); started from the editor it runs until it is closed: bodies are thrown again
-## every ten seconds, F1 shows the awake tiles, F2 the levels of detail.
+## every ten seconds, F1 shows the awake tiles, F2 the levels of detail, B begins the benchmark.
 ##   --out DIR      folder for the pictures and the table
 ##   --size SIZE    side of the field: large (64 m, 1,048,576 blades), small (20 m, 102,400 blades) or a number of metres;
 ##                  by default large on a GPU, small in software
 ##   --bodies N     default 128
-##   --place NAME   another scene of this folder instead: lawn, meadow, reeds, film (an exported project takes no scene's path)
+##   --place NAME   another scene of this folder instead: lawn, meadow, reeds, film, benchmark (an exported project takes no scene's path)
 extends Node3D
 
 const Bodies := preload("res://demo/bodies.gd")
@@ -61,6 +61,8 @@ func _process(_delta: float) -> void:
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
+	if event.is_pressed() and event.keycode == KEY_B:
+		get_tree().change_scene_to_file("res://demo/benchmark.tscn")
 	if event.is_pressed() and event.keycode in [KEY_F1, KEY_F2]:
 		var view := GrassField.DEBUG_VIEW_AWAKE_TILES if event.keycode == KEY_F1 else GrassField.DEBUG_VIEW_LOD
 		field.debug_view = GrassField.DEBUG_VIEW_OFF if field.debug_view == view else view

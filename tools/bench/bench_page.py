@@ -269,7 +269,7 @@ def page():
 		"# Benchmarks",
 		"",
 		"Today's figures, generated from the newest committed tables (`python3 -m tools.bench.bench_page`). "
-		"[How to run them](HOWTO.md); [how the figures came about](history.md); "
+		"[Measure your own machine](machines.md); [how to run all](HOWTO.md); [how the figures came about](history.md); "
 		"[figures of the solver](solver.md); [accuracy against run time](accuracy.md); "
 		"[beside the paper, and against MultiMeshes](paper.md).",
 		"",

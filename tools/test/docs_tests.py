@@ -10,7 +10,7 @@ import shutil
 import subprocess
 
 from tools import command_line
-from tools.bench import bench_page, bench_tables, cost_table, drivers_page, paper, paper_page
+from tools.bench import bench_page, bench_tables, cost_table, drivers_page, machines_page, paper, paper_page
 from tools.build import binding
 from tools.fetch import machine, settle
 from tools.pages import links, prose, snippets
@@ -188,5 +188,6 @@ CHECKED_PAGES = {
 	"docs/benchmarks": wrong_benchmarks,
 	"docs/costs": cost_table.wrong,
 	"docs/drivers": drivers_page.wrong,
+	"docs/machines": machines_page.wrong,
 }
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

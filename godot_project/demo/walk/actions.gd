@@ -26,6 +26,7 @@ const ACTIONS := {
 	walk_view = [[KEY_V], [JOY_BUTTON_RIGHT_STICK], []],
 	walk_help = [[KEY_H], [JOY_BUTTON_BACK], []],
 	walk_reset = [[KEY_R], [JOY_BUTTON_START], []],
+	walk_benchmark = [[KEY_B], [], []],
 	walk_quit = [[KEY_ESCAPE], [], []],
 }
 

@@ -17,6 +17,7 @@ T, D-pad up          time flies
 L, D-pad left        lamp
 V, right stick       first, third person
 R, Start             begin again
+B                    benchmark, three minutes
 H, Back              hide this
 Esc                  mouse, then quit"""
 

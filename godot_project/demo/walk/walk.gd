@@ -121,6 +121,8 @@ func _do_actions() -> void:
 		panel.visible = not panel.visible
 	if Input.is_action_just_pressed("walk_reset"):
 		reset()
+	if Input.is_action_just_pressed("walk_benchmark"):
+		get_tree().change_scene_to_file("res://demo/benchmark.tscn")
 	if Input.is_action_just_pressed("walk_quit"):
 		if Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
 			Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
