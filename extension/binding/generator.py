@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Writes the part of the godot-cpp interface that follows from the engine's own API dump.
 
-Usage: generator.py --api extension_api.json [--interface gdextension_interface.h] --classes classes.json --out DIR
+Usage: generator.py --api extension_api.json [--interface gdextension_interface.h] --classes classes.json [--precision double]
+	--out DIR
 Writes DIR/include (headers) and DIR/src (sources). Files whose text has not changed keep their time stamp,
 so a build that runs this every time rebuilds nothing.
 """
@@ -15,6 +16,7 @@ from generate.api import Api
 from generate.builtins import write_builtins, write_utility_functions
 from generate.classes import write_classes, write_global_constants
 from generate.interface import write_interface, write_version
+from generate.precision import as_double
 
 
 class Output:
@@ -51,6 +53,7 @@ def main():
 	parser.add_argument("--api", required=True, help="extension_api.json of the engine")
 	parser.add_argument("--interface", help="gdextension_interface.h of the engine; by default the one beside the api")
 	parser.add_argument("--classes", required=True, help="JSON with the key enabled_classes")
+	parser.add_argument("--precision", choices=("single", "double"), default="single", help="of the engine that loads the extension")
 	parser.add_argument("--out", required=True, help="folder to write to")
 	arguments = parser.parse_args()
 
@@ -62,6 +65,10 @@ def main():
 	with open(arguments.classes, encoding="utf-8") as file:
 		enabled = json.load(file)["enabled_classes"]
 
+	if arguments.precision == "double":
+		dump = as_double(dump)
+	elif dump["header"]["precision"] != "single":
+		raise SystemExit(f"{arguments.api} is of a double-precision engine: build for it with precision=double, or name another engine.")
 	api = Api(dump, enabled)
 	output = Output(arguments.out)
 	core = os.path.join(os.path.dirname(os.path.abspath(__file__)), "include", "godot_cpp")

@@ -77,7 +77,8 @@ void GrassExportPlugin::check_libraries(const ExtensionFile &p_extension, const 
 		}
 		const String missing = library.is_empty() ? vformat("%s names no library for", ExtensionFile::NAME)
 												  : vformat("%s is missing, the library for", library);
-		const String wanted = architecture.is_empty() ? String() : vformat(" arch=%s", architecture);
+		const String wanted = (architecture.is_empty() ? String() : vformat(" arch=%s", architecture)) +
+				(p_features.has("double") ? " precision=double" : "");
 		say(EditorExportPlatform::EXPORT_MESSAGE_ERROR,
 				vformat("%s %s %s (%s): the exported game will have no grass. Build it (./grass build platform=%s%s target=%s), or take "
 						"it from the add-on's release zip.",

@@ -8,7 +8,6 @@
 #include <godot_cpp/classes/csg_shape3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/classes/static_body3d.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -35,7 +34,7 @@ Eigen::AlignedBox3d box_of_points(const PackedVector3Array &p_points) {
 }
 
 Eigen::AlignedBox3d box_of_heights(const Dictionary &p_data) {
-	const PackedFloat32Array heights = p_data["heights"];
+	const PackedRealArray heights = p_data["heights"];
 	const double half_width = 0.5 * (double(p_data["width"]) - 1.0), half_depth = 0.5 * (double(p_data["depth"]) - 1.0);
 	Eigen::AlignedBox3d box;
 	for (int64_t i = 0; i < heights.size(); i++) {

@@ -5,8 +5,8 @@
 
 #include <godot_cpp/classes/concave_polygon_shape3d.hpp>
 #include <godot_cpp/classes/height_map_shape3d.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
+#include <godot_cpp/variant/variant.hpp>
 
 using namespace godot;
 
@@ -17,7 +17,7 @@ namespace {
 // A NaN among the heights is a hole.
 void add_height_map(HeightSheet &r_sheet, const HeightMapShape3D &p_shape, const Eigen::Affine3d &p_to_field) {
 	const int width = p_shape.get_map_width(), depth = p_shape.get_map_depth();
-	const PackedFloat32Array heights = p_shape.get_map_data();
+	const PackedRealArray heights = p_shape.get_map_data();
 	if (heights.size() < int64_t(width) * depth) {
 		return;
 	}

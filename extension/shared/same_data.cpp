@@ -4,6 +4,7 @@
 #include <godot_cpp/variant/array.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_float32_array.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/packed_vector3_array.hpp>
 
@@ -42,6 +43,8 @@ bool is_same_data(const Variant &p_a, const Variant &p_b) {
 			return is_same_dictionary(p_a, p_b);
 		case Variant::PACKED_FLOAT32_ARRAY:
 			return is_same_array<PackedFloat32Array>(p_a, p_b);
+		case Variant::PACKED_FLOAT64_ARRAY: // heights, in an engine in double precision
+			return is_same_array<PackedFloat64Array>(p_a, p_b);
 		case Variant::PACKED_VECTOR2_ARRAY:
 			return is_same_array<PackedVector2Array>(p_a, p_b);
 		case Variant::PACKED_VECTOR3_ARRAY:

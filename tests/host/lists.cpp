@@ -49,6 +49,21 @@ uint8_t *byte_at(GDExtensionTypePtr p_bytes, GDExtensionInt p_index) {
 	return &(**static_cast<Bytes *>(p_bytes))[size_t(p_index)];
 }
 
+void resize_vectors(GDExtensionTypePtr p_vectors, const GDExtensionConstTypePtr *p_arguments, GDExtensionTypePtr r_result, int32_t) {
+	Vectors &vectors = *static_cast<Vectors *>(p_vectors);
+	vectors = vectors ? new std::vector<Vector3>(*vectors) : new std::vector<Vector3>;
+	vectors->resize(size_t(*static_cast<const int64_t *>(p_arguments[0])));
+	*static_cast<int64_t *>(r_result) = 0; // no error
+}
+
+GDExtensionTypePtr vector_at(GDExtensionTypePtr p_vectors, GDExtensionInt p_index) {
+	return &(**static_cast<Vectors *>(p_vectors))[size_t(p_index)];
+}
+
+GDExtensionTypePtr read_vector_at(GDExtensionConstTypePtr p_vectors, GDExtensionInt p_index) {
+	return vector_at(const_cast<GDExtensionTypePtr>(p_vectors), p_index);
+}
+
 // An array: a pointer to its elements, made when it gets any; copies of it share them.
 using Elements = std::vector<Variant> *;
 
@@ -106,6 +121,9 @@ GDExtensionPtrBuiltInMethod find_builtin(GDExtensionVariantType p_type, GDExtens
 		{ "PackedByteArray.resize", &resize_bytes },
 		{ "PackedByteArray.size", &count<Bytes> },
 		{ "PackedByteArray.is_empty", &is_empty<Bytes> },
+		{ "PackedVector3Array.resize", &resize_vectors },
+		{ "PackedVector3Array.size", &count<Vectors> },
+		{ "PackedVector3Array.is_empty", &is_empty<Vectors> },
 		{ "PackedStringArray.size", &count<Texts> },
 		{ "PackedStringArray.is_empty", &is_empty<Texts> },
 	};
@@ -148,6 +166,8 @@ void offer_lists(Functions &r_functions) {
 			r_functions, "array_set_typed",
 			+[](GDExtensionTypePtr, GDExtensionVariantType, GDExtensionConstStringNamePtr, GDExtensionConstVariantPtr) {});
 	offer(r_functions, "packed_byte_array_operator_index", &byte_at);
+	offer(r_functions, "packed_vector3_array_operator_index", &vector_at);
+	offer(r_functions, "packed_vector3_array_operator_index_const", &read_vector_at);
 	offer(r_functions, "array_operator_index", &element_at);
 	offer(r_functions, "dictionary_operator_index", &forget);
 	offer(

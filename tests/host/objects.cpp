@@ -58,6 +58,13 @@ GDExtensionObjectPtr singleton(GDExtensionConstStringNamePtr p_name) {
 // What a method returns is a zero in as many bytes as its caller has cleared already.
 void call(GDExtensionMethodBindPtr p_method, GDExtensionObjectPtr p_object, const GDExtensionConstTypePtr *, GDExtensionTypePtr r_result) {
 	const Method &method = *static_cast<const Method *>(p_method);
+	if (const Transform3D *place = p_object ? static_cast<const Object *>(p_object)->place : nullptr) {
+		if (method.name == "is_inside_tree") {
+			*static_cast<GDExtensionBool *>(r_result) = true;
+		} else if (method.name == "get_global_transform") {
+			*static_cast<Transform3D *>(r_result) = *place;
+		}
+	}
 	if (method.class_name != "RefCounted" || !p_object) {
 		return;
 	}

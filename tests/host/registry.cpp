@@ -117,6 +117,15 @@ bool construct_registered(Name p_class, Object *&r_object) {
 	return true;
 }
 
+const GDExtensionClassMethodInfo *find_registered(const std::string &p_class, const std::string &p_method) {
+	const auto found = classes.find(p_class);
+	if (found == classes.end()) {
+		return nullptr;
+	}
+	const auto method = found->second.methods.find(p_method);
+	return method == found->second.methods.end() ? nullptr : &method->second;
+}
+
 void print_registry() {
 	for (const auto &[name, entry] : classes) {
 		std::printf("%s\n", entry.head.c_str());

@@ -8,8 +8,9 @@
 
 namespace host {
 
-const size_t TYPE_SIZES[TYPES] = { 0, 1, 8, 8, 8, 8, 8, 16, 16, 12, 12, 24, 16, 16, 16, 16, 24, 36, 48, 64, 16, 8, 8, 8, 8, 16, 16, 8, 8,
-	16, 16, 16, 16, 16, 16, 16, 16, 16, 16 };
+constexpr size_t REAL = sizeof(real_t);
+const size_t TYPE_SIZES[TYPES] = { 0, 1, 8, 8, 8, 2 * REAL, 8, 4 * REAL, 16, 3 * REAL, 12, 6 * REAL, 4 * REAL, 16, 4 * REAL, 4 * REAL,
+	6 * REAL, 9 * REAL, 12 * REAL, 16 * REAL, 16, 8, 8, 8, 8, 16, 16, 8, 8, 16, 16, 16, 16, 16, 16, 16, 16, 16, 16 };
 const char *const TYPE_NAMES[TYPES] = { "null", "bool", "int", "float", "String", "Vector2", "Vector2i", "Rect2", "Rect2i", "Vector3",
 	"Vector3i", "Transform2D", "Vector4", "Vector4i", "Plane", "Quaternion", "AABB", "Basis", "Transform3D", "Projection", "Color",
 	"StringName", "NodePath", "RID", "Object", "Callable", "Signal", "Dictionary", "Array", "PackedByteArray", "PackedInt32Array",
@@ -87,7 +88,11 @@ std::string print(const Variant &p_variant) {
 	}
 	if (type < GDEXTENSION_VARIANT_TYPE_STRING_NAME) {
 		const size_t size = TYPE_SIZES[type];
-		return name + "(" + (is_of_integers(type) ? numbers<int32_t>(value, size) : numbers<float>(value, size)) + ")";
+		const bool is_color = type == GDEXTENSION_VARIANT_TYPE_COLOR;
+		const std::string all = is_of_integers(type) ? numbers<int32_t>(value, size)
+				: is_color                           ? numbers<float>(value, size)
+													 : numbers<real_t>(value, size);
+		return name + "(" + all + ")";
 	}
 	void *first; // of what is larger than a pointer, the first part says whether there is anything
 	std::memcpy(&first, value, sizeof(first));
@@ -127,6 +132,9 @@ template <int TYPE, int INDEX> void make(GDExtensionUninitializedTypePtr r_value
 		*static_cast<Name *>(r_value) = make_name(string_text(p_arguments[0]));
 	} else if (IS_OTHER && TYPE == GDEXTENSION_VARIANT_TYPE_NODE_PATH) {
 		std::memcpy(r_value, p_arguments[0], TYPE_SIZES[TYPE]);
+	} else if (INDEX == 3 && TYPE == GDEXTENSION_VARIANT_TYPE_VECTOR3) { // numbers cross as doubles in any engine
+		const auto number = [&](int p_axis) { return real_t(*static_cast<const double *>(p_arguments[p_axis])); };
+		*static_cast<Vector3 *>(r_value) = { number(0), number(1), number(2) };
 	} else if (IS_OTHER && TYPE == GDEXTENSION_VARIANT_TYPE_CALLABLE) {
 		std::memset(r_value, 0, TYPE_SIZES[TYPE]);
 	} else {

@@ -14,7 +14,11 @@ from tools.places import BUILD, ROOT
 
 HERE = ROOT / "extension/binding"
 API = BUILD / "api"
-MADE = BUILD / "binding"
+
+
+def made(precision="single"):
+	"""The folder of the binding's generated part."""
+	return BUILD / ("binding_double" if precision == "double" else "binding")
 
 
 def digest(paths, *texts):
@@ -43,24 +47,26 @@ def dump_api(godot):
 	(API / "stamp").write_text(state)
 
 
-def generate():
+def generate(precision):
 	"""Runs the generator if it, its list of classes or the engine's interface changed."""
+	out = made(precision)
 	inputs = [*HERE.rglob("*.py"), *HERE.rglob("*.hpp"), HERE / "classes.json", API / "extension_api.json"]
 	state = digest(inputs)
-	if up_to_date(MADE / "stamp", state):
+	if up_to_date(out / "stamp", state):
 		return
 	print("  make    the binding's classes")
-	command = [sys.executable, str(HERE / "generator.py"), "--api", str(API / "extension_api.json")]
-	subprocess.run([*command, "--classes", str(HERE / "classes.json"), "--out", str(MADE)], check=True)
-	(MADE / "stamp").write_text(state)
+	command = [sys.executable, str(HERE / "generator.py"), "--api", str(API / "extension_api.json"), "--precision", precision]
+	subprocess.run([*command, "--classes", str(HERE / "classes.json"), "--out", str(out)], check=True)
+	(out / "stamp").write_text(state)
 
 
 def prepare(env, godot):
 	"""Adds the binding to `env`; returns its sources, relative to the project."""
 	dump_api(godot)
-	generate()
-	env.Append(CPPPATH=["#extension/binding/include", "#build/binding/include"], SYSTEM_INCLUDES=[str(API)])
-	files = [*(HERE / "src").rglob("*.cpp"), *(MADE / "src").rglob("*.cpp")]
+	generate(env["precision"])
+	out = made(env["precision"])
+	env.Append(CPPPATH=["#extension/binding/include", f"#{out.relative_to(ROOT)}/include"], SYSTEM_INCLUDES=[str(API)])
+	files = [*(HERE / "src").rglob("*.cpp"), *(out / "src").rglob("*.cpp")]
 	return sorted(str(file.relative_to(ROOT)) for file in files)
 
 
@@ -68,4 +74,4 @@ def include_folders():
 	"""The include paths of the binding, or of the godot-cpp that GODOT_CPP names."""
 	upstream = os.environ.get("GODOT_CPP")
 	folders = [f"{upstream}/{folder}" for folder in ("include", "gen/include", "gdextension")] if upstream else None
-	return folders or [ROOT / "extension/binding/include", BUILD / "binding/include", BUILD / "api"]
+	return folders or [ROOT / "extension/binding/include", made() / "include", API]

@@ -38,8 +38,10 @@ def library(system, arch, given):
 	"""The path of the library that SCons builds with these options."""
 	kind = given.get("target", "debug")
 	folder = BUILD if (system, arch) == toolchains.HERE else BUILD / f"{system}_{arch}"
-	place = folder / "quick" if given.get("quick") == "yes" else folder / "symbols" / kind if given.get("symbols") == "yes" else ADDON_BIN
-	return place / f"libgrass_field.{system}.template_{kind}.{arch}.{toolchains.SUFFIXES[system]}"
+	own = "-double" if given.get("precision") == "double" else ""
+	quick, symbols = (given.get(option) == "yes" for option in ("quick", "symbols"))
+	place = folder / f"quick{own}" if quick else folder / "symbols" / f"{kind}{own}" if symbols else ADDON_BIN
+	return place / f"libgrass_field.{system}.template_{kind}{own.replace('-', '.')}.{arch}.{toolchains.SUFFIXES[system]}"
 
 
 def clean(fetched_too=False):

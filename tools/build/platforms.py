@@ -9,6 +9,7 @@ from SCons.Variables import EnumVariable
 from tools.build import toolchains
 from tools.places import BUILD, ROOT, TOOLS
 
+PRECISIONS = ("single", ("single", "double"))  # the default first
 ARCHITECTURES = ("x86_64", "arm64", "universal", "wasm32")
 
 
@@ -34,6 +35,7 @@ def add_options(options):
 		EnumVariable("platform", "what is built for; other than linux and windows: with a toolchain of yours", system, tuple(PLATFORMS))
 	)
 	options.Add(EnumVariable("arch", "processor that is built for", arch, ARCHITECTURES))
+	options.Add(EnumVariable("precision", "of the engine that loads the library: its numbers are float or double", *PRECISIONS))
 	options.Add(
 		"cxx", "C++ compiler to take instead of the one that is found (so does CXX in the environment, where nothing is fetched)", ""
 	)
@@ -49,7 +51,8 @@ def folder(env):
 
 
 def flavour(env):
-	return f"{env['platform']}.template_{env['target']}.{env['arch']}"
+	"""The part of a library's name that says what it is for, as godot-cpp names it."""
+	return f"{env['platform']}.template_{env['target']}{'.double' if env['precision'] == 'double' else ''}.{env['arch']}"
 
 
 def prepare(env):

@@ -12,6 +12,7 @@ from tools.places import ROOT
 # are other tests' as well.
 ALONE = ("step_lanes", "main", "elastic_blade")
 CORE = "extension/core/"
+CORE_NAMES = ("extension_core_", "core")  # of the sources that include some of it: by_folder()'s, across_folders()'s
 WORD = re.compile(r"\w+")
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\} // namespace$", re.MULTILINE | re.DOTALL)
 NAMES = re.compile(r"\w(?!emplate|ublic|rivate)")  # a line that may define something

@@ -65,7 +65,8 @@ def benchmark(out):
 	engine.import_project()
 	folder.mkdir(parents=True, exist_ok=True)
 	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
-	for file in [*ADDON_BIN.glob("*.template_debug.*.so"), *(BUILD / "bench").glob("simulate_*.spv")]:
+	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
+	for file in [*libraries, *(BUILD / "bench").glob("simulate_*.spv")]:
 		shutil.copy(file, folder)
 	if strip := shutil.which("strip"):  # less to carry
 		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])

@@ -27,7 +27,7 @@ class Skip(str):
 
 def run(only):
 	"""(names of passed checks, names and reasons of failed ones, names and reasons of skipped ones)."""
-	parts = (*compiled(), *complete(), *working(), *elsewhere())
+	parts = (*compiled(), *complete(), *working(), *elsewhere(), *in_double())
 	results = {name: reason for name, reason in parts if only in name}
 	for name, reason in results.items():
 		word = "skip" if isinstance(reason, Skip) else "fail" if reason else "pass"
@@ -93,6 +93,17 @@ def working():
 	leaks = [line for line in said if re.search(r"leaked at exit|still in use at exit|were leaked", line)]
 	failed = any(f"TEST CASE:  {name}" in block for name in cases for block in blocks)
 	yield "binding/runtime ends cleanly", "; ".join(leaks) or ("" if code == (1 if failed else 0) else f"the engine ended with {code}")
+
+
+def in_double():
+	"""Checks how methods of double-precision engines are found, of which there is none here."""
+	command = [sys.executable, str(HERE / "check_double.py"), str(ROOT / "extension/binding"), str(BUILD / "api/extension_api.json")]
+	result = subprocess.run(command, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}, capture_output=True, text=True)
+	said = (result.stdout + result.stderr).strip()
+	yield (
+		"binding/hashes of double-precision engines",
+		"; ".join(said.splitlines()) or ("it ends with an error" if result.returncode else ""),
+	)
 
 
 def elsewhere():

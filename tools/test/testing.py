@@ -132,6 +132,7 @@ LAYERS = {
 	"package": Layer(lambda only, _: testing_release.run_layer("package", only), minutes=0.3),
 	"windows": Layer(lambda only, _: testing_platforms.run_layer("windows", only), in_all=False),
 	"arm64": Layer(lambda only, _: testing_platforms.run_layer("arm64", only), in_all=False),
+	"double": Layer(lambda only, _: testing_platforms.run_layer("double", only), in_all=False),
 	"macos": Layer(lambda only, _: testing_macos.run_layer(only), None, in_all=False),
 	"release": Layer(lambda only, _: testing_release.run_layer("release", only), in_all=False),
 }

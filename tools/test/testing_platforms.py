@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Layers of tests for other platforms: libraries and programs for them are checked, loaded and run here, under Wine and qemu.
 
-`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares.
+`windows` and `arm64` run all that can be run; `platforms`, a part of every run, loads what is little optimised and compares. `double` does
+so with the library for engines in double precision, of which `platforms` checks the binding alone.
 """
 
 import os
@@ -16,9 +17,9 @@ from tools.run import engine
 from tools.say import Failure, progress
 from tools.test.test_runs import Tally, core, in_engine
 
-LAYERS = ("platforms", "windows", "arm64")
+LAYERS = ("platforms", "windows", "arm64", "double")
 WINDOWS, ARM64 = ("windows", "x86_64"), ("linux", "arm64")
-ENTRY = "grass_field_library_init"
+ENTRY, CROSSING_ENTRY = "grass_field_library_init", "crossing_init"
 LOAD_LIMIT, STEP_LIMIT = 300, 3600  # seconds
 # The libraries that every Windows has.
 WINDOWS_LIBRARIES = {"kernel32.dll", "msvcrt.dll", "user32.dll", "advapi32.dll", "ws2_32.dll", "bcrypt.dll", "shell32.dll", "ntdll.dll"}
@@ -77,6 +78,41 @@ def run(target, *arguments, limit=LOAD_LIMIT):
 def registered(target, quick=False):
 	"""The classes that the library for `target` registers, as listed by the host. Raises Failure if it does not load."""
 	return run(target, program(target, "host/host"), library(target, quick), ENTRY)
+
+
+def in_double(library, entry, *options):
+	"""What this machine's host says that has the vectors of a double-precision engine. Raises Failure if the library does not load."""
+	return run(toolchains.HERE, BUILD / "host-double/host", library, entry, *options)
+
+
+def refused(action):
+	"""Raises Failure unless a library says that it is for the other precision."""
+	try:
+		action()
+	except Failure as failure:
+		if "This library is for an engine in" in str(failure):
+			return
+		raise
+	raise Failure("it loads")
+
+
+def double_checks(whole):
+	"""(name, function that raises Failure) of the checks of what is built for engines in double precision."""
+	single, crossing = library(toolchains.HERE, False), BUILD / "quick-double/libcrossing.so"
+	double = single.with_name(single.name.replace("template_debug", "template_debug.double"))
+	if whole:
+		yield (
+			"double: registers what the library in single precision does",
+			lambda: same_lines(registered(toolchains.HERE), in_double(double, ENTRY)),
+		)
+		yield "double: a world 10,000 km away knows the plots of places", lambda: in_double(double, ENTRY, "far")
+		return
+	yield "double: vectors cross with all their digits", lambda: in_double(crossing, CROSSING_ENTRY, "far")
+	yield "double: an engine in double precision is refused by a library in single", lambda: refused(lambda: in_double(single, ENTRY))
+	yield (
+		"double: an engine in single precision is refused by a library in double",
+		lambda: refused(lambda: run(toolchains.HERE, program(toolchains.HERE, "host/host"), crossing, CROSSING_ENTRY)),
+	)
 
 
 def same_lines(here, there):
@@ -160,6 +196,11 @@ def prepare(layers):
 		*([ARM64_ENGINE] if "arm64" in layers else []),
 	)
 	build.scons("extension", "host", *(["bits"] if {"windows", "arm64"} & set(layers) else []))
+	if "double" in layers:
+		build.scons("extension", "precision=double")
+		build.scons("host", "precision=double", "quick=yes")
+	if "platforms" in layers:
+		build.scons("crossing", "host", "precision=double", "quick=yes")
 	for layer, target in (("windows", WINDOWS), ("arm64", ARM64)):
 		options = (f"platform={target[0]}", f"arch={target[1]}")
 		if "platforms" in layers:
@@ -177,6 +218,10 @@ def run_layer(layer, only):
 			tally.skipped.append("platforms: needs glibc 2.31 at most (this machine's compiler links against its own, newer one)")
 		for target in (WINDOWS, ARM64):
 			check(tally, only, checks(target, True))
+		check(tally, only, double_checks(False))
+		return tally
+	if layer == "double":
+		check(tally, only, double_checks(True))
 		return tally
 	target = WINDOWS if layer == "windows" else ARM64
 	check(tally, only, checks(target, False))

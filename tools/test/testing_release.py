@@ -93,7 +93,7 @@ def extension_names_what_is_there(sources):
 	check(there <= named, f"{there - named} is named nowhere")
 	for target in sources:
 		arch = "" if target.arch == "universal" else rf"\.{target.arch}"
-		kinds = re.findall(rf'^{target.system}\.(\w+){arch} = "bin/{target.library}"', text, re.MULTILINE)
+		kinds = re.findall(rf'^{target.system}\.(\w+)\.single{arch} = "bin/{target.library}"', text, re.MULTILINE)
 		check(kinds == (["debug", "release"] if target.kind == "release" else ["debug"]), f"{target.library} stands for {kinds}")
 	check(named <= set(files), f"{named - set(files)} is named, but not there")
 

@@ -137,6 +137,26 @@ def constructor_counts(api):
 	return "const int internal::builtin_constructor_counts[] = { %s };\n" % ", ".join(row)
 
 
+# Members at which a type would show that it is laid out otherwise.
+LAST_MEMBERS = {("AABB", "size"), ("Plane", "d"), ("Quaternion", "w"), ("Rect2", "size"), ("Transform3D", "origin"), ("Vector4", "w")}
+
+
+def layout_checks(api):
+	"""The build fails if a type is not as large as the engine says, of this precision and 64 bits."""
+	build = "%s_64" % {"single": "float", "double": "double"}[api.dump["header"]["precision"]]
+	sizes, offsets = (
+		next(entry for entry in api.dump["builtin_class_%s" % part] if entry["build_configuration"] == build)
+		for part in ("sizes", "member_offsets")
+	)
+	check = "static_assert(sizeof(void *) != 8 || %s == %d);"
+	lines = [check % ("sizeof(%s)" % item["name"], item["size"]) for item in sizes["sizes"] if item["name"] in {*OPAQUE, *PLAIN, "Variant"}]
+	for entry in offsets["classes"]:
+		for member in entry["members"]:
+			if (entry["name"], member["member"]) in LAST_MEMBERS:
+				lines.append(check % ("offsetof(%s, %s)" % (entry["name"], member["member"]), member["offset"]))
+	return "\n".join(lines) + "\n"
+
+
 def packed_header(name, declarations):
 	"""The whole header of one packed array."""
 	element = ELEMENTS[name]
@@ -176,6 +196,7 @@ def write_builtins(output, api, core):
 			output.write("include/godot_cpp/variant/gen/%s.inc" % snake(name), HEADER + "\n".join(declarations) + "\n")
 		source += [text for _, text in pairs]
 	source.append(constructor_counts(api))
+	source.append(layout_checks(api))
 	source.append("} // namespace godot\n")
 	output.write("src/builtins.cpp", "\n".join(source))
 

@@ -73,6 +73,18 @@ void ask_version(uint32_t &r_major, uint32_t &r_minor) {
 	}
 }
 
+// Whether the engine's vectors are as large as ours. If not, every call with one would read or write what is beside it.
+bool has_our_precision() {
+	constexpr int FROM_NUMBERS = 3; // Vector3(x, y, z)
+	const double x = 1.0, y = 2.0, z = 3.0;
+	const GDExtensionConstTypePtr numbers[] = { &x, &y, &z };
+	double room[3] = {}; // for either
+	engine::variant_get_ptr_constructor(GDEXTENSION_VARIANT_TYPE_VECTOR3, FROM_NUMBERS)(room, numbers);
+	Vector3 made;
+	memcpy(&made, room, sizeof(made));
+	return made == Vector3(1, 2, 3);
+}
+
 bool load() {
 	char text[256];
 	uint32_t major = 0;
@@ -87,6 +99,12 @@ bool load() {
 	if (const char *missing = internal::load_interface(engine::get_proc_address)) {
 		snprintf(text, sizeof(text), "This extension was built for Godot %d.%d; this Godot %u.%u lacks the function '%s'.",
 				GODOT_VERSION_MAJOR, GODOT_VERSION_MINOR, major, minor, missing);
+		return refuse(text);
+	}
+	if (!has_our_precision()) {
+		constexpr bool IS_DOUBLE = sizeof(real_t) == sizeof(double);
+		snprintf(text, sizeof(text), "This library is for an engine in %s precision, and this one is in %s: take the library %s '.double'.",
+				IS_DOUBLE ? "double" : "single", IS_DOUBLE ? "single" : "double", IS_DOUBLE ? "without" : "with");
 		return refuse(text);
 	}
 	internal::load_builtins();

@@ -27,7 +27,12 @@
 
 namespace godot {
 
-using real_t = float; // the engine's single-precision build, the only one that the binding serves
+// As the engine's, which `precision=double` makes wider.
+#ifdef REAL_T_IS_DOUBLE
+using real_t = double;
+#else
+using real_t = float;
+#endif
 
 template <typename A, typename B> constexpr auto MIN(const A p_a, const B p_b) {
 	return p_a < p_b ? p_a : p_b;

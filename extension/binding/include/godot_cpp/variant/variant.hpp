@@ -176,7 +176,7 @@ public:
 	}
 
 private:
-	uint64_t _storage[3]; // the single-precision engine's size
+	uint64_t _storage[1 + 4 * sizeof(real_t) / sizeof(uint64_t)]; // its type, and at most four numbers
 };
 
 template <typename... Arguments> Array Array::make(const Arguments &...p_values) {
@@ -188,6 +188,10 @@ template <typename... Arguments> String vformat(const String &p_text, const Argu
 	return p_text % Variant(Array::make(p_values...));
 }
 
+#ifdef REAL_T_IS_DOUBLE
+using PackedRealArray = PackedFloat64Array;
+#else
 using PackedRealArray = PackedFloat32Array;
+#endif
 
 } // namespace godot
