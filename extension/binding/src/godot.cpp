@@ -102,7 +102,7 @@ bool load() {
 		return refuse(text);
 	}
 	if (!has_our_precision()) {
-		constexpr bool IS_DOUBLE = sizeof(real_t) == sizeof(double);
+		using internal::IS_DOUBLE;
 		snprintf(text, sizeof(text), "This library is for an engine in %s precision, and this one is in %s: take the library %s '.double'.",
 				IS_DOUBLE ? "double" : "single", IS_DOUBLE ? "single" : "double", IS_DOUBLE ? "without" : "with");
 		return refuse(text);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #if defined(_WIN32)
@@ -27,12 +28,17 @@
 
 namespace godot {
 
-// As the engine's, which `precision=double` makes wider.
-#ifdef REAL_T_IS_DOUBLE
-using real_t = double;
+namespace internal {
+
+#ifdef REAL_T_IS_DOUBLE // the engine is built with `precision=double`
+inline constexpr bool IS_DOUBLE = true;
 #else
-using real_t = float;
+inline constexpr bool IS_DOUBLE = false;
 #endif
+
+} // namespace internal
+
+using real_t = std::conditional_t<internal::IS_DOUBLE, double, float>;
 
 template <typename A, typename B> constexpr auto MIN(const A p_a, const B p_b) {
 	return p_a < p_b ? p_a : p_b;

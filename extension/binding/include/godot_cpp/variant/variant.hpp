@@ -188,10 +188,6 @@ template <typename... Arguments> String vformat(const String &p_text, const Argu
 	return p_text % Variant(Array::make(p_values...));
 }
 
-#ifdef REAL_T_IS_DOUBLE
-using PackedRealArray = PackedFloat64Array;
-#else
-using PackedRealArray = PackedFloat32Array;
-#endif
+using PackedRealArray = std::conditional_t<internal::IS_DOUBLE, PackedFloat64Array, PackedFloat32Array>;
 
 } // namespace godot
