@@ -124,7 +124,7 @@ float share_of(float p_plants, Cover p_cover, vec3 p_middle) {
 	return grass_lod_plants(share, cover, view.shadow.y > 0.0 ? 1.0 : 0.0);
 }
 
-void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_start, float p_presence) {
+void write_plant(ivec2 p_tile, int p_index, float p_hash, uint p_start, float p_presence) {
 	uint place = atomicAdd(chosen[phase.y], 1u);
 	if (place >= uint(phase.z)) {
 		return;
@@ -133,9 +133,9 @@ void write_plant(ivec2 p_tile, int p_index, vec3 p_centre, float p_hash, uint p_
 	int low = slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF;
 	int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
 	float values[GRASS_INSTANCE_FLOATS] = float[GRASS_INSTANCE_FLOATS](
-			1.0, 0.0, 0.0, p_centre.x,
-			0.0, 1.0, 0.0, p_centre.y,
-			0.0, 0.0, 1.0, p_centre.z,
+			1.0, 0.0, 0.0, 0.0, // the shader moves it to its tile's place
+			0.0, 1.0, 0.0, 0.0,
+			0.0, 0.0, 1.0, 0.0,
 			float(p_tile.x), float(p_tile.y), float(gl_LocalInvocationID.x), p_presence,
 			float(p_start / uint(GRASS_START_STRIDE)), float(low), p_hash, float(high));
 	for (int i = 0; i < GRASS_INSTANCE_FLOATS; i++) {
@@ -190,7 +190,7 @@ void choose() {
 	vec4 own = texelFetch(patch_knots, patch_texel(int(start + blade) + GRASS_PATCH_BLADES * species, 0), 0);
 	vec3 centre = vec3(place.x, 0.0, place.y);
 	if (own.w > 0.0 && is_near(centre + vec3(own.x - 0.5, 0.0, own.y - 0.5) * tile_size, cover.low, cover.high)) {
-		write_plant(tile, index, centre, hash, start, presence);
+		write_plant(tile, index, hash, start, presence);
 	}
 }
 

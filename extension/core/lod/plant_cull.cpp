@@ -115,9 +115,9 @@ void PlantCull::choose(const CullField &p_field, const FieldView &p_view, const 
 				}
 				const uint32_t start = grass_tile_start(column, row, p_field.seed) / GRASS_START_STRIDE;
 				const int high = slot == GRASS_NO_SLOT ? 0 : slot / GRASS_SLOT_HALF;
-				const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, centre.x(), //
-					0.0f, 1.0f, 0.0f, centre.y(), //
-					0.0f, 0.0f, 1.0f, centre.z(), //
+				const float values[GRASS_INSTANCE_FLOATS] = { 1.0f, 0.0f, 0.0f, 0.0f, // the shader moves it to its tile's place
+					0.0f, 1.0f, 0.0f, 0.0f, //
+					0.0f, 0.0f, 1.0f, 0.0f, //
 					float(x), float(z), float(plant.blade), presence, //
 					float(start), float(slot == GRASS_NO_SLOT ? GRASS_NO_SLOT : slot % GRASS_SLOT_HALF), hash, float(high) };
 				std::vector<float> &instances = _instances[plant.species];
