@@ -104,11 +104,17 @@ func _plan(layer: String, only: String) -> Array:
 	return plan
 
 
-## With `--drawn=yes` those tests run that need a window, which their script lists as DRAWN; with `--drawn=no` all others.
+## With `--drawn=yes` those tests run that need a window, which their script lists as DRAWN; with `--drawn=no` all others. With
+## `--motion=yes` those of scripts with a constant MOTION_VECTORS run, with `--motion=no` all others: once a frame had motion vectors, the
+## engine makes each shader for them as well, which takes half as long again.
 func _is_wanted(path: String, function: String) -> bool:
 	var script := load(path) as GDScript
-	var drawn: Array = script.get_script_constant_map().get("DRAWN", []) if script else []
-	return _argument("drawn", "") == "" or (_argument("drawn", "") == "yes") == drawn.has(function)
+	var constants := script.get_script_constant_map() if script else {}
+	return _is_chosen("drawn", constants.get("DRAWN", []).has(function)) and _is_chosen("motion", constants.has("MOTION_VECTORS"))
+
+
+func _is_chosen(argument: String, has: bool) -> bool:
+	return _argument(argument, "") == "" or (_argument(argument, "") == "yes") == has
 
 
 func _functions(path: String) -> Array:

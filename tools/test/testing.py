@@ -58,8 +58,10 @@ def headless(only):
 def gpu(only, hardware):
 	where = {"size": "320x180", "software": not hardware, "hardware": hardware}
 	forbidden = [(SOFTWARE, "not on the machine's GPU")] if hardware else []
-	with engine.window(**where) as (command, environment):
-		tally = in_engine("gpu", command, environment, only, forbidden=forbidden)
+	tally = Tally()
+	for more in ((),) if only else (("--motion=no",), ("--motion=yes",)):  # those with motion vectors after all others: see runner.gd
+		with engine.window(**where) as (command, environment):
+			tally.add(in_engine("gpu", command, environment, only, forbidden=forbidden, more=more))
 	for method in OTHER_RENDERERS if not only or PICTURES in only else ():
 		with engine.window(method, **where) as (command, environment):
 			tally.add(in_engine("gpu", command, environment, only or PICTURES, bool(only), f"gpu ({method})", forbidden=forbidden))

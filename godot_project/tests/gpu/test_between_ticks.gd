@@ -2,6 +2,7 @@
 ## Physics interpolation: its cost on both backends, and motion vectors between two ticks.
 extends "res://tests/between_case.gd"
 
+const MOTION_VECTORS := true  # see runner.gd
 const Vectors := preload("res://tests/gpu/test_motion.gd").Vectors
 
 

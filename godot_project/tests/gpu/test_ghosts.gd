@@ -3,6 +3,7 @@
 ## without TAA, shows what each frame should be.
 extends "res://tests/view_case.gd"
 
+const MOTION_VECTORS := true  # see runner.gd
 const SIZE := Vector2i(256, 144)
 const FINER := 4  # samples a pixel along each side
 const FROM := Vector3(0, 1.0, 2.6)

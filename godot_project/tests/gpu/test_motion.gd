@@ -2,6 +2,7 @@
 ## Motion vectors: how blades moved since the last frame, for TAA and FSR 2.
 extends "res://tests/view_case.gd"
 
+const MOTION_VECTORS := true  # see runner.gd
 const SIZE := Vector2i(384, 216)
 const LARGE := Vector2i(1152, 648)  # TAA blurs blades of a pixel, moving or not
 const ROW := 108  # of the picture, where a blade's motion is measured
