@@ -11,6 +11,7 @@ from tools.places import ROOT
 # step_lanes*: each compiles its includes again, for processors of its own. main: it contains the tests' framework. elastic_blade: its names
 # are other tests' as well.
 ALONE = ("step_lanes", "main", "elastic_blade")
+STEPS = ("step_lanes", "step_scalar")  # objects that the tests of the core share with the library
 CORE = "extension/core/"
 CORE_NAMES = ("extension_core_", "core")  # of the sources that include some of it: by_folder()'s, across_folders()'s
 WORD = re.compile(r"\w+")
@@ -24,7 +25,7 @@ INCLUDE = re.compile(r'^(#include (?:<[^>]+>|"([^"]+)"))', re.MULTILINE)
 def by_folder(files, place, most=None, apart=False):
 	"""Writes sources for `files` into folder `place` of the project: one for each folder, or for each `most` files of one. Returns them
 	and what stays alone. `apart`: each file's names are its own, in a namespace around it."""
-	alone = [file for file in files if pathlib.Path(file).name.startswith(ALONE)]
+	alone = [file for file in files if pathlib.Path(file).name.startswith((*ALONE, *STEPS))]
 	folders = {}
 	for file in sorted(set(files) - set(alone)):
 		folders.setdefault(os.path.dirname(file), []).append(file)
