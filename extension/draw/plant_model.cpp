@@ -198,19 +198,19 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh, const String &p_who) {
 		surfaces += int(!places.is_empty());
 	}
 	if (p_mesh->is_class("PlaceholderMesh")) {
-		return { nullptr, "this export has stripped it (*Strip Visuals*). A server draws nothing, so all else is as with it." };
+		return { nullptr, height, "this export has stripped it (*Strip Visuals*). A server draws nothing, so all else is as with it." };
 	}
 	if (vertices == 0) {
-		return { nullptr, "it has no vertices. Give it a surface of triangles." };
+		return { nullptr, height, "it has no vertices. Give it a surface of triangles." };
 	}
 	if (vertices > PlantModel::VERTICES) {
-		return { nullptr, vformat("it has %d vertices, more than %d. Use a simpler mesh.", vertices, PlantModel::VERTICES) };
+		return { nullptr, height, vformat("it has %d vertices, more than %d. Use a simpler mesh.", vertices, PlantModel::VERTICES) };
 	}
 	if (surfaces > GRASS_PLANT_SURFACES) {
-		return { nullptr, vformat("it has %d surfaces, more than %d. Join some of them.", surfaces, GRASS_PLANT_SURFACES) };
+		return { nullptr, height, vformat("it has %d surfaces, more than %d. Join some of them.", surfaces, GRASS_PLANT_SURFACES) };
 	}
 	if (!(height > 0.0f)) {
-		return { nullptr, "no part of it is above y = 0, where its root is. Move its vertices up." };
+		return { nullptr, height, "no part of it is above y = 0, where its root is. Move its vertices up." };
 	}
 	for (int s = 0; s < p_mesh->get_surface_count(); s++) {
 		const PackedVector3Array places = p_mesh->surface_get_arrays(s)[Mesh::ARRAY_VERTEX];
@@ -221,10 +221,10 @@ PlantReading read_plant(const Ref<Mesh> &p_mesh, const String &p_who) {
 		}
 	}
 	if (model->indices == 0) {
-		return { nullptr, "it has no triangles. Give it a surface of triangles." };
+		return { nullptr, height, "it has no triangles. Give it a surface of triangles." };
 	}
 	find_looks(*model, shown);
-	return { model, String() };
+	return { model, height, String() };
 }
 
 Ref<ArrayMesh> make_plant_mesh(const PlantModel &p_model) {

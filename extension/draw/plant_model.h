@@ -46,6 +46,7 @@ struct PlantModel {
 
 struct PlantReading {
 	std::shared_ptr<const PlantModel> model; // null: it cannot be drawn
+	float height = 0.0f; // of the mesh in its own units, drawn or not
 	godot::String problem; // the reason, and what to do about it
 };
 

@@ -8,6 +8,7 @@
 #include "core/blades/patch.h"
 #include "core/blades/wind.h"
 #include "core/bodies/motion.h"
+#include "core/field/plant_search.h"
 #include "core/field/quality.h"
 #include "core/lod/lod.h"
 #include "core/map/growth.h"
@@ -42,6 +43,7 @@ enum class Effect {
 
 enum FieldParamId {
 	PARAM_DENSITY,
+	PARAM_PLANT_NODES_MAX,
 	PARAM_FOLLOW_SLOPE,
 	PARAM_LEDGE_SLOPE,
 	PARAM_REGROWTH,
@@ -91,6 +93,7 @@ struct FieldParam {
 
 inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_DENSITY, DENSITY, Effect::REBUILD, "Field" },
+	FieldParam{ PARAM_PLANT_NODES_MAX, PLANT_NODES_MAX, Effect::STEP, "Field" },
 	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
 	FieldParam{ PARAM_LEDGE_SLOPE, LEDGE_SLOPE, Effect::STEP, "Map" }, // read when ground is
 	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },

@@ -99,6 +99,9 @@ void FieldProperties::warn_of_blades(PackedStringArray &r_warnings) const {
 		r_warnings.push_back(vformat("No grass grows: %s", species.join()->empty_because));
 	}
 	species.warn(r_warnings, param(PARAM_DENSITY));
+	if (species.has_plant_scenes() && param(PARAM_PLANT_NODES_MAX) == 0.0) {
+		r_warnings.push_back("`plant_nodes_max` is 0, so no plant has a node of its `plant_scene`. Raise it.");
+	}
 }
 
 void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {

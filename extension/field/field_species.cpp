@@ -186,6 +186,11 @@ bool FieldSpecies::has_plant_meshes() const {
 			_list, [](const Ref<GrassSpecies> &p_species) { return p_species.is_valid() && p_species->get_plant_mesh().is_valid(); });
 }
 
+bool FieldSpecies::has_plant_scenes() const {
+	return std::ranges::any_of(
+			_list, [](const Ref<GrassSpecies> &p_species) { return p_species.is_valid() && p_species->get_plant_scene().is_valid(); });
+}
+
 std::vector<DrawnPlant> FieldSpecies::find_plants(double p_density) const {
 	std::vector<DrawnPlant> plants;
 	const std::vector<double> shares = find_shares();
@@ -249,6 +254,12 @@ void FieldSpecies::warn(PackedStringArray &r_warnings, double p_density) const {
 		if (_list[i].is_valid() && !_list[i]->get_plant_problem().is_empty()) {
 			r_warnings.push_back(
 					vformat("`plant_mesh` of species %d is not drawn: %s It grows as blades.", int64_t(i), _list[i]->get_plant_problem()));
+		}
+		if (_list[i].is_valid() && _list[i]->get_plant_scene().is_valid() && !_list[i]->get_plant_scene()->can_instantiate()) {
+			r_warnings.push_back(
+					vformat("`plant_scene` of species %d holds no nodes, so its plants have none. Save a scene with a Node3D as "
+							"its root, and choose it here.",
+							int64_t(i)));
 		}
 		if (_list[i].is_valid() && _list[i]->find_plant()) {
 			warn_of_plants(int64_t(i), p_density * find_shares()[i], r_warnings);

@@ -56,6 +56,7 @@ public:
 	// Returns the meshes of the species in the order of find_used(); null: none. p_density is in blades per square metre.
 	std::vector<DrawnPlant> find_plants(double p_density) const;
 	bool has_plant_meshes() const; // whether they can be drawn or not, since reading them may run scripts
+	bool has_plant_scenes() const;
 	std::vector<int> find_stems() const; // that share a root
 	bool is_joined() const; // the patch of join() matches the present species
 	// Returns all species' blades as one patch; it is the same patch until they change.

@@ -186,15 +186,22 @@ std::vector<Eigen::Vector3f> find_falls(
 
 } // namespace
 
-std::vector<Eigen::Vector2d> find_eyes(const Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field) {
-	std::vector<Eigen::Vector2d> eyes;
+std::vector<Eigen::Vector3d> find_eyes(const Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field) {
+	std::vector<Eigen::Vector3d> eyes;
 	for (const Camera3D *camera : SceneWatch::get_singleton()->get_cameras()) {
 		if (is_seeing(camera, p_node, p_layers)) {
-			const Eigen::Vector3d eye = p_field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin);
-			eyes.emplace_back(eye.x(), eye.z());
+			eyes.push_back(p_field.inverse(Eigen::Isometry) * to_eigen(camera->get_camera_transform().origin));
 		}
 	}
 	return eyes;
+}
+
+std::vector<Eigen::Vector2d> find_eyes_on_ground(const Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field) {
+	std::vector<Eigen::Vector2d> places;
+	for (const Eigen::Vector3d &eye : find_eyes(p_node, p_layers, p_field)) {
+		places.emplace_back(eye.x(), eye.z());
+	}
+	return places;
 }
 
 FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, const FieldProperties &p_properties, const Field &p_field) {

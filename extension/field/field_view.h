@@ -15,7 +15,9 @@ namespace grass {
 FieldView find_view(godot::GeometryInstance3D *p_node, const godot::Transform3D &p_transform, const FieldProperties &p_properties,
 		const Field &p_field);
 
-// Returns the positions of the cameras that see p_layers of p_node's world: x, z in metres in the space of p_field (orthonormal).
-std::vector<Eigen::Vector2d> find_eyes(const godot::Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field);
+// Returns the positions of the cameras that see p_layers of p_node's world, in metres in the space of p_field (orthonormal).
+std::vector<Eigen::Vector3d> find_eyes(const godot::Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field);
+// Returns the x and z of these positions.
+std::vector<Eigen::Vector2d> find_eyes_on_ground(const godot::Node3D *p_node, uint32_t p_layers, const Eigen::Affine3d &p_field);
 
 } // namespace grass

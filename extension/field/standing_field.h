@@ -78,6 +78,7 @@ public:
 	// Takes over the map's changes since the last call: a few chunks at once, more as frames have time. Returns false if the map has more
 	// painted chunks under the field than the field can show.
 	bool update_map();
+	TileRange take_changed_tiles() { return _field.take_changed_tiles(); }
 	ShownMap *get_map() const { return _map.get(); } // null: none
 	// Returns the map's current layers at a place, whether or not the field shows them already. The result is valid until the next call;
 	// null without a map.

@@ -65,6 +65,10 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["bones"] = p_statistics.bones;
 	result["soft_bodies"] = p_statistics.soft_bodies;
 	result["mesh_pieces"] = p_statistics.mesh_pieces;
+	result["plant_nodes"] = p_statistics.plant_nodes;
+	result["plant_nodes_made"] = p_statistics.plant_nodes_made;
+	result["stems_looked_at"] = p_statistics.stems_looked_at;
+	result["plant_tiles_looked_at"] = p_statistics.plant_tiles_looked_at;
 	result["forces"] = p_statistics.forces;
 	result["forces_left_out"] = p_statistics.forces_left_out;
 	result["body_reads"] = p_statistics.reads.poses;
@@ -96,6 +100,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["left_out_shadow_tiles"] = backend.left_out_tiles[1];
 	result["gather_ms"] = p_statistics.gather_ms;
 	result["tiles_ms"] = p_statistics.tiles_ms;
+	result["plants_ms"] = p_statistics.plants_ms;
 	result["upload_ms"] = backend.upload_ms;
 	result["frame_ms"] = p_statistics.frame_ms;
 	result["build_ms"] = p_statistics.build_ms;

@@ -118,7 +118,7 @@ bool FieldTerrain::begin_piece(std::vector<Eigen::Vector2d> &r_eyes) {
 		return true;
 	}
 	if (r_eyes.empty()) {
-		r_eyes = find_eyes(&_node, _node.get_layer_mask(), to_eigen(_field));
+		r_eyes = find_eyes_on_ground(&_node, _node.get_layer_mask(), to_eigen(_field));
 	}
 	const std::optional<MapRegion> region = _queue.take(r_eyes);
 	if (region) {

@@ -8,12 +8,16 @@
 #include "field/field_view.h"
 #include "shared/convert.h"
 #include "shared/main_thread.h"
+#include "shared/plant_group.h"
 #include "shared/scene_watch.h"
 #include "shared/script_call.h"
 
+#include <godot_cpp/classes/animatable_body3d.hpp>
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/physics_server3d.hpp>
 #include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/static_body3d.hpp>
 #include <godot_cpp/classes/window.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/core/object.hpp>
@@ -37,6 +41,11 @@ Transform3D without_scale(const Transform3D &p_transform) {
 		turned.basis.scale_local(Vector3(-1, 1, 1));
 	}
 	return turned.is_finite() ? turned : Transform3D(Basis(), p_transform.origin);
+}
+
+// A plant's static body stands in the grass and never moves, but is put where the next plant is.
+bool is_ground_plant(const Object *p_body) {
+	return Object::cast_to<StaticBody3D>(p_body) != nullptr && Object::cast_to<AnimatableBody3D>(p_body) == nullptr && is_in_plant(p_body);
 }
 
 } // namespace
@@ -124,6 +133,12 @@ void GrassField::leave() {
 	_forces.get_areas().clear();
 	_terrain.leave();
 	_life.leave();
+	if (!_plants.leave()) {
+		return;
+	}
+	if (_plants.is_waiting()) {
+		callable_mp(this, &GrassField::_plants_left).call_deferred();
+	}
 	emit_leaving();
 }
 
@@ -132,6 +147,9 @@ void GrassField::_physics_tick(double p_delta) {
 		return;
 	}
 	_forces.pass(p_delta);
+	if (!update_plants() || !is_inside_tree()) {
+		return;
+	}
 	if (!_standing.stands() || !_properties.simulated || Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
@@ -157,6 +175,24 @@ void GrassField::_physics_tick(double p_delta) {
 	if (_work.wear_tracks(_bodies.get_wheels(), p_delta) && _standing.stands()) {
 		emit_visits();
 	}
+}
+
+// Also of a field that is neither simulated nor seen: a server has bodies. Returns false if a script freed the field.
+bool GrassField::update_plants() {
+	if (!_standing.stands() || Engine::get_singleton()->is_editor_hint() || !_plants.is_used(_standing)) {
+		return true;
+	}
+	update_map();
+	CpuClock clock;
+	if (!_plants.update(_standing, _properties, _bodies.get_tracker())) {
+		return false;
+	}
+	_plants_ms = clock.lap();
+	return true;
+}
+
+void GrassField::_plants_left() {
+	(void)_plants.put_away(); // nothing may follow this
 }
 
 // Emits signals for bodies that met grass in this tick and did not in the one before, and the reverse. Runs last in a tick, since a
@@ -252,6 +288,9 @@ bool GrassField::is_listened_to() const {
 void GrassField::_body_changed(int64_t p_status, const RID &p_body, int64_t p_instance_id, int64_t p_body_shape, int64_t p_area_shape) {
 	(void)p_body_shape; // see BodyTracker::body_changed()
 	(void)p_area_shape; // the area has one shape
+	if (p_status == PhysicsServer3D::AREA_BODY_ADDED && is_ground_plant(ObjectDB::get_instance(uint64_t(p_instance_id)))) {
+		return;
+	}
 	_bodies.get_tracker().body_changed(p_status, p_body, p_instance_id);
 	if (!_bodies.get_tracker().carries(uint64_t(p_instance_id))) {
 		_bodies.get_wheels().body_changed(p_status, p_instance_id);

@@ -10,6 +10,7 @@
 #include "field/field_properties.h"
 #include "field/field_work.h"
 #include "field/other_light.h"
+#include "field/plant_nodes.h"
 #include "field/standing_field.h"
 #include "ground/bare_answer.h"
 #include "ground/field_filler.h"
@@ -228,6 +229,8 @@ private:
 	bool advance();
 	float find_share() const;
 	bool is_listened_to() const;
+	bool update_plants();
+	void _plants_left();
 	void emit_visits();
 	void emit_leaving();
 	bool emit_for_each(const char *p_signal, const std::vector<uint64_t> &p_bodies);
@@ -285,6 +288,7 @@ private:
 	OtherLight _other_light;
 	FieldBodies _bodies;
 	FieldForces _forces{ *this };
+	PlantNodes _plants{ *this, *this };
 	FieldWork _work{ *this, _standing, _properties };
 
 	uint64_t _advanced_in = UINT64_MAX; // the frame of the last advance()
@@ -295,7 +299,8 @@ private:
 	godot::PackedStringArray _warned_of; // in the console, when the field was made
 	bool _is_map_bare = false; // as last reported to the editor
 	uint64_t _moved_in = UINT64_MAX; // the physics tick in which a step last moved blades; none if they are drawn without interpolation
-	double _gather_ms = 0.0, _frame_ms = 0.0; // CPU time: of reading bodies in the last tick; of the last frame
+	double _gather_ms = 0.0, _plants_ms = 0.0,
+		   _frame_ms = 0.0; // CPU time: of reading bodies and of plants in the last tick; of the last frame
 };
 
 } // namespace grass

@@ -135,6 +135,10 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_hook_parameter", "name", "value"), &GrassField::set_hook_parameter);
 	ClassDB::bind_method(D_METHOD("get_hook_parameter", "name"), &GrassField::get_hook_parameter);
 	ADD_SIGNAL(MethodInfo("fill_finished"));
+	for (const char *signal : { "plant_node_appeared", "plant_node_left" }) {
+		ADD_SIGNAL(MethodInfo(signal, PropertyInfo(Variant::OBJECT, "node", PROPERTY_HINT_RESOURCE_TYPE, "Node3D"),
+				PropertyInfo(Variant::INT, "species"), PropertyInfo(Variant::INT, "blade")));
+	}
 	ADD_SIGNAL(MethodInfo("body_entered_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 	ADD_SIGNAL(MethodInfo("body_exited_grass", PropertyInfo(Variant::OBJECT, "body", PROPERTY_HINT_RESOURCE_TYPE, "Node3D")));
 

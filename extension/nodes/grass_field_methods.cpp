@@ -32,7 +32,7 @@ String GrassField::message(const String &p_text) const {
 
 int64_t GrassField::get_memory_usage() const {
 	GRASS_MAIN_THREAD_ONLY_V(0);
-	return _standing.get_memory_usage() + _life.get_memory_usage() + _terrain.get_memory_usage();
+	return _standing.get_memory_usage() + _life.get_memory_usage() + _terrain.get_memory_usage() + _plants.get_memory_usage();
 }
 
 FieldMemory GrassField::find_memory() const {
@@ -59,11 +59,13 @@ FieldStatistics GrassField::find_statistics() const {
 	_bodies.add_to(statistics);
 	_filler.add_to(statistics);
 	_terrain.add_to(statistics);
+	_plants.add_to(statistics);
 	statistics.forces = int64_t(_forces.get().size());
 	statistics.forces_left_out = _forces.get_left_out();
 	statistics.blades = get_blade_count();
 	statistics.memory = get_memory_usage();
 	statistics.gather_ms = _gather_ms;
+	statistics.plants_ms = _plants_ms;
 	statistics.frame_ms = _frame_ms;
 	return statistics;
 }

@@ -52,6 +52,16 @@ bool BodyTracker::has_left(Body &r_body) const {
 	return r_body.left_for > (r_body.motion.is_open() ? 2 : 0) && _ticks_since_jump >= JUMP_TICKS;
 }
 
+std::vector<uint64_t> BodyTracker::find_instances(size_t p_most) const {
+	std::vector<uint64_t> instances;
+	for (auto body = _bodies.begin(); body != _bodies.end() && instances.size() < p_most; ++body) {
+		if (body->second.overlaps > 0) {
+			instances.push_back(body->second.instance_id);
+		}
+	}
+	return instances;
+}
+
 void BodyTracker::line_up() {
 	if (_line.size() == _bodies.size()) {
 		return;

@@ -61,6 +61,7 @@ public:
 	bool is_crowded() const;
 	const BodyReads &get_reads() const { return _reads; }
 	int64_t body_count() const;
+	std::vector<uint64_t> find_instances(size_t p_most) const; // ids of the first bodies
 	uint32_t get_mask() const { return _mask; }
 	// Returns the number of convex pieces of moving bodies' trimeshes in the last tick.
 	int64_t get_mesh_pieces() const { return _mesh_pieces; }

@@ -2,6 +2,7 @@
 #include "physics/ground_rays.h"
 
 #include "shared/convert.h"
+#include "shared/plant_group.h"
 
 #include <godot_cpp/classes/animatable_body3d.hpp>
 #include <godot_cpp/classes/character_body3d.hpp>
@@ -19,6 +20,9 @@ bool moves_about(const Object *p_body) {
 
 bool GroundRays::is_ground(const Object *p_body) const {
 	const Node *node = Object::cast_to<Node>(p_body);
+	if (is_in_plant(p_body)) {
+		return false;
+	}
 	return !moves_about(p_body) || (_standing != nullptr && node != nullptr && node->is_ancestor_of(const_cast<Node *>(_standing)));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the ground with rays of the physics server, which hit bodies that do not move about.
+// Finds the ground with rays of the physics server, which hit bodies that do not move about and are no plants.
 #pragma once
 
 #include <Eigen/Geometry>

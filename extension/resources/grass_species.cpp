@@ -62,6 +62,18 @@ void GrassSpecies::set_plant_mesh(const Ref<Mesh> &p_mesh) {
 	}
 }
 
+void GrassSpecies::set_plant_scene(const Ref<PackedScene> &p_scene) {
+	GRASS_CHANGE_GUARD(label());
+	if (replace(_plant_scene, p_scene)) {
+		emit_changed();
+	}
+}
+
+float GrassSpecies::find_plant_height(float p_mean_length) const {
+	find_plant();
+	return _plant && _plant->height > 0.0f ? _plant->height : p_mean_length;
+}
+
 int GrassSpecies::get_stems() const {
 	return int(std::bit_floor(unsigned(param(SPECIES_PARAM_STEMS))));
 }
@@ -222,6 +234,8 @@ void GrassSpecies::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_leaf"), &GrassSpecies::get_leaf);
 	ClassDB::bind_method(D_METHOD("set_plant_mesh", "mesh"), &GrassSpecies::set_plant_mesh);
 	ClassDB::bind_method(D_METHOD("get_plant_mesh"), &GrassSpecies::get_plant_mesh);
+	ClassDB::bind_method(D_METHOD("set_plant_scene", "scene"), &GrassSpecies::set_plant_scene);
+	ClassDB::bind_method(D_METHOD("get_plant_scene"), &GrassSpecies::get_plant_scene);
 
 	const auto add_numbers = [](int p_first, int p_last) {
 		for (int param = p_first; param <= p_last; param++) {
@@ -256,6 +270,9 @@ void GrassSpecies::_bind_methods() {
 	ADD_GROUP("Plant", "");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "plant_mesh", PROPERTY_HINT_RESOURCE_TYPE, "Mesh"), "set_plant_mesh", "get_plant_mesh");
 	add_numbers(SPECIES_PARAM_PLANT_DISTANCE, SPECIES_PARAM_STEMS);
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "plant_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"), "set_plant_scene", "get_plant_scene");
+	add_numbers(SPECIES_PARAM_PLANT_SCENE_DISTANCE, SPECIES_PARAM_PLANT_SCENE_DISTANCE);
 }
 
 } // namespace grass

@@ -11,6 +11,7 @@
 
 #include <godot_cpp/classes/gradient.hpp>
 #include <godot_cpp/classes/mesh.hpp>
+#include <godot_cpp/classes/packed_scene.hpp>
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/classes/texture2d.hpp>
 
@@ -34,6 +35,8 @@ public:
 	godot::Ref<godot::Texture2D> get_leaf() const { return value_of(_leaf); }
 	void set_plant_mesh(const godot::Ref<godot::Mesh> &p_mesh); // null: blades
 	godot::Ref<godot::Mesh> get_plant_mesh() const { return value_of(_plant_mesh); }
+	void set_plant_scene(const godot::Ref<godot::PackedScene> &p_scene); // null: plants are only drawn
+	godot::Ref<godot::PackedScene> get_plant_scene() const { return value_of(_plant_scene); }
 	// Indexed properties: numbers (SPECIES_PARAMS) and colours (SPECIES_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
@@ -64,6 +67,9 @@ public:
 	std::shared_ptr<const PlantModel> find_plant() const;
 	godot::String get_plant_problem() const; // why it cannot be drawn although a mesh is set; empty: it can
 	double get_plant_distance() const { return param(SPECIES_PARAM_PLANT_DISTANCE); } // metres
+	double get_plant_scene_distance() const { return param(SPECIES_PARAM_PLANT_SCENE_DISTANCE); } // metres
+	// Returns the height that a plant's scene is made for: that of the mesh, in its own units. Without a mesh p_mean_length, of a blade.
+	float find_plant_height(float p_mean_length) const;
 
 protected:
 	static void _bind_methods();
@@ -82,6 +88,7 @@ private:
 	godot::Ref<godot::Image> _leaf_image; // of _leaf, read on first use
 	double _leaf_cover = 0.0; // of _leaf, 0..1
 	godot::Ref<godot::Mesh> _plant_mesh;
+	godot::Ref<godot::PackedScene> _plant_scene;
 	mutable std::optional<PlantReading> _plant; // of _plant_mesh, read on first use
 	std::array<double, SPECIES_PARAM_COUNT> _params;
 	std::array<godot::Color, SPECIES_COLOR_COUNT> _colors;

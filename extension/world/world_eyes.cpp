@@ -106,7 +106,7 @@ void WorldEyes::look(Body &r_body, const Transform3D &p_to_world_space) {
 
 std::vector<Eigen::Vector2d> WorldEyes::find_cameras(const Node3D &p_world, uint32_t p_layers) const {
 	SceneWatch::get_singleton()->start(const_cast<Node3D *>(&p_world));
-	return find_eyes(&p_world, p_layers, to_eigen(p_world.get_global_transform()));
+	return find_eyes_on_ground(&p_world, p_layers, to_eigen(p_world.get_global_transform()));
 }
 
 std::vector<WorldMover> WorldEyes::find_bodies() const {

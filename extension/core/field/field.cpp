@@ -42,6 +42,7 @@ void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_
 	_species = p_species;
 	set_params(p_params);
 	_regrown = {};
+	_changed_tiles = all_tiles();
 	_bounds->set_cover(p_map != nullptr ? p_map->get_cover() : nullptr,
 			p_map != nullptr ? slope_lean(_setup.follow_slope) * _setup.blade_length() : 0.0);
 	_blades = FieldBlades(_setup.grid, _setup.patch, _setup.clump, _setup.seed, _setup.species, p_map);
@@ -98,6 +99,7 @@ void Field::stir() {
 void Field::regrow(const TileRange &p_tiles) {
 	_tiles.get_detail().forget();
 	_regrown = _regrown.count() > 0 ? _regrown.joined(p_tiles) : p_tiles;
+	_changed_tiles = _changed_tiles.count() > 0 ? _changed_tiles.joined(p_tiles) : p_tiles;
 	_tiles.set_params(tile_params()); // they depend on the lowest and highest ground
 }
 
@@ -259,7 +261,7 @@ Eigen::Vector3d Field::root_of(const Eigen::Vector2f &p_root, int p_x, int p_z) 
 KnotsOf<double> Field::find_knots(BladeNumber p_blade, const SimulatedKnots &p_simulated) const {
 	const int x = _setup.grid.get_x(tile_of(p_blade)), z = _setup.grid.get_z(tile_of(p_blade));
 	const FieldBlades::Pose pose = _blades.get_pose(x, z, blade_in_tile(p_blade));
-	const Eigen::Vector3d root = root_of(pose.root, x, z) + Eigen::Vector3d(0.0, pose.ground, 0.0);
+	const Eigen::Vector3d root = get_root(pose, x, z);
 	KnotsOf<double> knots;
 	for (int knot = 0; knot < GRASS_KNOTS; knot++) {
 		const bool is_at_rest = !p_simulated || knot < GRASS_CLAMPED_KNOTS;

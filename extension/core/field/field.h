@@ -16,6 +16,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace grass {
@@ -45,6 +46,8 @@ public:
 	void stir();
 	// Must be called when the map has changed under these tiles.
 	void regrow(const TileRange &p_tiles);
+	// Returns the tiles that set() or regrow() may have changed since the last call.
+	TileRange take_changed_tiles() { return std::exchange(_changed_tiles, {}); }
 
 	// Sets the views of a frame's cameras. If no picture of its world is shown, a visible node's field counts as seen: scripts and tests
 	// observe such a world in ways that are not known here. r_simulator poses the blades that join the simulated ones, since an eye is
@@ -80,6 +83,10 @@ public:
 	std::shared_ptr<TileBounds> bounds_of(const FieldSetup &p_next) const;
 	// Returns the knots of a blade in field space. p_simulated: from Backend::find_knots(); without any, the blade is at rest.
 	KnotsOf<double> find_knots(BladeNumber p_blade, const SimulatedKnots &p_simulated) const;
+	// Returns where a blade leaves the ground, in field space.
+	Eigen::Vector3d get_root(const FieldBlades::Pose &p_pose, int p_tile_x, int p_tile_z) const {
+		return root_of(p_pose.root, p_tile_x, p_tile_z) + Eigen::Vector3d(0.0, p_pose.ground, 0.0);
+	}
 	// Returns the blades that grow up to p_radius metres from a place, in ascending order.
 	std::vector<BladeNumber> find_blades(const Eigen::Vector2d &p_place, double p_radius) const;
 
@@ -105,6 +112,7 @@ private:
 	std::vector<GrassStep> _species_steps; // of this tick
 	std::vector<GrassForce> _forces; // of this tick
 	std::vector<SlotGrowth> _growth; // of this tick
+	TileRange _changed_tiles; // of take_changed_tiles()
 	TileRange _regrown; // tiles below which the map changed since the last tick
 	bool _is_seen = true; // in the last frame; always true if no frames are drawn
 	bool _can_simulate = false; // in this tick

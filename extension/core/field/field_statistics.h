@@ -21,6 +21,8 @@ struct FieldStatistics {
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of moving trimeshes
 	BodyReads reads;
+	int64_t plant_nodes = 0, plant_nodes_made = 0; // plants that have a node; nodes made so far
+	int64_t stems_looked_at = 0, plant_tiles_looked_at = 0; // in search of such plants, so far
 	int64_t forces = 0, forces_left_out = 0; // that blow over it; left out for lack of room
 	TileStatistics tile_work;
 	BackendStatistics backend_work;
@@ -40,6 +42,7 @@ struct FieldStatistics {
 	// CPU time, milliseconds: of the last tick (reading bodies, choosing tiles), of the last frame, of making the field (the longest in one
 	// frame).
 	double gather_ms = 0.0, tiles_ms = 0.0, frame_ms = 0.0, build_ms = 0.0;
+	double plants_ms = 0.0; // of the last tick: looking for plants that get a node, and placing the nodes
 };
 
 } // namespace grass

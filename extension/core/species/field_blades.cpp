@@ -54,6 +54,28 @@ bool FieldBlades::stands(int p_tile_x, int p_tile_z, int p_blade) const {
 	return width != 0 && glsl::grass_presence(pose.density, glsl::grass_random(grass_hash(bits)).x) > 0.0f;
 }
 
+// Equals begin_point() in shaders/draw/pose.gdshaderinc for a plant.
+FieldBlades::Standing FieldBlades::get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, float p_border_fade) const {
+	Standing standing;
+	const Eigen::Vector2f tiles(float(_grid.get_tiles_x()), float(_grid.get_tiles_z()));
+	const float tile_size = float(_grid.get_tile_size());
+	const Eigen::Vector2f place = root_place(Eigen::Vector2f(float(p_tile_x), float(p_tile_z)), p_pose.root, tiles, tile_size);
+	const float border = glsl::grass_border(to_glsl(place), to_glsl(Eigen::Vector2f(tiles * tile_size)), p_border_fade);
+	const float density = p_pose.density * border;
+	float presence = _patch->texels[Patch::texel_index(p_pose.blade, 0) + 3] != 0 ? 1.0f : 0.0f;
+	if (density < 1.0f) {
+		const uint32_t bits = grass_tile_bits(uint32_t(p_tile_x), uint32_t(p_tile_z), _seed) + uint32_t(p_blade + GRASS_BLADES_PER_TILE);
+		presence *= glsl::grass_presence(density, glsl::grass_random(grass_hash(bits)).x);
+		presence *= float(GRASS_BORDER_HEIGHT) + (1.0f - float(GRASS_BORDER_HEIGHT)) * border;
+	}
+	const float in_patch = get_texel(p_pose.blade, 1).norm() * float(GRASS_SEGMENTS); // all segments are equally long
+	const float whole = in_patch * clump_at(place, _clump).height * (_map ? _map->sample(place).height : 1.0f);
+	standing.angle = get_texel(p_pose.blade, 0).z();
+	standing.length = whole * presence;
+	standing.left = presence * std::min(in_patch * p_pose.clump.height / std::max(whole, 1e-4f), 1.0f);
+	return standing;
+}
+
 void FieldBlades::find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const {
 	for (int b = 0; b < GRASS_BLADES_PER_TILE; b++) {
 		const int species = get_species(p_tile_x, p_tile_z, b), blade = first_of(p_tile_x, p_tile_z) + b + GRASS_PATCH_BLADES * species;

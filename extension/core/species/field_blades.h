@@ -40,6 +40,14 @@ public:
 	bool stands(int p_tile_x, int p_tile_z, int p_blade) const;
 	// Returns knot p_knot of a blade at rest in blade space, metres.
 	Eigen::Vector3f get_rest_knot(const Pose &p_pose, int p_knot) const;
+	// How a blade's mesh stands at rest: as shaders/draw/plant.gdshader draws it near the eye.
+	struct Standing {
+		float angle = 0.0f; // radians from +x towards +z, of the mesh's x axis at the root
+		float length = 0.0f; // metres, as far as it has grown out of the ground, and before it is mown
+		float left = 0.0f; // share of the whole blade that has grown and was not mown, 0..1
+	};
+	// p_pose: of that blade. p_border_fade: as in grass_border(), metres.
+	Standing get_standing(const Pose &p_pose, int p_tile_x, int p_tile_z, int p_blade, float p_border_fade) const;
 	// Appends the blades of a tile whose species is in the bit mask p_species.
 	void find_plants(int p_tile_x, int p_tile_z, uint32_t p_species, std::vector<StandingPlant> &r_plants) const;
 	// Returns all blades of an awake tile, as the simulation reads them.

@@ -49,6 +49,8 @@ inline constexpr Tunable LEAF_SIZE{ "leaf_size", "m", 0.005, 1.0, 0.005, 0.05 };
 inline constexpr Tunable PLANT_DISTANCE{ "plant_distance", "m", 1.0, 1000.0, 1.0, 30.0 };
 // Number of blades that share a root: 1, 2, 4 or 8. The largest must divide every grass_tile_start().
 inline constexpr Tunable PLANT_STEMS{ "stems", "", 1.0, 8.0, 1.0, 1.0, true };
+// The distance within which a plant with a scene has a node. Beyond 64 it takes seconds to look through dense grass.
+inline constexpr Tunable PLANT_SCENE_DISTANCE{ "plant_scene_distance", "m", 1.0, 64.0, 0.5, 16.0 };
 static_assert(GRASS_START_STRIDE % int(PLANT_STEMS.maximum) == 0);
 
 // Most vertices of a species' plants all around a camera: each is posed in the depth prepass, in the picture and in each cascade of a

@@ -269,5 +269,24 @@ func grass_field_body_entered_grass() -> void:
 	assert_true(rustle.playing)
 
 
+func grass_field_plant_node_appeared() -> void:
+	var stage := await ran()
+	var shrub := GrassSpecies.new()
+	shrub.plant_scene = PackedScene.new()
+	var root := Node3D.new()
+	shrub.plant_scene.pack(root)
+	root.free()
+	var nodes: Array[Node3D] = []
+	stage.field.plant_node_appeared.connect(func(node: Node3D, _species: int, _blade: int) -> void: nodes.append(node))
+	stage.field.species = [shrub]
+	await wait_until(func() -> bool: return nodes.size() > 10, "the plants around the player have nodes")
+	assert_eq(stage.field.plant_node_appeared.get_connections().size(), 2)
+
+
+func grass_species_plant_scene() -> void:
+	var stage := await ran()
+	await wait_until(func() -> bool: return stage.field.get_counters().plant_nodes > 5, "the shrubs around the player have bodies")
+
+
 func full_cut() -> GrassBrush:
 	return brush(GrassBrush.TOOL_CUT, 2.0, {cut_height = 0.1})

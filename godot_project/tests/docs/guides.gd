@@ -283,6 +283,24 @@ func plants_plants_with_a_mesh() -> void:
 	assert_eq(knots[0][0], knots[1][0], "eight fronds to a root")
 
 
+func plants_plants_with_a_scene() -> void:
+	var field := GrassField.new()
+	field.name = "GrassField"
+	field.size = Vector2(16, 16)
+	var nodes: Array[Node3D] = []
+	field.plant_node_appeared.connect(func(node: Node3D, _species: int, _blade: int) -> void: nodes.append(node))
+	var player := CharacterBody3D.new()
+	add_body(player, ball(0.3), Vector3(0, 0.3, 0))
+	var game := Node3D.new()
+	game.set_script(block_script())
+	game.add_child(field)
+	add_child(game)
+	await wait_until(func() -> bool: return field.get_counters().plant_nodes == 50, "the nearest shrubs have nodes")
+	player.position = nodes[0].global_position
+	await wait_until(func() -> bool: return game.get("rustling") > 0, "the player stands in a shrub")
+	assert_greater(nodes.size(), 49)
+
+
 func forces_forces_and_wind() -> void:
 	var stage := await staged()
 	var place := Vector3(1, 0, 1)

@@ -68,6 +68,35 @@ func test_bodies_enter_and_leave() -> void:
 	)
 
 
+func test_plants_get_nodes_and_lose_them() -> void:
+	allow_error(LOCKED)
+	allow_error(EMITTING)
+	var root := Node3D.new()
+	var scene := PackedScene.new()
+	scene.pack(root)
+	root.free()
+	var species := GrassSpecies.new()
+	species.plant_scene = scene
+	var camera := Camera3D.new()
+	add_child(camera)
+	camera.make_current()
+	await try_deeds(
+		func() -> void:
+			add_level({species = [species]}).plant_node_appeared.connect(hear.unbind(3))
+			await until_heard(),
+		"plant_node_appeared"
+	)
+	await try_deeds(
+		func() -> void:
+			var field := add_level({species = [species]})
+			await ticks(10)
+			field.plant_node_left.connect(hear.unbind(3))
+			field.plant_nodes_max = 0
+			await until_heard(),
+		"plant_node_left"
+	)
+
+
 func change_map(field: GrassField, how: String) -> void:
 	match how:
 		"cut":

@@ -50,6 +50,8 @@ func test_properties_are_kept_and_brought_within_limits() -> void:
 		card_color = Color.YELLOW,
 		plant_mesh = BoxMesh.new(),
 		plant_distance = 12.0,
+		plant_scene = PackedScene.new(),
+		plant_scene_distance = 20.0,
 		stems = 4,
 	}
 	var changes: Array[int] = [0]

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The nodes of plants: instances of GrassSpecies.plant_scene at the plants that core/field/plant_search chooses. They are kept below a node
+// of their own inside of the field; those that are not used wait outside of the tree.
+#pragma once
+
+#include "core/field/field_statistics.h"
+#include "core/field/plant_search.h"
+#include "field/field_host.h"
+#include "field/plant_eyes.h"
+#include "field/standing_field.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/classes/packed_scene.hpp>
+#include <godot_cpp/classes/visual_instance3d.hpp>
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace grass {
+
+class PlantNodes {
+public:
+	// p_node: the host's node, which emits plant_node_appeared and plant_node_left.
+	PlantNodes(FieldHost &p_host, godot::VisualInstance3D &p_node) : _host(p_host), _node(p_node) {}
+	~PlantNodes();
+
+	// Returns whether update() has anything to do for these species.
+	bool is_used(const StandingField &p_standing) const;
+	// Once a tick: plants near eyes get their nodes, and others lose them, a few in each tick. p_tracker: knows the bodies near the field.
+	// Returns false if a script freed the field.
+	[[nodiscard]] bool update(StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker);
+	// Must be called while the field leaves the tree: no plant has a node then. Returns false if a script freed the field.
+	[[nodiscard]] bool leave();
+	// Must be called once the field has left: the tree does not let go of its nodes before. Returns false if a script freed the field.
+	[[nodiscard]] bool put_away();
+	bool is_waiting() const { return !_left.empty(); } // for put_away()
+
+	int64_t get_memory_usage() const { return int64_t(_search.get_memory_usage()); } // bytes, without the nodes
+	void add_to(FieldStatistics &r_statistics) const;
+
+private:
+	using Scene = godot::Ref<godot::PackedScene>;
+	using Scenes = std::array<Scene, GRASS_MAX_SPECIES>;
+	struct Shown {
+		StandingScene plant;
+		Scene scene;
+		float scale = 1.0f;
+		uint64_t node = 0; // instance id; of no node once the game has freed it
+	};
+
+	Scenes find_scenes(const StandingField &p_standing) const;
+	std::span<const StandingScene> choose(
+			StandingField &r_standing, const FieldProperties &p_properties, const BodyTracker &p_tracker, const Scenes &p_scenes);
+	bool follow_scale();
+	godot::Node3D *need_holder();
+	bool show(const StandingScene &p_plant, const Scene &p_scene, float p_scale);
+	bool hide(BladeNumber p_blade);
+	bool store(const Shown &p_shown);
+	godot::Node3D *take(const Scene &p_scene);
+	bool make(const Scene &p_scene, int p_species, godot::Node3D *&r_node);
+	void drop_unused(const Scenes &p_scenes);
+
+	FieldHost &_host;
+	godot::VisualInstance3D &_node;
+	PlantEyes _eyes;
+	PlantSearch _search;
+	uint64_t _holder = 0; // instance id of the node above the scenes
+	std::map<BladeNumber, Shown> _shown;
+	std::vector<Shown> _left; // still below the holder, see put_away()
+	std::vector<std::pair<Scene, uint64_t>> _stored; // out of the tree: scene, instance id
+	std::vector<Scene> _failed; // scenes that make no Node3D
+	uint64_t _leaves = 0; // calls of leave(), by which a loop notices one
+	int64_t _made = 0; // nodes so far
+};
+
+} // namespace grass
