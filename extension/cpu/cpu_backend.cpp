@@ -92,6 +92,7 @@ void CpuBackend::step(const StepInput &p_input) {
 	_statistics.steps++;
 	_statistics.simulated_blades += _pool.get_simulated_blades() - blades_before;
 	if (_measure) {
+		_statistics.timed_steps++;
 		_statistics.simulate_ms = double(Time::get_singleton()->get_ticks_usec() - begin) * 1e-3;
 	}
 }

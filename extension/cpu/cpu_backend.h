@@ -28,6 +28,7 @@ public:
 	}
 	bool set_field(const FieldSetup &p_setup) override;
 	void step(const StepInput &p_input) override;
+	StepTime read_step_time() override { return { uint64_t(_statistics.timed_steps), _statistics.simulate_ms }; }
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;
 	void tidy() override;

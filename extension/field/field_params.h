@@ -11,6 +11,7 @@
 #include "core/field/plant_search.h"
 #include "core/field/quality.h"
 #include "core/lod/lod.h"
+#include "core/lod/simulation_budget.h"
 #include "core/map/growth.h"
 #include "core/paint/ledges.h"
 #include "core/paint/recovery.h"
@@ -57,6 +58,7 @@ enum FieldParamId {
 	PARAM_ITERATIONS,
 	PARAM_CONTACT_RATE,
 	PARAM_CONTACT_DISTANCE,
+	PARAM_SIMULATION_BUDGET,
 	PARAM_SLEEP_MOTION,
 	PARAM_SLEEP_DELAY,
 	PARAM_SETTLE_TIME,
@@ -107,6 +109,7 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_ITERATIONS, ITERATIONS, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_CONTACT_RATE, CONTACT_RATE, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_CONTACT_DISTANCE, CONTACT_DISTANCE, Effect::STEP, "Simulation" },
+	FieldParam{ PARAM_SIMULATION_BUDGET, SIMULATION_BUDGET, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SLEEP_MOTION, SLEEP_MOTION, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SLEEP_DELAY, SLEEP_DELAY, Effect::STEP, "Simulation" },
 	FieldParam{ PARAM_SETTLE_TIME, SETTLE_TIME, Effect::STEP, "Simulation" },

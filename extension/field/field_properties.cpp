@@ -78,6 +78,7 @@ FieldParams FieldProperties::field_params(const std::vector<GrownSpecies> &p_spe
 	}
 	field.contact_distance = param(PARAM_CONTACT_DISTANCE);
 	field.detail = simulation_detail;
+	field.budget = param(PARAM_SIMULATION_BUDGET);
 	field.sleep_mode = sleep_mode;
 	field.sleep_delay = param(PARAM_SLEEP_DELAY);
 	field.sleep_motion = param(PARAM_SLEEP_MOTION);
@@ -111,6 +112,11 @@ void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {
 	}
 	if (simulated && pool_tiles == 0) {
 		r_warnings.push_back("`pool_tiles` is 0, so no tile can be simulated. Raise it, or turn `simulated` off.");
+	}
+	if (simulated && param(PARAM_SIMULATION_BUDGET) > 0.0 && simulation_detail == SimulationDetail::WHOLE) {
+		r_warnings.push_back(
+				"`simulation_budget` has no effect while `simulation_detail` is *Whole*. Set it to 0, or `simulation_detail` to "
+				"*Seen*.");
 	}
 	const TileGrid tiles = grid();
 	if (is_compatibility() && std::max(tiles.get_tiles_x(), tiles.get_tiles_z()) > EXACT_TILES) {

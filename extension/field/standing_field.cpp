@@ -57,11 +57,12 @@ void StandingField::update_params() {
 		_field.set_params(_properties.field_params(_species));
 		_field.stir();
 	}
+	update_measuring();
 }
 
 void StandingField::update_measuring() {
 	if (_backend) {
-		_backend->set_measure_time(_properties.measure_time || _is_measured);
+		_backend->set_measure_time(_properties.measure_time || _is_measured || _properties.param(PARAM_SIMULATION_BUDGET) > 0.0);
 	}
 }
 
@@ -260,6 +261,11 @@ String StandingField::crowded_warning() const {
 			_field.get_setup().instance_capacity(), _field.get_setup().shadow_capacity());
 }
 
+String StandingField::blind_warning() {
+	return "`simulation_budget` has no effect: this device measures no times, so every drawn blade is simulated. Lower `pool_tiles`, or "
+		   "raise `pixels_min`, to make the simulation cheaper.";
+}
+
 AABB StandingField::get_bounds() const {
 	FieldSetup setup;
 	setup.grid = _properties.grid();
@@ -300,6 +306,7 @@ void StandingField::add_to(FieldStatistics &r_statistics) const {
 		r_statistics.map_bytes = _map->get_textures().get_uploaded_bytes();
 		r_statistics.map_waiting += _map->get_waiting();
 	}
+	r_statistics.coarseness = _field.get_coarseness();
 	r_statistics.tile_work = _field.get_tiles().get_statistics();
 	r_statistics.instance_updates = r_statistics.backend_work.instance_updates + _ground.get_updates();
 	r_statistics.builds = _builds;

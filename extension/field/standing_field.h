@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace grass {
@@ -106,6 +107,10 @@ public:
 	bool draw(const FieldView &p_view, bool p_is_visible);
 	bool is_crowded() const { return _is_crowded; }
 	godot::String crowded_warning() const;
+	// Return whether `simulation_budget` does nothing since the device measures no times; the second once, as soon as this is known.
+	bool is_budget_blind() const { return stands() && _field.is_budget_blind(); }
+	bool notice_blind_budget() { return !std::exchange(_was_blind, is_budget_blind()) && _was_blind; }
+	static godot::String blind_warning();
 
 	const Field &get_field() const { return _field; }
 	Backend *get_backend() const { return _backend.get(); } // null: there is no field
@@ -158,6 +163,7 @@ private:
 	Look _look; // that it is shown with
 	bool _is_carried = false; // its ground is shown, and has the colour of the blades that are not
 	bool _is_crowded = false; // more tiles were seen, since the field was made, than it has room for
+	bool _was_blind = false; // of notice_blind_budget()
 	bool _is_measured = false; // somebody reads the monitors of times
 	int64_t _builds = 0; // backends made
 	int64_t _wind_updates = 0; // frames that passed the wind's clock to the materials

@@ -27,6 +27,7 @@ Dictionary statistics_dictionary(const FieldStatistics &p_statistics) {
 	result["drawn_triangles"] = drawn.triangles[0];
 	result["left_out_tiles"] = backend.left_out_tiles[0];
 	result["management_ms"] = p_statistics.gather_ms + p_statistics.tiles_ms;
+	result["simulation_coarseness"] = p_statistics.coarseness;
 	result["simulate_ms"] = backend.simulate_ms;
 	result["cull_ms"] = backend.cull_ms;
 	result["memory"] = p_statistics.memory;
@@ -53,6 +54,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["unseen_tile_steps"] = int64_t(tiles.unseen_steps);
 	result["still_tile_steps"] = int64_t(tiles.still_steps);
 	result["left_out_blade_steps"] = int64_t(tiles.left_out_blades);
+	result["followed_blade_steps"] = int64_t(tiles.followed_blades);
 	result["widened_tiles"] = int64_t(tiles.widened);
 	result["unseen_ticks"] = p_statistics.unseen_ticks;
 	result["wind_updates"] = p_statistics.wind_updates;
@@ -85,6 +87,7 @@ Dictionary counters_dictionary(const FieldStatistics &p_statistics) {
 	result["free_tile_steps"] = backend.free_tile_steps;
 	result["workgroups"] = backend.workgroups;
 	result["crowd_tile_steps"] = backend.crowd_tile_steps;
+	result["timed_steps"] = backend.timed_steps;
 	result["uploaded_bytes"] = backend.uploaded_bytes;
 	result["knots_read"] = backend.knots_read;
 	result["knot_waits"] = backend.knot_waits;

@@ -246,6 +246,11 @@ EnergyReport GpuBackend::read_energy() {
 	return { _energy_step, _energy, _bends };
 }
 
+StepTime GpuBackend::read_step_time() {
+	std::lock_guard lock(_report->mutex);
+	return { uint64_t(_report->statistics.timed_steps), _report->statistics.simulate_ms };
+}
+
 BackendStatistics GpuBackend::get_statistics() {
 	take_knots();
 	std::lock_guard lock(_report->mutex);

@@ -33,6 +33,7 @@ public:
 	bool can_simulate() override { return grass::can_simulate(kind_of(_setup)); }
 	bool is_complete() const override;
 	void step(const StepInput &p_input) override;
+	StepTime read_step_time() override;
 	bool can_join() override { return grass::can_join(kind_of(_setup)); }
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override;
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves) override;

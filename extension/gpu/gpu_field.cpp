@@ -238,10 +238,11 @@ void GpuField::free(const FieldMultiMeshes &p_multimeshes) {
 }
 
 void GpuField::report_times() {
-	const GpuTimes times = read_gpu_times();
+	const GpuTimes times = read_gpu_times(this);
 	std::lock_guard lock(_report->mutex);
 	BackendStatistics &statistics = _report->statistics; // a pass that did not run in this frame keeps its last known time
 	statistics.simulate_ms = times.simulate_ms > 0.0 ? times.simulate_ms : statistics.simulate_ms;
+	statistics.timed_steps += times.simulate_ms > 0.0 ? 1 : 0;
 	statistics.cull_ms = times.cull_ms > 0.0 ? times.cull_ms : statistics.cull_ms;
 }
 

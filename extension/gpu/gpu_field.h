@@ -32,6 +32,7 @@ struct StepRecords {
 	std::vector<SlotGrowth> growth;
 	std::vector<GrassStep> species;
 	std::vector<GrassForce> forces;
+	std::vector<GrassSlot> followers;
 	GrassStep step;
 	SlotPasses passes; // of the slots
 	double copy_ms; // CPU time of this copy
@@ -79,7 +80,7 @@ public:
 	void resize_pool(int p_slots, std::span<const SlotMove> p_moves);
 	// Runs one tick: uploads the records, simulates their tiles, requests their energy.
 	void step(const StepRecords &p_records, bool p_measure);
-	// Poses blades that join the simulated ones. p_slots, p_step: see Simulator::join().
+	// Poses blades that are drawn from now on. p_slots, p_step: see Simulator::join().
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step);
 	// Runs one frame: writes the instances and commands of p_multimeshes.
 	void draw(const ViewRecords &p_records, const FieldMultiMeshes &p_multimeshes, bool p_measure);
@@ -115,6 +116,7 @@ private:
 	// Returns the pass that simulates workgroups of a kind: their own, or another one until that is compiled.
 	GpuPass &find_pass(SlotPass p_pass, bool p_many);
 	void dispatch_simulate(const StepRecords &p_records);
+	int64_t dispatch_join(std::span<const GrassSlot> p_slots, const GrassStep &p_step);
 	void bind_pool(GpuPass &r_pass);
 	void bind_simulate();
 	// Makes room for a step of p_groups workgroups, of which one dispatch takes p_most; 0: none.
@@ -133,7 +135,7 @@ private:
 
 	// Lives for one step: written by the main thread's records in every step, read by simulate.
 	GpuBuffer _slot_records, _colliders, _collider_list, _planes, _forces;
-	// Lives for one frame: written by the main thread's records, read by join.
+	// Lives for one step or one frame: written by the main thread's records, read by join.
 	GpuBuffer _join_records;
 	// Lives as long as the field, read and written by simulate and join: knots of awake tiles, now and one step earlier in two halves;
 	// which half is which; twists of their joints, and the blades' lengths; energy. All by slot.

@@ -78,7 +78,7 @@ void GpuField::draw(const ViewRecords &p_records, const FieldMultiMeshes &p_mult
 	}
 	_table_changed = false;
 	{
-		Stopwatch watch(p_measure, Stopwatch::CULL);
+		Stopwatch watch(p_measure, Stopwatch::CULL, this);
 		RenderingDevice *device = main_device();
 		device->buffer_clear(_counts.rid(), 0, uint32_t(_counts.size()));
 		if (has_plants) {

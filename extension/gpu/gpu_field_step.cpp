@@ -52,6 +52,7 @@ StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_ener
 	growth.assign(p_input.growth.begin(), p_input.growth.end());
 	forces.assign(p_input.forces.begin(), p_input.forces.end());
 	species.assign(p_input.species.begin(), p_input.species.end());
+	followers.assign(p_input.followers.begin(), p_input.followers.end());
 	copy_ms = clock.lap();
 }
 
@@ -151,9 +152,10 @@ void GpuField::dispatch_simulate(const StepRecords &p_records) {
 	device->compute_list_end();
 }
 
-void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
-	if (!_join.is_ready()) {
-		return;
+// Returns the number of uploaded bytes.
+int64_t GpuField::dispatch_join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
+	if (p_slots.empty() || !_join.is_ready()) {
+		return 0;
 	}
 	const int64_t uploaded = _join_records.upload(p_slots);
 	_join.bind_buffer(GRASS_BINDING_SLOTS, _join_records.rid());
@@ -161,6 +163,11 @@ void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step)
 	const int64_t list = device->compute_list_begin();
 	_join.dispatch(list, to_bytes(std::span<const GrassStep>(&p_step, 1)), uint32_t(p_slots.size()));
 	device->compute_list_end();
+	return uploaded;
+}
+
+void GpuField::join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) {
+	const int64_t uploaded = dispatch_join(p_slots, p_step);
 	_has_moved = true;
 	std::lock_guard lock(_report->mutex);
 	_report->statistics.uploaded_bytes += uploaded;
@@ -198,8 +205,9 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 	}
 	make_room_to_work(count_groups(p_records.passes), uint32_t(count_working_tiles(device_limits())));
 	{
-		Stopwatch watch(p_measure, Stopwatch::SIMULATE);
+		Stopwatch watch(p_measure, Stopwatch::SIMULATE, this);
 		dispatch_simulate(p_records);
+		uploaded += dispatch_join(p_records.followers, p_records.step);
 	}
 	_has_kept = _has_moved = true;
 	for (const GrassSlot &slot : p_records.slots) {

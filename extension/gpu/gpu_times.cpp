@@ -12,9 +12,13 @@ namespace {
 constexpr char BEGIN[] = "GrassField";
 constexpr const char *ENDS[] = { "GrassField simulate", "GrassField cull" }; // of Stopwatch::Pass
 
+String end_of(Stopwatch::Pass p_pass, const void *p_owner) {
+	return vformat("%s %d", String(ENDS[p_pass]), int64_t(reinterpret_cast<intptr_t>(p_owner)));
+}
+
 } // namespace
 
-Stopwatch::Stopwatch(bool p_measure, Pass p_pass) : _measures(p_measure), _pass(p_pass) {
+Stopwatch::Stopwatch(bool p_measure, Pass p_pass, const void *p_owner) : _measures(p_measure), _pass(p_pass), _owner(p_owner) {
 	if (_measures) {
 		main_device()->capture_timestamp(BEGIN);
 	}
@@ -22,12 +26,13 @@ Stopwatch::Stopwatch(bool p_measure, Pass p_pass) : _measures(p_measure), _pass(
 
 Stopwatch::~Stopwatch() {
 	if (_measures) {
-		main_device()->capture_timestamp(ENDS[_pass]);
+		main_device()->capture_timestamp(end_of(_pass, _owner));
 	}
 }
 
-GpuTimes read_gpu_times() {
+GpuTimes read_gpu_times(const void *p_owner) {
 	RenderingDevice *device = main_device();
+	const String cull = end_of(Stopwatch::CULL, p_owner), simulate = end_of(Stopwatch::SIMULATE, p_owner);
 	GpuTimes times;
 	int steps = 0; // a slow frame has several
 	const uint32_t count = device->get_captured_timestamps_count();
@@ -37,9 +42,9 @@ GpuTimes read_gpu_times() {
 			continue;
 		}
 		const double ms = double(device->get_captured_timestamp_gpu_time(i) - device->get_captured_timestamp_gpu_time(i - 1)) * 1e-6;
-		if (name == String(ENDS[Stopwatch::CULL])) {
+		if (name == cull) {
 			times.cull_ms = ms;
-		} else if (name == String(ENDS[Stopwatch::SIMULATE])) {
+		} else if (name == simulate) {
 			times.simulate_ms += ms;
 			steps++;
 		}

@@ -9,12 +9,14 @@ class Stopwatch {
 public:
 	enum Pass { SIMULATE, CULL };
 
-	Stopwatch(bool p_measure, Pass p_pass);
+	// p_owner: who asks read_gpu_times() for it.
+	Stopwatch(bool p_measure, Pass p_pass, const void *p_owner);
 	~Stopwatch();
 
 private:
 	bool _measures;
 	Pass _pass;
+	const void *_owner;
 };
 
 // The times of a frame that the GPU has finished, in milliseconds; 0: the frame had no such pass.
@@ -22,6 +24,7 @@ struct GpuTimes {
 	double simulate_ms = 0.0, cull_ms = 0.0; // of one step, of one cull
 };
 
-GpuTimes read_gpu_times();
+// p_owner: whose.
+GpuTimes read_gpu_times(const void *p_owner);
 
 } // namespace grass

@@ -269,6 +269,12 @@ void GrassField::_before_draw() {
 			warn(_standing.crowded_warning());
 		}
 	}
+	if (_standing.notice_blind_budget()) {
+		update_configuration_warnings();
+		if (!Engine::get_singleton()->is_editor_hint()) {
+			warn(StandingField::blind_warning());
+		}
+	}
 	_frame_ms = clock.lap();
 }
 

@@ -85,8 +85,8 @@ void GrassField::_bind_methods() {
 	add_numbers("Level of Detail");
 	ADD_GROUP("Debug", "");
 	GRASS_BIND_PROPERTY(GrassField,
-			PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail,Density,Cost"), set_debug_view,
-			get_debug_view);
+			PropertyInfo(Variant::INT, "debug_view", PROPERTY_HINT_ENUM, "Off,Awake Tiles,Level of Detail,Density,Cost,Simulated Blades"),
+			set_debug_view, get_debug_view);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
 
 	ClassDB::bind_method(D_METHOD("get_blade_count"), &GrassField::get_blade_count);
@@ -155,6 +155,7 @@ void GrassField::_bind_methods() {
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_LOD);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_DENSITY);
 	BIND_ENUM_CONSTANT(DEBUG_VIEW_COST);
+	BIND_ENUM_CONSTANT(DEBUG_VIEW_SIMULATED);
 	BIND_ENUM_CONSTANT(REASON_NONE);
 	BIND_ENUM_CONSTANT(REASON_NOT_MADE);
 	BIND_ENUM_CONSTANT(REASON_HIDDEN);

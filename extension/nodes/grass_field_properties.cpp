@@ -64,6 +64,7 @@ void GrassField::set_simulation_detail(SimulationDetail p_detail) {
 	ERR_FAIL_INDEX_MSG(int64_t(p_detail), 2, message("`simulation_detail` must be SIMULATION_SEEN or SIMULATION_WHOLE."));
 	if (replace(_properties.simulation_detail, grass::SimulationDetail(p_detail))) {
 		_standing.update_params();
+		update_configuration_warnings();
 	}
 }
 
@@ -98,7 +99,7 @@ void GrassField::set_collision_mask(int64_t p_mask) {
 
 void GrassField::set_debug_view(DebugView p_view) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_COST + 1, message("`debug_view` must be one of the constants DEBUG_VIEW_*."));
+	ERR_FAIL_INDEX_MSG(int64_t(p_view), GRASS_DEBUG_SIMULATED + 1, message("`debug_view` must be one of the constants DEBUG_VIEW_*."));
 	if (replace(_properties.debug_view, p_view)) {
 		_standing.set_uniform("debug_view", int64_t(p_view));
 	}
@@ -124,6 +125,7 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 			break;
 		case Effect::STEP:
 			_standing.update_params();
+			update_configuration_warnings();
 			break;
 		case Effect::UNIFORM:
 			_standing.set_uniform(info.tunable.name, _properties.scaled(info.id));

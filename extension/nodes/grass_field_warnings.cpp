@@ -66,6 +66,9 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 	if (_standing.is_crowded()) {
 		warnings.push_back(_standing.crowded_warning());
 	}
+	if (_standing.is_budget_blind()) {
+		warnings.push_back(StandingField::blind_warning());
+	}
 	_properties.hook.warn(warnings);
 	_filler.warn(_properties.map, _terrain.is_found(), warnings);
 	_terrain.warn(warnings);

@@ -1,7 +1,7 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Poses the blades that join the simulated ones of their tile, since a camera has come nearer: one workgroup a tile, one thread a blade.
-// Dispatched over GrassSlot records, before a frame is drawn. Twin of core/solver/join.cpp.
+// Poses blades as the simulated ones of their tile: those that join them since a camera has come nearer, and those that follow them in each
+// step: one workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step. Twin of core/solver/join.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 
@@ -17,7 +17,7 @@ layout(push_constant, std430) uniform StepBlock {
 	GrassStep step;
 };
 
-// Written by the CPU for this frame.
+// Written by the CPU for this frame or step.
 layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
 	GrassSlot slots[];
 };
@@ -83,6 +83,13 @@ Bent bent_of(int p_knot) {
 	return Bent(knot - rest_of(p_knot), knot - before_of(p_knot), start_twist_of(p_knot - 1));
 }
 
+// [Eq 50] How far knot p_k is from rest if it moves with its neighbour, and the twist of the joint below it. A step exchanges the halves:
+// what was now in the step before is `before` in this one.
+Bent alone_of(int p_k, vec3 p_rest, vec3 p_moved) {
+	vec3 last = step.contact.x >= 1.0 ? before_of(p_k) : start_of(p_k);
+	return Bent(last - p_rest + p_moved, p_moved, start_twist_of(p_k - 1));
+}
+
 // [Eq 49]
 void join_blade(uint p_other) {
 	Blade own = blade;
@@ -95,15 +102,21 @@ void join_blade(uint p_other) {
 		blade = other;
 		Bent bent = bent_of(k);
 		blade = own;
-		vec3 rest = rest_of(k), offset = bent.offset * ratio, knot = rest;
+		vec3 rest = rest_of(k), offset = bent.offset * ratio, moved = bent.moved * ratio, knot = rest;
+		float twist = bent.twist;
+		if (slot.blend.x < 1.0) {
+			Bent alone = alone_of(k, rest, moved);
+			offset = alone.offset + (offset - alone.offset) * slot.blend.x;
+			twist = alone.twist + (twist - alone.twist) * slot.blend.x;
+		}
 		if (dot(offset, offset) > 0.0 || dot(parent_offset, parent_offset) > 0.0) {
 			vec3 segment = (rest - parent_rest) + (offset - parent_offset);
 			knot = parent + segment * (length(rest - parent_rest) / max(length(segment), 1e-6));
 		}
 		set_start(k, knot);
-		set_before(k, knot - bent.moved * ratio);
-		set_twist(k - 1, bent.twist);
-		imageStore(pool_texture, pool_texel(k), vec4(knot - rest, bent.twist));
+		set_before(k, knot - moved);
+		set_twist(k - 1, twist);
+		imageStore(pool_texture, pool_texel(k), vec4(knot - rest, twist));
 		parent = knot;
 		parent_rest = rest;
 		parent_offset = offset;
@@ -113,10 +126,11 @@ void join_blade(uint p_other) {
 void main() {
 	slot = slots[gl_WorkGroupID.x];
 	uint from = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.z), to = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.y);
+	uint sources = uint(GRASS_BLADES_PER_TILE) - uint(slot.blend.w);
 	uint number = gl_LocalInvocationID.x;
 	find_blade(number);
 	barrier();
 	if (number >= from && number < to) {
-		join_blade(find_nearest(places[number], from));
+		join_blade(find_nearest(places[number], sources));
 	}
 }

@@ -232,6 +232,7 @@ void report_tile(uint p_tile, uint p_unasked) {
 	pool_half[slot.tile.w] = blade.half_now | ((max(p_unasked, 1u) - 1u) << 1u);
 	vec3 sum = vec3(ivec3(bend_sum[3u * p_tile], bend_sum[3u * p_tile + 1u], bend_sum[3u * p_tile + 2u]));
 	float blades = float(GRASS_BLADES_PER_TILE) - slot.blend.y;
+	imageStore(pool_texture, ivec2(0, slot.tile.w), vec4(0.0, 0.0, 0.0, blades)); // of a knot that has no offset
 	slot_report[slot.tile.w] = vec4(uintBitsToFloat(liveliest[p_tile]), sum / (BEND_UNITS * blades));
 }
 

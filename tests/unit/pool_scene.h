@@ -18,7 +18,7 @@ struct PoolScene {
 	CpuPool pool;
 	SolverParams params;
 	StepClock clock;
-	std::vector<GrassSlot> slots;
+	std::vector<GrassSlot> slots, followers;
 	std::vector<GrassCollider> colliders{ 1 };
 	std::vector<uint32_t> list{ 0 };
 	GrassStep step_record;
@@ -42,7 +42,9 @@ struct PoolScene {
 		colliders[0].position_before = { -0.5f + 0.05f * float(time), 0.15f, 0.03f, 0.0f };
 		colliders[0].position = { -0.45f + 0.05f * float(time), 0.15f, 0.03f, 0.5f };
 		time++;
-		pool.step({ slots, colliders, list, {}, step_record }, p_parallel_for);
+		StepInput input{ slots, colliders, list, {}, step_record };
+		input.followers = followers;
+		pool.step(input, p_parallel_for);
 		for (GrassSlot &slot : slots) {
 			slot.list.w &= ~uint32_t(GRASS_SLOT_FRESH);
 		}

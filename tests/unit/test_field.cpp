@@ -26,6 +26,7 @@ class PoolSimulator : public Simulator {
 public:
 	explicit PoolSimulator(const FieldSetup &p_setup) : _pool(p_setup.patch, p_setup.pool_size) {}
 
+	StepTime read_step_time() override { return time; }
 	bool can_simulate() override { return can; }
 	bool can_join() override { return joins; }
 	void step(const StepInput &p_input) override {
@@ -33,7 +34,9 @@ public:
 		_step = p_input.number;
 		method = Method(int(p_input.step.contact.w));
 		slots.assign(p_input.slots.begin(), p_input.slots.end());
+		followers.assign(p_input.followers.begin(), p_input.followers.end());
 		steps++;
+		time.count += time.ms > 0.0 ? 1 : 0;
 	}
 	void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) override {
 		(void)p_step;
@@ -57,6 +60,8 @@ public:
 	int steps = 0;
 	Method method = Method::DIRECT; // of the last step
 	std::vector<GrassSlot> slots; // likewise
+	std::vector<GrassSlot> followers; // likewise
+	StepTime time; // of steps; 0 ms: the device measures none
 	std::vector<GrassSlot> joined;
 	std::vector<SlotMove> moves; // of the last change of the pool's size
 
@@ -386,4 +391,80 @@ TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above 
 	CHECK(is_far(20.0f, 1600.0));
 	CHECK_FALSE(is_far(2.0f, 1600.0));
 	CHECK_FALSE(is_far(20.0f, CONTACT_RATE.initial));
+}
+
+namespace {
+
+// 12 m away the field draws more blades than the fewest that it may simulate.
+void step_with_budget(
+		FieldScene &r_scene, double p_budget, double p_time, int p_steps, SimulationDetail p_detail = SimulationDetail::SEEN) {
+	r_scene.params.budget = p_budget;
+	r_scene.params.detail = p_detail;
+	r_scene.params.sleep_delay = 60.0;
+	r_scene.field.set_params(r_scene.params);
+	r_scene.field.stir();
+	r_scene.simulator.time.ms = p_time;
+	for (int i = 0; i < p_steps; i++) {
+		r_scene.field.see(r_scene.simulator, view_from(12.0f), true);
+		r_scene.put_ball({ 0.5 + 0.004 * i, 0.2, 0.5 }, { 0.496 + 0.004 * i, 0.2, 0.5 });
+		r_scene.tick();
+	}
+}
+
+} // namespace
+
+TEST_CASE("field: over its budget it simulates fewer of the drawn blades, and the others follow; under it, all of them again") {
+	FieldScene scene;
+	step_with_budget(scene, 0.0, 5.0, 10);
+	CHECK(scene.simulator.followers.empty());
+	const float drawn = 64.0f - scene.simulator.slots.front().blend.y;
+	REQUIRE(drawn >= 24.0f);
+	step_with_budget(scene, 1.0, 5.0, 150);
+	CHECK(scene.field.get_coarseness() > 5.0f);
+	REQUIRE_FALSE(scene.simulator.followers.empty());
+	const GrassSlot &follower = scene.simulator.followers.front();
+	CHECK(64.0f - follower.blend.y == drawn); // what is drawn does not change
+	CHECK(follower.blend.z > follower.blend.y);
+	CHECK(follower.blend.w == follower.blend.z);
+	const auto record = std::ranges::find_if(scene.simulator.slots, [&](const GrassSlot &p_slot) { return p_slot.tile == follower.tile; });
+	REQUIRE(record != scene.simulator.slots.end());
+	CHECK(record->blend.y == follower.blend.z);
+	const uint64_t followed = scene.field.get_tiles().get_statistics().followed_blades;
+	CHECK(followed > 0);
+	CHECK(followed < scene.field.get_tiles().get_statistics().left_out_blades);
+	step_with_budget(scene, 1.0, 0.1, 250);
+	CHECK(scene.field.get_coarseness() == 1.0f);
+	CHECK(scene.simulator.followers.empty());
+}
+
+TEST_CASE("field: a budget leaves out nothing near an eye, of blades that a script reads, or with WHOLE") {
+	FieldScene scene;
+	step_with_budget(scene, 1.0, 5.0, 150);
+	REQUIRE_FALSE(scene.simulator.followers.empty());
+	const int tile = scene.simulator.followers.front().tile.z;
+	scene.field.ask(scene.simulator, std::span(&tile, 1));
+	scene.tick();
+	for (const GrassSlot &follower : scene.simulator.followers) {
+		CHECK(follower.tile.z != tile);
+	}
+	scene.field.see(scene.simulator, view_from(2.0f), true);
+	scene.tick();
+	CHECK(scene.simulator.followers.empty());
+	step_with_budget(scene, 1.0, 5.0, 3, SimulationDetail::WHOLE);
+	CHECK(scene.field.get_coarseness() == 1.0f);
+	CHECK(scene.simulator.followers.empty());
+	CHECK(scene.simulator.slots.front().blend.y == 0.0f);
+}
+
+TEST_CASE("field: a budget on a device without timestamps changes nothing, and the field says so") {
+	FieldScene scene;
+	step_with_budget(scene, 0.0, 0.0, 300);
+	CHECK_FALSE(scene.field.is_budget_blind());
+	step_with_budget(scene, 1.0, 0.0, 200);
+	CHECK_FALSE(scene.field.is_budget_blind());
+	step_with_budget(scene, 1.0, 0.0, 60);
+	CHECK(scene.field.is_budget_blind());
+	CHECK(scene.field.get_coarseness() == 1.0f);
+	step_with_budget(scene, 1.0, 0.5, 1);
+	CHECK_FALSE(scene.field.is_budget_blind());
 }

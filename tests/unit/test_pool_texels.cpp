@@ -178,7 +178,7 @@ TEST_CASE("pool texels: blades that join between two steps are shown where they 
 	}
 	scene.shown(1, 0.5f);
 	GrassSlot &slot = scene.scene.slots[1];
-	slot.blend.z = std::exchange(slot.blend.y, 0.0f);
+	slot.blend = { 1.0f, 0.0f, slot.blend.y, slot.blend.y };
 	scene.scene.pool.join(slot);
 	scene.texels.change(scene.scene.pool, std::span(&slot, 1));
 	const Row joined = scene.pack(1), half = scene.shown(1, 0.5f), whole = scene.shown(1, 1.0f);

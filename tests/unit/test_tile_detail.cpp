@@ -73,8 +73,8 @@ Eigen::Vector3f offset_of(const PoolScene &p_scene, int p_blade, int p_knot) {
 
 // Leaves out p_count of the blades of the scene's first tile.
 void leave_out(PoolScene &r_scene, int p_count) {
-	r_scene.slots[0].blend.z = r_scene.slots[0].blend.y;
-	r_scene.slots[0].blend.y = float(p_count);
+	vec4 &blend = r_scene.slots[0].blend;
+	blend = { 0.0f, float(p_count), blend.y, blend.y };
 }
 
 } // namespace
@@ -182,6 +182,7 @@ TEST_CASE("[Eq 49] blades that join have their neighbour's pose and speed, and t
 		scene.step();
 	}
 	leave_out(scene, 0);
+	scene.slots[0].blend.x = 1.0f;
 	scene.pool.join(scene.slots[0]);
 	int bent = 0, alike = 0;
 	for (int blade = 16; blade < ALL; blade++) {

@@ -52,6 +52,8 @@ void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_
 	_tiles.get_detail().forget();
 	_tiles.reset();
 	_clock.reset();
+	_budget.reset();
+	_untimed_steps = 0;
 }
 
 void Field::forget_map() {
@@ -114,7 +116,10 @@ void Field::see(Simulator &r_simulator, const FieldView &p_view, bool p_is_visib
 bool Field::see_detail(Simulator &r_simulator, const FieldView &p_view) {
 	TileDetail &detail = _tiles.get_detail();
 	const bool is_thinned = _params.detail == SimulationDetail::SEEN && p_view.is_drawn && !_setup.has_plants && r_simulator.can_join();
-	return is_thinned ? detail.see(_setup.cull_field(), p_view, _map != nullptr ? _map->get_cover() : nullptr) : detail.see_all();
+	const bool is_other = detail.set_coarseness(_budget.get_coarseness());
+	const bool is_seen_otherwise =
+			is_thinned ? detail.see(_setup.cull_field(), p_view, _map != nullptr ? _map->get_cover() : nullptr) : detail.see_all();
+	return is_other || is_seen_otherwise;
 }
 
 void Field::widen(Simulator &r_simulator) {
@@ -189,7 +194,17 @@ bool Field::tick(Simulator &r_simulator, std::span<ColliderShape> p_colliders, d
 		return false;
 	}
 	step(r_simulator, p_delta, p_forces);
+	spend_budget(r_simulator);
 	return true;
+}
+
+// The next frame applies what follows.
+void Field::spend_budget(Simulator &r_simulator) {
+	const StepTime time = r_simulator.read_step_time();
+	const bool is_new = time.count != _times_read;
+	_times_read = time.count;
+	_untimed_steps = has_budget() && time.count == 0 ? std::min(_untimed_steps + 1, MOST_UNTIMED) : 0;
+	_budget.advance(has_budget() ? _params.budget : 0.0, is_new ? time.ms : 0.0);
 }
 
 void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces) {
@@ -201,6 +216,7 @@ void Field::step(Simulator &r_simulator, double p_delta, std::span<const Force> 
 	input.number = _tiles.get_step_number();
 	input.slots = _tiles.get_slots();
 	input.colliders = _tiles.get_colliders();
+	input.followers = _tiles.get_followers();
 	input.sharp = _tiles.get_sharp();
 	input.collider_list = _tiles.get_collider_list();
 	input.planes = _tiles.get_planes();

@@ -77,6 +77,10 @@ public:
 	double ground_relief() const; // metres that the ground rises above or falls below the field
 	double ground_range() const; // metres from the lowest ground to the highest
 	int64_t get_unseen_ticks() const { return _unseen_ticks; } // number of skipped ticks
+	// Returns how many times coarser blades are simulated than drawn, to keep within the budget; 1: every drawn blade is.
+	float get_coarseness() const { return _tiles.get_detail().get_coarseness(); }
+	// Returns true if there is a budget, and so many steps without a single time that the device seems to have no timestamps.
+	bool is_budget_blind() const { return _untimed_steps >= MOST_UNTIMED; }
 	double get_tiles_ms() const { return _tiles_ms; } // CPU time of choosing tiles, in the last tick
 
 	// Returns the boxes of the tiles of a field that follows this one.
@@ -95,6 +99,8 @@ private:
 	TileRange all_tiles() const { return { 0, _setup.grid.get_tiles_x(), 0, _setup.grid.get_tiles_z() }; }
 	std::span<const SlotGrowth> grow_tiles();
 	void see_tiles(const FieldView &p_view, bool p_is_visible);
+	bool has_budget() const { return _params.budget > 0.0 && _params.detail == SimulationDetail::SEEN; }
+	void spend_budget(Simulator &r_simulator);
 	bool see_detail(Simulator &r_simulator, const FieldView &p_view);
 	void widen(Simulator &r_simulator);
 	void step(Simulator &r_simulator, double p_delta, std::span<const Force> p_forces);
@@ -108,6 +114,10 @@ private:
 	FieldBlades _blades;
 	TileManager _tiles;
 	StepClock _clock;
+	static constexpr int MOST_UNTIMED = 240;
+	SimulationBudget _budget;
+	uint64_t _times_read = 0; // of StepTime::count
+	int _untimed_steps = 0; // while there is a budget, without a time of any
 	GrassStep _step; // of the last tick that moved blades
 	std::vector<GrassStep> _species_steps; // of this tick
 	std::vector<GrassForce> _forces; // of this tick

@@ -2,6 +2,7 @@
 // The parameters that may change while a field runs: how its blades move, and when they sleep.
 #pragma once
 
+#include "core/lod/simulation_budget.h"
 #include "core/solver/solver_params.h"
 #include "core/tiles/tiles.h"
 
@@ -17,6 +18,7 @@ struct FieldParams {
 	double sleep_motion = SLEEP_MOTION.initial; // mm
 	double contact_distance = CONTACT_DISTANCE.initial; // metres
 	SimulationDetail detail = SimulationDetail::SEEN;
+	double budget = SIMULATION_BUDGET.initial; // milliseconds that a step may take; 0: no limit
 	double settle_time = SETTLE_TIME.initial; // seconds
 
 	// Returns the time in which a swing dies down, in seconds, for the species that swings longest.

@@ -18,6 +18,7 @@ struct FieldStatistics {
 	int64_t blades = 0, pool_tiles = 0, bare_tiles = 0;
 	int64_t memory = 0; // bytes
 	int64_t awake_tiles = 0;
+	double coarseness = 1.0; // see Field::get_coarseness()
 	int64_t wheels = 0, bones = 0; // of vehicles near the grass; of skeletons that bend grass
 	int64_t soft_bodies = 0, mesh_pieces = 0; // near the grass; convex pieces of moving trimeshes
 	BodyReads reads;

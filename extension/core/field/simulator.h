@@ -9,6 +9,11 @@
 
 namespace grass {
 
+struct StepTime {
+	uint64_t count = 0; // grows with each measured step
+	double ms = 0.0; // of the last one
+};
+
 class Simulator {
 public:
 	virtual ~Simulator() = default;
@@ -18,11 +23,15 @@ public:
 	virtual bool can_simulate() { return true; }
 	// Returns true if no pass replaces one that is still being compiled, so that results no longer depend on it.
 	virtual bool is_complete() const { return true; }
+	// Returns the newest known time of a step, and how many were measured so far: none unless set_measure_time() says so, and none on a
+	// device without timestamps.
+	virtual StepTime read_step_time() { return {}; }
 	// Simulates the awake tiles for one tick. p_input is read before the call returns.
 	virtual void step(const StepInput &p_input) = 0;
 	// Returns true once join() can work; until then all blades of awake tiles are simulated.
 	virtual bool can_join() { return true; }
-	// Poses the blades that join the simulated ones from the next step on, [Eq 49]. p_slots: of TileManager::widen(); p_step: the last one.
+	// Poses the blades that are drawn from now on, as the simulated ones beside them, [Eq 49]. p_slots: of TileManager::widen(); p_step:
+	// the last one.
 	virtual void join(std::span<const GrassSlot> p_slots, const GrassStep &p_step) = 0;
 	// Changes the number of slots. p_moves: tiles that get another slot or none; the others keep theirs, and all keep their blades.
 	virtual void resize_pool(int p_slots, std::span<const SlotMove> p_moves) = 0;

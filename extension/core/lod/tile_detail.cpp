@@ -13,6 +13,8 @@ namespace {
 
 // A tile keeps its blades until an eye is farther away than its number requires by so many times SLACK, and by this share of the distance.
 constexpr float KEPT_SLACKS = 3.0f, KEPT_SHARE = 0.1f;
+// Changes of the coarseness by a smaller share wait for more. Smaller: the awake tiles are looked at more often.
+constexpr float LEAST_CHANGE = 0.03f;
 
 int round_up(float p_blades) {
 	const int steps = int(std::ceil(p_blades / float(GRASS_DETAIL_BLADES)));
@@ -64,6 +66,16 @@ bool TileDetail::see(const CullField &p_field, const FieldView &p_view, const st
 	return true;
 }
 
+bool TileDetail::set_coarseness(float p_coarseness) {
+	const float coarseness = p_coarseness > 1.0f ? p_coarseness : 1.0f; // NaN: 1
+	const bool is_end = coarseness == 1.0f && _coarseness != 1.0f;
+	if (!is_end && std::abs(coarseness - _coarseness) < LEAST_CHANGE * _coarseness) {
+		return false;
+	}
+	_coarseness = coarseness;
+	return !_sees_all;
+}
+
 bool TileDetail::ask(int p_tile) {
 	return !_sees_all && std::exchange(_asked[p_tile], FRAMES_ASKED) == 0;
 }
@@ -72,15 +84,34 @@ int TileDetail::blades_of(int p_x, int p_z, int p_now) const {
 	if (_sees_all || (!_asked.empty() && _asked.contains(_field.grid.get_index(p_x, p_z)))) {
 		return GRASS_BLADES_PER_TILE;
 	}
+	return kept_blades(p_x, p_z, p_now, _view.lod);
+}
+
+int TileDetail::simulated_of(int p_x, int p_z, int p_now, int p_drawn) const {
+	const bool is_asked = !_asked.empty() && _asked.contains(_field.grid.get_index(p_x, p_z));
+	if (_sees_all || is_asked || _coarseness <= 1.0f || p_drawn <= GRASS_DETAIL_BLADES || is_within(p_x, p_z, FINE_DISTANCE)) {
+		return p_drawn;
+	}
+	return std::min(p_drawn, kept_blades(p_x, p_z, p_now, coarse_lod()));
+}
+
+// Added instead of multiplied, so that it also works where pixels_min is 0.
+LodParams TileDetail::coarse_lod() const {
+	LodParams lod = _view.lod;
+	lod.pixels_min += (_coarseness - 1.0f) * float(PIXELS_MIN.initial);
+	return lod;
+}
+
+int TileDetail::kept_blades(int p_x, int p_z, int p_now, const LodParams &p_lod) const {
 	const TileCover::Tile ground = _cover ? _cover->get(p_x, p_z) : TileCover::FULL;
 	if (ground.is_bare()) {
 		return GRASS_DETAIL_BLADES;
 	}
-	const int least = blades_within(p_x, p_z, ground, SLACK);
+	const int least = blades_within(p_x, p_z, ground, SLACK, p_lod);
 	if (p_now <= least) {
 		return least;
 	}
-	return std::min(p_now, blades_within(p_x, p_z, ground, KEPT_SLACKS * SLACK));
+	return std::min(p_now, blades_within(p_x, p_z, ground, KEPT_SLACKS * SLACK, p_lod));
 }
 
 bool TileDetail::is_within(int p_x, int p_z, double p_distance) const {
@@ -99,7 +130,7 @@ Eigen::Vector3f TileDetail::middle_of(int p_x, int p_z, const TileCover::Tile &p
 }
 
 // Returns what the tile needs while each eye is within p_slack metres.
-int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack) const {
+int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground, float p_slack, const LodParams &p_lod) const {
 	const Eigen::Vector3f middle = middle_of(p_x, p_z, p_ground);
 	const float share = p_slack > SLACK ? KEPT_SHARE : 0.0f;
 	LodNeed need;
@@ -108,10 +139,10 @@ int TileDetail::blades_within(int p_x, int p_z, const TileCover::Tile &p_ground,
 		const float pixel = camera.pixel_at(distance), lod_distance = camera.pixel_slope > 0.0f ? distance : camera.near;
 		const Eigen::Vector3f to_eye = camera.eye - middle;
 		const float along = std::max(std::hypot(to_eye.x(), to_eye.z()) * (1.0f - share) - p_slack, 0.0f);
-		const float shown = lod_in_sight(_field, camera, _view.lod, p_ground, along, to_eye.y() + p_slack, pixel);
-		need.add(_view.lod, _field.size, lod_distance, camera.near, pixel, shown);
+		const float shown = lod_in_sight(_field, camera, p_lod, p_ground, along, to_eye.y() + p_slack, pixel);
+		need.add(p_lod, _field.size, lod_distance, camera.near, pixel, shown);
 		if (distance < _view.shadow_distance) {
-			need.add(_view.lod, _field.size, lod_distance, camera.near, pixel * _view.lod.shadow_coarseness);
+			need.add(p_lod, _field.size, lod_distance, camera.near, pixel * p_lod.shadow_coarseness);
 		}
 	}
 	return round_up(grass_lod_shown(need.blades, grass_tile_hash(uint32_t(p_x), uint32_t(p_z), _field.seed)));

@@ -34,23 +34,28 @@ int find_nearest(const TileState &p_state, int p_blade, int p_count) {
 	return nearest;
 }
 
-void join_blade(TileState &r_state, int p_blade, int p_other) {
+void join_blade(TileState &r_state, int p_blade, int p_other, float p_share) {
 	const Eigen::Vector3f first = at(r_state.rest, 1, p_blade), other_first = at(r_state.rest, 1, p_other);
 	const float ratio = first.norm() / std::max(other_first.norm(), 1e-6f);
 	Eigen::Vector3f parent = first, parent_rest = first, parent_offset = Eigen::Vector3f::Zero();
 	for (int free = 0; free < GRASS_FREE_KNOTS; free++) {
 		const int k = free + GRASS_CLAMPED_KNOTS;
 		const Eigen::Vector3f rest = at(r_state.rest, k, p_blade), there = at(r_state.knots, free, p_other);
-		const Eigen::Vector3f offset = (there - at(r_state.rest, k, p_other)) * ratio;
 		const Eigen::Vector3f moved = (there - at(r_state.before, free, p_other)) * ratio;
-		Eigen::Vector3f knot = rest;
+		Eigen::Vector3f offset = (there - at(r_state.rest, k, p_other)) * ratio, knot = rest;
+		float twist = r_state.twist[free][p_other];
+		if (p_share < 1.0f) {
+			const Eigen::Vector3f alone = at(r_state.knots, free, p_blade) - rest + moved;
+			offset = alone + (offset - alone) * p_share;
+			twist = r_state.twist[free][p_blade] + (twist - r_state.twist[free][p_blade]) * p_share;
+		}
 		if (offset.squaredNorm() > 0.0f || parent_offset.squaredNorm() > 0.0f) {
 			const Eigen::Vector3f rest_segment = rest - parent_rest, segment = rest_segment + (offset - parent_offset);
 			knot = parent + segment * (rest_segment.norm() / std::max(segment.norm(), 1e-6f));
 		}
 		set(knot, r_state.knots, free, p_blade);
 		set(Eigen::Vector3f(knot - moved), r_state.before, free, p_blade);
-		r_state.twist[free][p_blade] = r_state.twist[free][p_other];
+		r_state.twist[free][p_blade] = twist;
 		parent = knot;
 		parent_rest = rest;
 		parent_offset = offset;
@@ -60,9 +65,9 @@ void join_blade(TileState &r_state, int p_blade, int p_other) {
 
 } // namespace
 
-void join_blades(TileState &r_state, int p_from, int p_to) {
-	for (int blade = p_from; blade < std::min(p_to, GRASS_BLADES_PER_TILE); blade++) {
-		join_blade(r_state, blade, find_nearest(r_state, blade, p_from));
+void join_blades(TileState &r_state, const Joining &p_joining) {
+	for (int blade = std::max(p_joining.begin, p_joining.sources); blade < std::min(p_joining.end, GRASS_BLADES_PER_TILE); blade++) {
+		join_blade(r_state, blade, find_nearest(r_state, blade, p_joining.sources), p_joining.share);
 	}
 }
 

@@ -125,6 +125,7 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 		awake.push_back(&slot);
 	}
 	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_step); });
+	p_parallel_for(int(p_input.followers.size()), [&](int p_index) { join(p_input.followers[size_t(p_index)]); });
 	_simulated_blades += blades;
 }
 
@@ -237,7 +238,9 @@ void CpuPool::step_slot(const GrassSlot &p_slot, const StepInput &p_input, TileS
 void CpuPool::join(const GrassSlot &p_slot) {
 	const bool is_known = p_slot.tile.w >= 0 && size_t(p_slot.tile.w) < _slots.size() && _slots[size_t(p_slot.tile.w)];
 	if (is_known) {
-		join_blades(*_slots[size_t(p_slot.tile.w)], BLADES - whole_groups(p_slot.blend.z), BLADES - whole_groups(p_slot.blend.y));
+		const vec4 &blend = p_slot.blend;
+		join_blades(*_slots[size_t(p_slot.tile.w)],
+				{ BLADES - whole_groups(blend.w), BLADES - whole_groups(blend.z), BLADES - whole_groups(blend.y), blend.x });
 	}
 }
 
@@ -268,6 +271,7 @@ void CpuPool::pack_row(int p_slot, std::span<uint16_t> r_texels) const {
 		return;
 	}
 	const TileState &state = *_slots[size_t(p_slot)];
+	r_texels[3] = float_to_half(float(BLADES - state.left_out));
 	for (int b = 0; b < BLADES; b++) {
 		for (int k = 1; k < GRASS_KNOTS; k++) {
 			uint16_t *texel = &r_texels[size_t((GRASS_POOL_BLADES_PER_ROW * k + b) * 4)];

@@ -33,13 +33,15 @@ public:
 	// as float.
 	void step(const StepInput &p_input, const ParallelFor &p_parallel_for = serial_for, TileStep p_step = step_lanes);
 
-	// Poses the blades of a slot that join the simulated ones, [Eq 49]. p_slot: a record of TileManager::widen(). Ignores unknown slots.
+	// Poses the blades of a slot that join or follow the simulated ones, [Eq 49]. p_slot: a record of TileManager::widen() or
+	// get_followers(). Ignores unknown slots.
 	void join(const GrassSlot &p_slot);
 
 	// Returns the knots of a blade, in blade space, metres: GRASS_KNOTS points. Empty if the slot was never awake or has no such blade.
 	std::vector<Eigen::Vector3f> get_knots(int p_slot, int p_blade) const;
 	// Writes the slot's row of the pool texture: 4 halves for each knot of each blade; xyz is its offset from rest (blade space, metres),
-	// w is unused. Zeros if the slot was never awake.
+	// w is its twist; w of the first texel, whose offset is zero, is the number of blades that the last step simulated. Zeros if the slot
+	// was never awake.
 	// r_texels: GRASS_POOL_BLADES_PER_ROW * GRASS_KNOTS * 4 values.
 	void pack_row(int p_slot, std::span<uint16_t> r_texels) const;
 	// [Eq 19] Returns the energy of every slot's liveliest blade, J/kg; 0 if the slot was never awake.

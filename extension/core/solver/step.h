@@ -30,6 +30,7 @@ struct StepInput {
 	std::span<const SlotGrowth> growth = {}; // For fields with a map or species: every fresh slot, and those below which the map changed.
 	std::span<const GrassStep> species = {}; // For fields with species: `step` for each of them.
 	std::span<const GrassForce> forces = {}; // The bits of GrassSlot.list.w from GRASS_SLOT_FORCES on select those that move a tile.
+	std::span<const GrassSlot> followers = {}; // After the step, blades of these tiles follow the simulated ones: records for join().
 	std::span<const uint8_t> sharp = {}; // For each collider: not 0 if a segment of a blade may lie across it, see is_sharp().
 };
 

@@ -76,7 +76,8 @@ struct TileStatistics {
 	uint64_t unseen_steps = 0; // awake tiles that were not simulated since they were calm and out of view
 	uint64_t still_steps = 0; // awake tiles that were not simulated since nothing on them changed
 	uint64_t left_out_blades = 0; // blades of simulated tiles that were not simulated since no camera needs them, summed over the steps
-	uint64_t widened = 0; // times that a tile's blades became more
+	uint64_t followed_blades = 0; // those of left_out_blades that are drawn all the same, and follow others
+	uint64_t widened = 0; // times that a tile's drawn blades became more
 	uint64_t woken = 0; // tiles that got a slot
 	uint64_t slept = 0; // tiles that came to rest and gave it back
 	uint64_t evicted = 0; // tiles that lost it to another before they were at rest

@@ -32,7 +32,8 @@ void TileManager::reset() {
 	_motions.assign(size_t(_params.pool_size), {});
 	_places.assign(size_t(_params.pool_size), {});
 	_lives.assign(size_t(_params.pool_size), {});
-	_blades.assign(size_t(_params.pool_size), 0);
+	_blades.assign(size_t(_params.pool_size), {});
+	_followers.clear();
 	_entries.assign(size_t(_params.pool_size), 0);
 	_forces.assign(size_t(_params.pool_size), 0);
 	_signatures.assign(size_t(_params.pool_size), 0);
@@ -93,7 +94,8 @@ void TileManager::activate(int p_slot, int p_tile) {
 	_times[size_t(p_slot)] = {};
 	_motions[size_t(p_slot)] = {};
 	_lives[size_t(p_slot)] = { _step_number, 0.0, 0.0f };
-	_blades[size_t(p_slot)] = uint8_t(_detail.blades_of(x, z, 0));
+	const int drawn = _detail.blades_of(x, z, 0);
+	_blades[size_t(p_slot)] = { uint8_t(drawn), uint8_t(_detail.simulated_of(x, z, 0, drawn)), 0 };
 	_fresh.insert(p_slot);
 	_met.insert(p_slot); // deactivate_tiles() sets the timestamps
 	_stirred.insert(p_slot);
@@ -139,7 +141,7 @@ size_t TileManager::get_memory_usage() const {
 	return sets + _detail.get_memory_usage() + bytes(_times) + bytes(_motions) + bytes(_places) + bytes(_lives) + bytes(_blades) +
 			bytes(_entries) + bytes(_forces) + bytes(_bends) + bytes(_signatures) + bytes(_signatures_before) +
 			_slot_of_tile.get_memory_usage() + _meetings.get_memory_usage() + bytes(_given_slots) + bytes(_calm) + bytes(_yielding) +
-			bytes(_yielded) + bytes(_seen_worst) + bytes(_widened) + bytes(_records) + _colliders.get_memory_usage() +
+			bytes(_yielded) + bytes(_seen_worst) + bytes(_widened) + bytes(_followers) + bytes(_records) + _colliders.get_memory_usage() +
 			bytes(_collider_list);
 }
 

@@ -46,8 +46,9 @@ public:
 	TileView &get_view() { return _view; }
 	// Gives access to how many blades of each tile are simulated. After a change, widen() must be called.
 	TileDetail &get_detail() { return _detail; }
-	// Sets how many blades of the awake tiles are simulated from now on. Returns the tiles in which there are more than before, as records
-	// with both numbers. Valid until the next call.
+	const TileDetail &get_detail() const { return _detail; }
+	// Sets how many blades of the awake tiles are drawn and simulated from now on. Returns the tiles in which more are drawn than before,
+	// as records for join(). Valid until the next call.
 	std::span<const GrassSlot> widen();
 	bool is_field_seen() const { return _view.sees_field(_grid, _params); }
 	// Must be called when the ground under these tiles has changed: the next step simulates those that are awake, even out of view.
@@ -64,6 +65,8 @@ public:
 	// The records: retired tiles first, then the live tiles that are simulated, ascending by slot. A slot can be in both parts, if it was
 	// taken away and used again at once.
 	std::span<const GrassSlot> get_slots() const { return { _records.data(), _record_count }; }
+	// Returns those of the live tiles of which more blades are drawn than simulated, as records for join(): the others follow in this step.
+	std::span<const GrassSlot> get_followers() const { return _followers; }
 	std::span<const GrassCollider> get_colliders() const { return _colliders.get(); }
 	std::span<const uint8_t> get_sharp() const { return _colliders.get_sharp(); } // for each collider, see is_sharp()
 	std::span<const uint32_t> get_collider_list() const { return _collider_list; }
@@ -115,6 +118,12 @@ private:
 		uint32_t start = 0; // first blade in the patch
 	};
 
+	// How many blades of a tile are drawn, and how many of them are simulated; in how many steps the others are where those that they
+	// follow have them.
+	struct Blades {
+		uint8_t drawn = 0, simulated = 0, steps_apart = 0;
+	};
+
 	// State that is seldom read.
 	struct Life {
 		uint64_t woken_step = 0; // number of the step
@@ -156,6 +165,7 @@ private:
 
 	void count_meetings(std::span<const ColliderShape> p_colliders);
 	void write_records();
+	void write_follower(const GrassSlot &p_record);
 	void write_list();
 
 	TileGrid _grid;
@@ -172,7 +182,7 @@ private:
 	std::vector<Motion> _motions;
 	std::vector<Place> _places;
 	std::vector<Life> _lives;
-	std::vector<uint8_t> _blades; // how many of the tile are simulated
+	std::vector<Blades> _blades;
 	std::vector<uint32_t> _entries; // in this step: number of colliders; later the index in the collider list for the next one
 	std::vector<uint16_t> _forces; // in this step: bits of the forces that move the tile
 	SlotSet _free, _used, _settling;
@@ -197,6 +207,7 @@ private:
 	std::vector<int> _seen_worst; // awake tiles: band of their distance (see TileView) and slot
 
 	std::vector<GrassSlot> _widened; // of widen()
+	std::vector<GrassSlot> _followers; // of this step
 	std::vector<GrassSlot> _records; // room for the largest possible number
 	size_t _record_count = 0;
 	TileColliders _colliders;

@@ -48,6 +48,7 @@ std::vector<SlotMove> TileManager::resize_pool(int p_slots) {
 	}
 	_records = std::vector<GrassSlot>(2 * size_t(after));
 	_record_count = 0;
+	_followers = {};
 	_collider_list.clear();
 	_meetings.forget();
 	_statistics.awake = _used.count();

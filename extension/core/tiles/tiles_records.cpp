@@ -2,12 +2,17 @@
 // The records that TileManager hands to the backend.
 #include "core/tiles/tiles.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 namespace grass {
 
 namespace {
+
+// Steps in which a blade gets to where the one that it follows now has it, after other blades of its tile are simulated than before.
+// Fewer: it jumps. More: it is behind in the meantime.
+constexpr uint8_t STEPS_APART = 16;
 
 int left_out(int p_blades) {
 	return GRASS_BLADES_PER_TILE - p_blades;
@@ -46,6 +51,7 @@ void TileManager::write_records() {
 	const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
 	uint32_t entries = 0;
 	GrassSlot *record = _records.data() + _record_count;
+	_followers.clear();
 	_simulated.take_difference(_used, _skipped);
 	for (const int slot : _simulated) {
 		const Place &place = _places[size_t(slot)];
@@ -56,9 +62,10 @@ void TileManager::write_records() {
 				(_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped | uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
 		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are
 		// drawn.
-		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)]);
-		*record++ = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags },
+		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)].simulated);
+		*record = { { x, z, _grid.get_index(x, z), slot }, { place.start, entries, count, flags },
 			{ blend_of(slot), float(left_out(blades)), 0.0f, 0.0f }, {} };
+		write_follower(*record++);
 		entries += count;
 		_statistics.left_out_blades += uint64_t(left_out(blades));
 	}
@@ -75,17 +82,34 @@ void TileManager::write_records() {
 	_fresh.clear();
 }
 
+// A fresh tile has none: all of its blades take the step. Blades of a tile that arrives at rest arrive there, too.
+void TileManager::write_follower(const GrassSlot &p_record) {
+	Blades &blades = _blades[size_t(p_record.tile.w)];
+	if (blades.drawn <= blades.simulated || (p_record.list.w & GRASS_SLOT_FRESH) != 0) {
+		blades.steps_apart = 0;
+		return;
+	}
+	const float share = std::max(1.0f / float(std::max<int>(blades.steps_apart, 1)), p_record.blend.x);
+	blades.steps_apart -= blades.steps_apart > 0 ? 1 : 0;
+	_followers.push_back(p_record);
+	const float sources = float(left_out(blades.simulated));
+	_followers.back().blend = { share, float(left_out(blades.drawn)), sources, sources };
+	_statistics.followed_blades += uint64_t(blades.drawn - blades.simulated);
+}
+
 std::span<const GrassSlot> TileManager::widen() {
 	_widened.clear();
 	for (const int slot : _used) {
 		const Place &place = _places[size_t(slot)];
-		const int x = place.tile.x, z = place.tile.z, now = _blades[size_t(slot)], wanted = _detail.blades_of(x, z, now);
-		if (wanted > now) {
+		Blades &blades = _blades[size_t(slot)];
+		const int x = place.tile.x, z = place.tile.z, wanted = _detail.blades_of(x, z, blades.drawn);
+		if (wanted > blades.drawn) {
 			const uint32_t mapped = _params.is_mapped ? GRASS_SLOT_MAPPED : 0;
 			_widened.push_back({ { x, z, _grid.get_index(x, z), slot }, { place.start, 0, 0, mapped },
-					{ 0.0f, float(left_out(wanted)), float(left_out(now)), 0.0f }, {} });
+					{ 1.0f, float(left_out(wanted)), float(left_out(blades.drawn)), float(left_out(blades.simulated)) }, {} });
 		}
-		_blades[size_t(slot)] = uint8_t(wanted);
+		const int simulated = _detail.simulated_of(x, z, blades.simulated, wanted);
+		blades = { uint8_t(wanted), uint8_t(simulated), simulated == blades.simulated ? blades.steps_apart : STEPS_APART };
 	}
 	_statistics.widened += _widened.size();
 	return _widened;

@@ -217,6 +217,26 @@ func test_density_and_cost_are_heat_maps() -> void:
 	assert_greater(near.r - near.b, far.r - far.b + 0.1)
 
 
+func test_simulated_blades_are_a_heat_map() -> void:
+	var field := add_seen_field({debug_view = GrassField.DEBUG_VIEW_SIMULATED, simulation_detail = GrassField.SIMULATION_WHOLE})
+	look(Vector3(0, 6, 0), Vector3.ZERO)
+	add_ball(Vector3(1.5, 0.2, 0), 0.15)
+	await ticks(10)
+	var whole := await picture()
+	var left := whole.get_region(Rect2i(0, 0, SIZE.x / 2, SIZE.y))
+	field.simulation_detail = GrassField.SIMULATION_SEEN
+	await ticks(10)
+	var seen := await picture()
+	whole.save_png("user://heat_simulated.png")  # looked at by people
+	print("    red %.4f, then %.4f; blue %.4f" % [share_of(whole, is_red), share_of(seen, is_red), share_of(seen, is_blue)])
+	assert_greater(share_of(whole, is_red), 0.004)
+	assert_less(share_of(left, is_red), 0.001, "nothing is awake there")
+	assert_less(share_of(left, is_blue), 0.001, "nothing is awake there")
+	assert_less(share_of(whole, is_blue), 0.001)
+	assert_less(share_of(seen, is_red), 0.001, "an eighth is simulated, or a quarter on the CPU")
+	assert_greater(share_of(seen, is_blue), 0.004)
+
+
 func test_grass_casts_shadows() -> void:
 	var floor_ := MeshInstance3D.new()
 	floor_.mesh = PlaneMesh.new()
