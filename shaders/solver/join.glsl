@@ -1,7 +1,8 @@
 #version 450
 // SPDX-License-Identifier: MIT
-// Poses blades as the simulated ones of their tile: those that join them since a camera has come nearer, and those that follow them in each
-// step: one workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step. Twin of core/solver/join.cpp.
+// Poses blades as the simulated ones of their tile: those that join them since a camera has come nearer, and those that follow them in
+// each step. One workgroup a tile, one thread a blade. Dispatched over GrassSlot records, before a frame is drawn or after a step. Twin of
+// core/solver/join.cpp.
 #extension GL_GOOGLE_include_directive : require
 #pragma variant GRASS_SPECIES // for fields with species
 

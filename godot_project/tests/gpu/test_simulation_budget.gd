@@ -91,11 +91,29 @@ func check_followers(blades: PackedInt64Array, whole: PackedVector3Array, limite
 				nearest = other if roots[i].distance_to(roots[other]) < roots[i].distance_to(roots[nearest]) else nearest
 			if offsets[nearest].length() > 0.2:
 				bent += 1
-				following += int(offsets[i].distance_to(offsets[nearest]) < 0.25)
+				following += int(offsets[i].normalized().dot(offsets[nearest].normalized()) > 0.7)
 	print("    %d of %d simulated blades are the same, %d of %d followers follow" % [same, blades.size() / BLADES * FIRST, following, bent])
 	assert_eq(same, blades.size() / BLADES * FIRST)
 	assert_greater(bent, 100)
 	assert_greater(following, 0.8 * bent)
+
+
+## Most change from one picture to the next, and from the first to the last. The bodies tremble, since tiles in which nothing moves are
+## not simulated.
+func most_change(bodies: Array[AnimatableBody3D], count: int) -> Vector2:
+	var most := 0.0
+	var first: Image = null
+	var before: Image = null
+	for i in count:
+		for body in bodies:
+			body.position.y += 0.0002 if i % 2 == 0 else -0.0002
+		await ticks(1)
+		if i % 2 == 1:
+			var now := await next_picture()
+			most = maxf(most, difference(now, before).y) if before else 0.0
+			first = first if first else now
+			before = now
+	return Vector2(most, difference(before, first).y)
 
 
 func test_nobody_sees_the_budget_at_work() -> void:
@@ -110,24 +128,12 @@ func test_nobody_sees_the_budget_at_work() -> void:
 	await roll(bodies, 8)
 	await compiled(field)
 	await roll(bodies, 80)
-	await ticks(30)
-	var first := await picture()
-	var rested := difference(first, await next_picture()).y
+	await ticks(20)
+	var rested := (await most_change(bodies, 30)).x
 	field.simulation_budget = TINY
-	var most := 0.0
-	var before := first
-	for i in 130:
-		bodies[0].position.y += 0.0001 if i % 2 == 0 else -0.0001  # tiles that nothing moves in are not simulated
-		await ticks(1)
-		if i % 2 == 0:
-			continue
-		var now := await next_picture()
-		most = maxf(most, difference(now, before).y)
-		before = now
+	var changes := await most_change(bodies, 130)
 	assert_greater(field.get_counters().followed_blade_steps, 1000)
-	var whole := difference(before, first).y
-	print("    at rest %.5f, most change %.5f, all changes %.5f" % [rested, most, whole])
-	assert_greater(whole, 2.0 * rested)
-	assert_less(most, 0.35 * whole + rested)
+	print("    most change without a budget %.5f, as it comes to work %.5f; all changes %.5f" % [rested, changes.x, changes.y])
+	assert_less(changes.x, 1.15 * rested)
 	field.simulation_budget = 0.0
 	await settle(field, 1.0)
