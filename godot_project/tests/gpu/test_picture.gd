@@ -228,13 +228,16 @@ func test_simulated_blades_are_a_heat_map() -> void:
 	await ticks(10)
 	var seen := await picture()
 	whole.save_png("user://heat_simulated.png")  # looked at by people
-	print("    red %.4f, then %.4f; blue %.4f" % [share_of(whole, is_red), share_of(seen, is_red), share_of(seen, is_blue)])
+	print(
+		(
+			"    red %.4f, then %.4f; more blue %.4f"
+			% [share_of(whole, is_red), share_of(seen, is_red), share_of(seen, is_blue) - share_of(whole, is_blue)]
+		)
+	)
 	assert_greater(share_of(whole, is_red), 0.004)
 	assert_less(share_of(left, is_red), 0.001, "nothing is awake there")
-	assert_less(share_of(left, is_blue), 0.001, "nothing is awake there")
-	assert_less(share_of(whole, is_blue), 0.001)
 	assert_less(share_of(seen, is_red), 0.001, "an eighth is simulated, or a quarter on the CPU")
-	assert_greater(share_of(seen, is_blue), 0.004)
+	assert_greater(share_of(seen, is_blue) - share_of(whole, is_blue), 0.004, "beside the sky")
 
 
 func test_grass_casts_shadows() -> void:
