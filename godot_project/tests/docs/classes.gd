@@ -269,6 +269,11 @@ func grass_field_body_entered_grass() -> void:
 	assert_true(rustle.playing)
 
 
+func grass_field_simulation_budget() -> void:
+	var stage := await staged()
+	assert_near(stage.field.simulation_budget, 1.5, 1e-6)
+
+
 func grass_field_plant_node_appeared() -> void:
 	var stage := await ran()
 	var shrub := GrassSpecies.new()
@@ -286,6 +291,7 @@ func grass_field_plant_node_appeared() -> void:
 func grass_species_plant_scene() -> void:
 	var stage := await ran()
 	await wait_until(func() -> bool: return stage.field.get_counters().plant_nodes > 5, "the shrubs around the player have bodies")
+	assert_true(stage.field.species[1].plant_scene is PackedScene)
 
 
 func full_cut() -> GrassBrush:

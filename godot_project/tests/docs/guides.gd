@@ -28,6 +28,11 @@ func performance_one_switch_for_the_options_menu() -> void:
 	GrassQuality.reset_level()
 
 
+func performance_a_budget() -> void:
+	var stage := await staged()
+	assert_near(stage.field.simulation_budget, 1.5, 1e-6)
+
+
 func vr_holding_the_frame_rate() -> void:
 	var node := Node.new()
 	node.set_script(block_script())

@@ -3,7 +3,7 @@
 ## machine keeps leads to the coarsest simulation on all of them.
 extends "res://tests/view_case.gd"
 
-const FIRST := 8  # blades of a far tile that are simulated
+const FIRST := 4  # blades of a far tile that are simulated
 const TINY := 0.01  # milliseconds
 const FAR := Vector3(4, 4, 6)
 const PROPERTIES := {size = Vector2(10, 6), pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0}
