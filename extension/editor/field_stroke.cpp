@@ -56,7 +56,8 @@ std::optional<FieldStep> step_over(
 	const Eigen::Vector3d from = moved(p_step.from), to = moved(p_step.to);
 	const FieldStep over{ { { from.x(), from.z() }, { to.x(), to.z() } }, to.y(),
 		std::atan2(to_field.linear()(2, 0), to_field.linear()(0, 0)) };
-	const bool is_over = is_reached(p_field, over.step.from, p_radius) || is_reached(p_field, over.step.to, p_radius);
+	const bool is_over = p_field.get_ground_band().contains(over.level) &&
+			(is_reached(p_field, over.step.from, p_radius) || is_reached(p_field, over.step.to, p_radius));
 	return is_over ? std::optional<FieldStep>(over) : std::nullopt;
 }
 
@@ -103,6 +104,7 @@ void FieldStroke::bake(const MapShape &p_shape, double p_level, StrokeCosts &r_c
 	}
 	GroundRays rays(field->get_world_3d(), field->field_transform());
 	rays.stand(*field);
+	rays.keep_within(field->get_ground_band());
 	const double radius = 0.5 * (p_shape.get_max() - p_shape.get_min()).maxCoeff();
 	const double span = search_height(radius + border + BAKE_CELL);
 	const MapRegion region{ first.cast<double>() * BAKE_CELL, (last + 1).cast<double>() * BAKE_CELL };

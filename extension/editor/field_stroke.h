@@ -40,7 +40,8 @@ struct FieldStep {
 	double turn; // rotation of the step's space in the field's space, radians from x towards z
 };
 
-// p_step: in p_space (a transform to global space), at p_level metres. Returns nothing if a brush of that radius does not reach the field.
+// p_step: in p_space (a transform to global space), at p_level metres. Returns nothing if a brush of that radius does not reach the field,
+// or the ground there is not the field's.
 std::optional<FieldStep> step_over(
 		const GrassField &p_field, const Eigen::Isometry3d &p_space, const StrokeStep &p_step, double p_level, double p_radius);
 

@@ -6,6 +6,8 @@
 
 #include <godot_cpp/classes/time.hpp>
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace grass {
@@ -21,6 +23,19 @@ StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
 	keys.opposite = p_event->is_command_or_control_pressed();
 	keys.smooth = p_event->is_shift_pressed();
 	return keys;
+}
+
+// Returns the field that the cursor points at; the selected one if it is none's ground.
+GrassField *find_asked(const PaintedFields &p_asked, const Vector3 &p_place) {
+	const auto found = std::ranges::find_if(p_asked.fields, [&](const GrassField *p_field) { return p_field->has_level_at(p_place); });
+	return found != p_asked.fields.end() ? *found : p_asked.fields[0];
+}
+
+// Names the field if it is not the selected one.
+String answer_of(const PaintedFields &p_asked, GrassField *p_field, const Vector3 &p_place, const Camera3D *p_camera) {
+	const String text = p_field->explain(p_place, p_camera)["text"];
+	const bool is_other = p_asked.world == nullptr && p_field != p_asked.chosen;
+	return is_other ? vformat("%s: %s", p_field->get_name(), text) : text;
 }
 
 } // namespace
@@ -57,12 +72,12 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 	}
 	if (const Ref<InputEventMouseMotion> motion = p_event; motion.is_valid()) {
 		GrassWorld *world = Object::cast_to<GrassWorld>(find_selected());
-		const PaintedFields asked = world != nullptr ? *find_painted() : painted_field(find_field());
+		const PaintedFields asked = world != nullptr ? *find_painted() : painted_neighbours(find_field());
 		if (const auto point = pick_ground(asked, p_camera, motion->get_position(), ASKED_AROUND)) {
 			_ring.show(asked, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
 			const Vector3 place = to_godot(Eigen::Vector3d(asked.space * point->position));
-			GrassField *field = world != nullptr ? world->get_field_at(place) : asked.fields[0];
-			_answer.show(p_camera, motion->get_position(), field != nullptr ? String(field->explain(place, p_camera)["text"]) : AWAY);
+			GrassField *field = world != nullptr ? world->get_field_at(place) : find_asked(asked, place);
+			_answer.show(p_camera, motion->get_position(), field != nullptr ? answer_of(asked, field, place, p_camera) : AWAY);
 		} else {
 			_ring.hide();
 			_answer.hide();

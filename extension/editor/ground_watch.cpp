@@ -254,13 +254,14 @@ bool GroundWatch::read_on(int64_t p_most) {
 		_pieces.pop_front();
 		return true;
 	}
+	rays.keep_within(field->get_ground_band());
 	Eigen::AlignedBox3d left = piece.left;
 	if (!left.isEmpty()) { // heights in the map are rounded
 		left.min().y() -= TEXEL;
 		left.max().y() += TEXEL;
 	}
 	const auto height_at = [&](const Eigen::Vector2d &p_place) {
-		const double height = rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
+		const double height = rays.height_at(p_place);
 		const double before = std::isnan(height) && piece.before ? piece.before->sample(MAP_GROUND, 0, p_place) : 0.0;
 		const bool comes_down = before != 0.0 && left.contains(Eigen::Vector3d(p_place.x(), before, p_place.y()));
 		return comes_down ? 0.0 : height;

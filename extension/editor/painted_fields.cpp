@@ -7,15 +7,22 @@
 #include <godot_cpp/classes/editor_interface.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <cmath>
+
 using namespace godot;
 
 namespace grass {
 
 namespace {
 
+constexpr double FACING = 0.7071; // cosine of 45 degrees, between the upward axes of two fields that one stroke paints
+
 bool holds_middle_of(const GrassField &p_field, const GrassField &p_other) {
-	const Eigen::Vector3d middle = to_field_of(p_field) * to_eigen(p_other.field_transform().origin);
-	return is_reached(p_field, { middle.x(), middle.z() }, 0.0);
+	return is_ground_of(p_field, to_field_of(p_field) * to_eigen(p_other.field_transform().origin), 0.0);
+}
+
+bool faces_as(const GrassField &p_field, const GrassField &p_other) {
+	return p_field.field_transform().basis.get_column(1).dot(p_other.field_transform().basis.get_column(1)) >= real_t(FACING);
 }
 
 // Returns whether a map is in another scene's file, so that saving this scene would not save it.
@@ -27,8 +34,8 @@ bool is_foreign(const Ref<GrassMap> &p_map, const String &p_scene) {
 bool is_neighbour(const GrassField &p_field, const GrassField &p_chosen, const Node *p_root) {
 	const bool is_saved = p_field.get_owner() == p_root || &p_field == p_root;
 	return is_saved && !is_foreign(p_field.get_map(), p_root->get_scene_file_path()) && p_field.is_visible_in_tree() &&
-			!p_field.has_meta("_edit_lock_") && p_field.get_world_3d() == p_chosen.get_world_3d() && !holds_middle_of(p_field, p_chosen) &&
-			!holds_middle_of(p_chosen, p_field);
+			!p_field.has_meta("_edit_lock_") && p_field.get_world_3d() == p_chosen.get_world_3d() && faces_as(p_field, p_chosen) &&
+			!holds_middle_of(p_field, p_chosen) && !holds_middle_of(p_chosen, p_field);
 }
 
 // Returns the resource's own name, or the name of its file.
@@ -50,6 +57,12 @@ Eigen::Isometry3d to_field_of(const GrassField &p_field) {
 bool is_reached(const GrassField &p_field, const Eigen::Vector2d &p_place, double p_radius) {
 	const Eigen::Array2d half = 0.5 * to_eigen(p_field.get_size()).array();
 	return ((p_place.array().abs() - half).max(0.0)).matrix().norm() <= p_radius;
+}
+
+bool is_ground_of(const GrassField &p_field, const Eigen::Vector3d &p_place, double p_margin) {
+	const Eigen::Array2d limit = 0.5 * to_eigen(p_field.get_size()).array() + p_margin;
+	return p_place.allFinite() && std::abs(p_place.x()) <= limit.x() && std::abs(p_place.z()) <= limit.y() &&
+			p_field.get_ground_band().contains(p_place.y());
 }
 
 PaintedFields painted_field(GrassField *p_field) {

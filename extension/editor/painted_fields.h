@@ -27,11 +27,15 @@ Eigen::Isometry3d to_field_of(const GrassField &p_field);
 // Returns whether a brush at a place of the field (x, z in metres) reaches the field's ground.
 bool is_reached(const GrassField &p_field, const Eigen::Vector2d &p_place, double p_radius);
 
+// Returns whether ground at a place of the field (metres) may be the field's own, p_margin metres beyond its sides as well.
+bool is_ground_of(const GrassField &p_field, const Eigen::Vector3d &p_place, double p_margin);
+
 // Returns only this field.
 PaintedFields painted_field(GrassField *p_field);
 
 // Returns the field with its neighbours in the edited scene. Leaves out fields that are hidden or locked or would not be saved with the
-// scene, and fields that overlap (the centre of one is inside the other), which are painted one by one.
+// scene; fields that overlap (the centre of one is inside the other, and within the band of its ground), and fields that are turned away by
+// more than FACING, such as walls beside a floor: those are painted one by one.
 PaintedFields painted_neighbours(GrassField *p_chosen);
 
 // Returns the plots of a world that are in memory. Returns nothing if there are none.

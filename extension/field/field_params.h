@@ -13,6 +13,7 @@
 #include "core/lod/lod.h"
 #include "core/lod/simulation_budget.h"
 #include "core/map/growth.h"
+#include "core/paint/ground_band.h"
 #include "core/paint/ledges.h"
 #include "core/paint/recovery.h"
 #include "core/solver/solver_params.h"
@@ -47,6 +48,8 @@ enum FieldParamId {
 	PARAM_PLANT_NODES_MAX,
 	PARAM_FOLLOW_SLOPE,
 	PARAM_LEDGE_SLOPE,
+	PARAM_GROUND_LOW,
+	PARAM_GROUND_HIGH,
 	PARAM_REGROWTH,
 	PARAM_WHEEL_WEAR,
 	PARAM_CLUMP_SIZE,
@@ -98,6 +101,8 @@ inline constexpr std::array FIELD_PARAMS = {
 	FieldParam{ PARAM_PLANT_NODES_MAX, PLANT_NODES_MAX, Effect::STEP, "Field" },
 	FieldParam{ PARAM_FOLLOW_SLOPE, FOLLOW_SLOPE, Effect::REBUILD, "Map" },
 	FieldParam{ PARAM_LEDGE_SLOPE, LEDGE_SLOPE, Effect::STEP, "Map" }, // read when ground is
+	FieldParam{ PARAM_GROUND_LOW, GROUND_LOW, Effect::STEP, "Map" }, // read when ground is
+	FieldParam{ PARAM_GROUND_HIGH, GROUND_HIGH, Effect::STEP, "Map" },
 	FieldParam{ PARAM_REGROWTH, REGROWTH, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_WHEEL_WEAR, WHEEL_WEAR, Effect::VIEW, "Map" },
 	FieldParam{ PARAM_CLUMP_SIZE, CLUMP_SIZE, Effect::REBUILD, "Clumps" },

@@ -57,12 +57,15 @@ std::vector<BladeNumber> FieldPlaces::find_blades(const Vector3 &p_global, doubl
 	return _standing.get_field().find_blades({ place.x(), place.z() }, p_radius);
 }
 
-// 0 outside of the field, and where none stands.
+// 0 outside of the field and of its band, and where none stands.
 template <typename F> double FieldPlaces::read_at(const Vector3 &p_global, F &&p_read) const {
 	if (!_standing.stands() || !p_global.is_finite() || get_tile_at(p_global) == Vector2i(-1, -1)) {
 		return 0.0;
 	}
 	const Eigen::Vector3d place = from_global(p_global);
+	if (!_band.contains(place.y())) {
+		return 0.0;
+	}
 	const Eigen::Vector2f ground(float(place.x()), float(place.z()));
 	return p_read(ground, _standing.layers_at(ground));
 }

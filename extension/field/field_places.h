@@ -2,6 +2,7 @@
 // Finds what grows where in a field: converts global places to tiles and grass, and back. Made for one call.
 #pragma once
 
+#include "core/paint/ground_band.h"
 #include "field/standing_field.h"
 #include "shared/convert.h"
 
@@ -14,9 +15,9 @@ namespace grass {
 
 class FieldPlaces {
 public:
-	// p_transform: of the field; global, without scale.
-	FieldPlaces(const StandingField &p_standing, const godot::Transform3D &p_transform) :
-			_standing(p_standing), _to_world(to_eigen(p_transform)) {}
+	// p_transform: of the field; global, without scale. p_band: other places are another field's.
+	FieldPlaces(const StandingField &p_standing, const godot::Transform3D &p_transform, const GroundBand &p_band) :
+			_standing(p_standing), _to_world(to_eigen(p_transform)), _band(p_band) {}
 
 	godot::Vector2i get_tile_at(const godot::Vector3 &p_global) const; // (-1, -1) outside of the field
 	godot::Vector3 get_tile_centre(const godot::Vector2i &p_tile) const; // global
@@ -41,6 +42,7 @@ private:
 
 	const StandingField &_standing;
 	Eigen::Affine3d _to_world;
+	GroundBand _band;
 };
 
 } // namespace grass

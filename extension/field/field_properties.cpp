@@ -130,4 +130,12 @@ void FieldProperties::warn_of_tiles(PackedStringArray &r_warnings) const {
 	}
 }
 
+void FieldProperties::warn_of_ground(PackedStringArray &r_warnings) const {
+	if (ground_band().is_empty()) {
+		r_warnings.push_back(
+				"`ground_low` is not below `ground_high`, so no ground and no place belongs to the field. Lower `ground_low`, or "
+				"raise `ground_high`.");
+	}
+}
+
 } // namespace grass

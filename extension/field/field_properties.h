@@ -29,15 +29,17 @@ struct FieldProperties {
 	double scaled(FieldParamId p_param) const;
 	int64_t scaled_pool() const { return is_streamed ? pool_tiles : quality.scale_pool(pool_tiles); }
 	TileGrid grid() const { return TileGrid::make(size.x, size.y, param(PARAM_DENSITY)); }
+	GroundBand ground_band() const { return { param(PARAM_GROUND_LOW), param(PARAM_GROUND_HIGH) }; }
 	ClumpParams clump() const;
 	LodParams lod() const;
 	SolverParams solver() const; // without what is a species' own
 	// The parameters of a running field with these species.
 	FieldParams field_params(const std::vector<GrownSpecies> &p_species) const;
 	RecoveryRates recovery_rates(const std::vector<GrownSpecies> &p_species) const;
-	// Append warnings: about the species; about simulation and the number of tiles.
+	// Append warnings: about the species; about simulation and the number of tiles; about the band of the ground.
 	void warn_of_blades(godot::PackedStringArray &r_warnings) const;
 	void warn_of_tiles(godot::PackedStringArray &r_warnings) const;
+	void warn_of_ground(godot::PackedStringArray &r_warnings) const;
 
 	godot::Vector2 size{ 32, 32 };
 	// Where the field's centre lies in the noise of clumps, stands, rules and wind, metres: (0, 0) but for the plots of a world.

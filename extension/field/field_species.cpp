@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "field/field_species.h"
 
+#include "field/hung_patches.h"
 #include "shared/property_value.h"
 #include "shared/script_call.h"
 
@@ -96,7 +97,18 @@ bool FieldSpecies::prepare_patches() const {
 	for (const Ref<GrassSpecies> &species : _list) {
 		are_made = (species.is_null() ? GrassPatch::is_default_made() : species->prepare_patch()) && are_made;
 	}
+	if (!are_made || is_upright()) {
+		return are_made;
+	}
+	for (const Ref<GrassSpecies> &species : find_used()) { // all of them: each begins its thread
+		are_made = prepare_hung(species->find_patch(), species->get_solver(SolverParams()), _pull) && are_made;
+	}
 	return are_made;
+}
+
+std::shared_ptr<const Patch> FieldSpecies::find_patch(const GrassSpecies &p_species) const {
+	const std::shared_ptr<const Patch> patch = p_species.find_patch();
+	return is_upright() ? patch : find_hung(patch, p_species.get_solver(SolverParams()), _pull);
 }
 
 bool FieldSpecies::read_plants(const Object &p_field) const {
@@ -122,7 +134,7 @@ FieldSpecies::List FieldSpecies::find_used() const {
 std::vector<GrownSpecies> FieldSpecies::find_grown() const {
 	std::vector<GrownSpecies> grown;
 	for (const Ref<GrassSpecies> &species : find_used()) {
-		grown.push_back({ species, species->find_patch() });
+		grown.push_back({ species, find_patch(**species) });
 	}
 	return grown;
 }
@@ -139,7 +151,7 @@ std::vector<SpeciesParams> FieldSpecies::find_mix() const {
 std::vector<std::shared_ptr<const Patch>> FieldSpecies::find_patches() const {
 	std::vector<std::shared_ptr<const Patch>> patches;
 	for (const Ref<GrassSpecies> &species : find_used()) {
-		patches.push_back(species->find_patch());
+		patches.push_back(find_patch(**species));
 	}
 	return patches;
 }
@@ -199,7 +211,7 @@ std::vector<DrawnPlant> FieldSpecies::find_plants(double p_density) const {
 		DrawnPlant &plant = plants.emplace_back();
 		plant.model = species->find_plant();
 		plant.distance = float(near_plants(species->get_plant_distance(), density, plant.model ? plant.model->vertices : 0));
-		if (const std::shared_ptr<const Patch> patch = plant.model ? species->find_patch() : nullptr) {
+		if (const std::shared_ptr<const Patch> patch = plant.model ? find_patch(**species) : nullptr) {
 			plant.length = patch->mean_length;
 			plant.max_length = patch->max_length * CLUMP_TALLEST;
 			plant.blade_area = patch->mean_width * patch->mean_length;

@@ -13,6 +13,8 @@
 #include <godot_cpp/variant/packed_string_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <vector>
 
@@ -40,6 +42,9 @@ public:
 	// One species without gradient and card: shaders and passes for several are not needed.
 	bool is_plain() const;
 
+	// Sets how gravity in the field's axes differs from that of level ground, m/s^2: see find_pull(). It changes the patches.
+	void set_pull(const Eigen::Vector3d &p_pull) { _pull = p_pull; }
+	const Eigen::Vector3d &get_pull() const { return _pull; }
 	// Makes threads prepare the missing patches. Returns true once none is missing.
 	bool prepare_patches() const;
 	// Reads the meshes that are not read yet. Meshes may be scripts: returns false if one of them freed p_field, and this object with it.
@@ -64,11 +69,14 @@ public:
 	void warn(godot::PackedStringArray &r_warnings, double p_density) const;
 
 private:
+	bool is_upright() const { return _pull.isZero(0.0); }
+	std::shared_ptr<const Patch> find_patch(const GrassSpecies &p_species) const;
 	std::vector<std::shared_ptr<const Patch>> find_patches() const;
 	std::vector<double> find_shares() const;
 	void warn_of_plants(int64_t p_species, double p_density, godot::PackedStringArray &r_warnings) const;
 
 	List _list; // may hold empty ones
+	Eigen::Vector3d _pull = Eigen::Vector3d::Zero();
 	mutable std::shared_ptr<const Patch> _joined; // of these patches and shares
 	mutable std::vector<std::shared_ptr<const Patch>> _joined_from;
 	mutable std::vector<double> _joined_shares;

@@ -44,9 +44,13 @@ void FieldUniforms::set_all(const FieldProperties &p_properties, const FieldSetu
 }
 
 void FieldUniforms::set_wind(const FieldProperties &p_properties, const Set &p_set) const {
-	const double angle = Math::deg_to_rad(p_properties.param(PARAM_WIND_DIRECTION)), speed = p_properties.param(PARAM_WIND_SPEED);
-	p_set("wind", Vector2(real_t(speed * std::cos(angle)), real_t(speed * std::sin(angle))));
+	const Eigen::Vector2d wind = wind_in_field(_turn, p_properties.param(PARAM_WIND_SPEED), p_properties.param(PARAM_WIND_DIRECTION));
+	p_set("wind", Vector2(real_t(wind.x()), real_t(wind.y())));
 	p_set("gust", Vector2(real_t(p_properties.param(PARAM_GUST_SIZE)), real_t(p_properties.param(PARAM_GUST_STRENGTH))));
+}
+
+bool FieldUniforms::turn(const Eigen::Matrix3d &p_turn) {
+	return std::exchange(_turn, p_turn) != p_turn;
 }
 
 void FieldUniforms::set_light(const Vector4 &p_other, const Set &p_set) {

@@ -21,6 +21,8 @@ public:
 	// Of blades and ground.
 	void set_all(const FieldProperties &p_properties, const FieldSetup &p_setup, const Set &p_set) const;
 	void set_wind(const FieldProperties &p_properties, const Set &p_set) const;
+	// Sets how the field's axes lie in the world's, which the wind needs. Returns whether they lie otherwise than before.
+	bool turn(const Eigen::Matrix3d &p_turn);
 	// p_species: the running field's. p_reach: share of the plants' distances. p_set: for blades and ground; p_set_blades: for blades only.
 	void set_species(const FieldSetup &p_setup, const std::vector<GrownSpecies> &p_species, const std::vector<DrawnPlant> &p_plants,
 			float p_reach, const Set &p_set, const Set &p_set_blades);
@@ -41,6 +43,7 @@ private:
 	static void set_colors(const std::vector<GrownSpecies> &p_species, const Set &p_set);
 
 	WindClock _wind;
+	Eigen::Matrix3d _turn = Eigen::Matrix3d::Identity();
 	godot::Vector2 _clock, _drawn_clock, _clock_before; // that the shaders have; that the last frame had; that they have as that one's
 	godot::Vector4 _light;
 	Cards _cards;

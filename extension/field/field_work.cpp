@@ -31,7 +31,8 @@ Eigen::Affine3d FieldWork::to_field() const {
 	return to_eigen(_host.field_transform()).inverse(Eigen::Isometry);
 }
 
-// p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region.
+// p_shape null: no footprint, which stands for the whole field. False, with a message, for what is no region, and without one for
+// what is beyond the band of its ground.
 bool FieldWork::find_region(
 		const char *p_method, const Ref<Shape3D> &p_shape, const Transform3D &p_transform, std::optional<Footprint> &r_footprint) const {
 	if (p_shape.is_null()) {
@@ -43,7 +44,8 @@ bool FieldWork::find_region(
 			_host.message(vformat("%s() needs a solid shape: a sphere, box, capsule, cylinder or convex polygon, not a %s.", p_method,
 					p_shape->get_class())));
 	r_footprint.emplace(shape);
-	return true;
+	const Bounds bounds = shape.get_swept_bounds();
+	return _properties.ground_band().meets(bounds.min.y(), bounds.max.y());
 }
 
 MowRegion FieldWork::mow_region(const std::optional<Footprint> &p_footprint) const {
@@ -90,6 +92,10 @@ double FieldWork::paint(const Ref<GrassBrush> &p_brush, const Vector3 &p_from, c
 	const Vector2 start(from.x, from.z), end(to.x, to.z);
 	const String problem = GrassMap::problem_of_stroke(p_brush, start, end);
 	ERR_FAIL_COND_V_MSG(!problem.is_empty(), 0.0, _host.message("paint(): " + problem));
+	const GroundBand band = _properties.ground_band();
+	if (!band.meets(std::min(from.y, to.y), std::max(from.y, to.y))) {
+		return 0.0;
+	}
 	return map->stroke_within(p_brush, start, end, ground().grown(p_brush->get_reach() + MAP_CHUNK_SIZE));
 }
 
@@ -101,6 +107,9 @@ double FieldWork::trample(const Vector3 &p_global, double p_radius, double p_amo
 		return 0.0;
 	}
 	const Eigen::Vector3d place = to_field() * to_eigen(p_global);
+	if (!_properties.ground_band().contains(place.y())) {
+		return 0.0;
+	}
 	const Eigen::Vector2d centre(place.x(), place.z());
 	const double radius = checked(TRAMPLE_RADIUS, p_radius, _host.label());
 	Brush brush;
@@ -182,15 +191,16 @@ int64_t FieldWork::lay_ground_by(const MapRegion &p_region, const HeightAt &p_he
 int64_t FieldWork::bake_ground(const Rect2 &p_region, int64_t p_mask) {
 	ERR_FAIL_COND_V_MSG(!p_region.is_finite(), 0, _host.message("bake_ground() needs a finite region, or an empty one."));
 	ERR_FAIL_COND_V_MSG(!_host.as_node().is_inside_tree(), 0, _host.message("add the node to the scene tree before baking its ground."));
+	ERR_FAIL_COND_V_MSG(_properties.ground_band().is_empty(), 0,
+			_host.message("bake_ground() finds nothing: `ground_low` is not below `ground_high`. Lower it, or raise `ground_high`."));
 	GroundRays rays(_host.as_node().get_world_3d(), _host.field_transform(), p_mask);
 	rays.stand(_host.as_node());
+	rays.keep_within(_properties.ground_band());
 	ERR_FAIL_COND_V_MSG(!rays.is_usable(), 0,
 			_host.message("the physics space is locked now. If physics runs on a thread of its own, call bake_ground() in "
 						  "_physics_process()."));
 	const std::optional<MapRegion> region = bake_region(p_region);
-	const auto height = [&](const Eigen::Vector2d &p_place) {
-		return rays.height_at(p_place, -GroundRays::SEARCH_HEIGHT, GroundRays::SEARCH_HEIGHT);
-	};
+	const auto height = [&](const Eigen::Vector2d &p_place) { return rays.height_at(p_place); };
 	return region ? lay_ground_by(*region, height, height) : 0;
 }
 

@@ -4,6 +4,7 @@
 #include "draw/blade_mesh.h"
 #include "draw/field_shaders.h"
 #include "draw/frame_share.h"
+#include "shared/convert.h"
 
 #include <algorithm>
 #include <optional>
@@ -207,6 +208,9 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 		return;
 	}
 	_backend->follow(p_node, p_transform);
+	if (_uniforms.turn(to_eigen(p_transform).linear())) {
+		update_wind();
+	}
 	const bool is_carried = _properties.has_ground;
 	if (const TileCover *cover = _map ? _map->get_layers().get_cover().get() : nullptr) {
 		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());

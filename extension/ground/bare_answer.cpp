@@ -148,24 +148,42 @@ void explain_map(BareAnswer &r_answer, const Field &p_field, FieldFiller &r_fill
 	r_answer.text = vformat("%s: %s.", standing_words(r_answer), why);
 }
 
+// Explains a place above or below the field's band.
+BareAnswer explain_level(const Node &p_node, const GroundBand &p_band, double p_height, Node3D *p_other) {
+	const auto limit = [](double p_value) { return String::num(p_value, 2); };
+	const String other = p_other == nullptr ? String("No other field has its ground here")
+											: vformat("The grass here is that of '%s'", p_other->get_name());
+	return { BareReason::LEVEL,
+		vformat("No grass of '%s' grows here: the place is %s m %s it, and its ground is from %s to %s m (`ground_low`, "
+				"`ground_high`). %s.",
+				p_node.get_name(), rounded(std::abs(p_height), 1), p_height < 0.0 ? "below" : "above", limit(p_band.low),
+				limit(p_band.high), other),
+		p_other };
+}
+
 } // namespace
 
 BareAnswer explain_place(const GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
-		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const Vector3 &p_place, const Camera3D *p_camera) {
+		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const Vector3 &p_place, const Camera3D *p_camera,
+		Node3D *p_other) {
 	BareAnswer answer = explain_field(p_node, p_standing, p_place, p_camera);
 	if (answer.reason != BareReason::NONE) {
 		return answer;
 	}
-	const FieldPlaces places(p_standing, p_fill.transform);
+	const GroundBand band = p_properties.ground_band();
+	const FieldPlaces places(p_standing, p_fill.transform, band);
 	const Vector2i tile = places.get_tile_at(p_place);
 	if (tile == Vector2i(-1, -1)) {
 		return { BareReason::OUTSIDE, "No grass grows here: the place is outside the field (`size`)." };
+	}
+	const Eigen::Vector3d place = to_eigen(p_fill.transform).inverse(Eigen::Isometry) * to_eigen(p_place);
+	if (!band.contains(place.y())) {
+		return explain_level(p_node, band, place.y(), p_other);
 	}
 	answer.density = places.density_at(p_place);
 	answer.height = places.height_at(p_place);
 	const Field &field = p_standing.get_field();
 	if (p_properties.map.is_valid()) {
-		const Eigen::Vector3d place = to_eigen(p_fill.transform).inverse(Eigen::Isometry) * to_eigen(p_place);
 		explain_map(answer, field, r_filler, p_fill, p_properties.map->get_map(), { place.x(), place.z() });
 	}
 	if (answer.reason == BareReason::NONE && p_standing.is_crowded()) {

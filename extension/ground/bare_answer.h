@@ -34,20 +34,22 @@ enum class BareReason : int64_t {
 	HOLE,
 	FILL_TEXTURE,
 	LEDGE,
+	LEVEL,
 };
 
 struct BareAnswer {
 	BareReason reason = BareReason::NONE;
 	godot::String text; // one or two sentences
-	godot::Node3D *node = nullptr; // FILL_NODE
+	godot::Node3D *node = nullptr; // FILL_NODE: what keeps grass away; LEVEL: the field whose level it is
 	double density = 0.0, height = 0.0; // of the grass at the place: share, metres
 	bool is_still = false; // nothing can bend it: the pool is full, or the field is not simulated
 };
 
-// p_place: global. p_camera: null: for no particular camera.
+// p_place: global. p_camera: null: for no particular camera. p_other: another field
+// whose ground is there, or null.
 BareAnswer explain_place(const godot::GeometryInstance3D &p_node, const StandingField &p_standing, FieldFiller &r_filler,
 		const FieldProperties &p_properties, const FieldFiller::Place &p_fill, const godot::Vector3 &p_place,
-		const godot::Camera3D *p_camera);
+		const godot::Camera3D *p_camera, godot::Node3D *p_other);
 godot::Dictionary to_dictionary(const BareAnswer &p_answer);
 
 } // namespace grass

@@ -3,6 +3,7 @@
 #include "nodes/grass_field.h"
 
 #include "core/base/cpu_clock.h"
+#include "core/solver/hang.h"
 #include "draw/quit.h"
 #include "draw/shared_shader.h"
 #include "field/field_view.h"
@@ -77,8 +78,18 @@ void GrassField::_notification(int p_what) {
 			_moved_in = UINT64_MAX; // it was moved elsewhere: do not interpolate between the two places
 			break;
 		case NOTIFICATION_TRANSFORM_CHANGED:
+			turn();
 			update_configuration_warnings();
 			break;
+	}
+}
+
+// In the editor the blades follow gravity while somebody turns the field. In a game they keep the shape that they were made with: a field
+// that turns over would be made again every few degrees.
+void GrassField::turn() {
+	const bool is_edited = Engine::get_singleton()->is_editor_hint() && is_inside_tree();
+	if (is_edited && find_pull(to_eigen(field_transform()).linear()) != _properties.species.get_pull()) {
+		request_rebuild();
 	}
 }
 

@@ -83,6 +83,7 @@ public:
 		REASON_HOLE = int64_t(BareReason::HOLE),
 		REASON_FILL_TEXTURE = int64_t(BareReason::FILL_TEXTURE),
 		REASON_LEDGE = int64_t(BareReason::LEDGE),
+		REASON_LEVEL = int64_t(BareReason::LEVEL),
 	};
 
 	GrassField();
@@ -154,6 +155,7 @@ public:
 	// Indexed properties: numbers (FIELD_PARAMS) and colours (FIELD_COLORS).
 	void set_param(int64_t p_param, double p_value);
 	double get_param(int64_t p_param) const;
+	GroundBand get_ground_band() const { return _properties.ground_band(); }
 	godot::Variant _get_param(int64_t p_param) const; // for the property: an int if it is a whole number
 	void set_color(int64_t p_index, const godot::Color &p_color);
 	godot::Color get_color(int64_t p_index) const;
@@ -192,6 +194,7 @@ public:
 	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
 	// Explains why there is no grass, or less than there could be. p_camera: null: the viewport's.
 	godot::Dictionary explain(const godot::Vector3 &p_global_position, const godot::Camera3D *p_camera);
+	bool has_level_at(const godot::Vector3 &p_global_position) const; // within its size and the band of its ground
 	godot::Dictionary cut(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	double get_mown_share(const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
 	void regrow(double p_height, double p_wear, const godot::Ref<godot::Shape3D> &p_shape, const godot::Transform3D &p_transform);
@@ -220,6 +223,7 @@ private:
 	// grass_field.cpp: the node's life cycle, its ticks and its frames
 	void enter();
 	bool belongs_here() const;
+	void turn();
 	std::vector<uint64_t> find_carriers() const;
 	void leave();
 	// Called from the message queue, where the engine lets a node die: shared/script_call.h. Those that return bool return whether the node
@@ -272,8 +276,9 @@ private:
 	GrassMap *need_map(const char *p_method) override;
 	void make_map();
 	bool prepare_places();
+	GrassField *find_other(const godot::Vector3 &p_global_position) const;
 	godot::PackedVector3Array find_knots(std::span<const BladeNumber> p_blades, FieldPlaces::Knots p_knots);
-	FieldPlaces places() const { return FieldPlaces(_standing, field_transform()); }
+	FieldPlaces places() const { return FieldPlaces(_standing, field_transform(), _properties.ground_band()); }
 	bool has_blades() const;
 	bool has_tile(const godot::Vector2i &p_tile) const;
 	bool has_blades_of(const godot::PackedInt64Array &p_blades) const;

@@ -2,6 +2,7 @@
 // The effects of changing properties, species, map or fill rule.
 #include "nodes/grass_field.h"
 
+#include "core/solver/hang.h"
 #include "shared/convert.h"
 #include "shared/editor_hooks.h"
 #include "shared/main_thread.h"
@@ -24,6 +25,7 @@ void GrassField::request_rebuild() {
 // The ground beside the cameras is there from the first frame on.
 bool GrassField::read_scene() {
 	const bool is_first = !_standing.stands() && !_properties.is_streamed;
+	_properties.species.set_pull(find_pull(to_eigen(field_transform()).linear()));
 	return (!is_first || update_terrain()) && start_fill() && _properties.species.read_plants(*this);
 }
 

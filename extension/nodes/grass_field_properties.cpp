@@ -119,6 +119,9 @@ void GrassField::set_param(int64_t p_param, double p_value) {
 	if (!replace(_properties.params[size_t(p_param)], checked(info.tunable, p_value, label()))) {
 		return;
 	}
+	if (info.id == PARAM_GROUND_LOW || info.id == PARAM_GROUND_HIGH) {
+		update_configuration_warnings();
+	}
 	switch (info.effect) {
 		case Effect::REBUILD:
 			request_rebuild();

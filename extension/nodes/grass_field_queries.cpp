@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/viewport.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace godot;
 
@@ -166,6 +167,26 @@ Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
 	return prepare_places() ? places().bend_at(p_global_position) : Vector3();
 }
 
+bool GrassField::has_level_at(const Vector3 &p_global_position) const {
+	const Vector3 place = field_transform().affine_inverse().xform(p_global_position);
+	const Vector2 size = _properties.size;
+	return std::abs(place.x) <= 0.5f * size.x && std::abs(place.z) <= 0.5f * size.y && _properties.ground_band().contains(place.y);
+}
+
+// Returns the nearest of the other fields with ground at a place, or null.
+GrassField *GrassField::find_other(const Vector3 &p_global_position) const {
+	GrassField *nearest = nullptr;
+	real_t least = real_t(INFINITY);
+	for (GrassField *field : FieldMonitors::get_fields()) {
+		const real_t height = std::abs(field->field_transform().affine_inverse().xform(p_global_position).y);
+		if (field != this && field->get_world_3d() == get_world_3d() && height < least && field->has_level_at(p_global_position)) {
+			nearest = field;
+			least = height;
+		}
+	}
+	return nearest;
+}
+
 Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D *p_camera) {
 	GRASS_MAIN_THREAD_ONLY_V(Dictionary());
 	ERR_FAIL_COND_V_MSG(!is_inside_tree(), Dictionary(), message("add the node to the scene tree before asking for its grass."));
@@ -173,7 +194,8 @@ Dictionary GrassField::explain(const Vector3 &p_global_position, const Camera3D 
 		return Dictionary();
 	}
 	const Camera3D *camera = p_camera != nullptr ? p_camera : get_viewport()->get_camera_3d();
-	return to_dictionary(explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera));
+	return to_dictionary(
+			explain_place(*this, _standing, _filler, _properties, fill_place(), p_global_position, camera, find_other(p_global_position)));
 }
 
 } // namespace grass

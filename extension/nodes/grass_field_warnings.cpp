@@ -62,6 +62,7 @@ PackedStringArray GrassField::_get_configuration_warnings() const {
 		}
 	}
 	_properties.warn_of_tiles(warnings);
+	_properties.warn_of_ground(warnings);
 	_standing.warn_of_device(warnings);
 	if (_standing.is_crowded()) {
 		warnings.push_back(_standing.crowded_warning());

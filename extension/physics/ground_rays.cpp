@@ -8,6 +8,7 @@
 #include <godot_cpp/classes/character_body3d.hpp>
 #include <godot_cpp/classes/rigid_body3d.hpp>
 
+#include <algorithm>
 #include <limits>
 
 using namespace godot;
@@ -55,7 +56,11 @@ std::optional<Eigen::Vector3d> GroundRays::cast(const Eigen::Vector3d &p_from, c
 }
 
 double GroundRays::height_at(const Eigen::Vector2d &p_place, double p_low, double p_high) {
-	const auto hit = cast({ p_place.x(), p_high, p_place.y() }, { p_place.x(), p_low, p_place.y() });
+	const double low = std::max(p_low, _band.low), high = std::min(p_high, _band.high);
+	if (!(low < high)) {
+		return std::numeric_limits<double>::quiet_NaN();
+	}
+	const auto hit = cast({ p_place.x(), high, p_place.y() }, { p_place.x(), low, p_place.y() });
 	return hit ? hit->y() : std::numeric_limits<double>::quiet_NaN();
 }
 

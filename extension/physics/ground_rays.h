@@ -2,6 +2,8 @@
 // Finds the ground with rays of the physics server, which hit bodies that do not move about and are no plants.
 #pragma once
 
+#include "core/paint/ground_band.h"
+
 #include <Eigen/Geometry>
 
 #include <godot_cpp/classes/node.hpp>
@@ -22,23 +24,25 @@ bool moves_about(const godot::Object *p_body);
 class GroundRays {
 public:
 	static constexpr int64_t ALL_LAYERS = 0xFFFFFFFF;
-	static constexpr double SEARCH_HEIGHT = 1024.0; // metres above and below the field within which ground is searched
 
 	// p_field: global, without scale. p_mask: physics layers that are ground.
 	GroundRays(const godot::Ref<godot::World3D> &p_world, const godot::Transform3D &p_field, int64_t p_mask = ALL_LAYERS);
 
 	// Sets a node that is on the ground: bodies that carry it are ground, however they move.
 	void stand(const godot::Node &p_node) { _standing = &p_node; }
+	// Sets the band in which height_at() finds ground.
+	void keep_within(const GroundBand &p_band) { _band = p_band; }
 	bool is_usable() const { return _space != nullptr; }
 	// Returns where the ray first hits a body that does not move about; field space, metres.
 	std::optional<Eigen::Vector3d> cast(const Eigen::Vector3d &p_from, const Eigen::Vector3d &p_to);
 	// Returns the height of the highest ground at a place between two heights, in metres above the field; NaN if there is none.
-	double height_at(const Eigen::Vector2d &p_place, double p_low, double p_high);
+	double height_at(const Eigen::Vector2d &p_place, double p_low = -GROUND_SEARCH, double p_high = GROUND_SEARCH);
 
 private:
 	bool is_ground(const godot::Object *p_body) const;
 
 	const godot::Node *_standing = nullptr;
+	GroundBand _band;
 	godot::PhysicsDirectSpaceState3D *_space = nullptr;
 	Eigen::Isometry3d _field, _to_field;
 	godot::Ref<godot::PhysicsRayQueryParameters3D> _query;

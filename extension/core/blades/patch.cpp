@@ -184,6 +184,14 @@ Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_sto
 	return patch;
 }
 
+void measure_patch(Patch &r_patch) {
+	r_patch.max_length = r_patch.max_spread = r_patch.max_height = 0.0f;
+	r_patch.mean_height = r_patch.mean_length = r_patch.mean_width = 0.0f;
+	for (int blade = 0; blade < GRASS_PATCH_BLADES; ++blade) {
+		measure(r_patch, blade);
+	}
+}
+
 Patch join_patches(
 		std::span<const std::shared_ptr<const Patch>> p_patches, std::span<const double> p_shares, std::span<const int> p_stems) {
 	const auto found = std::find_if(p_patches.begin(), p_patches.end(), [](const auto &p_patch) { return !p_patch->is_empty(); });

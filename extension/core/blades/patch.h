@@ -69,6 +69,9 @@ struct Patch {
 // yet are left out.
 Patch generate_patch(const PatchParams &p_params, const std::atomic<bool> *p_stop = nullptr);
 
+// Sets the lengths and heights of a patch of one species from its blades.
+void measure_patch(Patch &r_patch);
+
 // Joins the patches of several species into one. Blade b of each has the root of blade b of the first, so that a root is known before its
 // species is. p_shares: weights of the species in the means. A species without blades gets some of zero width. p_stems: for each species a
 // power of two, the number of its blades that share a root and spread from it; 1 each if empty.
