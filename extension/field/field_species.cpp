@@ -101,14 +101,14 @@ bool FieldSpecies::prepare_patches() const {
 		return are_made;
 	}
 	for (const Ref<GrassSpecies> &species : find_used()) { // all of them: each begins its thread
-		are_made = prepare_hung(species->find_patch(), species->get_solver(SolverParams()), _pull) && are_made;
+		are_made = prepare_hung(species->find_patch(), species->get_solver(SolverParams()), _pull, species->get_stems()) && are_made;
 	}
 	return are_made;
 }
 
 std::shared_ptr<const Patch> FieldSpecies::find_patch(const GrassSpecies &p_species) const {
 	const std::shared_ptr<const Patch> patch = p_species.find_patch();
-	return is_upright() ? patch : find_hung(patch, p_species.get_solver(SolverParams()), _pull);
+	return is_upright() ? patch : find_hung(patch, p_species.get_solver(SolverParams()), _pull, p_species.get_stems());
 }
 
 bool FieldSpecies::read_plants(const Object &p_field) const {

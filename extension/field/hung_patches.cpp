@@ -4,6 +4,7 @@
 #include "core/solver/hang.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -17,6 +18,7 @@ struct Hanging {
 	const Patch *of = nullptr; // only for comparison
 	double frequency = 0.0, taper = 0.0, section = 0.0; // of the solver, as far as they matter
 	std::array<double, 3> pull{};
+	int stems = 1;
 	bool operator==(const Hanging &) const = default;
 };
 
@@ -38,12 +40,12 @@ struct Hung {
 	bool is_unused() const { return of.expired() || (!making.valid() && made.expired()); }
 };
 
-Hung &begin(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull) {
+Hung &begin(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems) {
 	static std::vector<Hung> all;
 	std::erase_if(all, [](const Hung &p_hung) { return p_hung.is_unused(); });
 	const SolverParams solver = p_solver.sanitised();
 	const Hanging hanging{ p_patch.get(), solver.natural_frequency, solver.taper, solver.width_to_thickness,
-		{ p_pull.x(), p_pull.y(), p_pull.z() } };
+		{ p_pull.x(), p_pull.y(), p_pull.z() }, p_stems };
 	const auto found = std::ranges::find(all, hanging, &Hung::hanging);
 	if (found != all.end()) {
 		return *found;
@@ -51,21 +53,21 @@ Hung &begin(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_s
 	Hung &hung = all.emplace_back();
 	hung.hanging = hanging;
 	hung.of = p_patch;
-	hung.making = std::async(std::launch::async, [p_patch, solver, p_pull, is_stopped = hung.is_stopped] {
-		return std::make_shared<const Patch>(hang_patch(*p_patch, solver, p_pull, is_stopped.get()));
+	hung.making = std::async(std::launch::async, [p_patch, solver, p_pull, p_stems, is_stopped = hung.is_stopped] {
+		return std::make_shared<const Patch>(hang_patch(*p_patch, solver, p_pull, p_stems, is_stopped.get()));
 	});
 	return hung;
 }
 
 } // namespace
 
-bool prepare_hung(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull) {
-	return begin(p_patch, p_solver, p_pull).is_done();
+bool prepare_hung(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems) {
+	return begin(p_patch, p_solver, p_pull, p_stems).is_done();
 }
 
 std::shared_ptr<const Patch> find_hung(
-		const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull) {
-	Hung &hung = begin(p_patch, p_solver, p_pull);
+		const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems) {
+	Hung &hung = begin(p_patch, p_solver, p_pull, p_stems);
 	if (!hung.making.valid()) {
 		return hung.made.lock();
 	}

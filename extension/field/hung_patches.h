@@ -12,9 +12,9 @@
 namespace grass {
 
 // Returns whether find_hung() returns this patch at once. If not, a thread begins to make it.
-bool prepare_hung(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull);
+bool prepare_hung(const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems);
 // Returns the same patch for the same arguments as long as somebody uses it: see hang_patch().
 std::shared_ptr<const Patch> find_hung(
-		const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull);
+		const std::shared_ptr<const Patch> &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems);
 
 } // namespace grass

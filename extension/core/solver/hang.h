@@ -20,8 +20,9 @@ inline constexpr double UPRIGHT_TILT = 20.0;
 Eigen::Vector3d find_pull(const Eigen::Matrix3d &p_turn);
 
 // Returns the blades of p_patch, one species, as they rest if p_pull acts on them as well: where the solver's blades come to rest.
-// p_solver: the species'. p_stop: once it is true, set by any thread, the blades not done yet stay as they are.
-Patch hang_patch(
-		const Patch &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, const std::atomic<bool> *p_stop = nullptr);
+// p_solver: the species'. p_stems: how many of its blades share a root; join_patches() will turn them. p_stop: once it is true, set by any
+// thread, the blades not done yet stay as they are.
+Patch hang_patch(const Patch &p_patch, const SolverParams &p_solver, const Eigen::Vector3d &p_pull, int p_stems = 1,
+		const std::atomic<bool> *p_stop = nullptr);
 
 } // namespace grass
