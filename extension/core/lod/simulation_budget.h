@@ -16,7 +16,7 @@ inline constexpr Tunable SIMULATION_BUDGET{ "simulation_budget", "ms", 0.0, 50.0
 
 class SimulationBudget {
 public:
-	// The coarsest. More would change little: an eighth of a far tile's blades is simulated anyway.
+	// The coarsest. More would change little: four of a far tile's blades are simulated anyway.
 	static constexpr float MOST = 8.0f;
 	// By which share the coarseness changes in a step, at most. Larger: the blades of many tiles change hands at once.
 	static constexpr float FASTEST = 0.02f;
