@@ -31,7 +31,7 @@ TEST_CASE("bare cause: each condition of a rule is named where it leaves the lea
 	PaintMap map;
 	lay(map, [](const Eigen::Vector2d &p_at) { return p_at.x() > 20.0 ? p_at.x() - 20.0 : (p_at.y() < -40.0 ? 10.0 : 0.0); });
 	fill_all(map, rule, sources);
-	int seen[7] = {};
+	int seen[int(FillCondition::OBSTACLE) + 1] = {};
 	for (int j = -120; j < 120; j += 3) {
 		for (int i = -120; i < 120; i += 3) {
 			const Eigen::Vector2d at(0.5 * i + 0.1, 0.5 * j + 0.3);

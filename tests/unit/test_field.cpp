@@ -340,7 +340,7 @@ TEST_CASE("field: a far camera leaves blades out, a near one makes them join, an
 	CHECK(left_out() == int(scene.simulator.joined.front().blend.y));
 	scene.field.see(scene.simulator, view_from(60.0f), true);
 	scene.tick();
-	REQUIRE(left_out() == far);
+	REQUIRE(left_out() >= 48); // it gives blades up later than it gets them
 	scene.simulator.joined.clear();
 	const int tile = scene.setup.grid.get_index(8, 8);
 	scene.field.ask(scene.simulator, std::span(&tile, 1));

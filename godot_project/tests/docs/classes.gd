@@ -269,8 +269,16 @@ func grass_field_body_entered_grass() -> void:
 	assert_true(rustle.playing)
 
 
+func grass_field_ground_high() -> void:
+	var stage := await ran()
+	var bridge: GrassField = stage.locals.bridge
+	assert_near(bridge.density_at(Vector3(0, 4, 0)), 1.0, 0.01)
+	assert_eq(bridge.density_at(Vector3.ZERO), 0.0, "that is the meadow's level")
+	assert_eq(stage.field.density_at(Vector3(0, 4, 0)), 0.0)
+
+
 func grass_field_simulation_budget() -> void:
-	var stage := await staged()
+	var stage := await ran()
 	assert_near(stage.field.simulation_budget, 1.5, 1e-6)
 
 

@@ -28,8 +28,24 @@ func performance_one_switch_for_the_options_menu() -> void:
 	GrassQuality.reset_level()
 
 
+func levels_floors_above_one_another() -> void:
+	var bridge := GrassField.new()
+	bridge.name = "Bridge"
+	bridge.size = Vector2(4, 4)
+	bridge.position.y = 4.0
+	bridge.ground_low = -0.5
+	add_child(bridge)
+	var stage := await ran(
+		func(made: Stage) -> void:
+			made.get_node("GrassField").ground_high = 2.0
+			made.player.position = Vector3(0.25, 4.0, 0.25)
+	)
+	assert_eq(stage.locals.why.reason, GrassField.REASON_LEVEL)
+	assert_eq(stage.locals.why.node, bridge)
+
+
 func performance_a_budget() -> void:
-	var stage := await staged()
+	var stage := await ran()
 	assert_near(stage.field.simulation_budget, 1.5, 1e-6)
 
 
