@@ -5,7 +5,7 @@ extends RefCounted
 const SIZE := Vector2i(160, 90)
 const GRID := Vector2i(8, 6)  # cells, whose colours are compared
 const CELL := SIZE / GRID  # pixels
-const ALIKE := 0.01  # mean difference of a cell's colour, of 1; ten times what drivers of one renderer differ by
+const ALIKE := 0.03  # mean difference of a cell's colour, of 1; thin flowers on an NVIDIA card differ from software by 0.018
 const TICKS := 60  # until the grass lies still
 const Expected := preload("res://demo/benchmark/expected.gd")
 const DAISY := preload("res://addons/grass_field/presets/ox_eye_daisy.tres")
@@ -65,7 +65,7 @@ static func difference(cells: PackedByteArray, others: PackedByteArray) -> float
 func _open(stage: Node) -> void:
 	_viewport.size = SIZE
 	_viewport.own_world_3d = true
-	_viewport.msaa_3d = Viewport.MSAA_2X
+	_viewport.msaa_3d = Viewport.MSAA_4X
 	_viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	var world := WorldEnvironment.new()
 	world.environment = Environment.new()
@@ -102,10 +102,10 @@ func _field(name: String) -> GrassField:
 			field.map.base_density = 1.0
 			var brush := GrassBrush.new()
 			brush.tool = GrassBrush.TOOL_ERASE
-			brush.radius = 0.7
+			brush.radius = 1.0
 			brush.strength = 1.0
 			for i in 5:
-				field.map.stroke(brush, Vector2(0.4, 0.3), Vector2(0.4, 0.3))
+				field.map.stroke(brush, Vector2(0.4, 0.0), Vector2(0.4, 0.0))
 		"pressed":
 			var body := AnimatableBody3D.new()
 			var shape := CollisionShape3D.new()
