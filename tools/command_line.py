@@ -27,7 +27,7 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 """
 
 
-DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "walk")
+DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
 BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
 	figure, and MultiMeshes beside them. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that
 	another machine's GPU needs, into --out"""
