@@ -114,10 +114,6 @@ func is_red(color: Color) -> bool:
 	return color.r > 1.3 * color.g and color.r > 1.3 * color.b
 
 
-func is_blue(color: Color) -> bool:
-	return color.b > 1.3 * color.r and color.b > 1.3 * color.g
-
-
 ## A ball comes down to the tips of the field and goes: the tiles that it woke are drawn as they were asleep.
 func assert_waking_is_not_seen(field: GrassField) -> void:
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))

@@ -217,6 +217,11 @@ func test_density_and_cost_are_heat_maps() -> void:
 	assert_greater(near.r - near.b, far.r - far.b + 0.1)
 
 
+## Blue or, where the CPU leaves out fewer blades, turquoise.
+func is_cold(color: Color) -> bool:
+	return color.b > 1.3 * color.r
+
+
 func test_simulated_blades_are_a_heat_map() -> void:
 	var field := add_seen_field({debug_view = GrassField.DEBUG_VIEW_SIMULATED, simulation_detail = GrassField.SIMULATION_WHOLE})
 	look(Vector3(0, 6, 0), Vector3.ZERO)
@@ -230,14 +235,14 @@ func test_simulated_blades_are_a_heat_map() -> void:
 	whole.save_png("user://heat_simulated.png")  # looked at by people
 	print(
 		(
-			"    red %.4f, then %.4f; more blue %.4f"
-			% [share_of(whole, is_red), share_of(seen, is_red), share_of(seen, is_blue) - share_of(whole, is_blue)]
+			"    red %.4f, then %.4f; more blue or turquoise %.4f"
+			% [share_of(whole, is_red), share_of(seen, is_red), share_of(seen, is_cold) - share_of(whole, is_cold)]
 		)
 	)
 	assert_greater(share_of(whole, is_red), 0.004)
 	assert_less(share_of(left, is_red), 0.001, "nothing is awake there")
-	assert_less(share_of(seen, is_red), 0.001, "an eighth is simulated, or a quarter on the CPU")
-	assert_greater(share_of(seen, is_blue) - share_of(whole, is_blue), 0.004, "beside the sky")
+	assert_less(share_of(seen, is_red), 0.001, "few are simulated, or a quarter on the CPU")
+	assert_greater(share_of(seen, is_cold) - share_of(whole, is_cold), 0.004, "beside the sky")
 
 
 func test_grass_casts_shadows() -> void:
