@@ -268,7 +268,8 @@ bool PlantNodes::leave() {
 	for (const auto &[blade, one] : shown) {
 		_left.push_back(one);
 	}
-	for (const auto &[blade, one] : shown) {
+	for (const auto &[blade, standing] : shown) {
+		const Shown &one = standing; // not the binding itself: Clang 14 captures none
 		Node3D *node = node_with(one.node);
 		if (node != nullptr && !outlives(_node, [&] { _node.emit_signal("plant_node_left", node, one.plant.species, one.plant.blade); })) {
 			return false;
