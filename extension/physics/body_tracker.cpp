@@ -107,7 +107,7 @@ void BodyTracker::collect(const Transform3D &p_field, const MotionTick &p_tick, 
 		const ParallelFor &p_parallel_for, std::vector<ColliderShape> &r_colliders) {
 	const FieldPose field = pose_field(p_field);
 	MotionTick tick = p_tick;
-	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box_extents), to_eigen(_box_extents));
+	tick.watched = Eigen::AlignedBox3d(-to_eigen(_box.get_half_extents()), to_eigen(_box.get_half_extents()));
 	_written = 0;
 	_mesh_pieces = 0;
 	_has_lost = false;

@@ -9,6 +9,7 @@
 #include "core/bodies/motion.h"
 #include "core/tiles/tiles.h"
 #include "physics/physics_shapes.h"
+#include "shared/watched_box.h"
 
 #include <Eigen/Geometry>
 
@@ -178,10 +179,8 @@ private:
 	static void judge_motion(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
 	static void judge_turn(Body &r_body, const Eigen::Affine3d &p_now, const Following &p_following);
 
-	godot::RID _area, _box;
+	WatchedBox _box; // including the approach
 	godot::Callable _woke;
-	godot::Transform3D _box_transform;
-	godot::Vector3 _box_extents; // including the approach
 	double _approach = 0.0; // metres
 	uint32_t _mask = 1;
 	std::vector<uint64_t> _carriers; // instance ids

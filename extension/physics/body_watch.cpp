@@ -26,54 +26,24 @@ void BodyTracker::start(const RID &p_space, const Callable &p_changed, const Cal
 	stop();
 	_woke = p_woke;
 	_carriers = std::move(p_carriers);
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	_mask = p_mask;
-	_box = server->box_shape_create();
-	_area = server->area_create();
-	server->area_add_shape(_area, _box);
-	server->area_set_collision_layer(_area, 0);
-	server->area_set_collision_mask(_area, p_mask);
-	server->area_set_monitorable(_area, false);
-	server->area_set_monitor_callback(_area, p_changed);
-	server->area_set_area_monitor_callback(_area, p_area_changed);
-	server->area_set_space(_area, p_space);
+	_box.start(p_space, p_mask, p_changed, p_area_changed);
 }
 
 void BodyTracker::set_box(const Transform3D &p_transform, const Vector3 &p_half_extents, double p_delta) {
-	if (!_area.is_valid()) {
-		return;
-	}
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
 	// It never shrinks, so that a game which slows down and speeds up does not change the box in every tick.
 	_approach = std::max({ _approach, APPROACH_MIN, 0.5 * FASTEST * p_delta });
-	const Vector3 extents = p_half_extents + real_t(_approach) * Vector3(1, 1, 1);
-	if (_box_extents != extents) {
-		_box_extents = extents;
-		server->shape_set_data(_box, extents);
-	}
-	if (_box_transform != p_transform) {
-		_box_transform = p_transform;
-		server->area_set_transform(_area, p_transform);
-	}
+	_box.place(p_transform, p_half_extents + real_t(_approach) * Vector3(1, 1, 1));
 }
 
 void BodyTracker::set_mask(uint32_t p_mask) {
 	_mask = p_mask;
-	if (_area.is_valid()) {
-		PhysicsServer3D::get_singleton()->area_set_collision_mask(_area, p_mask);
-	}
+	_box.set_mask(p_mask);
 }
 
 void BodyTracker::stop() {
-	if (_area.is_valid()) {
-		PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-		server->free_rid(_area);
-		server->free_rid(_box);
-	}
-	_area = _box = RID();
-	_box_extents = Vector3();
+	_box.stop();
 	_approach = 0.0;
-	_box_transform = Transform3D();
 	_has_field_before = false;
 	for (auto &[id, body] : _bodies) {
 		watch_sleep(body, false);

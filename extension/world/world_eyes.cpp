@@ -29,25 +29,11 @@ constexpr real_t MOTION = 0.01f;
 
 void WorldEyes::start(const RID &p_space, const Callable &p_changed, uint32_t p_mask) {
 	stop();
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	_box = server->box_shape_create();
-	_area = server->area_create();
-	server->area_add_shape(_area, _box);
-	server->area_set_collision_layer(_area, 0);
-	server->area_set_collision_mask(_area, p_mask);
-	server->area_set_monitorable(_area, false);
-	server->area_set_monitor_callback(_area, p_changed);
-	server->area_set_space(_area, p_space);
+	_box.start(p_space, p_mask, p_changed);
 }
 
 void WorldEyes::stop() {
-	if (_area.is_valid()) {
-		PhysicsServer3D::get_singleton()->free_rid(_area);
-		PhysicsServer3D::get_singleton()->free_rid(_box);
-	}
-	_area = _box = RID();
-	_transform = Transform3D();
-	_extents = Vector3();
+	_box.stop();
 	_bodies.clear();
 }
 
@@ -64,15 +50,7 @@ void WorldEyes::body_changed(int64_t p_status, const RID &p_body, int64_t p_inst
 void WorldEyes::tick(const Transform3D &p_world, const Vector3 &p_half_extents, double p_delta) {
 	_ticks++;
 	_seconds += p_delta;
-	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
-	if (_area.is_valid() && _extents != p_half_extents) {
-		_extents = p_half_extents;
-		server->shape_set_data(_box, p_half_extents);
-	}
-	if (_area.is_valid() && _transform != p_world) {
-		_transform = p_world;
-		server->area_set_transform(_area, p_world);
-	}
+	_box.place(p_world, p_half_extents);
 	const Transform3D to_world_space = p_world.affine_inverse();
 	for (size_t i = std::min(LOOKS_A_FRAME, _bodies.size()); i > 0; i--) {
 		auto body = _bodies.lower_bound(_next);

@@ -5,6 +5,7 @@
 
 #include "core/world/world_movers.h"
 #include "core/world/world_plan.h"
+#include "shared/watched_box.h"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/callable.hpp>
@@ -45,9 +46,7 @@ private:
 	};
 	void look(Body &r_body, const godot::Transform3D &p_to_world_space);
 
-	godot::RID _area, _box;
-	godot::Transform3D _transform;
-	godot::Vector3 _extents;
+	WatchedBox _box;
 	std::map<uint64_t, Body> _bodies; // by the RID's id
 	uint64_t _next = 0; // the next body to check
 	int64_t _ticks = 0;
