@@ -11,7 +11,6 @@ from tools.say import Failure, complain, say
 
 def dispatch(options):
 	"""Returns the exit code."""
-	from tools.bench import accuracy, paper
 	from tools.build import build
 	from tools.pages import film
 	from tools.release import export
@@ -27,26 +26,7 @@ def dispatch(options):
 
 		gallery.write_page(options.page) if options.page else gallery.render(options.out, options.only)
 	elif options.command == "bench":
-		if options.what == "stress":
-			return testing.stress_in_full()
-		if options.what == "accuracy":
-			accuracy.run(options.out, options.quick, options.gpu_results)
-			return 0
-		if options.what == "paper":
-			paper.run(options.out, options.quick, options.only, options.gpu_results)
-			return 0
-		if options.what == "drivers":
-			from tools.bench import driver_figures, drivers_page
-
-			if driver_figures.run(options.out, options.only):
-				drivers_page.write()
-			return 0
-		if options.what == "pack":
-			export.benchmark(options.out or OUT / "bench_pack")
-			return 0
-		if options.only not in (None, *scenes.BENCHES):
-			raise Failure(f"--only takes one of {', '.join(scenes.BENCHES)}.", 2)
-		scenes.bench(options.out, options.only)
+		return bench(options)
 	elif options.command == "editor":
 		scenes.editor()
 	elif options.command == "build":
@@ -84,6 +64,26 @@ def dispatch(options):
 		if unknown:
 			raise Failure(f"There is no layer {', '.join(sorted(unknown))}; the layers are {', '.join(testing.LAYERS)}.", 2)
 		return 0 if testing.run(tuple(options.layers) or testing.ALL, options.only, options.gpu) else 1
+	return 0
+
+
+def bench(options):
+	"""Returns the exit code."""
+	from tools.bench import bench_all, driver_figures, drivers_page
+	from tools.release import export
+	from tools.test import testing
+
+	if options.what == "stress":
+		return testing.stress_in_full()
+	if options.what == "drivers":
+		if driver_figures.run(options.out, options.only):
+			drivers_page.write()
+	elif options.what == "pack":
+		export.benchmark(options.out or OUT / "bench_pack", bench_all.times())
+	elif options.list:
+		bench_all.show_list()
+	else:
+		bench_all.run(options.out, options.quick, options.only, options.gpu_results)
 	return 0
 
 

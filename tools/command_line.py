@@ -28,9 +28,9 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 
 
 DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
-BENCHMARKS = """stress: only the stress tests, in full; takes hours. accuracy: run time against error. paper: the paper's tables and
-	figure, and MultiMeshes beside them. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that
-	another machine's GPU needs, into --out"""
+BENCHMARKS = """all (default): every part that a page shows, each once; a second start goes on where the first was. stress: only the stress
+	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another machine's
+	GPU needs, into --out"""
 
 
 def parser():
@@ -79,15 +79,18 @@ def parser():
 	debug.add_argument("--break", dest="at", default="", metavar="PLACE", help="stop at this function or FILE:LINE")
 	commands.add_parser("editor", help="open the project in the editor")
 	bench = commands.add_parser("bench", help="run the benchmarks")
-	bench.add_argument("what", nargs="?", choices=("stress", "accuracy", "paper", "drivers", "pack"), help=BENCHMARKS)
-	bench.add_argument("--quick", action="store_true", help="accuracy, paper: a sample, in seconds")
-	bench.add_argument("--gpu-results", metavar="DIR", help="accuracy, paper: take what the scene wrote to DIR on another machine's GPU")
+	bench.add_argument("what", nargs="?", choices=("all", "stress", "drivers", "pack"), default="all", help=BENCHMARKS)
+	bench.add_argument("--quick", action="store_true", help="a sample of each part, on software Vulkan too")
+	bench.add_argument("--list", action="store_true", help="only list the parts: where each runs, seconds that it took, pages that show it")
+	bench.add_argument(
+		"--gpu-results", metavar="DIR", help="take what the pack wrote to DIR on another machine's GPU, and write tables and pages to --out"
+	)
 	bench.add_argument("--out", default=None, metavar="DIR", help="folder for the tables (default: out/bench)")
 	bench.add_argument(
 		"--only",
-		metavar="PART",
-		help="only this one of those in the engine: draw, limits, meadow, forces, movers, simulate, sleep, awake, rest, crowd, "
-		"detail, levels, cpu, questions, change, hitch, species, kernel; of paper: a table; of drivers: cards and passes, such as vangogh,cull",
+		default="",
+		metavar="PART,...",
+		help="only these parts (--list names them), or all of here or card; of drivers: cards and passes, such as vangogh,cull",
 	)
 
 	commands.add_parser("docs", help="make the site, out/site")

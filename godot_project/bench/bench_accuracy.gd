@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-## Runs the problems that tests/bench/accuracy/tape.h recorded on the GPU: the reference problems of `./grass bench accuracy`, whose
+## Runs the problems that tests/bench/accuracy/tape.h recorded on the GPU: the reference problems of the part `accuracy` of `./grass bench`, whose
 ## errors are computed from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
 ##   bench.tscn -- --only accuracy --packs DIR --spirv DIR --out DIR
 ## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h describes their contents.
@@ -8,7 +8,6 @@ extends Node
 const SimulateData := preload("res://bench/simulate_data.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 
-const FILE := "accuracy_gpu.csv"
 const PACK := 0x4b434150
 const RESULT := 0x544c5352
 const STEP_BYTES := 128
@@ -41,7 +40,7 @@ func run(p_packs: String, p_spirv: String, p_out: String, p_software: bool) -> A
 			await get_tree().process_frame
 	if rows.size() == 1:
 		push_error(
-			"Bench: there are no packs in '%s'. accuracy_16 --record DIR makes them; `./grass bench accuracy` does it all." % p_packs
+			"Bench: there are no packs in '%s'. accuracy_16 --record DIR makes them; `./grass bench --only accuracy` does it all." % p_packs
 		)
 	if _device != null:
 		_device.free()

@@ -5,7 +5,6 @@ extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
 
-const FILE := "awake.csv"
 const SIDE := 128.0  # metres
 const BODIES := 128
 const SECONDS: Array[int] = [2, 5, 8]  # after the throw

@@ -4,7 +4,6 @@
 ## but they include making shaders.
 extends Node3D
 
-const FILE := "change.csv"
 const SIDE := 500.0  # metres: 64 million blades
 const PAINTED: Array[float] = [-192.0, -64.0, 64.0, 192.0]  # metres: middles of strokes along each side, which cover it all
 const STILL := 20  # frames in which nothing changes, before each change

@@ -5,7 +5,6 @@ extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
 
-const FILE := "cpu.csv"
 const CROWD := 70.0  # metres: the bodies stay together on any field
 const SIZES: Array[float] = [70.5, 500.0, 2000.0]  # metres: 20 thousand, 1 million, 16 million tiles
 const BODIES: Array[int] = [0, 128, 1024, 5000]

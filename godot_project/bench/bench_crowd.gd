@@ -4,7 +4,6 @@
 extends Node3D
 
 const Cpu := preload("res://bench/bench_cpu.gd")
-const FILE := "crowd.csv"
 const SIDE := 500.0  # metres
 const POOL := 16  # tiles
 const BODIES: Array[int] = [128, 1024, 5000]

@@ -7,7 +7,6 @@ const FrameTimer := preload("res://bench/frame_timer.gd")
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
 
-const FILE := "detail.csv"
 const SIDE := 128.0  # metres: 4,194,304 blades
 const BODIES := 128
 const SPANS := [1.0, 3.0, 5.0, 7.0]  # seconds after the throw: ends of what each row measures

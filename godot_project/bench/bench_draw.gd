@@ -4,7 +4,6 @@ extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "draw.csv"
 const FRAMES := 24  # measured, after as many to warm up
 
 var _field: GrassField

@@ -4,7 +4,6 @@ extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "forces.csv"
 const DENSITY := 64.0  # blades a square metre
 const SIDES: Array[float] = [60.0, 400.0]  # metres
 const KINDS := {

@@ -6,7 +6,6 @@ extends Node3D
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "hitch.csv"
 const SIDE := 500.0  # metres
 const STILL := 30  # frames before each change
 const AFTER := 30  # frames in which its consequences are looked for, once the field waits for nothing

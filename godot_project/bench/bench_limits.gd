@@ -4,7 +4,6 @@
 extends Node
 
 const Measure := preload("res://bench/measure.gd")
-const FILE := "limits.csv"
 const ROUNDS := 4096  # of 16 multiplications and 16 additions each, by a thread
 const SOFTWARE_ROUNDS := 16
 const VERTICES := 3 << 16

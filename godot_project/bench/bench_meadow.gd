@@ -6,7 +6,6 @@ extends Node3D
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "meadow.csv"
 const SIDE := 400.0  # metres
 const DENSITY := 64.0  # blades a square metre
 const ROUNDS := 3

@@ -5,7 +5,6 @@ extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
 const Measure := preload("res://bench/measure.gd")
-const FILE := "movers.csv"
 const MOVERS: Array[String] = ["none", "ball", "vehicle", "skeleton", "soft_body", "trimesh", "height_map", "node"]
 const SIDE := 24.0  # metres
 const WAY := 4.0  # metres to each side

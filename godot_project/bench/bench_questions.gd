@@ -5,7 +5,6 @@ extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
 
-const FILE := "questions.csv"
 const SIDE := 100.0  # metres
 const FRAMES := 240
 const SOFTWARE := 60  # frames, where they are drawn in software

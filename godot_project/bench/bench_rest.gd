@@ -5,12 +5,11 @@ extends Node3D
 
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "rest.csv"
 const SIDE := 500.0  # metres: 64 million blades
 const KINDS: Array[String] = ["nothing", "behind", "hidden", "in_view"]
-const ROUNDS := 5
-const WARM_UP := 60  # frames
-const FRAMES := 400
+const ROUNDS := 3
+const WARM_UP := 30  # frames
+const FRAMES := 120
 const COUNTS: Array[String] = ["steps", "culls", "uploaded_bytes", "wind_updates", "instance_updates", "body_reads", "tiles_looked_at"]
 
 

@@ -4,7 +4,6 @@
 extends Node3D
 
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "simulate.csv"
 const TICKS := 60
 
 

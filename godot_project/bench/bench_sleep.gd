@@ -6,7 +6,6 @@ extends Node3D
 const Bodies := preload("res://demo/bodies.gd")
 const Scenery := preload("res://bench/scenery.gd")
 
-const FILE := "sleep.csv"
 const SECONDS := 10.0  # as long as the demo waits before it throws again
 const SIDE := 20.0  # metres
 const BODIES := 128

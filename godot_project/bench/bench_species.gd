@@ -6,7 +6,6 @@ extends Node3D
 const FrameTimer := preload("res://bench/frame_timer.gd")
 const Measure := preload("res://bench/measure.gd")
 const Scenery := preload("res://bench/scenery.gd")
-const FILE := "species.csv"
 const SIDE := 256.0  # metres: 16 million blades
 const LID := 31.0  # metres: a quarter of a million blades awake
 const TICKS := 60

@@ -7,7 +7,6 @@ extends Node3D
 const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
-const FILE := "paper_awake.csv"
 const TICK_RATE := 600  # Hz
 const TICKS_A_FRAME := 8
 const SECONDS := 0.5  # measured, after as many to warm up

@@ -7,14 +7,13 @@ const SimulateData := preload("res://bench/simulate_data.gd")
 const SimulatePass := preload("res://bench/simulate_pass.gd")
 const Table := preload("res://bench/table.gd")
 
-const FILE := "paper_lists.csv"
 const OBJECTS: Array[int] = [512, 256, 128, 64, 32, 16, 8]  # the most first, so that the clock has risen
 const TILES := 160  # along a side of the field
 const TILE := 0.5  # metres
 const LENGTH := 0.5  # of a blade, metres
 const RADIUS := 0.3  # of a ball, metres
-const STEPS := 60
-const BATCHES := 5
+const STEPS := 20
+const BATCHES := 3
 const WARM_UP := 0.2  # seconds
 const KNOTS := 16
 const PATCH_BLADES := 16384

@@ -5,7 +5,6 @@ extends Node3D
 
 const Table := preload("res://bench/table.gd")
 
-const FILE := "paper_memory.csv"
 const POOL := 4096  # tiles, as in the paper
 
 var _textures := 0  # bytes that the engine counts while the last field stood

@@ -6,7 +6,6 @@ const FrameTimer := preload("res://bench/frame_timer.gd")
 const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
-const FILE := "paper_passes.csv"
 const SIDE := 128.0  # metres: 4,194,304 blades
 const BODIES := 128
 const FROM := 5.0  # seconds after the throw

@@ -7,11 +7,10 @@ extends Node3D
 const Scenery := preload("res://bench/scenery.gd")
 const Table := preload("res://bench/table.gd")
 
-const FILE := "paper_tiles.csv"
 const SIDE := 71.0  # metres: 20,164 tiles of 64 blades or 5,041 of 256
 const DENSITY := 256.0  # blades a square metre
 const BODIES := 128
-const THROWS := 5
+const THROWS := 3
 const SECONDS := 5.0  # after the throw
 const TICK_RATE := 600  # Hz: a card that idles between steps takes them at a low clock
 

@@ -4,14 +4,24 @@
 extends Node3D
 
 const DENSITY := 256.0  # blades a square metre
-const TILE := 8.0  # metres, where there are tiles
-## The levels by distance: up to where (metres), segments of a blade, share of the blades, whether they cast shadows. About the same as a
-## GrassField with its default numbers.
+const TILE := 8.0  # metres
+## The levels by distance: up to where (metres), segments of a blade, share of the blades, how much wider they are, whether they cast
+## shadows. About the same as a GrassField with its default numbers.
 const LEVELS: Array[Dictionary] = [
-	{to = 18.0, segments = 7, share = 1.0, shadow = true},
-	{to = 50.0, segments = 3, share = 0.7, shadow = true},
-	{to = 80.0, segments = 3, share = 0.4, shadow = false},
-	{to = 0.0, segments = 3, share = 0.2, shadow = false},
+	{to = 18.0, segments = 7, share = 1.0, wider = 1.0, shadow = true},
+	{to = 50.0, segments = 3, share = 0.7, wider = 1.2, shadow = true},
+	{to = 80.0, segments = 3, share = 0.4, wider = 1.6, shadow = false},
+	{to = 0.0, segments = 3, share = 0.2, wider = 2.2, shadow = false},
+]
+const RING_TILE := 5.0  # metres
+## The same in the way of GodotGrass (2Retr0, MIT), re-created from what it does, without its code: blades of five triangles, far ones of one,
+## its distances, and its shares of the blades near the eye. They are not widened, and all cast shadows.
+const RINGS: Array[Dictionary] = [
+	{to = 12.0, segments = 3, share = 1.0, wider = 1.0, shadow = true},
+	{to = 40.0, segments = 3, share = 0.25, wider = 1.0, shadow = true},
+	{to = 70.0, segments = 1, share = 0.0676, wider = 1.0, shadow = true},
+	{to = 100.0, segments = 1, share = 0.01, wider = 1.0, shadow = true},
+	{to = 0.0, segments = 1, share = 0.0004, wider = 1.0, shadow = true},
 ]
 const FILL := """#version 450
 layout(local_size_x = 64) in;
@@ -59,18 +69,25 @@ func make_plain(p_side: float, p_segments: int) -> void:
 	_add_instance(multimesh, Vector3.ZERO, {})
 
 
-## Tiles that share one MultiMesh for each level, switched by distance.
-func make_tiled(p_side: float) -> void:
+## Tiles of about p_tile metres that share one MultiMesh for each of p_levels, switched by distance.
+func make_tiled(p_side: float, p_tile: float, p_levels: Array[Dictionary]) -> void:
 	blades = roundi(p_side * p_side * DENSITY)
+	var across := maxi(1, roundi(p_side / p_tile))
+	var tile := p_side / across
 	var from := 0.0
-	for level in LEVELS:
-		var count := roundi(TILE * TILE * DENSITY * level.share)
-		var multimesh := _make_multimesh(_make_mesh(level.segments, 1.0 / sqrt(level.share)), count, TILE)
-		for x in int(p_side / TILE):
-			for z in int(p_side / TILE):
-				var place := Vector3((x + 0.5) * TILE - 0.5 * p_side, 0.0, (z + 0.5) * TILE - 0.5 * p_side)
+	for level in p_levels:
+		var count := maxi(1, roundi(tile * tile * DENSITY * level.share))
+		var multimesh := _make_multimesh(_make_mesh(level.segments, level.wider), count, tile)
+		for x in across:
+			for z in across:
+				var place := Vector3((x + 0.5) * tile - 0.5 * p_side, 0.0, (z + 0.5) * tile - 0.5 * p_side)
 				_add_instance(multimesh, place, {from = from, to = level.to, shadow = level.shadow})
 		from = level.to
+
+
+## Grass within p_radius of a place lies flat, as below a player.
+func flatten(p_place: Vector3, p_radius: float) -> void:
+	_material.set_shader_parameter("player", Vector4(p_place.x, p_place.y, p_place.z, p_radius))
 
 
 func _exit_tree() -> void:

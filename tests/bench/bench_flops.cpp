@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How many floating-point operations a blade's step takes: the solver over numbers that count what is done with them. With it, the least
-// time that a GPU of a given peak needs; docs/benchmarks quotes it. Sums, products, quotients, roots and comparisons count one each. Its
-// peak counts two for a product and a sum fused into one instruction. So there are two floors: that of its peak, as if all could be fused,
-// and that of its instructions, where only a sum or difference of a product is.
+// How many floating-point operations a blade's step takes: the solver over numbers that count what is done with them. With it,
+// docs/benchmarks knows the least time that a GPU of a given peak needs. Sums, products, quotients, roots and comparisons count one each. A
+// card's peak counts two for a product and a sum fused into one instruction. So there are two floors: that of its peak, as if all could be
+// fused, and that of its instructions, where only a sum or difference of a product is.
 #include "blade_scene.h"
 #include "core/solver/step_tile.h"
 
@@ -79,9 +79,6 @@ using namespace grass::test;
 
 namespace {
 
-constexpr double PEAK = 66.9e12; // of an H100, operations a second, two in each fused one
-constexpr double INSTRUCTIONS = PEAK / 2.0; // a second
-constexpr double BANDWIDTH = 3.0e12; // of the same, bytes a second
 constexpr double BYTES_DIRECT = 748.0, BYTES_PBD = 632.0; // that a blade's step must move: bench_kernel.gd
 constexpr int STEPS = 48;
 
@@ -131,21 +128,14 @@ Count count(Method p_method, int p_balls) {
 
 } // namespace
 
+// A table: of a blade's step, with the bytes that it has to move.
 int main() {
-	std::printf("Floating-point operations a blade's step, and the least time (ms) that an H100 needs for 65,536 and 1,048,576 of them:\n"
-				"by operations, %.1f thousand million a millisecond; by instructions, half as many, where a sum of a product is one;\n"
-				"by bytes (%.0f and %.0f a blade), %.1f GB a millisecond\n",
-			PEAK * 1e-12, BYTES_DIRECT, BYTES_PBD, BANDWIDTH * 1e-12);
+	std::printf("method,scene,operations,instructions,bytes\n");
 	for (const Method method : { Method::DIRECT, Method::PBD }) {
 		for (const int balls : { 0, 4 }) {
 			const Count counted = count(method, balls);
-			const double bytes = method == Method::DIRECT ? BYTES_DIRECT : BYTES_PBD;
-			std::printf("  METHOD_%-6s, %d balls: %7.0f operations, %7.0f instructions", method == Method::DIRECT ? "DIRECT" : "PBD", balls,
-					counted.operations, counted.instructions);
-			for (const double seconds : { counted.operations / PEAK, counted.instructions / INSTRUCTIONS, bytes / BANDWIDTH }) {
-				std::printf("; %.4f and %.3f", 65536e3 * seconds, 1048576e3 * seconds);
-			}
-			std::printf("\n");
+			std::printf("%s,%s,%.0f,%.0f,%.0f\n", method == Method::DIRECT ? "DIRECT" : "PBD", balls == 0 ? "free" : "balls",
+					counted.operations, counted.instructions, method == Method::DIRECT ? BYTES_DIRECT : BYTES_PBD);
 		}
 	}
 }

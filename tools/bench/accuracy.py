@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""`./grass bench accuracy`: run time against error of both solver methods, as one CSV and one SVG plot for each error.
+"""The parts `accuracy` and `accuracy_cpu`: run time against error of both solver methods, as one CSV and one SVG plot for each error.
 
 The CPU's rows come from the programs build/bench/accuracy_KNOTS. For the GPU's they record the steps of the same problems
 (packs), the bench scene runs them, here or on another machine, and the programs compute the errors of what came back.
 """
 
 import csv
-import datetime
 import gzip
 import pathlib
 import platform
@@ -15,8 +14,7 @@ import tempfile
 
 from tools.bench.plot import WIDTH, Plot
 from tools.build import build
-from tools.places import BUILD, OUT, ROOT
-from tools.run import scenes
+from tools.places import BUILD
 from tools.say import Failure, progress, say
 
 KNOTS = (8, 16, 32)
@@ -39,30 +37,28 @@ ERRORS = {
 CONTACT = {"sphere_sweep", "slow_pass", "fast_pass", "slow_ensemble", "fast_ensemble", "plate", "post", "tremble"}
 COLORS = {"DIRECT": "#1b7f4b", "PBD": "#c2571a"}
 LEAST = 1e-5  # errors below this are drawn here: a logarithm knows no zero
-COMMITTED = ROOT / "docs/benchmarks/accuracy/accuracy.csv"
 
 
-def run(out, is_quick, gpu_results=None):
-	"""Writes rows of this machine's CPU and GPU; or adds `gpu_results`, a folder that another machine's GPU wrote, to the present table."""
-	build.scons("accuracy")
-	folder = pathlib.Path(out or OUT / "bench").resolve() / "accuracy"
+def write(folder, cpu, gpu_folder, is_quick):
+	"""FOLDER/accuracy.csv and plots: of the table `cpu` of the part accuracy_cpu, or of the rows already there, and what a GPU wrote."""
 	folder.mkdir(parents=True, exist_ok=True)
+	build.scons("accuracy")
 	table = folder / "accuracy.csv"
-	if gpu_results:
-		notes, rows = read_table(table if table.exists() else COMMITTED)
-		gpu = read_gpu(pathlib.Path(gpu_results), is_quick)
-	else:
-		notes, rows = [f"{processor()}, one core; {when()}"], solve("Solving", is_quick)
-		gpu = play_here(folder, is_quick)
-	rows = [row for row in rows if row["precision"].startswith("CPU")]
-	compare(rows, gpu)
-	if gpu and all(row["precision"] == "GPU" for row in gpu):  # times from software rendering say nothing about a GPU
-		notes = [note for note in notes if not note.startswith("GPU")] + [f"GPU: {device(pathlib.Path(gpu_results or folder))}; {when()}"]
-		rows += gpu
+	notes, rows = read_table(cpu or table)
+	if cpu and not gpu_folder and table.exists():  # the GPU's rows stay
+		old_notes, old = read_table(table)
+		notes = notes[:1] + [note for note in old_notes if note.startswith("GPU")]
+		rows += [row for row in old if row["precision"] == "GPU"]
+	if gpu_folder:
+		gpu = read_gpu(gpu_folder, is_quick)
+		rows = [row for row in rows if row["precision"].startswith("CPU")]
+		compare(rows, gpu)
+		if gpu and all(row["precision"] == "GPU" for row in gpu):  # times from software rendering say nothing about a GPU
+			notes = [note for note in notes if not note.startswith("GPU")] + [f"GPU: {device(gpu_folder)}"]
+			rows += gpu
 	write_table(table, notes, rows)
 	for error, title in ERRORS.items():
 		(folder / f"{error}.svg").write_text(plot(title, error in CONTACT, [row for row in rows if row["error"] == error]))
-	say(f"Tables and plots: {folder}")
 
 
 def solve(text, is_quick, *arguments):
@@ -82,15 +78,6 @@ def record(folder, is_quick):
 	"""Writes the problems for a GPU to `folder`."""
 	folder.mkdir(parents=True, exist_ok=True)
 	solve("Recording", is_quick, "--record", folder)
-
-
-def play_here(folder, is_quick):
-	packs = folder / "packs"
-	record(packs, is_quick)
-	arguments = ["--only", "accuracy", "--packs", str(packs), "--spirv", str(BUILD / "bench")]
-	scenes.ready("res://bench/bench.tscn")
-	scenes.play("res://bench/bench.tscn", folder, arguments, "320x180", "forward_plus")
-	return read_gpu(folder, is_quick)
 
 
 def read_gpu(folder, is_quick):
@@ -113,7 +100,7 @@ def compare(rows, gpu):
 
 def device(folder):
 	"""The name of the GPU in the scene's table."""
-	with open(folder / "accuracy_gpu.csv", encoding="utf-8") as file:
+	with open(folder / "accuracy.csv", encoding="utf-8") as file:
 		return file.readline().removeprefix("#").strip()
 
 
@@ -123,15 +110,6 @@ def processor():
 			return next(line.split(":", 1)[1].strip() for line in info if line.startswith("model name"))
 	except (OSError, StopIteration):
 		return platform.processor() or platform.machine()
-
-
-def commit():
-	result = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True)
-	return result.stdout.strip() or "unknown"
-
-
-def when():
-	return f"commit {commit()}; {datetime.date.today()}"
 
 
 def read_table(path):

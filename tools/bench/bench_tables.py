@@ -1,56 +1,95 @@
 # SPDX-License-Identifier: MIT
-"""The committed tables of the benchmarks, of which pages are made.
+"""The committed tables of the benchmarks, of which pages are made: docs/benchmarks/set.json says which table each part has, and of what.
 
-The layer `docs` fails if a newer table of a benchmark is not used, and if no page names a table.
+A set is what one run of `./grass bench all` measured, of one commit. A part that it lacks keeps its earlier table, and pages say so.
+The layer `docs` fails if no page names a table, and if a page shows one without its commit.
 """
 
 import csv
+import json
 import re
 
 from tools.places import ROOT
 
 FOLDER = ROOT / "docs/benchmarks"
-# The newest table of each benchmark.
-TABLES = {
-	"draw": "2026-11-23-h200/forward_draw.csv",
-	"draw_mobile": "2026-11-23-h200/mobile_draw.csv",
-	"kernel": "2026-11-23-h200/kernel.csv",
-	"flops": "2026-11-23-h200/flops.csv",
-	"sleep": "2026-11-21-h100/sleep.csv",
-	"awake": "2026-11-24-h200/awake.csv",
-	"cpu": "2026-11-25-h100/cpu.csv",
-	"movers": "2026-11-23-xeon/movers.csv",
-	"change": "2026-11-21-epyc/change.csv",
-	"hitch": "2026-11-25-h100/hitch_warm.csv",
-	"hitch_cold": "2026-11-25-h100/hitch_cold.csv",
-	"limits": "2026-11-23-h200/limits.csv",
-	"rest": "2026-11-24-h200/rest.csv",
-	"crowd": "2026-11-25-epyc/crowd.csv",
-	"levels": "2026-11-26-h200/levels.csv",
-	"detail": "2026-11-26-h200/detail.csv",
-}
-FAMILIES = {"draw": "forward_draw*.csv", "draw_mobile": "mobile_draw*.csv", "hitch": "hitch_warm*.csv"}  # by file name; else NAME*.csv
+COMMIT = re.compile(r"\bcommits? (?:after )?([0-9a-f]{7,12})\b|^# ([0-9a-f]{7,12})\b", re.MULTILINE)
+LINK = re.compile(r"\]\(((?:[^()\s]*/)?(?:\d{4}-\d\d-\d\d-[^()\s]*|paper|accuracy)/[\w.-]+\.csv)\)")
+TOLD = ("history.md",)  # pages that tell of tables of many commits
 
 
-def read(name):
-	"""(the table's note about its device, its rows)."""
-	lines = (FOLDER / TABLES[name]).read_text().splitlines()
-	notes = [line[2:] for line in lines if line.startswith("#")]
-	return "; ".join(notes), list(csv.DictReader(line for line in lines if not line.startswith("#")))
+class Tables:
+	def __init__(self, folder=FOLDER):
+		self.folder = folder
+		self.file = folder / "set.json"
+		known = json.loads(self.file.read_text()) if self.file.exists() else {}
+		self.commit = known.get("commit")  # of the set; None before there is one
+		self.parts = known.get("parts", {})
+
+	def save(self):
+		self.file.write_text(json.dumps({"commit": self.commit, "parts": self.parts}, indent="\t", ensure_ascii=False) + "\n")
+
+	def has(self, name):
+		return name in self.parts
+
+	def path(self, name):
+		"""Relative to the folder."""
+		return self.parts[name]["table"]
+
+	def rows(self, name):
+		lines = (self.folder / self.path(name)).read_text().splitlines()
+		return list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+	def outcomes(self, name):
+		"""(rows that were measured, rows that failed), of a table with outcomes; ([], []) without it."""
+		rows = self.rows(name) if self.has(name) else []
+		return [row for row in rows if row["outcome"] == "ok"], [row for row in rows if row["outcome"] != "ok"]
+
+	def machine(self, name):
+		"""What was measured: the card, or the processor."""
+		part = self.parts[name]
+		return part["device"] or part["processor"]
+
+	def others(self, *names):
+		"""Tables that are not of the set's commit, as "NAME.csv (COMMIT)"."""
+		if not self.commit:
+			return []
+		return [f"{name}.csv ({self.parts[name]['commit']})" for name in names if self.parts[name]["commit"] != self.commit]
+
+	def source(self, *names):
+		"""The lines below a table: its files, machine and commit; and whether that is another one than the set's."""
+		files = " and ".join(f"[{self.path(name).split('/')[1]}]({self.path(name)})" for name in names)
+		part = self.parts[names[0]]
+		driver = f", driver {part['driver']}" if part["device"] and part["driver"] else ""
+		commits = " and ".join(dict.fromkeys(self.parts[name]["commit"] for name in names))
+		lines = [f"{files}: {self.machine(names[0])}{driver}; commit {commits}.", ""]
+		if self.others(*names):
+			lines += [f"**Of another commit than the set's, {self.commit}: {', '.join(self.others(*names))}.**", ""]
+		return lines
 
 
-def newer():
-	"""Tables of a benchmark that are newer than the page's one, as texts."""
-	wrong = []
-	for name, table in TABLES.items():
-		for other in FOLDER.glob(f"*/{FAMILIES.get(name, f'{name}*.csv')}"):
-			if re.match(r"\d{4}", other.parent.name) and other.parent.name[:10] > table[:10]:
-				wrong.append(f"{other.relative_to(FOLDER)} is newer than {table}")
+def pages_of(folder):
+	return [*(ROOT / "docs").rglob("*.md")] if folder == FOLDER else sorted(folder.rglob("*.md"))
+
+
+def unnamed(folder=FOLDER):
+	"""Tables and plots that no page names, relative to the folder. They may be deleted: their commit keeps them."""
+	text = "".join(path.read_text() for path in pages_of(folder))
+	return [str(path.relative_to(folder)) for path in sorted(folder.glob("*/*")) if str(path.relative_to(folder)) not in text]
+
+
+def commits(table):
+	"""The commits that a table's notes name."""
+	notes = "\n".join(line for line in table.read_text().splitlines() if line.startswith("#"))
+	return {first or second for first, second in COMMIT.findall(notes)}
+
+
+def without_commit(pages, folder=FOLDER):
+	"""Tables that a page shows without saying of which commit they are, as texts. Where a set has all, its first lines say it."""
+	wrong, commit = [], Tables(folder).commit
+	for page in pages:
+		text = page.read_text()
+		for link in dict.fromkeys(LINK.findall(text)) if page.name not in TOLD else ():
+			of = commits(page.parent / link)
+			if of and commit not in of and not any(one in text for one in of):
+				wrong.append(f"{page.name} shows {link} and does not say that it is of commit {', '.join(sorted(of))}")
 	return wrong
-
-
-def unnamed():
-	"""Tables and plots that no page names, as texts. They may be deleted: their commit keeps them."""
-	pages = "".join(path.read_text() for path in (ROOT / "docs").rglob("*.md"))
-	kept = (path.relative_to(FOLDER) for path in sorted(FOLDER.glob("*/*")))
-	return [f"no page names {path}: name it, or remove it" for path in kept if str(path) not in pages]

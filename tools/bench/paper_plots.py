@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The plots of `./grass bench paper` as SVG, by name."""
+"""The plots of docs/benchmarks/paper.md as SVG, by name."""
 
 from tools.bench.paper_rows import BLUE, GREEN, GREY, KINDS, NAMES, ORANGE, ms, pick, xy
 from tools.bench.plot import Plot
@@ -7,14 +7,11 @@ from tools.bench.plot import Plot
 
 def plots(tables):
 	drawn = {}
-	if tables["awake"][1]:
-		drawn["figure7"] = plot_awake(tables["awake"][1])
-	if tables["lists"][1]:
-		drawn["lists"] = plot_lists(tables["lists"][1])
-	if tables["table1"][1]:
-		drawn["table1"] = plot_table1(tables["table1"][1])
+	for name, part, plot in (("figure7", "awake", plot_awake), ("lists", "lists", plot_lists), ("table1", "table1", plot_table1)):
+		if rows := tables.outcomes(f"paper_{part}")[0]:
+			drawn[name] = plot(rows)
 	for view in ("eye", "above"):
-		if rows := pick(tables["rivals"][1], view=view, shadows="on"):
+		if rows := pick(tables.outcomes("paper_rivals")[0], view=view, shadows="on"):
 			drawn[f"rivals_{view}"] = plot_rivals(rows, view)
 	return drawn
 
@@ -74,5 +71,5 @@ def plot_rivals(rows, view):
 			picture.line(points, color)
 		for x, y in points:
 			picture.mark(x, y, color)
-	picture.legend([(NAMES[kind], color) for kind, color in KINDS.items()])
+	picture.legend([(NAMES[kind], color) for kind, color in KINDS.items() if pick(rows, kind=kind)])
 	return picture.svg()

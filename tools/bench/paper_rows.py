@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The rows of the tables that `./grass bench paper` measures: which ones, which of their columns, and their names."""
+"""The rows of the tables of docs/benchmarks/paper.md: which ones, which of their columns, and their names."""
 
-GREEN, ORANGE, BLUE, GREY = "#1b7f4b", "#c2571a", "#2a5f9e", "#777777"
-KINDS = {"field": GREEN, "tiles": BLUE, "multimesh 7": ORANGE, "multimesh 15": GREY}
+GREEN, ORANGE, BLUE, GREY, PURPLE = "#1b7f4b", "#c2571a", "#2a5f9e", "#777777", "#7a3e9d"
+KINDS = {"field": GREEN, "rings": PURPLE, "tiles": BLUE, "multimesh 7": ORANGE, "multimesh 15": GREY}
 NAMES = {
 	"field": "GrassField",
+	"rings": "in the way of GodotGrass",
 	"tiles": "MultiMesh a tile, by distance",
 	"multimesh 7": "MultiMesh, 7 segments",
 	"multimesh 15": "MultiMesh, 15 segments",

@@ -5,16 +5,18 @@ import pathlib
 import re
 import shutil
 import subprocess
+import tarfile
 
 from tools.build import build
 from tools.fetch import machine
-from tools.places import ADDON_BIN, BUILD, PROJECT
+from tools.places import ADDON_BIN, BUILD, PROJECT, ROOT
 from tools.run import engine
 from tools.say import Failure, progress, say
 
 PRESET = "Linux"  # in godot_project/export_presets.cfg
 TESTS_PRESET = "Tests"  # the same, but that res://tests/runner.tscn is the main scene
 BENCH_PRESET = "Benchmark"  # the same, but that res://bench/bench.tscn is the main scene
+ALL_PARTS = ROOT / "tools/bench/all.sh"
 NAME = "grass_field"
 KINDS = ("debug", "release")
 
@@ -56,9 +58,10 @@ def pack(how, preset, file, pck):
 		raise Failure("The engine could not pack the project:\n" + "\n".join(output[-30:]))
 
 
-def benchmark(out):
-	"""Exports everything that another machine's GPU needs for the benchmarks: OUT/bench.pck, the library, shaders, recorded problems."""
-	from tools.bench import accuracy
+def benchmark(out, times):
+	"""Exports everything that another machine's GPU needs for the benchmarks: OUT/bench.pck, the library, shaders, recorded problems, and
+	all.sh, which runs the parts. `times`: seconds that they took, by name."""
+	from tools.bench import accuracy, commits, parts
 
 	folder = pathlib.Path(out).resolve()
 	build.scons("extension", "accuracy")
@@ -66,11 +69,15 @@ def benchmark(out):
 	folder.mkdir(parents=True, exist_ok=True)
 	pack("--export-pack", BENCH_PRESET, folder / "bench.pck", folder / "bench.pck")
 	libraries = [path for path in ADDON_BIN.glob("*.template_debug.*.so") if ".double." not in path.name]
-	for file in [*libraries, *(BUILD / "bench").glob("simulate_*.spv")]:
+	for file in [*libraries, *(BUILD / "bench").glob("simulate_*.spv"), ALL_PARTS]:
 		shutil.copy(file, folder)
 	if strip := shutil.which("strip"):  # less to carry
 		subprocess.run([strip, "--strip-debug", *folder.glob("*.so")])
 	accuracy.record(folder / "packs", False)
-	say(
-		f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}. docs/benchmarks/HOWTO.md describes how to run it."
-	)
+	(folder / "commit").write_text(commits.measured() + "\n")
+	(folder / "parts").write_text("\n".join([*parts.listing(times), ""]))
+	carried = folder.with_name(f"{folder.name}.tar.xz")
+	with tarfile.open(carried, "w:xz") as archive:
+		archive.add(folder, folder.name)
+	say(f"Packed: {', '.join(sorted(file.name for file in folder.iterdir()))} in {folder}, commit {commits.measured()}")
+	say(f"To carry: {carried}, {carried.stat().st_size / 1e6:.1f} MB. docs/benchmarks/HOWTO.md describes how to run it: all.sh SECONDS OUT")

@@ -8,32 +8,11 @@ import time
 
 from tools.build import build
 from tools.fetch import machine, settle
-from tools.places import BUILD, OUT, PROJECT
+from tools.places import OUT, PROJECT
 from tools.run import engine
 from tools.say import Failure, progress, say
 
 LIMIT = 3600  # seconds
-# the benchmarks in the engine that ./grass bench runs
-BENCHES = (
-	"draw",
-	"limits",
-	"meadow",
-	"forces",
-	"movers",
-	"simulate",
-	"sleep",
-	"awake",
-	"rest",
-	"crowd",
-	"detail",
-	"levels",
-	"cpu",
-	"questions",
-	"change",
-	"hitch",
-	"species",
-	"kernel",
-)
 PLAYED = ("walk",)  # demos that somebody plays, where there are a screen and a GPU
 EVENING = 12 * 3600  # seconds that one may play
 SIZES = {"large": "1920x1080", "small": "1280x720"}
@@ -95,23 +74,6 @@ def demo(place, out, size, method):
 	folder = pathlib.Path(out or OUT / place).resolve()
 	say(f"The {place}, {size}, on {'the GPU' if hardware else 'software Vulkan: this takes some minutes'}")
 	play(scene, folder, ["--size", size], SIZES[size], method)
-	results(folder)
-
-
-def bench(out, only):
-	"""Runs the core's benchmarks, one after the other, then the engine's; or `only` one of the engine's."""
-	ready("res://bench/bench.tscn", *([] if only else ["bench"]), "accuracy")
-	folder = pathlib.Path(out or OUT / "bench").resolve()
-	folder.mkdir(parents=True, exist_ok=True)
-	for program in [] if only else sorted((BUILD / "bench").glob("bench_*")):
-		with progress(f"Running {program.name}", every=10):
-			result = subprocess.run([str(program)], capture_output=True, text=True, timeout=LIMIT)
-		if result.returncode:
-			raise Failure(f"{program.name} ended with code {result.returncode}:\n{result.stderr}")
-		print(result.stdout, end="")
-		(folder / f"{program.name}.txt").write_text(result.stdout)
-	spirv = ["--spirv", str(BUILD / "bench")]
-	play("res://bench/bench.tscn", folder, [*spirv, *(["--only", only] if only else [])], SIZES["large"], "forward_plus")
 	results(folder)
 
 

@@ -10,13 +10,13 @@ import shutil
 import subprocess
 
 from tools import command_line
-from tools.bench import bench_page, bench_tables, cost_table, drivers_page, machines_page, paper, paper_page
+from tools.bench import accuracy, accuracy_page, bench_page, bench_tables, cost_table, drivers_page, machines_page, paper_page, solver_page
 from tools.build import binding
 from tools.fetch import machine, settle
 from tools.pages import links, prose, snippets
 from tools.places import BUILD, PROJECT, ROOT
 from tools.run import engine
-from tools.test import formatting, one_text, rooms
+from tools.test import bench_tests, formatting, one_text, rooms
 from tools.test.test_runs import Tally, in_engine, noted
 
 PRELUDES = PROJECT / "tests/docs/cpp"  # KEY.h: what a C++ block assumes
@@ -130,11 +130,20 @@ def wrong_guide():
 
 
 def wrong_benchmarks():
-	"""Pages of figures that differ from the newest tables, and tables that no page names."""
-	stale = [] if bench_page.PAGE.read_text() == bench_page.page() else ["run `python3 -m tools.bench.bench_page`"]
-	tables = {part: paper.read(bench_tables.FOLDER / f"paper/paper_{part}.csv") for part in paper.PARTS}
-	stale += [] if (bench_tables.FOLDER / "paper.md").read_text() == paper_page.page(tables) else ["paper.md is not what its tables make"]
-	return "; ".join([*stale, *bench_tables.newer(), *bench_tables.unnamed()])
+	"""Pages of figures that differ from the set's tables, tables that no page names, and tables that a page shows without their commit."""
+	tables = bench_tables.Tables()
+	pages = {name: (bench_tables.FOLDER / name).read_text() for name in ("README.md", "paper.md", "accuracy.md", "solver.md")}
+	accurate = accuracy.read_table(bench_tables.FOLDER / "accuracy/accuracy.csv")
+	made = {
+		"README.md": bench_page.page(tables),
+		"paper.md": paper_page.page(tables),
+		"accuracy.md": accuracy_page.made(pages["accuracy.md"], *accurate),
+		"solver.md": solver_page.made(pages["solver.md"], tables),
+	}
+	stale = [f"{name} is not what its tables make: run `python3 -m tools.bench.new_set`" for name in made if pages[name] != made[name]]
+	unnamed = [f"no page names {path}: name it, or remove it" for path in bench_tables.unnamed()]
+	shown = [page for page in snippets.pages() if page.parent.name in ("benchmarks", "guide") or page.parent == ROOT]
+	return "; ".join([*stale, *unnamed, *bench_tables.without_commit(shown)])
 
 
 def run(only, layers):
@@ -189,5 +198,6 @@ CHECKED_PAGES = {
 	"docs/costs": cost_table.wrong,
 	"docs/drivers": drivers_page.wrong,
 	"docs/machines": machines_page.wrong,
+	**bench_tests.TESTS,
 }
 CHECKS = {"cpp": wrong_cpp, "sh": wrong_shell}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Run time against error of both solver methods on reference problems, for GRASS_KNOTS knots: CSV to the standard
-// output. `./grass bench accuracy` builds and runs it for 8, 16 and 32 knots and draws the plots.
+// output. `./grass bench` builds and runs it for 8, 16 and 32 knots and draws the plots.
 //   accuracy_16 [--quick]                 rows of the CPU
 //   accuracy_16 --record FOLDER [--quick] writes what a GPU is to compute to FOLDER/METHOD_16.pack
 //   accuracy_16 --play FOLDER [--quick]   rows of the GPU that made FOLDER/METHOD_16.result of it
