@@ -47,6 +47,7 @@ while read -r name scene seconds method size cache takes options <&3; do
 	home=$homes/shared
 	[ "$cache" = shared ] || home=$homes/own
 	[ "$cache" != empty ] || rm -rf "$home"
+	[ -z "${QUICK:-}" ] || size=640x360
 	mkdir -p "$homes/first"
 	if [ "$cache" = filled ] && [ ! -d "$home" ]; then
 		mkdir -p "$home"
