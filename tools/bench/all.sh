@@ -31,8 +31,12 @@ play() {
 	set -- "$@" -- --only "$scene" --as "$name" --commit "$commit" --out "$to" ${QUICK:+--quick "$QUICK"}
 	case $takes in *spirv*) set -- "$@" --spirv "$pack" ;; esac
 	case $takes in *packs*) set -- "$@" --packs "$pack/packs" ;; esac
+	limit=$((end - $(date +%s)))
+	[ $limit -gt 0 ] || return # for timeout, 0 would be no limit
+	[ -n "${QUICK:-}" ] || [ $limit -lt $((60 + 3 * seconds)) ] || limit=$((60 + 3 * seconds)) # a part that hangs leaves time to the others
+	mkdir -p "$home/cache"
 	HOME=$home XDG_DATA_HOME=$home/data XDG_CACHE_HOME=$home/cache __GL_SHADER_DISK_CACHE_PATH=$home/cache \
-		RENDERING_METHOD=$method TIMEOUT=$((end - $(date +%s))) "$run" "$pack/bench.pck" "$size" "$@" >"$to/$name.log" 2>&1 </dev/null
+		RENDERING_METHOD=$method TIMEOUT=$limit "$run" "$pack/bench.pck" "$size" "$@" >"$to/$name.log" 2>&1 </dev/null
 }
 
 todo=
@@ -50,10 +54,8 @@ while read -r name scene seconds method size cache takes options <&3; do
 	[ -z "${QUICK:-}" ] || size=640x360
 	mkdir -p "$homes/first"
 	if [ "$cache" = filled ] && [ ! -d "$home" ]; then
-		mkdir -p "$home"
 		play "$name" "$scene" "$method" "$size" "$takes" "$homes/first" $options
 	fi
-	mkdir -p "$home"
 	play "$name" "$scene" "$method" "$size" "$takes" "$out" $options
 	took=$(($(date +%s) - now))
 	if [ -e "$out/$name.json" ]; then
@@ -63,6 +65,7 @@ while read -r name scene seconds method size cache takes options <&3; do
 		tail -3 "$out/$name.log"
 		todo="$todo $name"
 	fi
+	[ -n "${QUICK:-}" ] || sleep 1 # until the screen of the one is gone that the next would start
 done 3<"$pack/parts"
 [ -z "$todo" ] && echo "all parts are done" || echo "not done yet:$todo"
 [ -z "$todo" ]
