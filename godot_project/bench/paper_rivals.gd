@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 ## Compares a GrassField with other ways to draw grass in Godot, with as many blades, from the same place, under the same sun: one MultiMesh
-## with an instance a blade (7 and 15 segments), MultiMeshes by tile that are switched by distance, and our own re-creation of the way in which
-## GodotGrass draws (rings of tiles).
+## with an instance a blade (7 and 15 segments), MultiMeshes by tile that are switched by distance, and our own re-creation of the way
+## in which GodotGrass draws (rings of tiles).
 extends Node3D
 
 const FrameTimer := preload("res://bench/frame_timer.gd")

@@ -14,8 +14,8 @@ const LEVELS: Array[Dictionary] = [
 	{to = 0.0, segments = 3, share = 0.2, wider = 2.2, shadow = false},
 ]
 const RING_TILE := 5.0  # metres
-## The same in the way of GodotGrass (2Retr0, MIT), re-created from what it does, without its code: blades of five triangles, far ones of one,
-## its distances, and its shares of the blades near the eye. They are not widened, and all cast shadows.
+## The same in the way of GodotGrass (2Retr0, MIT), re-created from what it does, without its code: blades of five triangles, far ones of
+## one, its distances, and its shares of the blades near the eye. They are not widened, and all cast shadows.
 const RINGS: Array[Dictionary] = [
 	{to = 12.0, segments = 3, share = 1.0, wider = 1.0, shadow = true},
 	{to = 40.0, segments = 3, share = 0.25, wider = 1.0, shadow = true},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The parts of `./grass bench`, each a process of its own that writes one table: how it is started, how long it takes, which pages show it."""
+"""The parts of `./grass bench`, each a process that writes one table: how it is started, how long it takes, which pages show it."""
 
 from dataclasses import dataclass
 

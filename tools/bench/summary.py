@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a user asks first of the benchmarks, in ten lines at the top of docs/benchmarks/README.md. Each figure comes from a table of the set."""
+"""What a user asks first of the benchmarks: ten lines at the top of docs/benchmarks/README.md. Each figure is from a table of the set."""
 
 from tools.bench.bench_sections import measured
 from tools.bench.paper_rows import ms, pick
