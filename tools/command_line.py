@@ -29,8 +29,8 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 
 DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
 BENCHMARKS = """all (default): every part that a page shows, each once; a second start goes on where the first was. stress: only the stress
-	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another machine's
-	GPU needs, into --out"""
+	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another
+	machine's GPU needs, into --out"""
 
 
 def parser():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-## Runs the problems that tests/bench/accuracy/tape.h recorded on the GPU: the reference problems of `./grass bench`, whose errors are computed
-## from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
+## Runs the problems that tests/bench/accuracy/tape.h recorded on the GPU: the reference problems of `./grass bench`, whose errors are
+## computed from the knots that this writes. Also times 65,536 swinging blades, by wall time over many steps.
 ##   bench.tscn -- --only accuracy --packs DIR --spirv DIR --out DIR
 ## DIR/METHOD_KNOTS.pack, DIR/simulate_KNOTS_free.spv and _edges.spv in, DIR/METHOD_KNOTS.result.gz out; tape.h describes their contents.
 extends Node
