@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 ## What each level of GrassQuality saves: GPU time of a frame of a meadow, without a headset and for both eyes of one. The headset is the
-## engine's own for phones, which needs the engine's argument `--xr-mode on`; without it there are no rows of two eyes.
+## engine's own for phones, which needs the engine's argument `--xr-mode on`.
 extends Node3D
 
 const Measure := preload("res://bench/measure.gd")
@@ -64,7 +64,7 @@ func _build(p_side: float) -> void:
 
 
 func _put_on() -> bool:
-	if not "--xr-mode" in OS.get_cmdline_args() or _headset == null or not _headset.initialize():
+	if _headset == null or not _headset.initialize():
 		return false
 	get_viewport().use_xr = true
 	return true
