@@ -27,7 +27,7 @@ def made(text, tables):
 	"""The page's text with its table made anew; as it is where the set has none."""
 	if not tables.has("speed"):
 		return text
-	return prose.page(TABLE.sub(lambda found: found[1] + "\n".join(table(tables)) + found[3], text))
+	return prose.page(TABLE.sub(lambda found: found[1] + "\n".join(table(tables)) + found[2], text))
 
 
 def write(tables):

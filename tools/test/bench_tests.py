@@ -103,6 +103,10 @@ def copied(place):
 		shutil.copy(folder / tables.path(name), to / f"{name}.csv")
 		record = {**tables.parts[name], "part": name, "commit": COMMIT, "date": "2031-02-03", "device": "NVIDIA H200", "quick": False}
 		(to / f"{name}.json").write_text(json.dumps({**record, "processor": "AMD EPYC 9000", "seconds": 12.5}))
+	speeds = [f"DIRECT,swinging,{numbers},{speed},{speed / 0.5}" for numbers, speed in (("double", 0.5), ("float", 0.75))]
+	(here / "speed.csv").write_text("\n".join(["# a processor", "method,scene,numbers,million_blades_a_second,times_double", *speeds, ""]))
+	record = {"part": "speed", "commit": COMMIT, "quick": False, "date": "2031-02-03", "processor": "AMD EPYC 9000", "seconds": 1.0}
+	(here / "speed.json").write_text(json.dumps(record))
 	return folder, card, here
 
 
@@ -128,6 +132,7 @@ def one_set():
 			("such lines on the page of the paper", paper.count("Of another commit"), 0),
 			("what the page says first", f"of commit {COMMIT}, but for those" in flat, True),
 			("pages are what their tables make", (bench_page.page(after), paper_page.page(after)), (page, paper)),
+			("the row of speeds", "| METHOD_DIRECT, swinging | 0.5 | 0.75 (1.5) |" in (folder / "solver.md").read_text(), True),
 			("tables still there: one that history.md names, and that of the missing part", still, ["draw_mobile", "levels"]),
 		)
 
