@@ -10,11 +10,13 @@ import re
 import shutil
 import subprocess
 import tempfile
+from unittest import mock
 
 from tools.bench import bench_page, new_set, paper_page, parts, run_parts, summary
 from tools.bench.bench_tables import FOLDER, Tables
 from tools.bench.paper_rows import ms, pick
 from tools.places import ROOT
+from tools.say import Failure
 
 COMMIT = "c0ffee12"
 # In the place of an engine: fails for the part `second` until there is a file OUT/well.
@@ -137,6 +139,21 @@ def one_set():
 		)
 
 
+def refused():
+	"""Samples, and tables of sources that are not committed, do not become pages of docs/benchmarks."""
+	said = []
+	for spoiled in ({"quick": True}, {"commit": COMMIT + "-dirty"}):
+		with tempfile.TemporaryDirectory() as place, mock.patch.object(new_set, "FOLDER", pathlib.Path(place, "docs")):
+			folder, card, here = copied(place)
+			before = (folder / "set.json").read_text()
+			(card / "rest.json").write_text(json.dumps({**json.loads((card / "rest.json").read_text()), **spoiled}))
+			try:
+				new_set.write(card, here, folder, COMMIT, False)
+			except Failure as failure:
+				said.append("rest" in str(failure) and (folder / "set.json").read_text() == before)
+	return expected(("refused, with nothing written", said, [True, True]))
+
+
 def first_lines():
 	"""The first lines of the page name figures of the tables that they link, computed here in another way."""
 	with tempfile.TemporaryDirectory() as place:
@@ -193,5 +210,6 @@ TESTS = {
 	"docs/bench resumes on a card": resumed,
 	"docs/bench resumes here": records,
 	"docs/bench one set": one_set,
+	"docs/bench samples are no pages": refused,
 	"docs/bench first lines": first_lines,
 }
