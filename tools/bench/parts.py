@@ -50,7 +50,7 @@ PARTS = (
 	Part("hitch_cold", 45, scene="hitch", cache="empty"),
 	Part("hitch_warm", 35, scene="hitch", cache="filled"),
 	Part("change", 20, size="640x360"),
-	Part("accuracy", 180, ("accuracy",), size="640x360", takes="spirv packs"),
+	Part("accuracy", 180, (), size="640x360", takes="spirv packs"),  # all knots of all steps: 150 MB to carry back
 	Part("forces", 40, ()),
 	Part("questions", 100, ()),
 	Part("species", 60, ()),
