@@ -15,7 +15,7 @@ namespace grass {
 namespace {
 
 constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres: reach of queries around the field; radius of the mark there
-constexpr const char *AWAY = "No plot of the world is in memory here. Come nearer, or raise the world's `radius` and `budget`.";
+constexpr const char *NOT_IN_MEMORY = "No plot of the world is in memory here. Come nearer, or raise the world's `radius` and `budget`.";
 const Color ASKED_COLOR(1.0f, 0.8f, 0.37f);
 
 StrokeKeys keys_of(const InputEventWithModifiers *p_event) {
@@ -77,7 +77,7 @@ int32_t GrassEditorPlugin::asking_input(Camera3D *p_camera, const Ref<InputEvent
 			_ring.show(asked, p_camera, *point, { ASKED_RADIUS, 1.0, ASKED_COLOR });
 			const Vector3 place = to_godot(Eigen::Vector3d(asked.space * point->position));
 			GrassField *field = world != nullptr ? world->get_field_at(place) : find_asked(asked, place);
-			_answer.show(p_camera, motion->get_position(), field != nullptr ? answer_of(asked, field, place, p_camera) : AWAY);
+			_answer.show(p_camera, motion->get_position(), field != nullptr ? answer_of(asked, field, place, p_camera) : NOT_IN_MEMORY);
 		} else {
 			_ring.hide();
 			_answer.hide();

@@ -15,7 +15,7 @@ namespace grass {
 namespace {
 
 // Width of a wheel as a share of its radius, since wheels have no width: typical for cars.
-constexpr double WIDTH = 0.6;
+constexpr double WHEEL_WIDTH = 0.6;
 // Least slip that leaves a track: rolling wheels report some hundredths.
 constexpr double LEAST_SLIP = 0.1;
 
@@ -51,7 +51,7 @@ void VehicleWheels::add_wheels(Vehicle &r_vehicle, uint64_t p_vehicle) {
 		Ref<CylinderShape3D> shape;
 		shape.instantiate();
 		shape->set_radius(wheel->get_radius());
-		shape->set_height(float(WIDTH * wheel->get_radius()));
+		shape->set_height(float(WHEEL_WIDTH * wheel->get_radius()));
 		const Eigen::AngleAxisd along_axle(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()); // a cylinder's axis is vertical
 		if (_colliders.add(wheel, shape, Eigen::Affine3d(along_axle), p_vehicle)) {
 			r_vehicle.wheels.push_back(wheel->get_instance_id());
@@ -78,7 +78,7 @@ std::vector<VehicleWheels::Slip> VehicleWheels::find_slips() const {
 			}
 			const double share = 1.0 - wheel->get_skidinfo();
 			if (share > LEAST_SLIP) {
-				slips.push_back({ wheel->get_contact_point(), 0.5 * WIDTH * wheel->get_radius(), share });
+				slips.push_back({ wheel->get_contact_point(), 0.5 * WHEEL_WIDTH * wheel->get_radius(), share });
 			}
 		}
 	}

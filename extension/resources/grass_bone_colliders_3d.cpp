@@ -20,7 +20,7 @@ std::map<uint64_t, GrassBoneColliders3D *> skeletons_in_tree;
 
 // Ticks between reads of the places of all bones while the skeleton is far from every field. More: bones that swing far out of their box
 // bend grass later.
-constexpr uint64_t LOOK_EVERY = 8;
+constexpr uint64_t BONES_LOOK_EVERY = 8;
 
 } // namespace
 
@@ -62,7 +62,7 @@ Eigen::AlignedBox3d GrassBoneColliders3D::find_bounds(int64_t &r_calls) {
 	if (_seen.skeleton == nullptr) {
 		return {};
 	}
-	if (_seen.bones_tick == NEVER || _seen.tick - _seen.bones_tick >= LOOK_EVERY) {
+	if (_seen.bones_tick == NEVER || _seen.tick - _seen.bones_tick >= BONES_LOOK_EVERY) {
 		read_bones(r_calls);
 	}
 	if (_seen.box.isEmpty()) {

@@ -14,9 +14,10 @@ ALONE = ("step_lanes", "main", "elastic_blade")
 STEPS = ("step_lanes", "step_scalar")  # objects that the tests of the core share with the library
 CORE = "extension/core/"
 CORE_NAMES = ("extension_core_", "core")  # of the sources that include some of it: by_folder()'s, across_folders()'s
-WORD = re.compile(r"\w+")
+NOT_CODE = re.compile(r'//.*|"(?:\\.|[^"\\\n])*"')
+WORD = re.compile(r"(?<!::)\b[A-Za-z_]\w*")  # of what names a scope, that scope alone
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\} // namespace$", re.MULTILINE | re.DOTALL)
-NAMES = re.compile(r"\w(?!emplate|ublic|rivate)")  # a line that may define something
+NAMES = re.compile(r"\} \w|\w(?!emplate|ublic|rivate|tatic_assert)")  # a line that may define something
 DEFINED = re.compile(r"(\w+)\s*(?:\(|=|\{|\[|;|$|(?<!:):(?!:))")
 ALSO_DEFINED = re.compile(r", (\w+) = ")
 INCLUDE = re.compile(r'^(#include (?:<[^>]+>|"([^"]+)"))', re.MULTILINE)
@@ -52,11 +53,11 @@ def across_folders(files, place, most):
 
 
 def apart_by_names(files, most):
-	"""`files` in as few parts as can be."""
+	"""`files` in as few parts as can be, or nearly: those with the most names first, which fit into the fewest."""
 	parts = []
-	for file in files:
-		text = (ROOT / file).read_text()
-		own, words = own_names(text), set(WORD.findall(text))
+	texts = {file: (ROOT / file).read_text() for file in files}
+	for file in sorted(files, key=lambda file: -len(own_names(texts[file]))):
+		own, words = own_names(texts[file]), set(WORD.findall(NOT_CODE.sub("", texts[file])))
 		part = next((part for part in parts if len(part.files) < most and part.takes(own, words)), None)
 		if part is None:
 			parts.append(part := Part([], set(), set()))

@@ -13,7 +13,7 @@ namespace grass {
 namespace {
 
 constexpr int TEXELS = LEAF_ACROSS * LEAF_ALONG;
-constexpr int SPOTS = 14; // most spots in a picture
+constexpr int SPOTS_MOST = 14; // most spots in a picture
 
 // The random numbers of one picture.
 class Chance {
@@ -45,7 +45,7 @@ float rank_of(const Chance &p_chance, float p_across, float p_along, float p_age
 	const float ragged = 0.16f * (p_chance.noise(6.0f * p_across + 3.0f, 12.0f) - 0.5f) + 0.05f * off;
 	const float wither = (p_along + ragged - (1.0f - 0.16f * p_age)) / 0.06f;
 	rank += std::clamp(wither, 0.0f, 1.5f) * (0.4f + 3.0f * p_age);
-	for (int s = 0; s < int(std::lround(p_age * SPOTS)); s++) {
+	for (int s = 0; s < int(std::lround(p_age * SPOTS_MOST)); s++) {
 		const uint32_t number = 1000u + uint32_t(s) * 8u;
 		const float dx = (p_across - (2.0f * p_chance.at(number) - 1.0f)) / (0.12f + 0.3f * p_chance.at(number + 2));
 		const float dy = (p_along - p_chance.at(number + 1)) / (0.006f + 0.02f * p_chance.at(number + 3));

@@ -11,7 +11,7 @@ namespace grass {
 namespace {
 
 // In one call. More: eyes that jump find their plants sooner, and such a tick takes longer.
-constexpr int STEPS = 4096, READS = 48; // tiles passed; tiles whose blades are looked at
+constexpr int PASSED_MOST = 4096, READS = 48; // tiles passed; tiles whose blades are looked at
 // Tiles whose plants are kept. Where eyes reach more, the farthest are not looked at.
 constexpr size_t KNOWN_TILES = 65536;
 // An eye that moved less has the same plants near it. Metres.
@@ -102,7 +102,7 @@ std::span<const StandingScene> PlantSearch::choose(
 	}
 	_is_stale = _is_stale || _walks.size() != p_eyes.size();
 	_walks.resize(p_eyes.size());
-	_steps = STEPS;
+	_steps = PASSED_MOST;
 	_reads = READS;
 	for (size_t i = 0; i < _walks.size(); i++) {
 		Walk &walk = _walks[i];

@@ -10,14 +10,14 @@ namespace grass {
 namespace {
 
 constexpr double SHEET_TEXEL = info_of(MAP_GROUND).texel_size();
-constexpr double REACH = PaintMap::REACH * MAP_CHUNK_SIZE;
+constexpr double MAP_REACH = PaintMap::REACH * MAP_CHUNK_SIZE;
 constexpr double EDGE = 1e-9; // share of a triangle, so that no gap opens between neighbours
 
 } // namespace
 
 HeightSheet::HeightSheet(const MapRegion &p_region) {
-	const Eigen::Array2d low = ((p_region.min.array().max(-REACH) - SHEET_TEXEL) / SHEET_TEXEL - 0.5).floor();
-	const Eigen::Array2d high = ((p_region.max.array().min(REACH) + SHEET_TEXEL) / SHEET_TEXEL - 0.5).ceil();
+	const Eigen::Array2d low = ((p_region.min.array().max(-MAP_REACH) - SHEET_TEXEL) / SHEET_TEXEL - 0.5).floor();
+	const Eigen::Array2d high = ((p_region.max.array().min(MAP_REACH) + SHEET_TEXEL) / SHEET_TEXEL - 0.5).ceil();
 	_first = (low + 0.5) * SHEET_TEXEL;
 	if (low.allFinite() && high.allFinite() && (low <= high).all()) {
 		_width = int(high.x() - low.x()) + 1;

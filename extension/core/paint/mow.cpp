@@ -10,9 +10,9 @@ namespace grass {
 
 namespace {
 
-constexpr int SIDE = info_of(MAP_CUT).side;
+constexpr int CUT_SIDE = info_of(MAP_CUT).side;
 constexpr double CUT_TEXEL = info_of(MAP_CUT).texel_size();
-static_assert(SIDE == info_of(MAP_WEAR).side && SIDE == info_of(MAP_DENSITY).side);
+static_assert(CUT_SIDE == info_of(MAP_WEAR).side && CUT_SIDE == info_of(MAP_DENSITY).side);
 
 Eigen::Vector2d centre_of(int p_i, int p_j) {
 	return { (p_i + 0.5) * CUT_TEXEL, (p_j + 0.5) * CUT_TEXEL };
@@ -24,7 +24,7 @@ struct TexelBlock {
 
 // Returns the texels whose centres are in a rectangle, within the map's reach.
 TexelBlock texels_within(const Eigen::Vector2d &p_min, const Eigen::Vector2d &p_max) {
-	constexpr double REACH = PaintMap::REACH * double(SIDE);
+	constexpr double REACH = PaintMap::REACH * double(CUT_SIDE);
 	const Eigen::Array2d low = (p_min.array() / CUT_TEXEL - 0.5).ceil(), high = (p_max.array() / CUT_TEXEL - 0.5).floor();
 	if (!low.allFinite() || !high.allFinite()) {
 		return { Eigen::Array2i::Zero(), Eigen::Array2i::Constant(-1) };
@@ -53,7 +53,7 @@ public:
 
 	double density(int p_i, int p_j) {
 		const double wear = _wear.value(0, p_i, p_j);
-		static_assert(SIDE == 2 * info_of(MAP_HOLE).side);
+		static_assert(CUT_SIDE == 2 * info_of(MAP_HOLE).side);
 		return _hole.code(0, p_i >> 1, p_j >> 1) != 0 ? 0.0 : _density.value(0, p_i, p_j) * (1.0 - wear * wear);
 	}
 	double uncut(int p_i, int p_j) {
@@ -153,7 +153,7 @@ CutResult cut_grass(PaintMap &r_map, const MowRegion &p_region, const GrassKind 
 	const Eigen::Vector2d middle = footprint.get_centre();
 	if (!covers_any && p_region.rectangle.contains(middle)) {
 		const Eigen::Array2d texel = (middle.array() / CUT_TEXEL).floor();
-		if ((texel.abs() < PaintMap::REACH * double(SIDE)).all()) {
+		if ((texel.abs() < PaintMap::REACH * double(CUT_SIDE)).all()) {
 			cut(int(texel.x()), int(texel.y()), middle);
 		}
 	}
@@ -190,11 +190,11 @@ BrushResult regrow_grass(PaintMap &r_map, const MowRegion &p_region, const Grass
 	for (const MapKey &key : r_map.get_keys()) {
 		const MapChunk *chunk = r_map.find(key);
 		const bool has_cuts = longer > 0 && chunk->channels[MAP_CUT], has_wear = p_wear && chunk->channels[MAP_WEAR];
-		const Eigen::Array2i corner = Eigen::Array2i(key.x, key.z) * SIDE;
+		const Eigen::Array2i corner = Eigen::Array2i(key.x, key.z) * CUT_SIDE;
 		if (!has_cuts && !has_wear) {
 			continue;
 		}
-		visit({ block.first.max(corner), block.last.min(corner + (SIDE - 1)) }, [&](int p_i, int p_j) {
+		visit({ block.first.max(corner), block.last.min(corner + (CUT_SIDE - 1)) }, [&](int p_i, int p_j) {
 			const int32_t cut = r_map.get_code(MAP_CUT, 0, p_i, p_j), wear = r_map.get_code(MAP_WEAR, 0, p_i, p_j);
 			if ((cut == MAP_UNCUT_CODE && wear == 0) || !is_within(p_region, p_i, p_j)) {
 				return;

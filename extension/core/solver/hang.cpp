@@ -21,7 +21,7 @@ constexpr double GRAVITY = 9.81; // m/s^2
 constexpr double DIRECTION_STEPS = 16.0; // to which a direction's components are rounded: about 4 degrees
 constexpr double DEGREE = std::numbers::pi / 180.0;
 constexpr double STEP = 0.1; // seconds, for blades that swing once a second
-constexpr int STEPS = 40; // four swings of a blade without overshoot: it is at rest
+constexpr int HANGING_STEPS = 40; // four swings of a blade without overshoot: it is at rest
 constexpr int TILES = GRASS_PATCH_BLADES / GRASS_BLADES_PER_TILE;
 
 // Where a blade rests depends on load over frequency squared, so all species swing alike here.
@@ -42,7 +42,7 @@ void hang_tile(CpuPool &r_pool, int p_tile, const SolverParams &p_solver, Patch 
 	StepClock clock;
 	GrassSlot slot;
 	slot.list = { uint32_t(p_tile * GRASS_BLADES_PER_TILE), 0, 0, GRASS_SLOT_FRESH };
-	for (int i = 0; i < STEPS; i++) {
+	for (int i = 0; i < HANGING_STEPS; i++) {
 		GrassStep step = clock.advance(p_solver, STEP);
 		step.field = { 1.0f, 1.0f, 1.0f, float(GRASS_KNOTS) };
 		step.clump = { 1.0f, 0.0f, 0.0f, 0.0f }; // the patch's own shapes

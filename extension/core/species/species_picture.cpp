@@ -14,7 +14,7 @@ namespace {
 
 constexpr int BLADES = 90;
 constexpr int FINE = 2; // drawn texels for each texel of the picture, along a side
-constexpr int STEPS = 6; // least number of steps along a segment
+constexpr int SEGMENT_STEPS = 6; // least number of steps along a segment
 constexpr float FILLED = 0.9f; // share of the height that the tallest blade fills
 constexpr float DEEP = 0.12f; // height of the hindmost roots above the foremost, as a share of the picture's height
 constexpr float WIDER = 1.5f; // factor on the width: thin blades would be lost in a small picture
@@ -135,7 +135,7 @@ void draw_card(Canvas &r_canvas, const DrawnBlade &p_blade, std::span<const uint
 void draw_blade(Canvas &r_canvas, const PictureLook &p_look, const DrawnBlade &p_blade, float p_texels) {
 	for (int k = 0; k < GRASS_SEGMENTS; k++) {
 		const Eigen::Vector2f from = p_blade.knots[size_t(k)], way = p_blade.knots[size_t(k + 1)] - from;
-		const int steps = std::max(STEPS, int(std::ceil(way.norm())));
+		const int steps = std::max(SEGMENT_STEPS, int(std::ceil(way.norm())));
 		for (int i = 0; i < steps; i++) {
 			const float part = float(i) / float(steps), along = (float(k) + part) / float(GRASS_SEGMENTS);
 			const float width = p_blade.width * std::sqrt(1.0f - along);
