@@ -85,13 +85,30 @@ def copy_project(light):
 		file.write('\n[editor_plugins]\n\nenabled=PackedStringArray("res://tests/editor/plugin.cfg")\n')
 
 
+def drawn_in_editor():
+	"""Whether each test of the editor, by name, needs a window. As runner.gd finds them."""
+	drawn = {}
+	for script in sorted((PROJECT / "tests/editor").glob("test_*.gd")):
+		text = script.read_text()
+		listed = re.search(r"^const DRAWN := \[(.*?)\]", text, re.MULTILINE | re.DOTALL)
+		for function in re.findall(r"^func (test_\w+)", text, re.MULTILINE):
+			drawn[f"editor/{script.stem}.{function}"] = bool(listed) and f'"{function}"' in listed[1]
+	return drawn
+
+
 def editor(only):
-	"""Runs tests that look at the picture in a window, and all others without one, which takes a tenth of the time."""
-	copy_project(light=not only)
-	start = {"start": ("--editor",), "project": EDITED, "may_be_none": bool(only)}
-	tally = in_engine("editor", *engine.headless(), only, more=("--drawn=no",), **start)
-	with engine.window(size="1280x720" if only else "1024x600", software=True) as (command, environment):
-		tally.add(in_engine("editor", command, environment, only, more=("--drawn=yes",), **start))
+	"""Runs tests that look at the picture in a window, and all others without one, which takes a tenth of the time. An editor that has no
+	test to run would not end well: it is not started."""
+	tests = {name: drawn for name, drawn in drawn_in_editor().items() if any(part in name for part in only.split(","))}
+	start = {"start": ("--editor",), "project": EDITED}
+	tally = Tally()
+	if tests:
+		copy_project(light=not only)
+	if not all(tests.values()):
+		tally.add(in_engine("editor", *engine.headless(), only, more=("--drawn=no",), may_be_none=False, **start))
+	if any(tests.values()):
+		with engine.window(size="1280x720" if only else "1024x600", software=True) as (command, environment):
+			tally.add(in_engine("editor", command, environment, only, more=("--drawn=yes",), may_be_none=False, **start))
 	return tally
 
 
