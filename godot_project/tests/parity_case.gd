@@ -31,13 +31,13 @@ func difference(tiles: Array[Vector2i]) -> float:
 	return most
 
 
-## The same of each blade of a tile.
-func blade_differences(tile: Vector2i) -> PackedFloat64Array:
-	var by_gpu := tile_knots(gpu, tile)
+## The same of each blade of a tile, of the GPU's field or another one.
+func blade_differences(tile: Vector2i, field := gpu) -> PackedFloat64Array:
+	var others := tile_knots(field, tile)
 	var by_cpu := tile_knots(cpu, tile)
 	var off := PackedFloat64Array()
 	for blade in BLADES:
-		var knots := blade_of(by_gpu, blade)
+		var knots := blade_of(others, blade)
 		off.append(farthest(knots, blade_of(by_cpu, blade)) / (15 * knots[0].distance_to(knots[1])))
 	return off
 
