@@ -118,7 +118,7 @@ func is_red(color: Color) -> bool:
 func assert_waking_is_not_seen(field: GrassField) -> void:
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.2, 0))
 	await drawn()
-	var asleep := await picture()
+	var asleep := await next_picture()
 	var body := AnimatableBody3D.new()
 	body.sync_to_physics = false
 	add_shape(body, ball(0.05))

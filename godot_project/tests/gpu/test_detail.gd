@@ -105,7 +105,7 @@ func test_thinned_grass_covers_as_much() -> void:
 		for property: String in FULL:
 			field.set(property, ClassDB.class_get_property_default_value("GrassField", property))
 		await drawn()
-		var thinned := share_of(await picture(), is_green)
+		var thinned := share_of(await next_picture(), is_green)
 		print(
 			(
 				"    from %s: %.3f green at full detail, %.3f with %d of %d blades"
@@ -156,12 +156,12 @@ func test_what_other_grass_hides_is_not_missed() -> void:
 	var field := add_seen_field({size = Vector2(48, 48), density = 64.0})
 	look(Vector3(0, 0.9, 23), Vector3(0, 0.2, -23))
 	await drawn()
-	var thinned := await picture()
+	var thinned := await next_picture()
 	var drawn_blades: int = field.get_statistics().drawn_blades
 	for property: String in FULL:
 		field.set(property, FULL[property])
 	await drawn()
-	var full := await picture()
+	var full := await next_picture()
 	assert_less(drawn_blades, 0.2 * field.get_statistics().drawn_blades, "most are not drawn")
 	var horizon := 0  # the first row of the grass
 	while is_green(full.get_pixel(SIZE.x / 2, horizon)) == false and horizon < SIZE.y - 1:

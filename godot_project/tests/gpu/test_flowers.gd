@@ -10,10 +10,10 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	look(Vector3(0, 1.2, 3.2), Vector3(0, 0.4, 0))
 	await drawn()
 	var triangles: int = field.get_statistics().drawn_triangles
-	_check_no_flowers(await picture())
+	_check_no_flowers(await next_picture())
 	violet.card = flower(Color(0.7, 0.1, 0.7))
 	await drawn()
-	var gpu := await picture()
+	var gpu := await next_picture()
 	gpu.save_png(PICTURES + "flowers.png")
 	print("    %s" % ProjectSettings.globalize_path(PICTURES + "flowers.png"))
 	var share := share_of(gpu, is_violet)
@@ -23,7 +23,7 @@ func test_flowers_stand_on_the_tips_of_their_species_only() -> void:
 	assert_greater(field.get_statistics().drawn_triangles, triangles)
 	field.backend = GrassField.BACKEND_CPU
 	await drawn()
-	assert_less(difference(gpu, await picture()).y, 0.003)
+	assert_less(difference(gpu, await next_picture()).y, 0.003)
 	field.backend = GrassField.BACKEND_AUTO
 	violet.card.set_image(flower(Color(0.9, 0.1, 0.1)).get_image())
 	var repainted := await picture()
@@ -107,14 +107,14 @@ func test_flowers_bend_with_their_blades() -> void:
 	look(Vector3(0, 5, 3), Vector3.ZERO)
 	await drawn()
 	var rest := _tips(field)
-	var image := await picture()
+	var image := await next_picture()
 	assert_greater(_share_of_flowers(image, rest), 0.97)
 	var body := add_held_body(ball(0.5), Vector3(0.2, 0.2, 0.2))
 	body.reparent(viewport)  # into its world
 	await ticks(30)
 	await drawn()
 	var bent := _tips(field)
-	image = await picture()
+	image = await next_picture()
 	image.save_png(PICTURES + "flowers_bent.png")
 	var moved := PackedVector3Array()
 	var left := PackedVector3Array()

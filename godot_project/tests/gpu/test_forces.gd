@@ -57,7 +57,7 @@ func test_waking_does_not_show() -> void:
 	await ticks(60)
 	await drawn()
 	assert_eq(field.get_awake_tile_count(), 0)
-	var before := await picture()
+	var before := await next_picture()
 	force.speed = 3.1  # at the centre
 	await wait_until(func() -> bool: return field.get_awake_tile_count() > 50, "tiles wake", true)
 	var woken := apart(before, await picture())

@@ -31,6 +31,6 @@ func test_still_blades_are_not_mixed_again() -> void:
 	await drawn()
 	assert_eq(field.get_counters().steps, before.steps, "the field is still")
 	assert_eq(field.get_counters().mixes, before.mixes)
-	var interpolated := await picture()
+	var interpolated := await next_picture()
 	get_tree().physics_interpolation = false
 	assert_eq(difference(interpolated, await picture()).x, 0.0, "it shows the last step")

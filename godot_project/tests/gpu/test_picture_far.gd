@@ -51,11 +51,12 @@ func look_under(elevation: float) -> void:
 func pictures_in(lights: Array[Vector3], size: Vector2i) -> Array[Image]:
 	viewport.size = size
 	picture_size = size
-	await drawn()
-	var images: Array[Image] = []
-	for light in lights:
+	sun.rotation_degrees = lights[0]
+	var images: Array[Image] = [await picture()]
+	for light in lights.slice(1):
 		sun.rotation_degrees = light
 		images.append(await next_picture())
+	await frames(1)  # for the GPU's counts
 	return images
 
 

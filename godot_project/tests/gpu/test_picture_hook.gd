@@ -128,7 +128,7 @@ func test_snow_and_wetness() -> void:
 		sun.rotation_degrees = Vector3(-20, 180, 0)  # into the eye
 	await drawn()
 	var spot := Rect2i(76, 24, 32, 28)  # below the sun
-	var shining := await picture()
+	var shining := await next_picture()
 	save(shining, "wet_against_the_sun")
 	field.set_hook_parameter("wet_roughness", 0.9)
 	var dull := await picture()

@@ -79,7 +79,7 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	await drawn()
 	var rest := heads(field, 1)
 	var grass := heads(field, 0)
-	var gpu := await picture()
+	var gpu := await next_picture()
 	keep(gpu, "plants.png")
 	print(
 		(
@@ -96,7 +96,7 @@ func test_plants_stand_on_their_species_and_bend_with_them() -> void:
 	await ticks(30)
 	await drawn()
 	var bent := heads(field, 1)
-	var image := await picture()
+	var image := await next_picture()
 	keep(image, "plants_bent.png")
 	var moved := PackedVector3Array()
 	var left := PackedVector3Array()
@@ -120,7 +120,7 @@ func test_both_backends_draw_the_same_plants() -> void:
 	var field := add_plants([make(0.7, GREEN), plant(0.3, {stems = 4})], {map = map, density = 8.0})
 	map.stroke(brush(GrassBrush.TOOL_SPECIES, 1.0, {species = 2, strength = 1.0}), Vector2(-2, 0), Vector2(2, 0))
 	await drawn()
-	var gpu := await picture()
+	var gpu := await next_picture()
 	var count: int = field.get_counters().drawn_plants
 	keep(gpu, "plants_painted.png")
 	assert_greater(count, 40)
@@ -130,7 +130,7 @@ func test_both_backends_draw_the_same_plants() -> void:
 	await drawn()
 	assert_eq(field.get_statistics().backend, "CPU")
 	assert_eq(field.get_counters().drawn_plants, count)
-	var off := difference(gpu, await picture())
+	var off := difference(gpu, await next_picture())
 	print("    GPU and CPU: %d plants, mean difference %.5f" % [count, off.y])
 	assert_less(off.y, 0.003)
 
@@ -163,12 +163,12 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 	var species := plant(1.0, {width_min = 0.02, width_max = 0.02, gradient = Gradient.new()})
 	var field := add_plants([species])
 	await drawn()
-	var near := share_of(await picture(), is_violet)
+	var near := share_of(await next_picture(), is_violet)
 	var count: int = field.get_counters().drawn_plants
 	var memory: int = field.get_statistics().memory
 	species.plant_distance = 2.0
 	await drawn()
-	var image := await picture()
+	var image := await next_picture()
 	keep(image, "plants_far.png")
 	print("    violet: near %.4f, as blades %.4f; %d plants" % [near, share_of(image, is_violet), count])
 	assert_greater(count, 100)
@@ -176,7 +176,7 @@ func test_far_plants_are_blades_of_their_colour() -> void:
 	assert_greater(share_of(image, is_violet), 0.3 * near)
 	species.plant_mesh = null
 	await drawn()
-	assert_eq(share_of(await picture(), is_violet), 0.0)
+	assert_eq(share_of(await next_picture(), is_violet), 0.0)
 	print("    %d bytes for plants" % [memory - int(field.get_statistics().memory)])
 	assert_greater(memory - int(field.get_statistics().memory), count * 80)  # instances alone
 	assert_less(memory - int(field.get_statistics().memory), count * 80 + 50000)
@@ -241,12 +241,12 @@ func test_plants_that_others_hide_are_not_drawn() -> void:
 	var field := add_plants([fern], stand)
 	look(Vector3(0, 1.7, 9.0), Vector3(0, 0.5, 2.0))
 	await drawn()
-	var all := await picture()
+	var all := await next_picture()
 	keep(all, "plants_all.png")
 	var count: int = field.get_counters().drawn_plants
 	field.pixels_min = ClassDB.class_get_property_default_value(&"GrassField", &"pixels_min")
 	await drawn()
-	var image := await picture()
+	var image := await next_picture()
 	keep(image, "plants_in_sight.png")
 	var left: int = field.get_counters().drawn_plants
 	var off := difference(all, image)
