@@ -71,7 +71,7 @@ std::shared_ptr<const Patch> find_hung(
 	if (!hung.making.valid()) {
 		return hung.made.lock();
 	}
-	const std::shared_ptr<const Patch> made = hung.making.get();
+	std::shared_ptr<const Patch> made = hung.making.get();
 	hung.made = made;
 	return made;
 }

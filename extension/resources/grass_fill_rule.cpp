@@ -96,7 +96,7 @@ Ref<GrassFillRule> GrassFillRule::with_kept_mask() const {
 	if (picture.is_null()) {
 		return {};
 	}
-	const Ref<GrassFillRule> copy = duplicate();
+	Ref<GrassFillRule> copy = duplicate();
 	copy->set_kept_mask(picture->duplicate()); // get_image() may return the texture's own image
 	return copy;
 }

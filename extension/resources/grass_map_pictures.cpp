@@ -64,7 +64,7 @@ Ref<Image> with_whole_floats(const Ref<Image> &p_image) {
 	if (format < Image::FORMAT_RH || format > Image::FORMAT_RGBAH) {
 		return p_image;
 	}
-	const Ref<Image> image = p_image->duplicate();
+	Ref<Image> image = p_image->duplicate();
 	image->convert(Image::Format(format - Image::FORMAT_RH + Image::FORMAT_RF));
 	return image;
 }
@@ -108,7 +108,7 @@ PictureProblem GrassMap::find_rect(Channel p_channel, const Rect2 &p_region, Tex
 
 PictureProblem GrassMap::make_picture(Channel p_channel, const Rect2 &p_region, bool p_is_float, Ref<Image> &r_image) const {
 	TexelRect rect;
-	if (const PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
 	const Pixels pixels = read_pixels(copy(), MapChannel(p_channel), rect, p_is_float);
@@ -127,14 +127,14 @@ Ref<Image> GrassMap::get_channel_image(Channel p_channel, const Rect2 &p_region,
 
 PictureProblem GrassMap::lay_picture(Channel p_channel, const Ref<Image> &p_image, const Rect2 &p_region) {
 	TexelRect rect;
-	if (const PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
 	if (p_image.is_null() || p_image->is_empty()) {
 		return refuse("there is no image.");
 	}
 	const MapChannelInfo &info = info_of(MapChannel(p_channel));
-	if (const PictureProblem problem = compare_size(info.name, rect, p_image->get_width(), p_image->get_height()); problem.error != OK) {
+	if (PictureProblem problem = compare_size(info.name, rect, p_image->get_width(), p_image->get_height()); problem.error != OK) {
 		return problem;
 	}
 	const Ref<Image> image = with_whole_floats(p_image);
@@ -183,7 +183,7 @@ PictureProblem GrassMap::write_picture(Channel p_channel, const String &p_path, 
 		return refuse("a picture is saved as .png (8 bit) or .exr (floats).", ERR_FILE_UNRECOGNIZED);
 	}
 	Ref<Image> image;
-	if (const PictureProblem problem = make_picture(p_channel, p_region, is_exr, image); problem.error != OK) {
+	if (PictureProblem problem = make_picture(p_channel, p_region, is_exr, image); problem.error != OK) {
 		return problem;
 	}
 	const MapChannelInfo &info = info_of(MapChannel(p_channel));
@@ -201,7 +201,7 @@ PictureProblem GrassMap::write_picture(Channel p_channel, const String &p_path, 
 
 PictureProblem GrassMap::read_picture(Channel p_channel, const String &p_path, const Rect2 &p_region) {
 	TexelRect rect;
-	if (const PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
+	if (PictureProblem problem = find_rect(p_channel, p_region, rect); problem.error != OK) {
 		return problem;
 	}
 	const PackedByteArray bytes = FileAccess::get_file_as_bytes(p_path);
@@ -216,7 +216,7 @@ PictureProblem GrassMap::read_picture(Channel p_channel, const String &p_path, c
 		return refuse(vformat("the picture %s", header.reason.c_str()), ERR_INVALID_DATA);
 	}
 	if (header.width > 0) { // nothing larger is unpacked
-		const PictureProblem problem = compare_size(info_of(MapChannel(p_channel)).name, rect, header.width, header.height);
+		PictureProblem problem = compare_size(info_of(MapChannel(p_channel)).name, rect, header.width, header.height);
 		if (problem.error != OK) {
 			return problem;
 		}

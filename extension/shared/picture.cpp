@@ -17,7 +17,7 @@ Ref<Image> read_picture(const Ref<Image> &p_picture, String &r_problem) {
 				vformat("has %d x %d texels, but at most %d along a side are read. Use a smaller one.", width, height, PICTURE_SIDE_MAX);
 		return {};
 	}
-	const Ref<Image> copy = p_picture->duplicate();
+	Ref<Image> copy = p_picture->duplicate();
 	if (copy->is_compressed() && copy->decompress() != OK) {
 		r_problem = "is compressed in a way that cannot be read. Import it as Lossless or VRAM Uncompressed.";
 		return {};

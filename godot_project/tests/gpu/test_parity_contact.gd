@@ -167,8 +167,8 @@ func test_bent_alike_under_a_moving_body() -> void:
 			node.free()
 
 
-## Fields on the CPU that are where the pair is, but for a nudge. A leaf that is hit edge-on falls to the side that rounding says: on the CPU
-## alone a nudge moves one of the tile's blades by three hundredths of its length in ten steps.
+## Fields on the CPU that are where the pair is, but for a nudge. A leaf that is hit edge-on falls to the side that rounding says: on
+## the CPU alone a nudge moves one of the tile's blades by three hundredths of its length in ten steps.
 func add_nudged() -> Array[GrassField]:
 	var fields: Array[GrassField] = []
 	for way: Vector3 in [Vector3.LEFT, Vector3.RIGHT, Vector3.FORWARD, Vector3.BACK]:
