@@ -39,7 +39,7 @@ bool ExportMasks::_begin_customize_resources(const Ref<EditorExportPlatform> &p_
 // p_path: the file if the resource is a file's main resource, otherwise empty. Returns null to keep the resource as it is.
 Ref<Resource> ExportMasks::_customize_resource(const Ref<Resource> &p_resource, const String &p_path) {
 	const GrassFillRule *rule = Object::cast_to<GrassFillRule>(p_resource.ptr());
-	if (rule == nullptr || rule->get_kept_mask().is_valid() || rule->get_mask_state() == GrassFillRule::MASK_NONE) {
+	if (rule == nullptr || rule->get_kept_mask().is_valid() || rule->get_mask_state() == GrassFillRule::MASK_STATE_NONE) {
 		return {};
 	}
 	if (p_path.is_empty() && !rule->is_built_in()) {

@@ -15,7 +15,8 @@ namespace grass {
 namespace {
 
 constexpr double ASKED_AROUND = 1000.0, ASKED_RADIUS = 0.2; // metres: reach of queries around the field; radius of the mark there
-constexpr const char *NOT_IN_MEMORY = "No plot of the world is in memory here. Come nearer, or raise the world's `radius` and `budget`.";
+constexpr const char *NOT_IN_MEMORY =
+		"No plot of the world is in memory here. Come nearer, or raise the world's `camera_radius` and `memory_budget`.";
 const Color ASKED_COLOR(1.0f, 0.8f, 0.37f);
 
 StrokeKeys keys_of(const InputEventWithModifiers *p_event) {

@@ -63,7 +63,7 @@ SolverParams FieldProperties::solver() const {
 	SolverParams solver;
 	solver.method = method;
 	solver.friction = param(PARAM_FRICTION);
-	solver.max_speed = param(PARAM_MAX_SPEED);
+	solver.swing_speed_max = param(PARAM_SWING_SPEED_MAX);
 	solver.iterations = int(param(PARAM_ITERATIONS));
 	solver.contact_rate = param(PARAM_CONTACT_RATE);
 	return solver;

@@ -52,7 +52,7 @@ struct FieldProperties {
 		return terrain_texture.is_valid() ? terrain_texture : terrain_colors;
 	}
 	int64_t seed = 0, pool_tiles = TileParams().pool_size, collision_mask = 1;
-	bool simulated = true, measure_time = false, has_ground = true;
+	bool simulated = true, measure_time = false, has_soil = true;
 	Method method = SolverParams().method;
 	SimulationDetail simulation_detail = FieldParams().detail;
 	SleepMode sleep_mode = TileParams().sleep_mode;

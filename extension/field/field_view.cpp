@@ -214,7 +214,7 @@ FieldView find_view(GeometryInstance3D *p_node, const Transform3D &p_transform, 
 		return view;
 	}
 	view.lod = p_properties.lod();
-	view.lod.is_carried = p_properties.has_ground;
+	view.lod.is_carried = p_properties.has_soil;
 	view.plant_reach = float(p_properties.quality.factor(QUALITY_PLANT_DISTANCE));
 	view.has_motion = are_motion_vectors_read(p_node);
 	if (p_node->get_cast_shadows_setting() != GeometryInstance3D::SHADOW_CASTING_SETTING_OFF) {

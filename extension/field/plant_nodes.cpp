@@ -240,7 +240,7 @@ bool PlantNodes::hide(BladeNumber p_blade) {
 	if (node == nullptr) {
 		return true;
 	}
-	if (!outlives(_node, [&] { _node.emit_signal("plant_node_left", node, shown.plant.species, p_blade); })) {
+	if (!outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, shown.plant.species, p_blade); })) {
 		return false;
 	}
 	return store(shown);
@@ -271,7 +271,8 @@ bool PlantNodes::leave() {
 	for (const auto &[blade, standing] : shown) {
 		const Shown &one = standing; // not the binding itself: Clang 14 captures none
 		Node3D *node = node_with(one.node);
-		if (node != nullptr && !outlives(_node, [&] { _node.emit_signal("plant_node_left", node, one.plant.species, one.plant.blade); })) {
+		if (node != nullptr &&
+				!outlives(_node, [&] { _node.emit_signal("plant_node_leaving", node, one.plant.species, one.plant.blade); })) {
 			return false;
 		}
 	}

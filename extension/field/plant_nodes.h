@@ -22,7 +22,7 @@ namespace grass {
 
 class PlantNodes {
 public:
-	// p_node: the host's node, which emits plant_node_appeared and plant_node_left.
+	// p_node: the host's node, which emits plant_node_appeared and plant_node_leaving.
 	PlantNodes(FieldHost &p_host, godot::VisualInstance3D &p_node) : _host(p_host), _node(p_node) {}
 	~PlantNodes();
 

@@ -211,7 +211,7 @@ void StandingField::follow(GeometryInstance3D *p_node, const Transform3D &p_tran
 	if (_uniforms.turn(to_eigen(p_transform).linear())) {
 		update_wind();
 	}
-	const bool is_carried = _properties.has_ground;
+	const bool is_carried = _properties.has_soil;
 	if (const TileCover *cover = _map ? _map->get_layers().get_cover().get() : nullptr) {
 		_ground.set_heights(cover->get_low(), cover->get_high(), has_ledges());
 	}

@@ -146,8 +146,8 @@ public:
 	void set_terrain(const godot::NodePath &p_path); // empty: none
 	godot::NodePath get_terrain() const { return value_of(_terrain.get_path()); }
 	void terrain_changed(const godot::AABB &p_area); // global; empty: everywhere
-	void set_ground(bool p_ground) { _properties.has_ground = p_ground; }
-	bool has_ground() const { return _properties.has_ground; }
+	void set_soil_enabled(bool p_enabled) { _properties.has_soil = p_enabled; }
+	bool is_soil_enabled() const { return _properties.has_soil; }
 	void set_debug_view(DebugView p_view);
 	DebugView get_debug_view() const { return DebugView(_properties.debug_view); }
 	void set_measure_time(bool p_measure);
@@ -163,7 +163,7 @@ public:
 	// grass_field_queries.cpp and _methods.cpp: the methods that scripts call. Places are global.
 	// What is there. A tile is named by its column (along x) and row (along z).
 	int64_t get_blade_count() const;
-	godot::Vector2i get_tiles() const; // number along x and z
+	godot::Vector2i get_grid_size() const; // number of tiles along x and z
 	double get_tile_size() const; // metres
 	godot::Vector2i get_tile_at(const godot::Vector3 &p_global_position) const; // (-1, -1) outside the field
 	godot::Vector3 get_tile_center(const godot::Vector2i &p_tile) const;
@@ -189,9 +189,9 @@ public:
 	godot::Transform3D drawn_transform() override;
 
 	bool is_grass_at(const godot::Vector3 &p_global_position);
-	double density_at(const godot::Vector3 &p_global_position);
-	double height_at(const godot::Vector3 &p_global_position);
-	godot::Vector3 bend_at(const godot::Vector3 &p_global_position);
+	double get_density_at(const godot::Vector3 &p_global_position);
+	double get_height_at(const godot::Vector3 &p_global_position);
+	godot::Vector3 get_bend_at(const godot::Vector3 &p_global_position);
 	// Explains why there is no grass, or less than there could be. p_camera: null: the viewport's.
 	godot::Dictionary explain(const godot::Vector3 &p_global_position, const godot::Camera3D *p_camera);
 	bool has_level_at(const godot::Vector3 &p_global_position) const; // within its size and the band of its ground
@@ -262,6 +262,7 @@ private:
 
 	// grass_field_hook.cpp
 	void compile_hook();
+	godot::String no_uniform(const char *p_call, const godot::StringName &p_name) const; // for messages
 	void _hook_changed();
 
 	// grass_field_terrain.cpp

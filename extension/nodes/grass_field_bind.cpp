@@ -23,6 +23,19 @@ void add_numbers(std::string_view p_group) {
 	}
 }
 
+// Names of 0.9.0, which its scenes and scripts use. The editor and new files do not show them; the class reference calls them deprecated.
+void add_old_names() {
+	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::get_density_at);
+	ClassDB::bind_method(D_METHOD("height_at", "global_position"), &GrassField::get_height_at);
+	ClassDB::bind_method(D_METHOD("bend_at", "global_position"), &GrassField::get_bend_at);
+	ClassDB::bind_method(D_METHOD("get_tiles"), &GrassField::get_grid_size);
+	const auto hidden = [](Variant::Type p_type, const char *p_name) {
+		return PropertyInfo(p_type, p_name, PROPERTY_HINT_NONE, "", PROPERTY_USAGE_NONE);
+	};
+	ClassDB::add_property("GrassField", hidden(Variant::BOOL, "ground"), "set_soil_enabled", "is_soil_enabled");
+	ClassDB::add_property("GrassField", hidden(Variant::FLOAT, "max_speed"), "_set_param", "_get_param", PARAM_SWING_SPEED_MAX);
+}
+
 } // namespace
 
 void GrassField::_bind_methods() {
@@ -33,11 +46,11 @@ void GrassField::_bind_methods() {
 
 	ADD_GROUP("Field", "");
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::VECTOR2, "size", PROPERTY_HINT_NONE, "suffix:m"), set_size, get_size);
-	add_numbers("Field");
 	GRASS_BIND_PROPERTY(GrassField,
 			PropertyInfo(Variant::ARRAY, "species", PROPERTY_HINT_TYPE_STRING,
 					vformat("%d/%d:GrassSpecies", Variant::OBJECT, PROPERTY_HINT_RESOURCE_TYPE)),
 			set_species, get_species);
+	add_numbers("Field");
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::INT, "seed", PROPERTY_HINT_RANGE, range_hint(0, UINT32_MAX)), set_seed, get_seed);
 	ADD_GROUP("Map", "");
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "map", PROPERTY_HINT_RESOURCE_TYPE, "GrassMap"), set_map, get_map);
@@ -69,7 +82,7 @@ void GrassField::_bind_methods() {
 	ADD_GROUP("Wind", "");
 	add_numbers("Wind");
 	ADD_GROUP("Look", "");
-	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "ground"), set_ground, has_ground);
+	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "soil_enabled"), set_soil_enabled, is_soil_enabled);
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::OBJECT, "terrain_texture", PROPERTY_HINT_RESOURCE_TYPE, "Texture2D"),
 			set_terrain_texture, get_terrain_texture);
 	for (size_t i = 0; i < FIELD_COLORS.size(); i++) {
@@ -90,7 +103,7 @@ void GrassField::_bind_methods() {
 	GRASS_BIND_PROPERTY(GrassField, PropertyInfo(Variant::BOOL, "measure_time"), set_measure_time, is_measuring_time);
 
 	ClassDB::bind_method(D_METHOD("get_blade_count"), &GrassField::get_blade_count);
-	ClassDB::bind_method(D_METHOD("get_tiles"), &GrassField::get_tiles);
+	ClassDB::bind_method(D_METHOD("get_grid_size"), &GrassField::get_grid_size);
 	ClassDB::bind_method(D_METHOD("get_tile_size"), &GrassField::get_tile_size);
 	ClassDB::bind_method(D_METHOD("get_tile_at", "global_position"), &GrassField::get_tile_at);
 	ClassDB::bind_method(D_METHOD("get_tile_center", "tile"), &GrassField::get_tile_center);
@@ -110,9 +123,9 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_static_method("GrassField", D_METHOD("get_version"), &GrassField::get_version);
 
 	ClassDB::bind_method(D_METHOD("is_grass_at", "global_position"), &GrassField::is_grass_at);
-	ClassDB::bind_method(D_METHOD("density_at", "global_position"), &GrassField::density_at);
-	ClassDB::bind_method(D_METHOD("height_at", "global_position"), &GrassField::height_at);
-	ClassDB::bind_method(D_METHOD("bend_at", "global_position"), &GrassField::bend_at);
+	ClassDB::bind_method(D_METHOD("get_density_at", "global_position"), &GrassField::get_density_at);
+	ClassDB::bind_method(D_METHOD("get_height_at", "global_position"), &GrassField::get_height_at);
+	ClassDB::bind_method(D_METHOD("get_bend_at", "global_position"), &GrassField::get_bend_at);
 	ClassDB::bind_method(D_METHOD("explain", "global_position", "camera"), &GrassField::explain, DEFVAL(Variant()));
 	ClassDB::bind_method(D_METHOD("cut", "shape", "transform"), &GrassField::cut);
 	ClassDB::bind_method(
@@ -122,7 +135,7 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("paint", "brush", "from", "to"), &GrassField::paint);
 	ClassDB::bind_method(D_METHOD("trample", "global_position", "radius", "amount"), &GrassField::trample);
 	ClassDB::bind_method(
-			D_METHOD("bake_ground", "region", "mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
+			D_METHOD("bake_ground", "region", "collision_mask"), &GrassField::bake_ground, DEFVAL(Rect2()), DEFVAL(GroundRays::ALL_LAYERS));
 	ClassDB::bind_method(D_METHOD("bake_ground_from", "shape", "transform"), &GrassField::bake_ground_from);
 	ClassDB::bind_method(D_METHOD("blast", "global_position", "speed", "radius", "duration"), &GrassField::blast,
 			DEFVAL(FORCE_SPEED.initial), DEFVAL(FORCE_RADIUS.initial), DEFVAL(FORCE_DURATION.initial));
@@ -134,8 +147,9 @@ void GrassField::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("fill", "rule"), &GrassField::fill);
 	ClassDB::bind_method(D_METHOD("set_hook_parameter", "name", "value"), &GrassField::set_hook_parameter);
 	ClassDB::bind_method(D_METHOD("get_hook_parameter", "name"), &GrassField::get_hook_parameter);
+	add_old_names();
 	ADD_SIGNAL(MethodInfo("fill_finished"));
-	for (const char *signal : { "plant_node_appeared", "plant_node_left" }) {
+	for (const char *signal : { "plant_node_appeared", "plant_node_leaving" }) {
 		ADD_SIGNAL(MethodInfo(signal, PropertyInfo(Variant::OBJECT, "node", PROPERTY_HINT_RESOURCE_TYPE, "Node3D"),
 				PropertyInfo(Variant::INT, "species"), PropertyInfo(Variant::INT, "blade")));
 	}

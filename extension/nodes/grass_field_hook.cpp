@@ -32,20 +32,23 @@ void GrassField::compile_hook() {
 	notify_property_list_changed();
 }
 
+String GrassField::no_uniform(const char *p_call, const StringName &p_name) const {
+	const PackedStringArray uniforms = _properties.hook.get_uniforms();
+	return message(vformat("%s: there is no uniform `%s`. %s", p_call, p_name,
+			uniforms.is_empty() ? String("Set a `surface_hook` that has it first.")
+								: vformat("The uniforms of `surface_hook` are: %s.", String(", ").join(uniforms))));
+}
+
 void GrassField::set_hook_parameter(const StringName &p_name, const Variant &p_value) {
 	GRASS_MAIN_THREAD_ONLY();
-	ERR_FAIL_COND_MSG(!_properties.hook.has(p_name),
-			message(vformat("set_hook_parameter(): there is no uniform `%s`. The uniforms of `surface_hook` are: %s.", p_name,
-					String(", ").join(_properties.hook.get_uniforms()))));
+	ERR_FAIL_COND_MSG(!_properties.hook.has(p_name), no_uniform("set_hook_parameter()", p_name));
 	_properties.hook.set_value(p_name, p_value);
 	_standing.set_uniform(p_name, p_value);
 }
 
 Variant GrassField::get_hook_parameter(const StringName &p_name) const {
 	GRASS_MAIN_THREAD_ONLY_V(Variant());
-	ERR_FAIL_COND_V_MSG(!_properties.hook.has(p_name), Variant(),
-			message(vformat("get_hook_parameter(): there is no uniform `%s`. The uniforms of `surface_hook` are: %s.", p_name,
-					String(", ").join(_properties.hook.get_uniforms()))));
+	ERR_FAIL_COND_V_MSG(!_properties.hook.has(p_name), Variant(), no_uniform("get_hook_parameter()", p_name));
 	return _properties.hook.get_value(p_name);
 }
 

@@ -39,7 +39,7 @@ int64_t GrassField::get_blade_count() const {
 	return has_blades() ? int64_t(_standing.get_grid().get_tile_count()) * GRASS_BLADES_PER_TILE : 0;
 }
 
-Vector2i GrassField::get_tiles() const {
+Vector2i GrassField::get_grid_size() const {
 	GRASS_MAIN_THREAD_ONLY_V(Vector2i());
 	const TileGrid grid = _standing.get_grid();
 	return has_blades() ? Vector2i(grid.get_tiles_x(), grid.get_tiles_z()) : Vector2i();
@@ -87,7 +87,7 @@ bool GrassField::has_blades_of(const PackedInt64Array &p_blades) const {
 bool GrassField::has_tile(const Vector2i &p_tile) const {
 	ERR_FAIL_COND_V_MSG(!_standing.stands(), false, message("there are no blades yet. Ask after the node's first frame in the tree."));
 	ERR_FAIL_COND_V_MSG(!_standing.get_grid().has_tile(p_tile.x, p_tile.y), false,
-			message("there is no such tile. get_tiles() returns the number of tiles."));
+			message("there is no such tile. get_grid_size() returns the number of tiles."));
 	return true;
 }
 
@@ -149,20 +149,20 @@ bool GrassField::prepare_places() {
 
 bool GrassField::is_grass_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(false);
-	return density_at(p_global_position) > 0.0;
+	return get_density_at(p_global_position) > 0.0;
 }
 
-double GrassField::density_at(const Vector3 &p_global_position) {
+double GrassField::get_density_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	return prepare_places() ? places().density_at(p_global_position) : 0.0;
 }
 
-double GrassField::height_at(const Vector3 &p_global_position) {
+double GrassField::get_height_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(0.0);
 	return prepare_places() ? places().height_at(p_global_position) : 0.0;
 }
 
-Vector3 GrassField::bend_at(const Vector3 &p_global_position) {
+Vector3 GrassField::get_bend_at(const Vector3 &p_global_position) {
 	GRASS_MAIN_THREAD_ONLY_V(Vector3());
 	return prepare_places() ? places().bend_at(p_global_position) : Vector3();
 }

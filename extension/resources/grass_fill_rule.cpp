@@ -86,9 +86,9 @@ Ref<Image> GrassFillRule::find_picture() const {
 
 GrassFillRule::MaskState GrassFillRule::get_mask_state() const {
 	if (value_of(_mask).is_null()) {
-		return MASK_NONE;
+		return MASK_STATE_NONE;
 	}
-	return find_picture().is_valid() ? MASK_READY : (is_stripped() ? MASK_MISSING : MASK_WAITING);
+	return find_picture().is_valid() ? MASK_STATE_READY : (is_stripped() ? MASK_STATE_MISSING : MASK_STATE_WAITING);
 }
 
 Ref<GrassFillRule> GrassFillRule::with_kept_mask() const {
@@ -245,10 +245,10 @@ void GrassFillRule::_bind_methods() {
 	BIND_ENUM_CONSTANT(MASK_GREEN);
 	BIND_ENUM_CONSTANT(MASK_BLUE);
 	BIND_ENUM_CONSTANT(MASK_ALPHA);
-	BIND_ENUM_CONSTANT(MASK_NONE);
-	BIND_ENUM_CONSTANT(MASK_READY);
-	BIND_ENUM_CONSTANT(MASK_WAITING);
-	BIND_ENUM_CONSTANT(MASK_MISSING);
+	BIND_ENUM_CONSTANT(MASK_STATE_NONE);
+	BIND_ENUM_CONSTANT(MASK_STATE_READY);
+	BIND_ENUM_CONSTANT(MASK_STATE_WAITING);
+	BIND_ENUM_CONSTANT(MASK_STATE_MISSING);
 }
 
 } // namespace grass

@@ -21,7 +21,7 @@ class GrassFillRule : public godot::Resource {
 
 public:
 	enum MaskChannel : int64_t { MASK_RED, MASK_GREEN, MASK_BLUE, MASK_ALPHA };
-	enum MaskState : int64_t { MASK_NONE, MASK_READY, MASK_WAITING, MASK_MISSING };
+	enum MaskState : int64_t { MASK_STATE_NONE, MASK_STATE_READY, MASK_STATE_WAITING, MASK_STATE_MISSING };
 	enum Group { GROUP_MASK, GROUP_DISTANCE, GROUP_EXCLUSION, GROUP_COUNT };
 
 	GrassFillRule();

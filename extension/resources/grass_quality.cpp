@@ -17,15 +17,15 @@ namespace grass {
 
 namespace {
 
-constexpr const char *LEVEL_SETTING = "grass_field/quality/level", *OWN_SETTING = "grass_field/quality/own";
-constexpr const char *LEVEL_NAMES = "Low,Medium,High,Ultra,Own";
+constexpr const char *LEVEL_SETTING = "grass_field/quality/level", *CUSTOM_SETTING = "grass_field/quality/custom";
+constexpr const char *LEVEL_NAMES = "Low,Medium,High,Ultra,Custom";
 constexpr const char *NOT_A_LEVEL = "GrassQuality: the level must be one of the LEVEL_* constants.";
 
 // The level of the whole game. is_known: it was read from the project, or set by a script.
 struct Current {
 	bool is_known = false;
 	GrassQuality::Level level = GrassQuality::LEVEL_HIGH;
-	Ref<GrassQuality> own;
+	Ref<GrassQuality> custom;
 };
 
 Current &current() {
@@ -34,7 +34,7 @@ Current &current() {
 }
 
 bool is_level(int64_t p_level) {
-	return p_level >= 0 && p_level <= GrassQuality::LEVEL_OWN;
+	return p_level >= 0 && p_level <= GrassQuality::LEVEL_CUSTOM;
 }
 
 void add_setting(const char *p_path, const Variant &p_initial, PropertyHint p_hint, const char *p_hint_string) {
@@ -61,19 +61,19 @@ void read_project() {
 	const ProjectSettings *settings = ProjectSettings::get_singleton();
 	const int64_t level = settings->get_setting_with_override(LEVEL_SETTING);
 	ERR_FAIL_COND_MSG(!is_level(level),
-			vformat("The project setting %s is %d, but must be 0 (Low) to 4 (Own). Grass is drawn as designed (High).", LEVEL_SETTING,
+			vformat("The project setting %s is %d, but must be 0 (Low) to 4 (Custom). Grass is drawn as designed (High).", LEVEL_SETTING,
 					level));
-	if (level != GrassQuality::LEVEL_OWN) {
+	if (level != GrassQuality::LEVEL_CUSTOM) {
 		now.level = GrassQuality::Level(level);
 		return;
 	}
-	const String path = settings->get_setting_with_override(OWN_SETTING);
-	const Ref<GrassQuality> own = path.is_empty() ? Ref<Resource>() : ResourceLoader::get_singleton()->load(path);
-	ERR_FAIL_COND_MSG(own.is_null(),
-			vformat("The project setting %s is Own, but %s ('%s') is not the file of a GrassQuality. Grass is drawn as designed (High).",
-					LEVEL_SETTING, OWN_SETTING, path));
-	now.own = own;
-	now.level = GrassQuality::LEVEL_OWN;
+	const String path = settings->get_setting_with_override(CUSTOM_SETTING);
+	const Ref<GrassQuality> custom = path.is_empty() ? Ref<Resource>() : ResourceLoader::get_singleton()->load(path);
+	ERR_FAIL_COND_MSG(custom.is_null(),
+			vformat("The project setting %s is Custom, but %s ('%s') is not the file of a GrassQuality. Grass is drawn as designed (High).",
+					LEVEL_SETTING, CUSTOM_SETTING, path));
+	now.custom = custom;
+	now.level = GrassQuality::LEVEL_CUSTOM;
 }
 
 Current &known() {
@@ -87,7 +87,7 @@ Current &known() {
 
 void register_quality() {
 	add_setting(LEVEL_SETTING, int64_t(GrassQuality::LEVEL_HIGH), PROPERTY_HINT_ENUM, LEVEL_NAMES);
-	add_setting(OWN_SETTING, String(), PROPERTY_HINT_FILE, "*.tres,*.res");
+	add_setting(CUSTOM_SETTING, String(), PROPERTY_HINT_FILE, "*.tres,*.res");
 }
 
 void free_quality() {
@@ -97,15 +97,15 @@ void free_quality() {
 const Quality &current_quality() {
 	static Quality quality;
 	const Current &now = known();
-	quality = now.level == GrassQuality::LEVEL_OWN ? now.own->get_quality() : Quality{ Quality::of_level(QualityLevel(now.level)) };
+	quality = now.level == GrassQuality::LEVEL_CUSTOM ? now.custom->get_quality() : Quality{ Quality::of_level(QualityLevel(now.level)) };
 	return quality;
 }
 
 void GrassQuality::set_level(Level p_level) {
 	ERR_FAIL_COND_MSG(!is_main_thread(), thread_message("GrassQuality", call_of(__func__)));
 	ERR_FAIL_COND_MSG(!is_level(int64_t(p_level)), NOT_A_LEVEL);
-	ERR_FAIL_COND_MSG(p_level == LEVEL_OWN && known().own.is_null(),
-			"GrassQuality: LEVEL_OWN needs factors. Call set_own() with a GrassQuality instead.");
+	ERR_FAIL_COND_MSG(p_level == LEVEL_CUSTOM && known().custom.is_null(),
+			"GrassQuality: LEVEL_CUSTOM needs factors. Call set_custom() with a GrassQuality instead.");
 	known().level = p_level;
 }
 
@@ -114,24 +114,24 @@ GrassQuality::Level GrassQuality::get_level() {
 	return known().level;
 }
 
-void GrassQuality::set_own(const Ref<GrassQuality> &p_own) {
+void GrassQuality::set_custom(const Ref<GrassQuality> &p_quality) {
 	ERR_FAIL_COND_MSG(!is_main_thread(), thread_message("GrassQuality", call_of(__func__)));
-	ERR_FAIL_COND_MSG(p_own.is_null(), "GrassQuality: set_own() needs a GrassQuality. To leave LEVEL_OWN, call set_level().");
-	known().own = p_own;
-	known().level = LEVEL_OWN;
+	ERR_FAIL_COND_MSG(p_quality.is_null(), "GrassQuality: set_custom() needs a GrassQuality. To leave LEVEL_CUSTOM, call set_level().");
+	known().custom = p_quality;
+	known().level = LEVEL_CUSTOM;
 }
 
-Ref<GrassQuality> GrassQuality::get_own() {
+Ref<GrassQuality> GrassQuality::get_custom() {
 	ERR_FAIL_COND_V_MSG(!is_main_thread(), Ref<GrassQuality>(), thread_message("GrassQuality", call_of(__func__)));
-	return known().own;
+	return known().custom;
 }
 
-Ref<GrassQuality> GrassQuality::of_level(Level p_level) {
+Ref<GrassQuality> GrassQuality::from_level(Level p_level) {
 	ERR_FAIL_COND_V_MSG(!is_level(int64_t(p_level)), Ref<GrassQuality>(), NOT_A_LEVEL);
 	Ref<GrassQuality> quality;
 	quality.instantiate();
-	const bool is_own = p_level == LEVEL_OWN && is_main_thread() && known().own.is_valid();
-	quality->_quality = is_own ? known().own->get_quality() : Quality{ Quality::of_level(QualityLevel(p_level)) };
+	const bool is_custom = p_level == LEVEL_CUSTOM && is_main_thread() && known().custom.is_valid();
+	quality->_quality = is_custom ? known().custom->get_quality() : Quality{ Quality::of_level(QualityLevel(p_level)) };
 	return quality;
 }
 
@@ -160,15 +160,15 @@ void GrassQuality::_bind_methods() {
 	}
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("set_level", "level"), &GrassQuality::set_level);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_level"), &GrassQuality::get_level);
-	ClassDB::bind_static_method("GrassQuality", D_METHOD("set_own", "quality"), &GrassQuality::set_own);
-	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_own"), &GrassQuality::get_own);
-	ClassDB::bind_static_method("GrassQuality", D_METHOD("of_level", "level"), &GrassQuality::of_level);
+	ClassDB::bind_static_method("GrassQuality", D_METHOD("set_custom", "quality"), &GrassQuality::set_custom);
+	ClassDB::bind_static_method("GrassQuality", D_METHOD("get_custom"), &GrassQuality::get_custom);
+	ClassDB::bind_static_method("GrassQuality", D_METHOD("from_level", "level"), &GrassQuality::from_level);
 	ClassDB::bind_static_method("GrassQuality", D_METHOD("reset_level"), &GrassQuality::reset_level);
 	BIND_ENUM_CONSTANT(LEVEL_LOW);
 	BIND_ENUM_CONSTANT(LEVEL_MEDIUM);
 	BIND_ENUM_CONSTANT(LEVEL_HIGH);
 	BIND_ENUM_CONSTANT(LEVEL_ULTRA);
-	BIND_ENUM_CONSTANT(LEVEL_OWN);
+	BIND_ENUM_CONSTANT(LEVEL_CUSTOM);
 }
 
 } // namespace grass

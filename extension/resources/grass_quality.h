@@ -18,7 +18,7 @@ public:
 		LEVEL_MEDIUM = int(QualityLevel::MEDIUM),
 		LEVEL_HIGH = int(QualityLevel::HIGH),
 		LEVEL_ULTRA = int(QualityLevel::ULTRA),
-		LEVEL_OWN = int(QualityLevel::OWN),
+		LEVEL_CUSTOM = int(QualityLevel::CUSTOM),
 	};
 
 	void set_param(int64_t p_param, double p_value);
@@ -27,9 +27,9 @@ public:
 
 	static void set_level(Level p_level);
 	static Level get_level();
-	static void set_own(const godot::Ref<GrassQuality> &p_own); // and LEVEL_OWN
-	static godot::Ref<GrassQuality> get_own(); // null: none was set
-	static godot::Ref<GrassQuality> of_level(Level p_level); // a new one
+	static void set_custom(const godot::Ref<GrassQuality> &p_quality); // and LEVEL_CUSTOM
+	static godot::Ref<GrassQuality> get_custom(); // null: none was set
+	static godot::Ref<GrassQuality> from_level(Level p_level); // a new one
 	static void reset_level(); // to the project's
 
 protected:

@@ -72,7 +72,7 @@ void GrassWorld::restart() {
 	if (!is_inside_tree()) {
 		return;
 	}
-	const bool lives = outlives(*this, [&] { _plots.start({ grid(), _scene, to_bytes_of(_budget) }, find_folders()); });
+	const bool lives = outlives(*this, [&] { _plots.start({ grid(), _scene, to_bytes_of(_memory_budget) }, find_folders()); });
 	if (!lives || !is_inside_tree()) { // scripts of `plot_scene` have run
 		return;
 	}
@@ -101,7 +101,7 @@ void GrassWorld::_frame() {
 	CpuClock clock;
 	std::vector<WorldEye> eyes;
 	for (const Eigen::Vector2d &camera : _eyes.find_cameras(*this, _plots.find_layers())) {
-		eyes.push_back({ camera, _radius });
+		eyes.push_back({ camera, _camera_radius });
 	}
 	std::vector<WorldMover> movers = _eyes.find_bodies();
 	for (const WorldMover &body : movers) {

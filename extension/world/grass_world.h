@@ -22,12 +22,12 @@ public:
 	double get_plot_size() const { return _plot_size; }
 	void set_plot_scene(const godot::Ref<godot::PackedScene> &p_scene); // its root is a GrassField
 	godot::Ref<godot::PackedScene> get_plot_scene() const { return value_of(_scene); }
-	void set_radius(double p_radius);
-	double get_radius() const { return _radius; }
+	void set_camera_radius(double p_radius);
+	double get_camera_radius() const { return _camera_radius; }
 	void set_body_radius(double p_radius);
 	double get_body_radius() const { return _body_radius; }
-	void set_budget(double p_megabytes);
-	double get_budget() const { return _budget; }
+	void set_memory_budget(double p_megabytes);
+	double get_memory_budget() const { return _memory_budget; }
 	void set_folder(const godot::String &p_folder);
 	godot::String get_folder() const { return value_of(_folder); }
 	void set_save_folder(const godot::String &p_folder);
@@ -87,8 +87,8 @@ private:
 	godot::String label() const;
 
 	godot::Vector2 _size{ godot::real_t(WorldGrid::SIZE.initial), godot::real_t(WorldGrid::SIZE.initial) };
-	double _plot_size = WorldGrid::PLOT_SIZE.initial, _radius = WORLD_RADIUS.initial, _body_radius = WORLD_BODY_RADIUS.initial,
-		   _budget = WORLD_BUDGET.initial;
+	double _plot_size = WorldGrid::PLOT_SIZE.initial, _camera_radius = WORLD_CAMERA_RADIUS.initial,
+		   _body_radius = WORLD_BODY_RADIUS.initial, _memory_budget = WORLD_MEMORY_BUDGET.initial;
 	godot::Ref<godot::PackedScene> _scene;
 	godot::String _folder, _save_folder;
 	WorldEyes _eyes;

@@ -165,7 +165,7 @@ Dictionary GrassWorld::get_statistics() const {
 	result["changed"] = plots.changed;
 	result["spare"] = plots.spare;
 	result["memory"] = plots.memory;
-	result["reach"] = std::min(_plots.get_plan().reach, _radius);
+	result["reach"] = std::min(_plots.get_plan().reach, _camera_radius);
 	result["distance_tests"] = plots.tests;
 	result["brought"] = plots.brought;
 	result["left"] = plots.left;

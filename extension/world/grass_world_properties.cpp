@@ -41,9 +41,9 @@ void GrassWorld::set_plot_scene(const Ref<PackedScene> &p_scene) {
 	}
 }
 
-void GrassWorld::set_radius(double p_radius) {
+void GrassWorld::set_camera_radius(double p_radius) {
 	GRASS_MAIN_THREAD_ONLY();
-	_radius = checked(WORLD_RADIUS, p_radius, label());
+	_camera_radius = checked(WORLD_CAMERA_RADIUS, p_radius, label());
 }
 
 void GrassWorld::set_body_radius(double p_radius) {
@@ -51,10 +51,10 @@ void GrassWorld::set_body_radius(double p_radius) {
 	_body_radius = checked(WORLD_BODY_RADIUS, p_radius, label());
 }
 
-void GrassWorld::set_budget(double p_megabytes) {
+void GrassWorld::set_memory_budget(double p_megabytes) {
 	GRASS_MAIN_THREAD_ONLY();
-	_budget = checked(WORLD_BUDGET, p_megabytes, label());
-	_plots.set_budget(to_bytes_of(_budget));
+	_memory_budget = checked(WORLD_MEMORY_BUDGET, p_megabytes, label());
+	_plots.set_budget(to_bytes_of(_memory_budget));
 }
 
 void GrassWorld::set_folder(const String &p_folder) {
@@ -76,9 +76,9 @@ void GrassWorld::_bind_methods() {
 	GRASS_BIND_PROPERTY(GrassWorld, property_of(WorldGrid::PLOT_SIZE), set_plot_size, get_plot_size);
 	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::OBJECT, "plot_scene", PROPERTY_HINT_RESOURCE_TYPE, "PackedScene"), set_plot_scene,
 			get_plot_scene);
-	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_RADIUS), set_radius, get_radius);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_CAMERA_RADIUS), set_camera_radius, get_camera_radius);
 	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_BODY_RADIUS), set_body_radius, get_body_radius);
-	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_BUDGET), set_budget, get_budget);
+	GRASS_BIND_PROPERTY(GrassWorld, property_of(WORLD_MEMORY_BUDGET), set_memory_budget, get_memory_budget);
 	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::STRING, "folder", PROPERTY_HINT_DIR), set_folder, get_folder);
 	GRASS_BIND_PROPERTY(GrassWorld, PropertyInfo(Variant::STRING, "save_folder"), set_save_folder, get_save_folder);
 	ClassDB::bind_method(D_METHOD("get_plot_at", "global_position"), &GrassWorld::get_plot_at);

@@ -64,14 +64,15 @@ String GrassWorld::find_shortage() const {
 		return String();
 	}
 	if (_shortage.missing > 0) {
-		return vformat(
-				"`budget` (%d MB) does not hold the plots that cameras and moving bodies are in: they take %d MB more, and there is no "
-				"grass around them. Raise `budget`, or lower `pool_tiles` and `density` of `plot_scene`.",
-				int64_t(_budget), int64_t(_shortage.missing / 1000000) + 1);
+		return vformat("`memory_budget` (%d MB) does not hold the plots that cameras and moving bodies are in: they take %d MB more, and "
+					   "there is no "
+					   "grass around them. Raise `memory_budget`, or lower `pool_tiles` and `density` of `plot_scene`.",
+				int64_t(_memory_budget), int64_t(_shortage.missing / 1000000) + 1);
 	}
-	return vformat("`budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `radius` (%d m). Raise "
-				   "`budget`, lower `radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
-			int64_t(_budget), int64_t(_shortage.reach), int64_t(_radius));
+	return vformat(
+			"`memory_budget` (%d MB) holds grass up to %d m around the cameras and moving bodies, not up to `camera_radius` (%d m). Raise "
+			"`memory_budget`, lower `camera_radius`, or lower `pool_tiles` and `density` of `plot_scene`.",
+			int64_t(_memory_budget), int64_t(_shortage.reach), int64_t(_camera_radius));
 }
 
 PackedStringArray GrassWorld::_get_configuration_warnings() const {

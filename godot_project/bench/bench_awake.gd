@@ -54,8 +54,8 @@ func _add_field(p_mode: GrassField.SleepMode, p_simulated: bool) -> GrassField:
 ## The tiles in a tick that are farther from rest, or moved farther, than each of FAR.
 func _count(p_field: GrassField, p_still: GrassField, p_row: PackedStringArray) -> PackedStringArray:
 	var tiles: Array[Vector2i] = []
-	for z in p_field.get_tiles().y:
-		for x in p_field.get_tiles().x:
+	for z in p_field.get_grid_size().y:
+		for x in p_field.get_grid_size().x:
 			if p_field.is_tile_awake(Vector2i(x, z)):
 				tiles.append(Vector2i(x, z))
 	var before: Array[PackedVector3Array] = []

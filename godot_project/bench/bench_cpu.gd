@@ -59,7 +59,7 @@ func _measure(p_size: float, p_bodies: int, p_share: float) -> PackedStringArray
 				times.get_or_add(stage, []).append(now[stage])
 	var after := field.get_statistics().merged(field.get_counters())
 	var row: PackedStringArray = [
-		str(field.get_tiles().x * field.get_tiles().y), str(p_bodies), str(after.awake_tiles), str(after.list_entries)
+		str(field.get_grid_size().x * field.get_grid_size().y), str(p_bodies), str(after.awake_tiles), str(after.list_entries)
 	]
 	for stage in STAGES:
 		times[stage].sort()

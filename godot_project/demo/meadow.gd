@@ -28,7 +28,7 @@ func happen(delta: float) -> void:
 
 
 func tell() -> String:
-	return "Under the walker, the grass leans by %s of its height." % field.bend_at(_walker.global_position + Vector3(0.3, 0, 0))
+	return "Under the walker, the grass leans by %s of its height." % field.get_bend_at(_walker.global_position + Vector3(0.3, 0, 0))
 
 
 func _roll() -> void:

@@ -24,4 +24,4 @@ func happen(delta: float) -> void:
 
 
 func tell() -> String:
-	return "At the bow, the reeds lean by %s of their height." % field.bend_at(_boat.global_transform * Vector3(0.0, 0.0, -1.6))
+	return "At the bow, the reeds lean by %s of their height." % field.get_bend_at(_boat.global_transform * Vector3(0.0, 0.0, -1.6))

@@ -37,7 +37,7 @@ func table(p_bodies: int, p_software: bool) -> String:
 		["renderer", RenderingServer.get_current_rendering_method()],
 		["backend", statistics.backend],
 		["blades", _with_commas(statistics.blades)],
-		["tiles", _with_commas(_field.get_tiles().x * _field.get_tiles().y)],
+		["tiles", _with_commas(_field.get_grid_size().x * _field.get_grid_size().y)],
 		["bodies", str(p_bodies)],
 		["awake tiles", ", ".join(_awake)],
 		["most awake", "%d tiles, %s blades" % [_most_awake, _with_commas(_most_awake * 64)]],

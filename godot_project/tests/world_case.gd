@@ -50,7 +50,7 @@ func add_world(properties := {}) -> GrassWorld:
 	var world := GrassWorld.new()
 	world.name = "World"
 	world.plot_size = PLOT
-	world.radius = AHEAD
+	world.camera_radius = AHEAD
 	world.plot_scene = pattern()
 	world.folder = FOLDER
 	for property: String in properties:

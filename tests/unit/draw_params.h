@@ -16,7 +16,7 @@ template <class Draw> SolverParams draw_params(Method p_method, const Draw &p_dr
 	params.root_stiffness = p_draw(ROOT_STIFFNESS);
 	params.bend_stiffness = p_draw(BEND_STIFFNESS);
 	params.friction = p_draw(FRICTION);
-	params.max_speed = p_draw(MAX_SPEED);
+	params.swing_speed_max = p_draw(SWING_SPEED_MAX);
 	return params;
 }
 

@@ -103,7 +103,7 @@ TEST_CASE("class docs: every number of a GrassFillRule is described, with its de
 }
 
 TEST_CASE("class docs: every number of a GrassWorld is described, with its default") {
-	for (const Tunable &tunable : { WorldGrid::PLOT_SIZE, WORLD_RADIUS, WORLD_BODY_RADIUS, WORLD_BUDGET }) {
+	for (const Tunable &tunable : { WorldGrid::PLOT_SIZE, WORLD_CAMERA_RADIUS, WORLD_BODY_RADIUS, WORLD_MEMORY_BUDGET }) {
 		check(docs_of("GrassWorld"), tunable);
 	}
 }

@@ -60,7 +60,7 @@ struct Drawn {
 
 TEST_CASE("quality: high is as designed, to the bit, and is what a field begins with") {
 	CHECK(Quality() == level(QualityLevel::HIGH));
-	CHECK(level(QualityLevel::OWN) == level(QualityLevel::HIGH));
+	CHECK(level(QualityLevel::CUSTOM) == level(QualityLevel::HIGH));
 	for (const FieldParam &param : FIELD_PARAMS) {
 		const QualityFactorId factor = factor_of(param.id);
 		if (factor == QUALITY_FACTORS) {

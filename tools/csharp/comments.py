@@ -49,6 +49,10 @@ class Linker:
 
 		return TAG.sub(one, escape(text))
 
+	def plain(self, text):
+		"""A text in which the names of C# stand without links."""
+		return TAG.sub(lambda match: names.pascal(match[2]) if match[2] else match[3] or "", text)
+
 	def comment(self, text, here, tag="summary"):
 		"""The lines of a comment, without their indentation."""
 		paragraphs = [line.strip() for line in CODE.sub("\n", text).splitlines() if line.strip()]

@@ -20,6 +20,7 @@ class Value:
 	default: str | None = None  # as Godot writes it
 	text: str = ""
 	read_only: bool = False
+	deprecated: str = ""  # what to use instead
 
 
 @dataclass
@@ -29,6 +30,7 @@ class Method:
 	params: list
 	text: str
 	is_static: bool = False
+	deprecated: str = ""
 
 
 @dataclass
@@ -79,6 +81,7 @@ def value(element):
 		attributes.get("default"),
 		text_of(element),
 		attributes.get("setter") == "",
+		attributes.get("deprecated", ""),
 	)
 
 
@@ -92,7 +95,9 @@ def read(path):
 	for element in top.iterfind("methods/method"):
 		static = "static" in element.get("qualifiers", "").split()
 		text = text_of(element.find("description"))
-		made.methods.append(Method(element.get("name"), value(element.find("return")), params(element), text, static))
+		made.methods.append(
+			Method(element.get("name"), value(element.find("return")), params(element), text, static, element.get("deprecated", ""))
+		)
 	for element in top.iterfind("signals/signal"):
 		made.signals.append(Signal(element.get("name"), params(element), text_of(element.find("description"))))
 	for element in top.iterfind("constants/constant"):

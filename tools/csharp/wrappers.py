@@ -88,9 +88,13 @@ class Writer:
 		named = [f'    public static readonly StringName {names.pascal(member.name)} = "{member.name}";' for member in members]
 		return ["/// <summary>Names for the engine.</summary>", f"public static class {title}", "{", *named, "}"] if named else []
 
+	def obsolete(self, member):
+		"""The attribute of an old name: the compiler warns of its use."""
+		return [f'[System.Obsolete("{self.linker.plain(member.deprecated)}")]'] if member.deprecated else []
+
 	def member(self, member):
 		kind, name = self.types.of(member), names.pascal(member.name)
-		lines = self.comment(member.text)
+		lines = [*self.comment(member.text), *self.obsolete(member)]
 		if kind.name.endswith("[]") or kind.name.startswith("Godot.Collections"):
 			lines.append("/// <remarks>A copy: assign it to change it.</remarks>")
 		lines += [f"public {kind.name} {name}", "{", f"    get => {kind.out.format(f'Get(PropertyName.{name})')};"]
@@ -105,7 +109,7 @@ class Writer:
 		call = ", ".join([*(["NativeName"] if method.is_static else []), f"MethodName.{name}", *given])
 		made = result.out.format(f"{'CallStatic' if method.is_static else 'Call'}({call})")
 		static = "static " if method.is_static else ""
-		return [*self.comment(method.text), f"public {static}{result.name} {name}({declared}) => {made};"]
+		return [*self.comment(method.text), *self.obsolete(method), f"public {static}{result.name} {name}({declared}) => {made};"]
 
 	def signal(self, signal):
 		name, kinds = names.pascal(signal.name), [self.types.of(param) for param in signal.params]

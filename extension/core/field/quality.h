@@ -16,7 +16,7 @@ enum class QualityLevel {
 	MEDIUM,
 	HIGH, // as it was designed
 	ULTRA,
-	OWN, // the game sets each factor
+	CUSTOM, // the game sets each factor
 };
 
 enum QualityFactorId {
@@ -30,7 +30,7 @@ enum QualityFactorId {
 	QUALITY_FACTORS,
 };
 
-inline constexpr size_t QUALITY_LEVELS = size_t(QualityLevel::OWN); // that have factors of their own
+inline constexpr size_t QUALITY_LEVELS = size_t(QualityLevel::CUSTOM); // that have factors of their own
 
 struct QualityFactor {
 	QualityFactorId id;
@@ -54,9 +54,9 @@ struct Quality {
 	std::array<double, QUALITY_FACTORS> factors = of_level(QualityLevel::HIGH);
 
 	double factor(QualityFactorId p_id) const { return factors[size_t(p_id)]; }
-	// Returns the factors of a level. OWN: as HIGH, from which a game may begin.
+	// Returns the factors of a level. CUSTOM: as HIGH, from which a game may begin.
 	static constexpr std::array<double, QUALITY_FACTORS> of_level(QualityLevel p_level) {
-		const size_t level = size_t(p_level == QualityLevel::OWN ? QualityLevel::HIGH : p_level);
+		const size_t level = size_t(p_level == QualityLevel::CUSTOM ? QualityLevel::HIGH : p_level);
 		std::array<double, QUALITY_FACTORS> factors{};
 		for (const QualityFactor &factor : QUALITY_TABLE) {
 			factors[size_t(factor.id)] = factor.of_levels[level];

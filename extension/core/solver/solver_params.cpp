@@ -99,7 +99,7 @@ SolverParams SolverParams::sanitised() const {
 	params.root_stiffness = ROOT_STIFFNESS.clamp(root_stiffness);
 	params.bend_stiffness = BEND_STIFFNESS.clamp(bend_stiffness);
 	params.friction = FRICTION.clamp(friction);
-	params.max_speed = MAX_SPEED.clamp(max_speed);
+	params.swing_speed_max = SWING_SPEED_MAX.clamp(swing_speed_max);
 	params.iterations = int(ITERATIONS.clamp(iterations));
 	params.contact_rate = CONTACT_RATE.clamp(contact_rate);
 	for (int i = 0; i < 3; i++) {
@@ -142,7 +142,7 @@ GrassStep StepClock::repeat(const SolverParams &p_params) const {
 	} else {
 		set_pbd_motion(step, params, h, g);
 	}
-	step.load.w = float(params.max_speed * g);
+	step.load.w = float(params.swing_speed_max * g);
 	step.contact = { float(params.iterations), float(params.friction), float(GROUND_GAP), float(params.method) };
 	step.chain = { float(h), float(h / g), float(swing * swing / (FIRST_MODE * FIRST_MODE)), float(2.0 * params.damping_ratio * swing) };
 	const double at_root_more = params.root_stiffness * params.root_stiffness - 1.0;

@@ -15,10 +15,10 @@
 namespace grass {
 
 // Metres around the cameras, and around moving bodies. More: more plots and more memory.
-inline constexpr Tunable WORLD_RADIUS{ "radius", "m", 0.0, 8192.0, 1.0, 400.0 };
+inline constexpr Tunable WORLD_CAMERA_RADIUS{ "camera_radius", "m", 0.0, 8192.0, 1.0, 400.0 };
 inline constexpr Tunable WORLD_BODY_RADIUS{ "body_radius", "m", 0.0, 1024.0, 1.0, 32.0 };
 // For all plots together, in GPU and main memory.
-inline constexpr Tunable WORLD_BUDGET{ "budget", "MB", 1.0, 65536.0, 1.0, 256.0 };
+inline constexpr Tunable WORLD_MEMORY_BUDGET{ "memory_budget", "MB", 1.0, 65536.0, 1.0, 256.0 };
 
 // A plot in memory, with its last measured size.
 struct LoadedPlot {

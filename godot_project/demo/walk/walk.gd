@@ -112,7 +112,7 @@ func _do_actions() -> void:
 	if Input.is_action_just_pressed("walk_weather"):
 		weather.change()
 	if Input.is_action_just_pressed("walk_quality"):
-		GrassQuality.set_level((GrassQuality.get_level() + 1) % GrassQuality.LEVEL_OWN as GrassQuality.Level)
+		GrassQuality.set_level((GrassQuality.get_level() + 1) % GrassQuality.LEVEL_CUSTOM as GrassQuality.Level)
 	if Input.is_action_just_pressed("walk_lamp"):
 		lamp_flipped = not lamp_flipped
 	if Input.is_action_just_pressed("walk_view"):

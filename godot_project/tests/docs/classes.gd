@@ -20,9 +20,9 @@ func grass_quality() -> void:
 
 func grass_quality_2() -> void:
 	await ran()
-	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_OWN)
-	assert_eq(GrassQuality.get_own().shadow_distance, 0.0)
-	assert_eq(GrassQuality.get_own().lod_far, GrassQuality.of_level(GrassQuality.LEVEL_MEDIUM).lod_far)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_CUSTOM)
+	assert_eq(GrassQuality.get_custom().shadow_distance, 0.0)
+	assert_eq(GrassQuality.get_custom().lod_far, GrassQuality.from_level(GrassQuality.LEVEL_MEDIUM).lod_far)
 	GrassQuality.reset_level()
 
 
@@ -117,7 +117,7 @@ func grass_field_bake_ground_from() -> void:
 	assert_near(stage.field.map.sample(GrassMap.CHANNEL_GROUND, Vector2.ZERO), 1.0, 0.01, "metres")
 
 
-func grass_field_bend_at() -> void:
+func grass_field_get_bend_at() -> void:
 	var stage := await staged()
 	stage.call("run")
 	assert_eq(stage.looked_along, Vector3.ZERO, "nothing is there")
@@ -167,7 +167,7 @@ func grass_field_cut() -> void:
 	assert_less(stage.field.height_at(HERE), 0.15, "metres")
 
 
-func grass_field_density_at() -> void:
+func grass_field_get_density_at() -> void:
 	var stage := await ran()
 	assert_near(stage.locals.speed, 3.0, 1e-6, "in full grass")
 	stage.field.paint(brush(GrassBrush.TOOL_ERASE, 2.0), HERE, HERE)
@@ -207,7 +207,7 @@ func grass_field_get_mown_share() -> void:
 	assert_ne(stage.get_node("Label").text, "0 % mown")
 
 
-func grass_field_height_at() -> void:
+func grass_field_get_height_at() -> void:
 	var stage := await ran()
 	assert_true(stage.locals.is_hidden, "crouching in a meadow of the default patch")
 	stage.field.paint(brush(GrassBrush.TOOL_CUT, 2.0, {cut_height = 0.1}), HERE, HERE)

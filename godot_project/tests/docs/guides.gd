@@ -137,7 +137,7 @@ func worlds_set_it_up() -> void:
 	var world := GrassWorld.new()
 	world.name = "GrassWorld"
 	world.plot_size = 64.0
-	world.radius = 20.0
+	world.camera_radius = 20.0
 	world.save_folder = "user://docs_world"
 	var deck := BoxShape3D.new()
 	deck.size = Vector3(4, 0.6, 4)
@@ -183,6 +183,16 @@ func filling_once_or_live() -> void:
 	var cover := stage.field.fill(stage.locals.rule) / 256.0
 	assert_greater(cover, 0.3, "share of the field that the rule fills")
 	assert_less(cover, 1.0)
+
+
+func terrain_grass_on_a_terrain() -> void:
+	expect_error("Choose another node, or add the method to it")
+	var stage := await staged()
+	stage.call("grow_on_hills")
+	assert_near(stage.field.map.sample(GrassMap.CHANNEL_GROUND, Vector2.ZERO), 1.0, 0.01, "metres")
+	stage.call("grow_on_terrain")
+	assert_eq(stage.field.get_node_or_null(stage.field.terrain), stage.get_node("Terrain"), "here a body without heights")
+	await frames(3)
 
 
 func terrain_the_interface() -> void:

@@ -22,7 +22,7 @@ func before() -> void:
 	var made := GrassWorld.new()
 	made.name = "World"
 	made.plot_size = 64.0
-	made.radius = 20.0
+	made.camera_radius = 20.0
 	made.position = Vector3(0, 0, -32)  # the border of two plots runs through the middle of the view
 	made.folder = FOLDER
 	made.plot_scene = pattern(4.0)

@@ -31,7 +31,7 @@ func add_world(properties := {}) -> GrassWorld:
 	field.free()
 	var world := GrassWorld.new()
 	world.plot_size = 128.0
-	world.radius = 60.0
+	world.camera_radius = 60.0
 	world.plot_scene = scene
 	world.folder = FOLDER
 	viewport.add_child(world)

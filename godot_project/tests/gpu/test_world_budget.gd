@@ -8,7 +8,7 @@ func test_a_body_that_walks_keeps_its_grass() -> void:
 	if RenderingServer.get_rendering_device() == null:
 		skip("no GPU")
 		return
-	expect_error("`budget` (200 MB) holds grass up to")
+	expect_error("`memory_budget` (200 MB) holds grass up to")
 	var field := GrassField.new()
 	field.wind_speed = 0.0
 	field.drawn_tiles_max = 4096
@@ -17,8 +17,8 @@ func test_a_body_that_walks_keeps_its_grass() -> void:
 	field.free()
 	var world := GrassWorld.new()
 	world.plot_size = 64.0
-	world.radius = 150.0
-	world.budget = 200.0
+	world.camera_radius = 150.0
+	world.memory_budget = 200.0
 	world.plot_scene = scene
 	viewport.add_child(world)
 	look(Vector3(20, 3, 20), Vector3(40, 0, 40))

@@ -26,7 +26,7 @@ func test_files_of_every_version_hold_what_they_held() -> void:
 				continue
 			var root: Node = resource.instantiate() if resource is PackedScene else null
 			var found: Variant = Fixture.describe_scene(root) if root else Fixture.describe(resource)
-			assert_eq(Fixture.differences(_without_moved(expected[file]) if root else expected[file], found), PackedStringArray(), path)
+			assert_eq(Fixture.differences(_as_now(expected[file]) if root else expected[file], found), PackedStringArray(), path)
 			if root:
 				root.free()
 
@@ -45,12 +45,20 @@ const MOVED: Array[String] = [
 	"dry"
 ]
 
+## Names of 0.9.0 that have another one now: old -> new.
+const OLD_PROPERTIES := {ground = "soil_enabled", max_speed = "swing_speed_max"}
+const OLD_METHODS := {density_at = "get_density_at", height_at = "get_height_at", bend_at = "get_bend_at", get_tiles = "get_grid_size"}
 
-func _without_moved(kept: Dictionary) -> Dictionary:
+
+func _as_now(kept: Dictionary) -> Dictionary:
 	for node: Variant in kept.values():
 		if node is Dictionary and node.get("class") == "GrassField":
 			for name in MOVED:
 				node.values.erase(name)
+			for old: String in OLD_PROPERTIES:
+				if node.values.has(old):
+					node.values[OLD_PROPERTIES[old]] = node.values[old]
+					node.values.erase(old)
 	return kept
 
 
@@ -86,6 +94,48 @@ func test_a_field_of_0_9_0_without_species_keeps_its_look() -> void:
 	field.dry = 0.9
 	assert_near(field.species[0].dry, 0.25, 1e-6, "as in 0.9.0, it does not touch species")
 	field.free()
+
+
+func test_a_scene_with_old_names_loads_and_is_saved_with_new_ones() -> void:
+	const PATH := "user://old_names.tscn"
+	var file := FileAccess.open(PATH, FileAccess.WRITE)
+	file.store_string('[gd_scene format=3]\n[node name="Field" type="GrassField"]\nground = false\nmax_speed = 33.0\n')
+	file.close()
+	var field: GrassField = load(PATH).instantiate()
+	assert_eq([field.soil_enabled, field.swing_speed_max], [false, 33.0])
+	var packed := PackedScene.new()
+	packed.pack(field)
+	assert_eq(ResourceSaver.save(packed, PATH), OK)
+	var text := FileAccess.get_file_as_string(PATH)
+	for old: String in OLD_PROPERTIES:
+		assert_false(text.contains("\n%s = " % old), old)
+		assert_true(text.contains("\n%s = " % OLD_PROPERTIES[old]), OLD_PROPERTIES[old])
+	field.free()
+
+
+func test_scripts_with_old_names_work() -> void:
+	var field := add_field({map = full_map()})
+	await grown(field)
+	field.ground = false
+	field.max_speed = 44.0
+	assert_eq([field.soil_enabled, field.swing_speed_max, field.ground, field.max_speed], [false, 44.0, false, 44.0])
+	var place := Vector3(0.3, 0.0, 0.4)
+	assert_greater(field.density_at(place), 0.9)
+	assert_eq(field.density_at(place), field.get_density_at(place))
+	assert_greater(field.height_at(place), 0.2)
+	assert_eq(field.height_at(place), field.get_height_at(place))
+	assert_eq(field.bend_at(place), field.get_bend_at(place))
+	assert_greater(field.get_tiles().x, 0)
+	assert_eq(field.get_tiles(), field.get_grid_size())
+
+
+func test_the_class_reference_calls_old_names_deprecated() -> void:
+	var text := FileAccess.get_file_as_string("res://../extension/doc_classes/GrassField.xml")
+	for old: Dictionary in [OLD_PROPERTIES, OLD_METHODS]:
+		var kind := "member" if old == OLD_PROPERTIES else "method"
+		for name: String in old:
+			var mark := '<%s name="%s"[^>]* deprecated="Use \\[%s %s\\] instead."' % [kind, name, kind, old[name]]
+			assert_true(RegEx.create_from_string(mark).search(text) != null, name)
 
 
 func test_every_file_of_a_version_is_expected_and_every_kind_is_there() -> void:

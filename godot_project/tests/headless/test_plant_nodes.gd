@@ -61,7 +61,7 @@ func add_shrubs(properties := {}, species: GrassSpecies = shrub(shrub_scene())) 
 	settings.merge(properties, true)
 	var field := add_field(settings)
 	field.plant_node_appeared.connect(_on_appeared)
-	field.plant_node_left.connect(_on_left)
+	field.plant_node_leaving.connect(_on_left)
 	return field
 
 

@@ -4,7 +4,7 @@
 extends "res://tests/world_case.gd"
 
 const LEVEL_SETTING := "grass_field/quality/level"
-const OWN_SETTING := "grass_field/quality/own"
+const CUSTOM_SETTING := "grass_field/quality/custom"
 const FILE := "user://test_quality.tres"
 const SCENE := "user://test_quality.tscn"
 const PAGE := "../docs/guide/performance.md"
@@ -18,7 +18,7 @@ const FACTORS: Array[String] = [
 
 func after() -> void:
 	super()
-	for setting: String in [LEVEL_SETTING, OWN_SETTING]:
+	for setting: String in [LEVEL_SETTING, CUSTOM_SETTING]:
 		ProjectSettings.set_setting(setting, ProjectSettings.property_get_revert(setting))
 	GrassQuality.reset_level()
 	for file: String in [FILE, SCENE]:
@@ -127,7 +127,7 @@ func test_levels_at_random() -> void:
 	for round in 60:
 		own.pool_tiles = random.randf_range(0.0, 4.0)
 		if random.randf() < 0.5:
-			GrassQuality.set_own(own)
+			GrassQuality.set_custom(own)
 		else:
 			GrassQuality.set_level(random.randi_range(0, 3) as GrassQuality.Level)
 		for body in bodies:
@@ -161,24 +161,24 @@ func test_a_saved_scene_does_not_know_of_it() -> void:
 func test_own_factors() -> void:
 	var field := add_field({pool_tiles = 100})
 	await grown(field)
-	assert_true(GrassQuality.get_own() == null)
-	var own := GrassQuality.of_level(GrassQuality.LEVEL_LOW)
+	assert_true(GrassQuality.get_custom() == null)
+	var own := GrassQuality.from_level(GrassQuality.LEVEL_LOW)
 	own.pool_tiles = 0.5
-	GrassQuality.set_own(own)
-	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_OWN)
+	GrassQuality.set_custom(own)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_CUSTOM)
 	await ticks(2)
 	assert_eq(pool_of(field), 50)
 	own.pool_tiles = 0.0
 	await ticks(2)
 	assert_eq(pool_of(field), 0, "a change of the resource is enough")
-	assert_true(GrassQuality.get_own() == own)
-	var copy := GrassQuality.of_level(GrassQuality.LEVEL_OWN)
+	assert_true(GrassQuality.get_custom() == own)
+	var copy := GrassQuality.from_level(GrassQuality.LEVEL_CUSTOM)
 	assert_true(copy != own)
 	assert_eq(copy.lod_error, own.lod_error)
 	GrassQuality.set_level(GrassQuality.LEVEL_HIGH)
 	await ticks(2)
 	assert_eq(pool_of(field), 100)
-	GrassQuality.set_level(GrassQuality.LEVEL_OWN)
+	GrassQuality.set_level(GrassQuality.LEVEL_CUSTOM)
 	await ticks(2)
 	assert_eq(pool_of(field), 0, "they are still known")
 
@@ -188,9 +188,9 @@ func test_wrong_values_are_refused_by_name() -> void:
 	expect_error("the level must be one of the LEVEL_* constants")
 	GrassQuality.set_level(9 as GrassQuality.Level)
 	GrassQuality.set_level(-1 as GrassQuality.Level)
-	assert_true(GrassQuality.of_level(5 as GrassQuality.Level) == null)
-	expect_error("set_own() needs a GrassQuality")
-	GrassQuality.set_own(null)
+	assert_true(GrassQuality.from_level(5 as GrassQuality.Level) == null)
+	expect_error("set_custom() needs a GrassQuality")
+	GrassQuality.set_custom(null)
 	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_LOW)
 	var own := GrassQuality.new()
 	own.resource_name = "Menu"
@@ -211,20 +211,20 @@ func test_the_project_has_a_level() -> void:
 	GrassQuality.reset_level()
 	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_MEDIUM)
 	ProjectSettings.set_setting(LEVEL_SETTING, 7)
-	expect_error("The project setting grass_field/quality/level is 7, but must be 0 (Low) to 4 (Own)")
+	expect_error("The project setting grass_field/quality/level is 7, but must be 0 (Low) to 4 (Custom)")
 	GrassQuality.reset_level()
 	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH)
-	ProjectSettings.set_setting(LEVEL_SETTING, GrassQuality.LEVEL_OWN)
-	expect_error("is Own, but grass_field/quality/own ('') is not the file of a GrassQuality")
+	ProjectSettings.set_setting(LEVEL_SETTING, GrassQuality.LEVEL_CUSTOM)
+	expect_error("is Custom, but grass_field/quality/custom ('') is not the file of a GrassQuality")
 	GrassQuality.reset_level()
 	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_HIGH)
 	var own := GrassQuality.new()
 	own.lod_far = 0.3
 	assert_eq(ResourceSaver.save(own, FILE), OK)
-	ProjectSettings.set_setting(OWN_SETTING, FILE)
+	ProjectSettings.set_setting(CUSTOM_SETTING, FILE)
 	GrassQuality.reset_level()
-	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_OWN)
-	assert_near(GrassQuality.get_own().lod_far, 0.3, 1e-6)
+	assert_eq(GrassQuality.get_level(), GrassQuality.LEVEL_CUSTOM)
+	assert_near(GrassQuality.get_custom().lod_far, 0.3, 1e-6)
 
 
 func test_the_guide_has_the_factors() -> void:
@@ -235,5 +235,5 @@ func test_the_guide_has_the_factors() -> void:
 	for factor in FACTORS:
 		var cells: Array[String] = ["`%s`" % factor]
 		for level in LEVELS:
-			cells.append(String.num(GrassQuality.of_level(level).get(factor), 2).trim_suffix(".0"))
+			cells.append(String.num(GrassQuality.from_level(level).get(factor), 2).trim_suffix(".0"))
 		assert_true(page.contains("| %s |" % " | ".join(cells)), "| %s |" % " | ".join(cells))

@@ -61,7 +61,7 @@ func test_a_field_is_not_made_again() -> void:
 
 
 func test_a_world_goes_on() -> void:
-	var world := add_world({radius = 100.0})
+	var world := add_world({camera_radius = 100.0})
 	await go(world, Vector3(64, 0, 64))
 	var before := world.get_statistics()
 	for property in properties_of(&"GrassWorld"):

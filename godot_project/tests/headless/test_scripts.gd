@@ -90,10 +90,10 @@ func test_plants_get_nodes_and_lose_them() -> void:
 		func() -> void:
 			var field := add_level({species = [species]})
 			await ticks(10)
-			field.plant_node_left.connect(hear.unbind(3))
+			field.plant_node_leaving.connect(hear.unbind(3))
 			field.plant_nodes_max = 0
 			await until_heard(),
-		"plant_node_left"
+		"plant_node_leaving"
 	)
 
 

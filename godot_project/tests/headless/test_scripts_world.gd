@@ -45,7 +45,7 @@ func test_a_world_tells_of_plots() -> void:
 	for signal_: String in ["plot_loaded", "plot_leaving"]:
 		for name_: String in world_deeds:
 			heard = 0
-			var world := add_streamed(name_, {radius = 100.0})
+			var world := add_streamed(name_, {camera_radius = 100.0})
 			var on_signal := func(_plot: Vector2i, field: GrassField) -> void:
 				heard += 1
 				if heard == 1:

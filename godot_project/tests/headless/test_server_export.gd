@@ -68,10 +68,10 @@ func _process(_delta: float) -> void:
 	for field: GrassField in get_children():
 		for x: float in [-4.0, 4.0]:
 			answers.append(field.density_at(Vector3(x, 0, 1)))
-		answers.append(field.fill_rule.get_mask_state() == GrassFillRule.MASK_READY)
+		answers.append(field.fill_rule.get_mask_state() == GrassFillRule.MASK_STATE_READY)
 		answers.append(field.fill_rule.mask.get_class() == "PlaceholderTexture2D")
 		field.fill_rule.mask = load("res://mask.png")
-		answers.append(field.fill_rule.get_mask_state() == GrassFillRule.MASK_READY)
+		answers.append(field.fill_rule.get_mask_state() == GrassFillRule.MASK_STATE_READY)
 	print("answers: ", JSON.stringify(answers))
 	get_tree().quit()
 """

@@ -54,8 +54,8 @@ func test_in_flight_no_field_is_made_and_a_frame_moves_one_plot() -> void:
 
 
 func test_the_budget_holds() -> void:
-	var world := add_world({plot_scene = pattern({density = 64.0}), radius = 500.0, budget = 30.0})
-	expect_error("`budget` (30 MB) holds grass up to")
+	var world := add_world({plot_scene = pattern({density = 64.0}), camera_radius = 500.0, memory_budget = 30.0})
+	expect_error("`memory_budget` (30 MB) holds grass up to")
 	for i in 4:
 		await go(world, Vector3(64 + 300 * i, 0, 64))
 		var now := world.get_statistics()
@@ -198,19 +198,19 @@ func test_without_a_folder_changes_are_kept_and_told_of() -> void:
 
 func test_wrong_properties() -> void:
 	expect_error("`plot_size` cannot be 5")
-	expect_error("`radius` cannot be -3")
+	expect_error("`camera_radius` cannot be -3")
 	expect_error("is not a GrassField")
 	expect_error("tiles that do not fit `plot_size`")
 	var wrong := PackedScene.new()
 	var node := Node3D.new()
 	wrong.pack(node)
 	node.free()
-	var world := add_world({plot_size = 5.0, radius = -3.0, plot_scene = wrong})
+	var world := add_world({plot_size = 5.0, camera_radius = -3.0, plot_scene = wrong})
 	assert_eq(world.plot_size, 64.0)
-	assert_eq(world.radius, 0.0)
+	assert_eq(world.camera_radius, 0.0)
 	await go(world, Vector3(10, 0, 10))
 	assert_eq(world.get_fields().size(), 1)
-	world.radius = 1.0
+	world.camera_radius = 1.0
 	world.plot_scene = pattern({density = 200.0})
 	await go(world, Vector3(10, 0, 10))
 	world.get_field_at(Vector3(10, 0, 10)).free()

@@ -12,11 +12,11 @@ func settled(world: GrassWorld, plots: int) -> void:
 
 func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 	var scene := pattern({density = 256.0, pool_tiles = 4096})
-	expect_error("`budget` (")
-	var world := add_world({plot_scene = scene, radius = 60.0})
+	expect_error("`memory_budget` (")
+	var world := add_world({plot_scene = scene, camera_radius = 60.0})
 	await go(world, Vector3(64, 0, 64))
 	var alone: Dictionary = world.get_statistics()
-	world.budget = ceilf(2.0 * alone.memory / 1e6)
+	world.memory_budget = ceilf(2.0 * alone.memory / 1e6)
 	await frames(10)
 	var bodies: Array[Node3D] = []
 	for i in 40:
@@ -31,7 +31,7 @@ func test_a_crowd_in_one_plot_does_not_take_the_grass_away() -> void:
 		least = mini(least, now.plots)
 		most = maxi(most, now.memory)
 	assert_greater(least, 0, "grass stands under the camera and the bodies")
-	assert_greater(most, 1e6 * world.budget, "the crowd was dearer than the budget")
+	assert_greater(most, 1e6 * world.memory_budget, "the crowd was dearer than the budget")
 	assert_true(world.get_field(Vector2i(0, 0)) != null)
 	for body in bodies:
 		body.free()
@@ -48,7 +48,7 @@ func test_other_species_in_one_plot() -> void:
 		many.append(GrassSpecies.new())
 		many[i].patch = GrassPatch.new()
 		many[i].patch.seed = i
-	var world := add_world({plot_scene = pattern({species = many}), radius = 100.0})
+	var world := add_world({plot_scene = pattern({species = many}), camera_radius = 100.0})
 	await go(world, Vector3(64, 0, 64))
 	var before: Dictionary = world.get_statistics()
 	world.get_field(Vector2i(0, 0)).species = [GrassSpecies.new()] as Array[GrassSpecies]
@@ -85,7 +85,7 @@ func test_plots_come_while_another_field_changes_in_each_frame() -> void:
 
 
 func test_the_world_counts_its_work() -> void:
-	var world := add_world({radius = 400.0})
+	var world := add_world({camera_radius = 400.0})
 	await go(world, Vector3(64, 0, 64))
 	var quiet: int = world.get_statistics().distance_tests
 	assert_greater(quiet, 0)
@@ -135,18 +135,18 @@ func test_a_world_outside_of_the_tree() -> void:
 
 func test_properties_belong_to_the_main_thread() -> void:
 	var world := add_world()
-	var before: Array[float] = [world.radius, world.body_radius, world.budget]
-	for method: String in ["set_radius", "set_body_radius", "set_budget"]:
+	var before: Array[float] = [world.camera_radius, world.body_radius, world.memory_budget]
+	for method: String in ["set_camera_radius", "set_body_radius", "set_memory_budget"]:
 		expect_error("%s() belongs to the main thread" % method)
 	var thread := Thread.new()
 	thread.start(
 		func() -> void:
-			world.radius = 3.0
+			world.camera_radius = 3.0
 			world.body_radius = 3.0
-			world.budget = 3.0
+			world.memory_budget = 3.0
 	)
 	thread.wait_to_finish()
-	assert_eq([world.radius, world.body_radius, world.budget] as Array[float], before)
+	assert_eq([world.camera_radius, world.body_radius, world.memory_budget] as Array[float], before)
 
 
 func test_a_warning_of_all_plots_is_given_once() -> void:
@@ -161,7 +161,7 @@ func test_a_warning_of_all_plots_is_given_once() -> void:
 ## One that is fast gets its pool while it is farther away than one that is slow.
 func test_pools_are_ready_before_a_fast_body() -> void:
 	for speed: float in [4.0, 60.0]:
-		var world := add_world({plot_size = 256.0, radius = 300.0})
+		var world := add_world({plot_size = 256.0, camera_radius = 300.0})
 		eye.position = Vector3(250, 2, 128)
 		await loaded(world)
 		var body := add_held_body(ball(0.3), Vector3(60, 0.3, 128))

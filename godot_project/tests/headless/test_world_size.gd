@@ -56,8 +56,8 @@ func test_painted_ground_on_disk_and_in_memory() -> void:
 			if x < 0 or x >= PLOTS or z != 0:
 				DirAccess.copy_absolute(path_of(Vector2i(posmod(x + z, PLOTS), 0)), path_of(Vector2i(x, z)))
 	var scene := pattern({density = 256.0, pool_tiles = 256})
-	expect_error("`budget` (100 MB) holds grass up to")
-	var world := add_world({plot_scene = scene, plot_size = WIDE, budget = MEMORY, radius = 400.0})
+	expect_error("`memory_budget` (100 MB) holds grass up to")
+	var world := add_world({plot_scene = scene, plot_size = WIDE, memory_budget = MEMORY, camera_radius = 400.0})
 	await go(world, Vector3(0, 0, 128))
 	await go(world, Vector3(200, 0, 128))
 	var before: Dictionary = world.get_statistics()
