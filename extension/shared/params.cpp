@@ -28,8 +28,9 @@ Variant property_value(const Tunable &p_tunable, double p_value) {
 double checked(const Tunable &p_tunable, double p_value, const String &p_owner) {
 	const double value = p_tunable.clamp(p_value);
 	if (value != p_tunable.whole(p_value)) {
-		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s %s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
-				p_tunable.maximum, String::utf8(p_tunable.unit), value));
+		const String unit = String::utf8(p_tunable.unit);
+		WARN_PRINT(vformat("%s: `%s` cannot be %s (allowed: %s to %s%s); using %s.", p_owner, p_tunable.name, p_value, p_tunable.minimum,
+				p_tunable.maximum, unit.is_empty() ? unit : " " + unit, value));
 	}
 	return value;
 }

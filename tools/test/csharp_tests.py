@@ -153,6 +153,7 @@ def wrong_mistakes():
 		"a result": "int blades = field.GetBladeCount();",
 		"a handler": "new GrassWorld().PlotLoaded += (Vector2I plot) => { };",
 		"a property that is read only": "field.FillNow = default(Callable);",
+		"an old name": "field.GetTiles();",
 	}.items():
 		source = MADE / "mistake.cs"
 		source.write_text(f"using Godot; using GrassAddon; class Mistake {{ void Make(GrassField field) {{ {code} }} }}")
