@@ -105,11 +105,21 @@ class Writer:
 
 	def text(self, element):
 		"""A description as Markdown: each line of it is a paragraph."""
-		source, made, end = textwrap.dedent((element.text or "").strip("\n")), "", 0
+		return self.marked(textwrap.dedent((element.text or "").strip("\n")))
+
+	def marked(self, source):
+		made, end = "", 0
 		for match in TAG.finditer(source):
 			made += escaped(source[end : match.start()]).replace("\n", "\n\n") + self.tag(match)
 			end = match.end()
 		return (made + escaped(source[end:]).replace("\n", "\n\n")).strip()
+
+	def standing(self, element):
+		"""A line if a name is an old one, or may still change."""
+		for word in ("deprecated", "experimental"):
+			if element.get(word) is not None:
+				return f"**{word.capitalize()}.** {self.marked(element.get(word))}".strip()
+		return ""
 
 	def parameters(self, entry):
 		values = [
@@ -143,7 +153,9 @@ class Writer:
 			line = f"{value} **{escaped(name)}**{self.parameters(entry)}".strip()
 		description = entry if kind in ("member", "constant") else entry.find("description")
 		told = self.told_in(name)
-		return "\n\n".join(filter(None, (head, line, self.text(description), f"In the guides: {told}" if told else "")))
+		return "\n\n".join(
+			filter(None, (head, line, self.standing(entry), self.text(description), f"In the guides: {told}" if told else ""))
+		)
 
 	def summary(self, group, kind, entries):
 		"""A table of properties or methods."""
@@ -169,6 +181,7 @@ class Writer:
 		node, parts = self.made.node, [f"# {self.made.name}"]
 		told = self.told_in(None)
 		parts.append(f"Inherits: {self.type_link(node.get('inherits'))}")
+		parts.append(self.standing(node))
 		parts += [self.text(node.find(part)) for part in ("brief_description", "description")]
 		parts.append(f"In the guides: {told}" if told else "")
 		for group, kind in KINDS.items():
