@@ -18,7 +18,7 @@ def dispatch(options):
 	from tools.test import testing  # here, so that the explanation appears at once
 
 	if options.command == "demo" and options.video:
-		film.record(options.out) if not options.recorded else film.encode_recorded(options.recorded)
+		film.record(options.out) if not options.recorded else film.encode(options.recorded)
 	elif options.command == "demo":
 		scenes.demo(options.place, options.out, options.size, options.method)
 	elif options.command == "gallery":

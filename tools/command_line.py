@@ -6,7 +6,7 @@ import argparse
 EXPLANATION = """\
 GrassField: grass that every physics body pushes, for Godot 4.6.
 
-  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets) and prints where its pictures are
+  ./grass demo     runs the demo (or: meadow, lawn, reeds, forces, burning, walk, presets, pairs) and prints where its pictures are
   ./grass gallery  renders the same grass in many lights
   ./grass test     builds and runs every layer of tests
   ./grass build    builds the extension for the project in godot_project/
@@ -27,7 +27,7 @@ installed, and no root is needed. GODOT=/path/to/godot names an engine of your o
 """
 
 
-DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk")
+DEMOS = ("demo", "meadow", "lawn", "reeds", "presets", "forces", "burning", "levels", "walk", "pairs")
 BENCHMARKS = """all (default): every part that a page shows, each once; a second start goes on where the first was. stress: only the stress
 	tests, in full; takes hours. drivers: the passes as compiled by Mesa, for cards that are not here. pack: everything that another
 	machine's GPU needs, into --out"""
@@ -48,9 +48,7 @@ def parser():
 	demo.add_argument("--method", choices=("forward_plus", "mobile", "gl_compatibility"), default="forward_plus")
 
 	demo.add_argument("--video", action="store_true", help="record the film of the README instead: a video and a loop, in out/film")
-	demo.add_argument(
-		"--recorded", metavar="DIR", help="with --video: only encode DIR/film.avi and film.log, recorded on another machine's GPU"
-	)
+	demo.add_argument("--recorded", metavar="DIR", help="with --video: only encode DIR/frames, recorded on another machine's GPU")
 
 	gallery = commands.add_parser("gallery", help="render the same grass in many lights, into out/gallery")
 	gallery.add_argument("--out", default=None, metavar="DIR", help="folder for the pictures (default: out/gallery)")

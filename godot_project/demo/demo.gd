@@ -6,7 +6,8 @@
 ##   --size SIZE    side of the field: large (64 m, 1,048,576 blades), small (20 m, 102,400 blades) or a number of metres;
 ##                  by default large on a GPU, small in software
 ##   --bodies N     default 128
-##   --place NAME   another scene of this folder instead: lawn, meadow, reeds, film, benchmark (an exported project takes no scene's path)
+##   --place NAME   another scene of this folder instead, which reads the other arguments: lawn, meadow, reeds, walk, presets, gallery,
+##                  pairs, film, benchmark (an exported project takes no scene's path)
 extends Node3D
 
 const Bodies := preload("res://demo/bodies.gd")
@@ -70,6 +71,10 @@ func _unhandled_key_input(event: InputEvent) -> void:
 
 func _read_options() -> void:
 	var arguments := OS.get_cmdline_user_args()
+	var place := arguments.find("--place")
+	if place >= 0 and place + 1 < arguments.size():
+		_options.place = arguments[place + 1]
+		return
 	for i in range(0, arguments.size(), 2):
 		var key := arguments[i].trim_prefix("--")
 		if not _options.has(key) or i + 1 == arguments.size():

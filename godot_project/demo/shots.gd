@@ -29,12 +29,16 @@ func warm_up() -> void:
 
 
 func take(p_name: String) -> void:
-	await _draw(3)
-	draw_ms = RenderingServer.viewport_get_measured_render_time_gpu(_viewport.get_viewport_rid())
 	var path := _folder.path_join(p_name + ".png")
-	var error := _viewport.get_texture().get_image().save_png(path)
+	var error := (await picture()).save_png(path)
 	if error != OK:
 		push_error("Demo: cannot write %s (%s)." % [path, error_string(error)])
+
+
+func picture() -> Image:
+	await _draw(3)
+	draw_ms = RenderingServer.viewport_get_measured_render_time_gpu(_viewport.get_viewport_rid())
+	return _viewport.get_texture().get_image()
 
 
 func _draw(p_frames: int) -> void:

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The demo's film: the engine's movie writer records it, ffmpeg makes a video and a loop of it."""
+"""The film: the engine writes its frames, ffmpeg makes a video of them and the loop that opens the README."""
 
 import pathlib
-import re
 import subprocess
 
 from tools.fetch import machine
@@ -11,12 +10,11 @@ from tools.run import engine, scenes
 from tools.say import Failure, progress, say
 
 SCENE = "res://demo/film.tscn"
-RATE = 60  # frames a second
-SIZE = "1280x720"  # the project's: the movie writer takes no other
+RATE = 30  # frames a second
+SIZE = "1280x720"
 FFMPEG = (lambda: machine.program("ffmpeg"), ("ffmpeg", "patchelf"))
-MOST_BYTES = 6_000_000  # of the loop, which opens the README
-LOOP = {"width": 480, "qualities": (60, 50, 40, 30)}  # the best that is not too large
-SAYS = re.compile(r"film: from frame (\d+), (\d+) frames, fade (\d+)")
+VIDEO = {"most": 8_000_000, "qualities": (20, 22, 24, 26, 28, 30, 32)}  # bytes; x264's scale, the best that is not too large
+LOOP = {"most": 6_000_000, "width": 960, "rate": 15, "qualities": (60, 50, 40, 30, 20)}  # libwebp's scale
 
 
 def record(out):
@@ -24,87 +22,40 @@ def record(out):
 	scenes.ready(SCENE)
 	engine.import_project()
 	folder = pathlib.Path(out or OUT / "film").resolve()
-	folder.mkdir(parents=True, exist_ok=True)
-	movie, said = folder / "film.avi", []
+	frames = folder / "frames"
+	frames.mkdir(parents=True, exist_ok=True)
+	size = "large" if machine.gpu() and machine.display() else "small"
+	said = []
 	with engine.window(size=SIZE) as (command, environment), progress("Recording the film", every=10):
-		arguments = ["--write-movie", str(movie), "--fixed-fps", str(RATE), "--path", str(PROJECT), SCENE]
-		code = engine.run([*command, *arguments], environment, said.append, scenes.LIMIT, silence=scenes.LIMIT)
-	if code or not movie.exists():
+		arguments = ["--fixed-fps", str(RATE), "--path", str(PROJECT), SCENE, "--", "--out", str(frames)]
+		code = engine.run([*command, *arguments, "--size", size], environment, said.append, scenes.LIMIT, silence=scenes.LIMIT)
+	if code:
 		raise Failure("The film was not recorded:\n" + "\n".join(said[-20:]))
-	encode(folder, "\n".join(said))
+	encode(folder)
 
 
-def encode_recorded(folder):
-	"""Encodes FOLDER/film.avi from another machine; FOLDER/film.log is the output of the scene."""
-	folder = pathlib.Path(folder).resolve()
-	missing = [name for name in ("film.avi", "film.log") if not (folder / name).exists()]
-	if missing:
-		raise Failure(f"{folder} has no {' and no '.join(missing)}.", 2)
-	encode(folder, (folder / "film.log").read_text())
-
-
-def encode(folder, said):
-	"""FOLDER/film.avi -> film.mp4 and film.webp, which both loop. `said`: output of the scene, which names the frames of the film."""
+def encode(folder):
+	"""FOLDER/frames, recorded here or on another machine -> FOLDER/film.mp4 and film.webp."""
 	machine.ensure(FFMPEG)
-	found = SAYS.search(said)
-	if not found:
-		raise Failure("The scene did not say where its film begins.")
-	first, frames, fade = (int(number) for number in found.groups())
-	mp4, webp = folder / "film.mp4", folder / "film.webp"
-	ffmpeg(
-		folder,
-		first,
-		frames,
-		fade,
-		"",
-		mp4,
-		"-c:v",
-		"libx264",
-		"-crf",
-		"20",
-		"-preset",
-		"slow",
-		"-pix_fmt",
-		"yuv420p",
-		"-movflags",
-		"+faststart",
-	)
-	for quality in LOOP["qualities"]:
-		scale = f",scale={LOOP['width']}:-2:flags=lanczos"
-		ffmpeg(
-			folder,
-			first,
-			frames,
-			fade,
-			scale,
-			webp,
-			"-c:v",
-			"libwebp_anim",
-			"-quality",
-			str(quality),
-			"-compression_level",
-			"5",
-			"-loop",
-			"0",
-		)
-		if webp.stat().st_size <= MOST_BYTES:
-			break
-	else:
-		raise Failure(f"The loop has {webp.stat().st_size} bytes, more than {MOST_BYTES}.")
-	say(
-		f"The film is in {folder}: film.mp4, {mp4.stat().st_size / 1e6:.1f} MB, and film.webp, {webp.stat().st_size / 1e6:.1f} MB (quality {quality})"
-	)
+	folder = pathlib.Path(folder).resolve()
+	if not any((folder / "frames").glob("*.webp")):
+		raise Failure(f"{folder}/frames has no pictures. `./grass demo --video` writes them.", 2)
+	h264 = ["-c:v", "libx264", "-preset", "veryslow", "-tune", "film", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
+	best(folder, folder / "film.mp4", VIDEO, [], [*h264, "-crf"])
+	small = ["-vf", f"fps={LOOP['rate']},scale={LOOP['width']}:-2:flags=lanczos"]
+	best(folder, folder / "film.webp", LOOP, small, ["-c:v", "libwebp_anim", "-compression_level", "6", "-loop", "0", "-quality"])
 
 
-def ffmpeg(folder, first, frames, fade, filters, target, *codec):
-	"""The film's frames; the frames after its end fade into its beginning, so that the loop has no cut."""
-	graph = (
-		f"[0:v]trim=start_frame={first}:end_frame={first + frames},setpts=PTS-STARTPTS,fps={RATE},split[a][b];"
-		f"[a]trim=end_frame={fade},setpts=PTS-STARTPTS[begin];[b]trim=start_frame={fade},setpts=PTS-STARTPTS[rest];"
-		f"[0:v]trim=start_frame={first + frames}:end_frame={first + frames + fade},setpts=PTS-STARTPTS,fps={RATE}[after];"
-		f"[after][begin]xfade=transition=fade:duration={fade / RATE}:offset=0[joint];[joint][rest]concat=n=2:v=1{filters}[film]"
-	)
-	command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", "-i", str(folder / "film.avi"), "-filter_complex", graph]
-	result = subprocess.run([*command, "-map", "[film]", "-r", str(RATE), "-an", *codec, str(target)], capture_output=True, text=True)
-	if result.returncode:
-		raise Failure(f"ffmpeg could not make {target.name}:\n{result.stderr}")
+def best(folder, target, limits, filters, codec):
+	"""Encodes the frames in the best quality of `limits` that is small enough; `codec` ends with the option that sets it."""
+	for quality in limits["qualities"]:
+		source = ["-framerate", str(RATE), "-pattern_type", "glob", "-i", str(folder / "frames/*.webp")]
+		command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", *source, *filters, *codec, str(quality), str(target)]
+		result = subprocess.run(command, capture_output=True, text=True)
+		if result.returncode:
+			raise Failure(f"ffmpeg could not make {target.name}:\n{result.stderr}")
+		size = target.stat().st_size
+		if size <= limits["most"]:
+			say(f"{target}: {size / 1e6:.1f} MB, quality {quality}")
+			return
+	raise Failure(f"{target} has {size} bytes, more than {limits['most']}.")

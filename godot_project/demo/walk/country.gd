@@ -24,19 +24,24 @@ var fields: Array[GrassField] = []  ## all of them
 func make(near: float, hills: Hills) -> void:
 	field = _add("Field", Rect2(-0.5 * near, -0.5 * near, near, near), NEAR_DENSITY)
 	field.measure_time = true
-	var half := 0.5 * hills.side
-	var rim := half - 0.5 * near
-	if rim >= 1.0:
-		for rect: Rect2 in [
-			Rect2(-half, -half, 2.0 * half, rim),
-			Rect2(-half, 0.5 * near, 2.0 * half, rim),
-			Rect2(-half, -0.5 * near, rim, near),
-			Rect2(0.5 * near, -0.5 * near, rim, near)
-		]:
-			_add("Far%d" % fields.size(), rect, FAR_DENSITY)
-	for each in fields:
-		each.bake_ground_from(hills.shape, hills.global_transform)
+	field.bake_ground_from(hills.shape, hills.global_transform)
+	surround(near, hills.side, hills, FAR_DENSITY)
 	_paint_track(hills)
+
+
+## Adds four fields around a square with the side `inner`, up to one with the side `outer`.
+func surround(inner: float, outer: float, hills: Hills, density: float) -> void:
+	var half := 0.5 * outer
+	var rim := half - 0.5 * inner
+	if rim < 1.0:
+		return
+	for rect: Rect2 in [
+		Rect2(-half, -half, outer, rim),
+		Rect2(-half, 0.5 * inner, outer, rim),
+		Rect2(-half, -0.5 * inner, rim, inner),
+		Rect2(0.5 * inner, -0.5 * inner, rim, inner)
+	]:
+		_add("Far%d" % fields.size(), rect, density).bake_ground_from(hills.shape, hills.global_transform)
 
 
 ## The field at a place; null outside of all of them.

@@ -3,6 +3,7 @@
 ## when it changes from one to the other, so no shadow jumps.
 extends Node
 
+const Clouds := preload("res://demo/walk/clouds.gd")
 const PACE := 24.0 / 900.0  # hours a second: a day in a quarter of an hour
 const HURRY := 1.5  # hours a second while the key is held
 const NOON_HEIGHT := 1.0  # radians
@@ -30,6 +31,7 @@ func set_up(sun: DirectionalLight3D, world: WorldEnvironment) -> void:
 	_environment = world.environment.duplicate(true)  # the environment in the file does not change
 	world.environment = _environment
 	_sky = _environment.sky.sky_material
+	_sky.sky_cover = Clouds.cover()
 	_sky.sun_angle_max = 8.0  # degrees of glow around it
 	_environment.ambient_light_source = Environment.AMBIENT_SOURCE_COLOR
 	_environment.reflected_light_source = Environment.REFLECTION_SOURCE_DISABLED
@@ -66,6 +68,7 @@ func _set_air(clouds: float) -> void:
 		_sky.sky_top_color = _mix(0, clouds)
 		_sky.sky_horizon_color = _mix(1, clouds)
 		_sky.ground_horizon_color = _mix(1, clouds)
+		_sky.sky_cover_modulate = Color(Color.WHITE, light * light * (1.0 - clouds))
 		_sky.ground_bottom_color = 0.4 * _mix(1, clouds)
 
 

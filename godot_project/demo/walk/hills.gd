@@ -5,14 +5,17 @@ extends StaticBody3D
 
 const STEP := 4  # metres from one height of the noise to the next; heights between them are interpolated
 const FAR_STEP := 16.0  # metres, of the hills to the horizon
-const FAR := 2.0  # their extent, in sides of the square
+const FAR := 1600.0  # metres, from the middle to their end
 const RELIEF := 26.0  # metres
+const EARTH := Color(0.4, 0.48, 0.2)  # at the horizon: about the colour of far grass
+const SNOW := Color(0.88, 0.9, 0.95)
 const SUNK := 0.4  # metres that they are lower, so that they never show through the grass
 
 var side := 0  ## metres
+var level := 0.0  ## metres from the middle up to which the ground is level at height 0; 0: a gently waved middle
 var shape := HeightMapShape3D.new()
-var material := StandardMaterial3D.new()  ## of the hills to the horizon
 
+var _material := StandardMaterial3D.new()
 var _noise := FastNoiseLite.new()
 
 
@@ -36,13 +39,19 @@ func make(p_side: int) -> void:
 	var collider := CollisionShape3D.new()
 	collider.shape = shape
 	add_child(collider)
-	material.roughness = 1.0
-	material.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT_WRAP  # grass lets light through
+	_material.roughness = 1.0
+	_material.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT_WRAP  # grass lets light through
 	var look := MeshInstance3D.new()
 	look.mesh = _mesh()
-	look.material_override = material
+	look.material_override = _material
 	look.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
+	look.gi_mode = GeometryInstance3D.GI_MODE_DISABLED
 	add_child(look)
+
+
+## Covers the hills to the horizon with snow, and wets them; each 0 to 1.
+func cover(snow: float, wetness: float) -> void:
+	_material.albedo_color = EARTH.lerp(0.55 * EARTH, wetness).lerp(SNOW, snow)
 
 
 ## Height above the node at a place, metres: that of the shape's squares.
@@ -55,6 +64,11 @@ func height_at(place: Vector3) -> float:
 	var heights := shape.map_data
 	var near := lerpf(heights[first], heights[first + 1], part.x)
 	return lerpf(near, lerpf(heights[first + width], heights[first + width + 1], part.x), part.y)
+
+
+## Height above the node at a place on the hills as far as they are drawn, metres.
+func ground_at(place: Vector2) -> float:
+	return _rise(place)
 
 
 ## The point `above` metres over the ground at a place.
@@ -73,11 +87,12 @@ func normal_at(place: Vector3) -> Vector3:
 func _rise(place: Vector2) -> float:
 	var far := place.length()
 	var steepness := lerpf(0.12, 1.0, smoothstep(15.0, 220.0, far)) + 1.6 * smoothstep(500.0, 1500.0, far)
-	return RELIEF * steepness * _noise.get_noise_2d(place.x, place.y) + 12.0 * smoothstep(60.0, 500.0, far)
+	var rise := RELIEF * steepness * _noise.get_noise_2d(place.x, place.y) + 12.0 * smoothstep(60.0, 500.0, far)
+	return rise if level == 0.0 else rise * smoothstep(level, 2.0 * level + 80.0, far)
 
 
 func _mesh() -> ArrayMesh:
-	var reach := FAR * side
+	var reach := maxf(FAR, 1.5 * side)
 	var count := int(2.0 * reach / FAR_STEP) + 1
 	var points := PackedVector3Array()
 	var normals := PackedVector3Array()

@@ -41,15 +41,19 @@ func _ready() -> void:
 	stay()
 
 
-## Drives for a tick.
+## Drives for a tick as the player wishes.
 func drive(delta: float) -> void:
 	var ahead := Input.get_axis("walk_back", "walk_forward") + Input.get_axis("walk_reverse", "walk_throttle")
-	ahead = clampf(ahead, -1.0, 1.0)
+	go(delta, clampf(ahead, -1.0, 1.0), Input.get_axis("walk_right", "walk_left"), Input.is_action_pressed("walk_jump"))
+
+
+## Drives for a tick. ahead, left: how far the pedal and the wheel are moved, -1 to 1.
+func go(delta: float, ahead: float, left: float, brakes := false) -> void:
 	var speed := linear_velocity.dot(global_basis.z)
 	var against := ahead * speed < -0.5  # it rolls in the other direction
 	engine_force = 0.0 if against else POWER * ahead * maxf(1.0 - absf(speed) / TOP_SPEED, 0.0)
-	brake = BRAKE if against or Input.is_action_pressed("walk_jump") else IDLE_BRAKE if is_zero_approx(ahead) else 0.0
-	var wish := Input.get_axis("walk_right", "walk_left") * STEERING / (1.0 + 0.09 * absf(speed))
+	brake = BRAKE if against or brakes else IDLE_BRAKE if is_zero_approx(ahead) else 0.0
+	var wish := left * STEERING / (1.0 + 0.09 * absf(speed))
 	steering = move_toward(steering, wish, STEER_FAST * delta)
 
 

@@ -45,6 +45,7 @@ func _ready() -> void:
 	var sides: Array = SIZES[size if size else _argument("--size", "large")]
 	hills.make(sides[1])
 	country.make(sides[0], hills)
+	$Trees.make(hills, 0.25 * sides[0], 0.45 * sides[1])
 	day.set_up($Sun, $World)
 	eye.set_up(hills)
 	mower.add_collision_exception_with(walker)
@@ -78,7 +79,7 @@ func _physics_process(delta: float) -> void:
 	jeep.tread(delta, country)
 	if pushing:
 		mower.push(walker.global_position, eye.yaw, hills, country)
-	weather.advance(delta, country, hills.material, eye.global_position)
+	weather.advance(delta, country, hills, eye.global_position)
 	day.advance(delta, weather.now.clouds)
 	eye.lamp.visible = not driving and day.is_dark() != lamp_flipped
 	for lamp: SpotLight3D in jeep.lamps:

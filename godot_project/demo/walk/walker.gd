@@ -17,12 +17,13 @@ const HEAVIEST := 3.0  # kg; heavier bodies get less speed
 const Eye := preload("res://demo/walk/eye.gd")
 const Country := preload("res://demo/walk/country.gd")
 const Look := preload("res://demo/walk/look.gd")
+const Figure := preload("res://demo/walk/figure.gd")
 
 var is_pushing := false
 var kicks := 0
 
 var _shape: CollisionShape3D
-var _look: MeshInstance3D
+var _look := Figure.new()
 var _since_step := 0.0  # metres
 var _gravity: float = ProjectSettings.get_setting("physics/3d/default_gravity")
 
@@ -32,10 +33,7 @@ func _ready() -> void:
 	capsule.radius = 0.28
 	capsule.height = HEIGHT
 	_shape = Look.add_shape(self, capsule, Vector3(0.0, 0.5 * HEIGHT, 0.0))
-	var mesh := CapsuleMesh.new()
-	mesh.radius = 0.28
-	mesh.height = HEIGHT
-	_look = Look.add_mesh(self, mesh, Vector3(0.0, 0.5 * HEIGHT, 0.0), Look.paint(Color(0.2, 0.35, 0.55)))
+	add_child(_look)
 	floor_snap_length = 0.3
 
 
@@ -50,24 +48,31 @@ func get_head() -> Vector3:
 	return global_position + Vector3(0.0, HEAD, 0.0)
 
 
-## Walks for a tick, seen by `eye`, over the grass of `country`.
+## Walks for a tick as the player wishes, seen by `eye`, over the grass of `country`.
 func walk(delta: float, eye: Eye, country: Country) -> void:
 	var wish := Input.get_vector("walk_left", "walk_right", "walk_forward", "walk_back")
 	var pace := PUSHING if is_pushing else SPRINT if Input.is_action_pressed("walk_sprint") else PACE
-	var towards := Basis(Vector3.UP, eye.yaw) * Vector3(wish.x, 0.0, wish.y) * pace
+	if is_on_floor() and Input.is_action_pressed("walk_jump") and not is_pushing:
+		velocity.y = JUMP
+	_look.visible = eye.behind
+	go(delta, Basis(Vector3.UP, eye.yaw) * Vector3(wish.x, 0.0, wish.y) * pace, eye.yaw, country)
+
+
+## Walks for a tick at a velocity, with its face along `yaw`.
+func go(delta: float, towards: Vector3, yaw: float, country: Country) -> void:
 	velocity.x = move_toward(velocity.x, towards.x, HASTE * delta)
 	velocity.z = move_toward(velocity.z, towards.z, HASTE * delta)
 	if not is_on_floor():
 		velocity.y -= _gravity * delta
-	elif Input.is_action_pressed("walk_jump") and not is_pushing:
-		velocity.y = JUMP
 	var wanted := velocity
 	var from := global_position
 	move_and_slide()
 	_kick(wanted)
-	rotation.y = eye.yaw
-	_look.visible = eye.behind
-	_tread(global_position.distance_to(from), country)
+	rotation.y = yaw
+	_look.holds = is_pushing
+	var by := global_position.distance_to(from)
+	_look.step(by, by / delta)
+	_tread(by, country)
 
 
 ## Kicks the bodies that it ran into: they fly ahead, and a little up.

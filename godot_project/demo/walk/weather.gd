@@ -4,6 +4,7 @@
 extends Node3D
 
 const Country := preload("res://demo/walk/country.gd")
+const Hills := preload("res://demo/walk/hills.gd")
 const Look := preload("res://demo/walk/look.gd")
 ## wind: m/s; gusts, wet, snow, clouds, rain and flakes in the air: 0 to 1.
 const KINDS := {
@@ -14,7 +15,6 @@ const KINDS := {
 }
 ## How fast each of them changes, a second.
 const RATES := {wind = 1.5, gusts = 0.2, wet = 0.12, snow = 0.06, clouds = 0.2, rain = 0.25, flakes = 0.25}
-const EARTH := Color(0.4, 0.48, 0.2)  # of the hills at the horizon: about the colour of far grass
 const AIR := Vector3(8.0, 7.0, 8.0)  # metres around the eye in which drops and flakes are drawn, half
 
 var kind := "clear"
@@ -46,7 +46,7 @@ func settle() -> void:
 	now = KINDS[kind].duplicate()
 
 
-func advance(delta: float, country: Country, ground: StandardMaterial3D, eye: Vector3) -> void:
+func advance(delta: float, country: Country, hills: Hills, eye: Vector3) -> void:
 	for what: String in now:
 		now[what] = move_toward(now[what], KINDS[kind][what], RATES[what] * delta)
 	for field in country.fields:
@@ -54,7 +54,7 @@ func advance(delta: float, country: Country, ground: StandardMaterial3D, eye: Ve
 		field.gust_strength = now.gusts
 		field.wetness = now.wet
 		field.snow = now.snow
-	ground.albedo_color = EARTH.lerp(0.55 * EARTH, now.wet).lerp(Color(0.88, 0.9, 0.95), now.snow)
+	hills.cover(now.snow, now.wet)
 	global_position = eye
 	_show(_rain, now.rain)
 	_show(_flakes, now.flakes)

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+## Fair-weather clouds: a picture of the whole sky for the `sky_cover` of a ProceduralSkyMaterial, which adds it to the sky.
+extends RefCounted
+
+const SIZE := Vector2i(1024, 256)  # texels: all around, from the zenith to the horizon and, cloudless, to the nadir
+const LIGHT := Color(0.95, 0.93, 0.9)
+const THINNEST := 0.02  # height of the clouds' far edge in the sky, 0 at the horizon to 1 at the zenith
+
+static var _cover: ImageTexture
+
+
+static func cover() -> ImageTexture:
+	if _cover == null:
+		_cover = ImageTexture.create_from_image(_draw())
+	return _cover
+
+
+static func _draw() -> Image:
+	var noise := FastNoiseLite.new()
+	noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
+	noise.seed = 3
+	noise.frequency = 0.45
+	noise.fractal_octaves = 5
+	var image := Image.create(SIZE.x, SIZE.y, false, Image.FORMAT_RGBA8)
+	for y in SIZE.y >> 1:
+		var angle := PI * (y + 0.5) / SIZE.y
+		var reach := tan(angle) / (1.0 + 0.12 * tan(angle))  # a flat layer, bent down a little at the horizon
+		var fades := smoothstep(THINNEST, 0.16, cos(angle))
+		for x in SIZE.x:
+			var at := Vector2.from_angle(TAU * (x + 0.5) / SIZE.x) * reach
+			var thick := smoothstep(0.02, 0.5, noise.get_noise_2dv(at))
+			image.set_pixel(x, y, Color(LIGHT, 0.55 * fades * thick))
+	image.generate_mipmaps()
+	return image
