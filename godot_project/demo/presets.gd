@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
-## A field of each preset, side by side, as dense as in nature. Started with `-- --out DIR` (`./grass demo presets`)
-## it takes a picture of each, then ends; with `--only NAME` only of that one.
+## A field of each preset in a landscape, as dense as in nature. Started with `-- --out DIR` (`./grass demo presets`)
+## it takes a picture of each, then ends; with `--only NAMES` only of these. `--size small` makes small fields: for software rendering.
 extends Node3D
 
+const Landscape := preload("res://demo/landscape.gd")
 const Shots := preload("res://demo/shots.gd")
 const FOLDER := "res://addons/grass_field/presets/"
-const SPACING := 30.0  # metres from one field to the next
-## Blades a square metre, and the side of the field in metres.
+const WIND := 2.0  # m/s
+const PICTURE := Vector2i(640, 360)  # pixels
+const EYES := 1.7  # metres
+const SIDE := 24.0  # metres, of each field
+## Blades a square metre, and the side of the field in metres where fields are small.
 const FIELDS := {
 	meadow = [600.0, 16.0],
 	hay_meadow = [500.0, 16.0],
@@ -25,6 +29,7 @@ const FIELDS := {
 }
 
 var _shown: Array = FIELDS.keys()
+var _is_small := false
 
 @onready var _camera: Camera3D = $Camera
 
@@ -33,9 +38,18 @@ func _ready() -> void:
 	var arguments := OS.get_cmdline_user_args()
 	var only := arguments.find("--only")
 	if only >= 0 and only + 1 < arguments.size():
-		_shown = [arguments[only + 1]]
+		_shown = Array(arguments[only + 1].split(","))
+	var size := arguments.find("--size")
+	_is_small = size >= 0 and size + 1 < arguments.size() and arguments[size + 1] == "small"
 	for name: String in _shown:
-		add_child(make(name))
+		var field := make(name)
+		field.size = Vector2.ONE * float(FIELDS[name][1] if _is_small else SIDE)
+		add_child(field)
+	var landscape := Landscape.new()
+	add_child(landscape)
+	landscape.make(SIDE, _is_small)
+	landscape.set_wind(WIND)
+	$World.environment = Landscape.with_clouds($World.environment)
 	_show(0)
 	var out := arguments.find("--out")
 	if out >= 0 and out + 1 < arguments.size():
@@ -49,9 +63,8 @@ static func make(name: String) -> GrassField:
 	var species: GrassSpecies = load(FOLDER + name + ".tres")
 	field.name = name.to_pascal_case()
 	field.density = FIELDS[name][0]
-	field.size = Vector2.ONE * float(FIELDS[name][1])
-	field.position.x = SPACING * FIELDS.keys().find(name)
-	field.wind_speed = 2.0
+	field.border_fade = 0.0  # the landscape begins there
+	field.wind_speed = WIND
 	field.clump_size = maxf(0.3, 2.5 * species.patch.length_max)
 	# Flowers grow among grass.
 	field.species = [load(FOLDER + "meadow.tres"), species] if species.share < 0.3 else [species]
@@ -63,20 +76,30 @@ func _record(folder: String) -> void:
 	await shots.warm_up()
 	for i in _shown.size():
 		_show(i)
-		await shots.take("preset_" + str(_shown[i]))
+		var picture := await shots.picture()
+		picture.resize(PICTURE.x, PICTURE.y, Image.INTERPOLATE_LANCZOS)
+		var error := picture.save_jpg(folder.path_join("preset_%s.jpg" % _shown[i]), 0.88)
+		if error != OK:
+			push_error("Presets: cannot write into %s (%s)." % [folder, error_string(error)])
 
 
-## Looks at a field from its border, from at least twice the height of the grass.
+## Looks over a field, a little above the grass; at grass that is taller than a man from beside it.
 func _show(index: int) -> void:
-	var name: String = _shown[index]
-	var species: GrassSpecies = load(FOLDER + name + ".tres")
-	var side: float = FIELDS[name][1]
-	var height := species.patch.length_max
 	for i in _shown.size():
-		get_node(NodePath(str(_shown[i]).to_pascal_case())).visible = i == index
-	var place: float = get_node(NodePath(name.to_pascal_case())).position.x
-	var eye := Vector3(place, height + maxf(maxf(0.06 * side, 0.4 * height), 0.3), 0.5 * side + 0.5 * height)
-	_camera.look_at_from_position(eye, Vector3(place, 0.4 * height, 0.5 * side - 2.5 * height - 0.1 * side))
+		_field(i).visible = i == index
+	var species: GrassSpecies = _field(index).species[-1]
+	var height := species.patch.length_max
+	var edge := 0.5 * _field(index).size.y
+	var eye := Vector3(0.0, 1.25 * height + 0.4, minf(edge - 0.5, 9.0))
+	var ahead := Vector3(0.0, -0.8 * height - 0.4, -1.5 - 2.2 * height)
+	if height > EYES:
+		eye = Vector3(0.0, EYES, edge + 1.2 * height)
+		ahead = Vector3(0.0, 0.35 * height - EYES, -1.8 * height)
+	_camera.look_at_from_position(eye, eye + ahead)
+
+
+func _field(index: int) -> GrassField:
+	return get_node(NodePath(str(_shown[index]).to_pascal_case()))
 
 
 func _unhandled_key_input(event: InputEvent) -> void:

@@ -80,7 +80,7 @@ func _take(path: String, settle: int) -> Array[float]:
 		viewport.use_taa = uses_taa
 		await _frames(2)
 		var deadline := Time.get_ticks_msec() + COMPILING
-		while (_place.field.get_statistics().waiting or _place.field.get_statistics().compiling > 0) and Time.get_ticks_msec() < deadline:
+		while _place.is_waiting() and Time.get_ticks_msec() < deadline:
 			await get_tree().process_frame
 		await _frames(settle)
 		times.append(RenderingServer.viewport_get_measured_render_time_gpu(viewport.get_viewport_rid()))

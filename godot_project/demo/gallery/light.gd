@@ -4,15 +4,17 @@ extends Node3D
 
 const Probes := preload("res://demo/gallery/probes.gd")
 const Place := preload("res://demo/gallery/place.gd")
+const Landscape := preload("res://demo/landscape.gd")
 const DAY := preload("res://demo/day.tres")
 const WALLS := {Vector3(-3.2, 1.3, 1.0): Color(0.75, 0.08, 0.06), Vector3(3.2, 1.3, 1.0): Color(0.85, 0.85, 0.82)}
 const WALL := Vector3(0.3, 2.6, 5.0)
 const LAMPS := {Vector3(-2.5, 2.2, 1.0): Color(1.0, 0.7, 0.4), Vector3(3.5, 2.2, -3.0): Color(0.7, 0.85, 1.0)}
 
-var _environment: Environment = DAY.duplicate(true)
+var _environment: Environment
 
 
 func _init(view: Dictionary) -> void:
+	_environment = Landscape.with_clouds(DAY) if view.sky == "clear" else DAY.duplicate(true)
 	var world := WorldEnvironment.new()
 	world.environment = _environment
 	add_child(world)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-## The plants in a view of the gallery, and the ground below them.
+## The plants in a view of the gallery, the ground below them, and the landscape around.
 extends Node3D
 
-const Terrain := preload("res://demo/terrain.gd")
+const Landscape := preload("res://demo/landscape.gd")
 const PRESETS := "res://addons/grass_field/presets/%s.tres"
 const WEATHER := "res://addons/grass_field/hooks/weather.gdshaderinc"
 const EARTH := Color(0.2, 0.2, 0.1)
@@ -11,15 +11,19 @@ const SMALL := 20.0  # metres, the side of a field in software
 ## Side of the field in metres, blades a square metre, species.
 const KINDS := {
 	meadow = [240.0, 600.0, ["meadow", "hay_meadow", "clover", "daisy"]],
-	hills = [96.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
+	hills = [240.0, 400.0, ["meadow", "hay_meadow", "daisy"]],
 	painted = [120.0, 500.0, ["meadow", "tall_dry_grass", "daisy"]],
 	plants = [40.0, 60.0, ["meadow", "fern", "ox_eye_daisy", "small_shrub"]],
 	plots = [1.2, 600.0, ["meadow"]],
 	kilometre = [1000.0, 150.0, ["meadow", "hay_meadow"]],
+	border = [240.0, 600.0, ["meadow", "hay_meadow", "clover", "daisy"]],
 }
 
 ## The middles of the fields if there are several, from left to right.
 const PLOTS: Array[Vector3] = [Vector3(-2.4, 0, 1), Vector3(-1.2, 0, 1), Vector3(0, 0, 1), Vector3(1.2, 0, 1), Vector3(2.4, 0, 1)]
+
+const BARE := {plots = 24.0, border = 264.0}  # metres, side of the bare ground on which a field ends
+const WIND := 4.0  # m/s
 
 ## Shares of plants with a mesh, fewer than in a field of their own.
 const THINNED := {fern = 0.2, small_shrub = 0.04}
@@ -28,7 +32,7 @@ var kind: String
 var field := GrassField.new()
 
 var _is_small: bool
-var _terrain: StaticBody3D
+var _landscape := Landscape.new()
 
 
 func _init(p_kind: String, is_small: bool) -> void:
@@ -37,7 +41,9 @@ func _init(p_kind: String, is_small: bool) -> void:
 	var row: Array = KINDS[kind]
 	field.size = Vector2.ONE * (SMALL if is_small else float(row[0]))
 	field.density = row[1]
-	field.wind_speed = 4.0
+	field.wind_speed = WIND
+	if kind != "border":
+		field.border_fade = 0.0  # the next field begins there
 	var species: Array[GrassSpecies] = []
 	for name: String in row[2]:
 		species.append(load(PRESETS % name))
@@ -48,18 +54,20 @@ func _init(p_kind: String, is_small: bool) -> void:
 	add_child(field)
 	if kind == "plots":
 		_make_plots()
-	if kind == "hills":
-		_make_hills()
-	else:
+	if kind != "hills":
 		add_child(_plain())
+	add_child(_landscape)
 	if kind == "painted":
 		field.map = GrassMap.new()
 		field.map.base_density = 1.0
 
 
 func _ready() -> void:
+	var hills: Landscape.Hills = _landscape.hills
+	_landscape.make(BARE.get(kind, field.size.x), _is_small, kind == "hills")
+	_landscape.set_wind(WIND)
 	if kind == "hills":
-		field.bake_ground_from(_terrain.shape, _terrain.global_transform)
+		field.bake_ground_from(hills.shape, hills.global_transform)
 	elif kind == "painted":
 		_paint()
 
@@ -69,25 +77,34 @@ func set_weather(with: Array) -> void:
 	field.snow = 0.6 if "snow" in with else 0.0
 	field.wetness = 1.0 if "rain" in with else 0.0
 	field.surface_hook = load(WEATHER) if field.snow + field.wetness > 0.0 else null
+	_landscape.set_weather(field.snow, field.wetness)
 
 
 ## The place of a small field: where the camera looks.
 func show_at(place: Vector3) -> void:
-	if _is_small and kind in ["meadow", "plants"]:
+	if _is_small and kind in ["meadow", "plants", "border"]:
 		field.position = Vector3(place.x, 0, place.z)
+		_landscape.position = field.position
 
 
 ## A place whose height is measured from the ground there.
 func on_ground(place: Vector3) -> Vector3:
-	if _terrain:
-		place.y += _terrain.height_at(place.x, place.z)
-	return place
+	return _landscape.hills.on_ground(place, place.y)
 
 
-## The sum over all fields.
+## Whether a field, also of the landscape, still waits for its grass.
+func is_waiting() -> bool:
+	for each: GrassField in find_children("*", "GrassField", true, false):
+		var facts := each.get_statistics().merged(each.get_counters())
+		if facts.waiting or facts.compiling > 0 or facts.map_waiting > 0:
+			return true
+	return false
+
+
+## The sum over the fields that the view is about.
 func blade_count() -> int:
 	var count := 0
-	for each: GrassField in find_children("*", "GrassField", true, false):
+	for each: GrassField in find_children("*", "GrassField", false, false):
 		count += each.get_blade_count()
 	return count
 
@@ -98,7 +115,6 @@ func facts() -> PackedStringArray:
 
 ## Makes several fields side by side, since a field takes the light of probes as one value.
 func _make_plots() -> void:
-	field.border_fade = 0.0
 	field.size = Vector2(1.2, 5.0)
 	field.gi_mode = GeometryInstance3D.GI_MODE_DYNAMIC
 	field.position = PLOTS[0]
@@ -112,7 +128,7 @@ func _make_plots() -> void:
 func _plain() -> MeshInstance3D:
 	var ground := MeshInstance3D.new()
 	ground.mesh = PlaneMesh.new()
-	ground.mesh.size = Vector2(6000, 6000)
+	ground.mesh.size = Vector2.ONE * float(BARE.get(kind, field.size.x))
 	ground.mesh.material = _earth()
 	if kind == "plots":
 		ground.mesh.material.albedo_color = STONE
@@ -125,19 +141,6 @@ func _earth() -> StandardMaterial3D:
 	earth.albedo_color = EARTH
 	earth.roughness = 1.0
 	return earth
-
-
-func _make_hills() -> void:
-	_terrain = Terrain.new()
-	_terrain.size = 128
-	_terrain.relief = 6.0
-	_terrain.noise = FastNoiseLite.new()
-	_terrain.noise.noise_type = FastNoiseLite.TYPE_SIMPLEX
-	_terrain.noise.seed = 4
-	_terrain.noise.frequency = 0.018
-	_terrain.noise.fractal_octaves = 3
-	_terrain.material = _earth()
-	add_child(_terrain)
 
 
 ## A path that winds from the camera to the far side, and stands of the second species beside it.

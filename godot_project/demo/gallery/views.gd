@@ -46,7 +46,7 @@ const ALL := {
 	hills = {about = "Hills", place = "hills", eye = Vector3(-14, 8, 40), target = Vector3(4, 1, 0)},
 	painted = {about = "A painted path and stands of tall grass", place = "painted", eye = Vector3(-2, 4, 22), target = Vector3(0, 0, 4)},
 	far_field = {about = "One kilometre", place = "kilometre", eye = Vector3(0, 1.9, 480), target = Vector3(0, 1.2, 440)},
-	border = {about = "The border", eye = Vector3(-8, 1.7, 121), target = Vector3(4, 0.3, 113)},
+	border = {about = "The border", place = "border", eye = Vector3(-8, 1.7, 121), target = Vector3(4, 0.3, 113)},
 }
 
 

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+## Surroundings up to the horizon, made of the walk's country: a level middle for what is shown, around it meadows, hills and groves.
+extends Node3D
+
+const Hills := preload("res://demo/walk/hills.gd")
+const Clouds := preload("res://demo/walk/clouds.gd")
+const Country := preload("res://demo/walk/country.gd")
+const Trees := preload("res://demo/walk/trees.gd")
+const SIDE := {true: 192, false: 1024}  # metres, of all grass: small, for software rendering, or not
+const CLOSE := 110.0  # metres, side up to which the grass around the middle is as dense as in the walk's own middle
+const MARGIN := 6.0  # metres, by which the level ground is larger than the middle
+
+var hills := Hills.new()
+var country := Country.new()
+var trees := Trees.new()
+
+
+## p_middle: side of the square in the middle that stays free of this grass, metres. With `has_hills` its ground is not level.
+func make(p_middle: float, is_small: bool, has_hills := false) -> void:
+	add_child(hills)
+	add_child(country)
+	add_child(trees)
+	hills.level = 0.0 if has_hills else 0.5 * sqrt(2.0) * p_middle + MARGIN
+	hills.make(SIDE[is_small])
+	if p_middle < CLOSE and not is_small:
+		country.surround(p_middle, CLOSE, hills, Country.NEAR_DENSITY)
+	country.surround(p_middle if is_small else maxf(p_middle, CLOSE), SIDE[is_small], hills, Country.FAR_DENSITY)
+	trees.make(hills, clampf(0.5 * p_middle, 45.0, 70.0), 460.0)
+	set_weather(0.0, 0.0)
+
+
+## A copy of an environment, with clouds in its sky.
+static func with_clouds(environment: Environment) -> Environment:
+	var clouded: Environment = environment.duplicate(true)
+	clouded.sky.sky_material.sky_cover = Clouds.cover()
+	return clouded
+
+
+func set_wind(speed: float) -> void:
+	for field in country.fields:
+		field.wind_speed = speed
+
+
+func set_weather(snow: float, wetness: float) -> void:
+	hills.cover(snow, wetness)
+	for field in country.fields:
+		field.snow = snow
+		field.wetness = wetness
