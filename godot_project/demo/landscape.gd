@@ -15,12 +15,12 @@ var country := Country.new()
 var trees := Trees.new()
 
 
-## p_middle: side of the square in the middle that stays free of this grass, metres. With `has_hills` its ground is not level.
-func make(p_middle: float, is_small: bool, has_hills := false) -> void:
+## p_middle: side of the square in the middle that stays free of this grass, metres. p_level: side of the square whose ground is level; 0: none.
+func make(p_middle: float, p_level: float, is_small: bool) -> void:
 	add_child(hills)
 	add_child(country)
 	add_child(trees)
-	hills.level = 0.0 if has_hills else 0.5 * sqrt(2.0) * p_middle + MARGIN
+	hills.level = 0.5 * sqrt(2.0) * p_level + MARGIN if p_level > 0.0 else 0.0
 	hills.make(SIDE[is_small])
 	if p_middle < CLOSE and not is_small:
 		country.surround(p_middle, CLOSE, hills, Country.NEAR_DENSITY)

@@ -47,7 +47,7 @@ func _ready() -> void:
 		add_child(field)
 	var landscape := Landscape.new()
 	add_child(landscape)
-	landscape.make(SIDE, _is_small)
+	landscape.make(SIDE, SIDE, _is_small)
 	landscape.set_wind(WIND)
 	$World.environment = Landscape.with_clouds($World.environment)
 	_show(0)

@@ -64,7 +64,8 @@ func _init(p_kind: String, is_small: bool) -> void:
 
 func _ready() -> void:
 	var hills: Landscape.Hills = _landscape.hills
-	_landscape.make(BARE.get(kind, field.size.x), _is_small, kind == "hills")
+	var bare: float = BARE.get(kind, 0.0)
+	_landscape.make(maxf(bare, field.size.x), 0.0 if kind == "hills" else maxf(bare, KINDS[kind][0]), _is_small)
 	_landscape.set_wind(WIND)
 	if kind == "hills":
 		field.bake_ground_from(hills.shape, hills.global_transform)
@@ -82,7 +83,7 @@ func set_weather(with: Array) -> void:
 
 ## The place of a small field: where the camera looks.
 func show_at(place: Vector3) -> void:
-	if _is_small and kind in ["meadow", "plants", "border"]:
+	if _is_small and kind in ["meadow", "plants", "border", "kilometre"]:
 		field.position = Vector3(place.x, 0, place.z)
 		_landscape.position = field.position
 

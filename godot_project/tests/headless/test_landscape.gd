@@ -11,7 +11,7 @@ var landscape: Landscape
 func before() -> void:
 	landscape = Landscape.new()
 	add_child(landscape)
-	landscape.make(MIDDLE, true)
+	landscape.make(MIDDLE, MIDDLE, true)
 
 
 func after() -> void:
