@@ -15,7 +15,8 @@ var country := Country.new()
 var trees := Trees.new()
 
 
-## p_middle: side of the square in the middle that stays free of this grass, metres. p_level: side of the square whose ground is level; 0: none.
+## p_middle: side of the square in the middle that stays free of this grass, metres. p_level: side of the square whose
+## ground is level; 0: none.
 func make(p_middle: float, p_level: float, is_small: bool) -> void:
 	add_child(hills)
 	add_child(country)

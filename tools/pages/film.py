@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The film: the engine writes its frames, ffmpeg makes a video of them and the loop that opens the README."""
 
+import itertools
 import pathlib
 import subprocess
+import tempfile
 
 from tools.fetch import machine
 from tools.places import OUT, PROJECT
@@ -13,8 +15,10 @@ SCENE = "res://demo/film.tscn"
 RATE = 30  # frames a second
 SIZE = "1280x720"
 FFMPEG = (lambda: machine.program("ffmpeg"), ("ffmpeg", "patchelf"))
-VIDEO = {"most": 8_000_000, "qualities": (20, 22, 24, 26, 28, 30, 32)}  # bytes; x264's scale, the best that is not too large
-LOOP = {"most": 6_000_000, "width": 960, "rate": 15, "qualities": (60, 50, 40, 30, 20)}  # libwebp's scale
+VIDEO = {"most": 8_000_000, "qualities": (28, 30, 31, 32, 33, 34, 35, 36)}  # bytes; x264's scale, the best that is not too large
+LOOP = {"most": 6_000_000, "qualities": (50, 40, 35, 30, 25, 20)}  # libwebp's scale
+# Each picture of a loop is whole, so it takes an excerpt of each shot: the middle.
+LOOP_WIDTH, LOOP_RATE, LOOP_SECONDS = 800, 15, 1.2
 
 
 def record(out):
@@ -41,16 +45,28 @@ def encode(folder):
 	if not any((folder / "frames").glob("*.webp")):
 		raise Failure(f"{folder}/frames has no pictures. `./grass demo --video` writes them.", 2)
 	h264 = ["-c:v", "libx264", "-preset", "veryslow", "-tune", "film", "-pix_fmt", "yuv420p", "-movflags", "+faststart"]
-	best(folder, folder / "film.mp4", VIDEO, [], [*h264, "-crf"])
-	small = ["-vf", f"fps={LOOP['rate']},scale={LOOP['width']}:-2:flags=lanczos"]
-	best(folder, folder / "film.webp", LOOP, small, ["-c:v", "libwebp_anim", "-compression_level", "6", "-loop", "0", "-quality"])
+	best(folder / "frames", RATE, folder / "film.mp4", VIDEO, [*h264, "-crf"])
+	with tempfile.TemporaryDirectory() as excerpt:
+		for number, frame in enumerate(excerpts(folder / "frames")):
+			(pathlib.Path(excerpt) / f"{number:04d}.webp").symlink_to(frame)
+		scale = ["-vf", f"scale={LOOP_WIDTH}:-2:flags=lanczos"]
+		webp = ["-c:v", "libwebp_anim", "-compression_level", "6", "-loop", "0", "-quality"]
+		best(pathlib.Path(excerpt), LOOP_RATE, folder / "film.webp", LOOP, [*scale, *webp])
 
 
-def best(folder, target, limits, filters, codec):
-	"""Encodes the frames in the best quality of `limits` that is small enough; `codec` ends with the option that sets it."""
+def excerpts(frames):
+	"""The frames of the loop. A frame is called NUMBER_SHOT_FRAME.webp."""
+	shots = itertools.groupby(sorted(frames.glob("*.webp")), lambda frame: frame.name.rpartition("_")[0])
+	for shot in (list(found) for _, found in shots):
+		first = max(0, int(0.5 * (len(shot) - LOOP_SECONDS * RATE)))
+		yield from shot[first : first + int(LOOP_SECONDS * RATE) : RATE // LOOP_RATE]
+
+
+def best(frames, rate, target, limits, codec):
+	"""Encodes frames in the best quality of `limits` that is small enough; `codec` ends with the option that sets it."""
 	for quality in limits["qualities"]:
-		source = ["-framerate", str(RATE), "-pattern_type", "glob", "-i", str(folder / "frames/*.webp")]
-		command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", *source, *filters, *codec, str(quality), str(target)]
+		source = ["-framerate", str(rate), "-pattern_type", "glob", "-i", str(frames / "*.webp")]
+		command = [machine.program("ffmpeg"), "-y", "-loglevel", "error", *source, *codec, str(quality), str(target)]
 		result = subprocess.run(command, capture_output=True, text=True)
 		if result.returncode:
 			raise Failure(f"ffmpeg could not make {target.name}:\n{result.stderr}")

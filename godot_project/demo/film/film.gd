@@ -18,7 +18,7 @@ const SHOTS := {
 	blast = preload("res://demo/film/blast.gd"),
 	mower = preload("res://demo/film/mower.gd"),
 }
-const QUALITY := 0.92  # of the frames, which are encoded once more
+const QUALITY := 0.7  # of the frames, which are encoded once more
 
 ## One of those of the walk; empty: the one in the arguments, by default large.
 @export var size := ""
