@@ -78,7 +78,7 @@ func _record(folder: String) -> void:
 		show_shot(each)
 		get_viewport().disable_3d = true
 		while shot.time < 0.0:
-			await get_tree().process_frame
+			await RenderingServer.frame_post_draw
 		var begin := Time.get_ticks_msec()
 		var frames := roundi(shot.seconds * _options.rate)
 		for i in frames:

@@ -3,7 +3,7 @@
 extends "res://demo/film/shot.gd"
 
 const Jeep := preload("res://demo/walk/jeep.gd")
-const WAY := Vector3(-0.35, 0.0, 1.0)
+const WAY := Vector3(0.35, 0.0, -1.0)  # towards the sun, which lights its front
 const SPEED := 6.5  # m/s, at the beginning
 
 var _jeep := Jeep.new()
@@ -30,5 +30,5 @@ func subject() -> Vector3:
 
 
 func look(share: float) -> void:
-	var eye := Vector3(2.7, 1.05, lerpf(1.2, 0.8, share))
+	var eye := Vector3(-2.7, 1.05, lerpf(-1.2, -0.8, share))
 	aim(eye, _jeep.global_position - place + Vector3(0.0, 0.5 - _jeep.global_position.y + 0.2, 0.0), 52.0)

@@ -4,7 +4,7 @@ extends "res://demo/film/shot.gd"
 
 const Walker := preload("res://demo/walk/walker.gd")
 const Mower := preload("res://demo/walk/mower.gd")
-const WAY := Vector3(0.5, 0.0, -1.0)
+const WAY := Vector3(-1.0, 0.0, -0.25)  # across the shadows, so that the swath is in the sun
 const PACE := 1.3  # m/s
 
 var _walker := Walker.new()
@@ -35,4 +35,4 @@ func subject() -> Vector3:
 
 func look(share: float) -> void:
 	var along := WAY.normalized() * lerpf(-1.6, 1.4, share)
-	aim(along + Vector3(-2.4, 1.75, 2.5), along + Vector3(0.1, 0.4, -0.4), 50.0)
+	aim(along + Vector3(2.3, 1.9, 2.9), along + Vector3(0.4, 0.4, 0.0), 50.0)
