@@ -376,6 +376,33 @@ TEST_CASE("field: nothing is left out without frames, with plants, with WHOLE, o
 	}) == 0);
 }
 
+TEST_CASE("field: chains are halved in far tiles once their blades are calm and no body is near, and only by METHOD_DIRECT") {
+	const auto count = [](float p_away, bool p_leaves, Method p_method = Method::DIRECT) {
+		FieldScene scene;
+		scene.setup.method = scene.params.solver.method = p_method;
+		scene.params.sleep_delay = 60.0;
+		scene.field.set(scene.setup, scene.field.bounds_of(scene.setup), nullptr, {}, scene.params);
+		scene.field.see(scene.simulator, view_from(p_away), true);
+		scene.put_ball({ 0.5, 0.2, 0.5 });
+		int halved = 0;
+		for (int i = 0; i < 60; i++) {
+			if (i == 10 && p_leaves) {
+				scene.bodies.clear();
+			}
+			scene.tick();
+			const int now = int(std::ranges::count_if(
+					scene.simulator.slots, [](const GrassSlot &p_slot) { return (p_slot.list.w & GRASS_SLOT_HALVED) != 0; }));
+			CHECK((i > 10 || now < int(scene.simulator.slots.size()))); // the one under the ball has none
+			halved = now;
+		}
+		return halved;
+	};
+	CHECK(count(30.0f, true) > 0);
+	CHECK(count(30.0f, true) > count(30.0f, false));
+	CHECK(count(2.0f, true) == 0);
+	CHECK(count(30.0f, true, Method::PBD) == 0);
+}
+
 TEST_CASE("field: tiles far from every eye are marked, if contact_rate is above its default") {
 	FieldScene scene;
 	const auto is_far = [&](float p_away, double p_rate) {

@@ -14,6 +14,9 @@ namespace {
 // Grass this far outside the view counts as visible, so that it is up to date when a camera turns towards it. Metres. Smaller: bodies
 // visibly push into the grass when the camera turns fast. Larger: more invisible grass is simulated.
 constexpr float VIEW_MARGIN = 3.0f;
+// Halved chains carry the blades of a tile if none has more energy than one that is so far from rest at its tip alone, lengths of the
+// longest blade. More: a blade that a body has just flung is off by some centimetres.
+constexpr double HALVED_BELOW = 0.5;
 
 } // namespace
 
@@ -25,13 +28,16 @@ double FieldParams::calm_time() const {
 	return time;
 }
 
-double FieldParams::calm_energy() const {
-	const double distance = 1e-3 * sleep_motion;
-	double energy = species.empty() ? solver.energy_within(distance) : std::numeric_limits<double>::max();
+double FieldParams::energy_within(double p_distance) const {
+	double energy = species.empty() ? solver.energy_within(p_distance) : std::numeric_limits<double>::max();
 	for (const SolverParams &own : species) {
-		energy = std::min(energy, own.energy_within(distance));
+		energy = std::min(energy, own.energy_within(p_distance));
 	}
 	return energy;
+}
+
+double FieldParams::calm_energy() const {
+	return energy_within(1e-3 * sleep_motion);
 }
 
 void Field::set(const FieldSetup &p_setup, const std::shared_ptr<TileBounds> &p_bounds, const MapLayers *p_map,
@@ -83,6 +89,8 @@ TileParams Field::tile_params() const {
 	params.sleep_delay = _params.sleep_delay;
 	params.sleep_energy = _params.calm_energy();
 	params.still_delay = _params.calm_time();
+	const bool has_halved = HAS_HALVED_CHAINS && _setup.method == Method::DIRECT && _setup.patch;
+	params.halved_energy = has_halved ? _params.energy_within(HALVED_BELOW * double(_setup.blade_length())) : 0.0;
 	params.settle_time = _params.settle_time;
 	params.overhang = _bounds ? _bounds->get_overhang() : 0.0;
 	params.low = _bounds ? _bounds->get_low() : 0.0;

@@ -25,6 +25,8 @@ struct FieldParams {
 	double calm_time() const;
 	// Returns the energy up to which the blades of every species are calm, J/kg.
 	double calm_energy() const;
+	// Returns the energy of a blade of any species that is p_distance metres from rest at its tip alone, J/kg; the least of them.
+	double energy_within(double p_distance) const;
 };
 
 } // namespace grass

@@ -104,7 +104,7 @@ void CpuPool::resize(int p_slots, std::span<const SlotMove> p_moves) {
 
 void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, TileStep p_step) {
 	std::vector<const GrassSlot *> awake;
-	int64_t blades = 0;
+	int64_t blades = 0, knots = 0;
 	for (const GrassSlot &slot : p_input.slots) {
 		const bool is_known = slot.tile.w >= 0 && size_t(slot.tile.w) < _slots.size() && slot.list.x <= GRASS_PATCH_BLADES - BLADES &&
 				uint64_t(slot.list.y) + slot.list.z <= p_input.collider_list.size();
@@ -120,13 +120,16 @@ void CpuPool::step(const StepInput &p_input, const ParallelFor &p_parallel_for, 
 			state = std::make_unique<TileState>();
 		}
 		state->left_out = whole_groups(slot.blend.y);
+		state->is_halved = is_halved(slot, p_input.step);
 		state->is_far = slot.list.w & GRASS_SLOT_FAR;
 		blades += BLADES - state->left_out;
+		knots += int64_t(BLADES - state->left_out) * free_knots(state->is_halved);
 		awake.push_back(&slot);
 	}
 	p_parallel_for(int(awake.size()), [&](int p_index) { step_slot(*awake[size_t(p_index)], p_input, p_step); });
 	p_parallel_for(int(p_input.followers.size()), [&](int p_index) { join(p_input.followers[size_t(p_index)]); });
 	_simulated_blades += blades;
+	_simulated_knots += knots;
 }
 
 // Computes the rest pose: the patch's, grown by the clump at the root, or as a map and species define it (p_growth).

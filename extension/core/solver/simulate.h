@@ -53,6 +53,7 @@ public:
 	void trim(int p_slots);
 
 	int64_t get_simulated_blades() const { return _simulated_blades; } // since construction
+	int64_t get_simulated_knots() const { return _simulated_knots; } // likewise: the free ones of their chains
 	int64_t get_memory_usage() const; // bytes
 
 	// Replaces a blade's state, for tests: GRASS_KNOTS points each, the clamped ones ignored.
@@ -68,7 +69,7 @@ private:
 	std::vector<std::unique_ptr<TileState>> _slots;
 	std::vector<float> _energy;
 	std::vector<Eigen::Vector3f> _bends;
-	int64_t _simulated_blades = 0;
+	int64_t _simulated_blades = 0, _simulated_knots = 0;
 };
 
 } // namespace grass

@@ -55,16 +55,17 @@ int rank_of(float p_energy) {
 // Finds for each slot the kind of its workgroup and its rank.
 class SlotOrder {
 public:
-	SlotOrder(const StepInput &p_input, std::span<const float> p_energies, bool p_may_share) :
+	SlotOrder(const StepInput &p_input, std::span<const float> p_energies, const GroupLimits &p_limits) :
 			_input(p_input),
-			_may_share(p_may_share),
+			_limits(p_limits),
 			_fast(find_fast(p_input)),
 			_energies(p_input.slots.size() > AT_ONCE ? p_energies : std::span<const float>()) {}
 
 	size_t find_kind(const GrassSlot &p_slot) const {
 		const SlotPass pass = find_pass(p_slot);
 		size_t lanes = 0;
-		while (_may_share && pass != SlotPass::CROWD && lanes + 1 < LANES.size() && count_blades(p_slot) <= LANES[lanes + 1]) {
+		const bool may_share = pass == SlotPass::HALVED || (_limits.may_share && pass != SlotPass::CROWD);
+		while (may_share && lanes + 1 < LANES.size() && count_blades(p_slot) <= LANES[lanes + 1]) {
 			lanes++;
 		}
 		return size_t(pass) * LANES.size() + lanes;
@@ -84,7 +85,7 @@ private:
 			return SlotPass::PLAIN;
 		}
 		if (p_slot.list.z == 0) {
-			return SlotPass::FREE;
+			return _limits.may_halve && is_halved(p_slot, _input.step) ? SlotPass::HALVED : SlotPass::FREE;
 		}
 		return p_slot.list.z > GRASS_SHARED_COLLIDERS ? SlotPass::CROWD : has_any(p_slot, _input.sharp) ? SlotPass::EDGES : SlotPass::PLAIN;
 	}
@@ -93,7 +94,7 @@ private:
 	}
 
 	const StepInput &_input;
-	bool _may_share;
+	GroupLimits _limits;
 	std::vector<uint8_t> _fast;
 	std::span<const float> _energies;
 };
@@ -132,7 +133,7 @@ void add(SlotGroups &r_groups, const SlotGroups &p_more) {
 } // namespace
 
 SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_energies, GroupLimits p_limits, std::span<GrassSlot> r_slots) {
-	const SlotOrder order(p_input, p_energies, p_limits.may_share);
+	const SlotOrder order(p_input, p_energies, p_limits);
 	std::vector<uint16_t> keys(p_input.slots.size());
 	std::vector<uint32_t> places(KINDS * RANKS + 1); // of the first slot of each kind and rank
 	std::array<uint32_t, KINDS> counts{};
@@ -150,8 +151,10 @@ SlotPasses choose_passes(const StepInput &p_input, std::span<const float> p_ener
 	uint32_t first = 0, group = 0;
 	for (size_t kind = 0; kind < KINDS; kind++) {
 		const uint32_t lanes = LANES[kind % LANES.size()];
-		PassGroups &pass = passes[kind / LANES.size()];
-		add(lanes == LANES.front() ? pass.single : pass.many, make_groups(r_slots, first, counts[kind], lanes, p_limits.room, group));
+		const size_t number = kind / LANES.size();
+		PassGroups &pass = passes[number];
+		const bool is_single = lanes == LANES.front() && number != size_t(SlotPass::HALVED);
+		add(is_single ? pass.single : pass.many, make_groups(r_slots, first, counts[kind], lanes, p_limits.room, group));
 		first += counts[kind];
 	}
 	return passes;

@@ -13,8 +13,9 @@ namespace grass {
 
 // The kinds of tiles by their colliders, each with a pass of its own, in the order of their work. CROWD: more than a workgroup shares.
 // EDGES: one is sharper than a blade's segment is long. PLAIN: the others; retired tiles too. FREE: none.
-enum class SlotPass { CROWD, EDGES, PLAIN, FREE };
-inline constexpr int SLOT_PASSES = 4;
+// HALVED: none, and halved chains.
+enum class SlotPass { CROWD, EDGES, PLAIN, FREE, HALVED };
+inline constexpr int SLOT_PASSES = 5;
 
 // Consecutive workgroups.
 struct SlotGroups {
@@ -22,7 +23,8 @@ struct SlotGroups {
 	int tiles = 0; // that they simulate
 };
 
-// The workgroups of a pass: those of one tile, and those of several tiles, of which few blades are simulated.
+// The workgroups of a pass: those of one tile, and those of several tiles, of which few blades are simulated. Of HALVED all are of the
+// second kind, although one may have a single tile.
 struct PassGroups {
 	SlotGroups single, many;
 	int tiles() const { return single.tiles + many.tiles; }
@@ -31,6 +33,7 @@ struct PassGroups {
 struct GroupLimits {
 	uint32_t room = 0; // workgroups for which there is room to work at once; 0: none is needed
 	bool may_share = true; // one may have several tiles
+	bool may_halve = true; // SlotPass::HALVED may be used
 };
 using SlotPasses = std::array<PassGroups, SLOT_PASSES>; // by SlotPass
 

@@ -19,6 +19,20 @@ struct SlotGrowth {
 	std::array<uint8_t, GRASS_BLADES_PER_TILE> species{}; // the species of each blade
 };
 
+// Of a chain with fewer joints, every second one would be too few.
+inline constexpr bool HAS_HALVED_CHAINS = GRASS_KNOTS >= 16;
+
+// Returns whether the blades of the record take the step as halved chains, [Eq 51]: beside a body, and by METHOD_PBD, no chain is halved.
+inline bool is_halved(const GrassSlot &p_slot, const GrassStep &p_step) {
+	return (p_slot.list.w & (GRASS_SLOT_HALVED | GRASS_SLOT_FRESH | GRASS_SLOT_RETIRED)) == GRASS_SLOT_HALVED && p_slot.list.z == 0 &&
+			int(p_step.contact.w) == GRASS_METHOD_DIRECT;
+}
+
+// Returns how many knots of a chain a step moves.
+inline constexpr int free_knots(bool p_is_halved) {
+	return (p_is_halved ? GRASS_HALVED_KNOTS : GRASS_KNOTS) - GRASS_CLAMPED_KNOTS;
+}
+
 // Views only: TileManager owns the arrays, which are valid until its next update().
 struct StepInput {
 	std::span<const GrassSlot> slots; // Retired tiles first, then live ones, ascending by slot.

@@ -46,6 +46,53 @@ GRASS_INLINE void store_knot(const Vec3<T> &p_value, float (&r_to)[3][N][GRASS_B
 	store(p_value.z, &r_to[2][p_knot][p_blade]);
 }
 
+// Loads the knots and twists of blades from p_first on: every knot, or of a halved chain every second one, [Eq 51].
+template <class T> GRASS_INLINE void load_chain(const TileState &p_state, int p_first, Blade<T> &r_blade) {
+	r_blade.is_halved = p_state.is_halved;
+	r_blade.tip = (r_blade.is_halved ? GRASS_HALVED_KNOTS : GRASS_KNOTS) - 1;
+	for (int k = 0; k <= r_blade.tip; k++) {
+		const int knot = whole_knot(k, r_blade.is_halved), free = knot - GRASS_CLAMPED_KNOTS;
+		r_blade.rest[k] = load_knot<T>(p_state.rest, knot, p_first);
+		r_blade.knots[k] = free < 0 ? r_blade.rest[k] : load_knot<T>(p_state.knots, free, p_first);
+		r_blade.before[k] = free < 0 ? r_blade.rest[k] : load_knot<T>(p_state.before, free, p_first);
+		if (free < 0) {
+			continue;
+		}
+		r_blade.twist[k - 1] = load<T>(&p_state.twist[free][p_first]);
+		if (r_blade.is_halved) {
+			r_blade.between[k] = load_knot<T>(p_state.rest, knot - 1, p_first);
+			r_blade.twist[k - 1] = r_blade.twist[k - 1] + load<T>(&p_state.twist[free - 1][p_first]);
+		}
+	}
+}
+
+// [Eq 51] Puts the knot that a halved chain leaves out below knot p_k to its place. Its place before the step is where it was put then,
+// unless p_k stands still.
+template <class T> GRASS_INLINE void store_between(const Blade<T> &p_blade, int p_k, int p_first, TileState &r_state) {
+	const int free = whole_knot(p_k, true) - 1 - GRASS_CLAMPED_KNOTS;
+	const Vec3<T> place = p_blade.between[p_k] +
+			offset_between(p_blade.knots[p_k - 1], p_blade.knots[p_k], p_blade.rest[p_k - 1], p_blade.rest[p_k], p_blade.between[p_k]);
+	const auto stands = !(sum_of(p_blade.knots[p_k] - p_blade.before[p_k]) > T(0.0f));
+	store_knot(select(stands, place, load_knot<T>(r_state.knots, free, p_first)), r_state.before, free, p_first);
+	store_knot(place, r_state.knots, free, p_first);
+}
+
+// Stores them. The joints of a halved chain share their twist with those that it leaves out.
+template <class T> GRASS_INLINE void store_chain(const Blade<T> &p_blade, int p_first, TileState &r_state) {
+	for (int k = GRASS_CLAMPED_KNOTS; k <= p_blade.tip; k++) {
+		const int free = whole_knot(k, p_blade.is_halved) - GRASS_CLAMPED_KNOTS;
+		T twist = p_blade.twist[k - 1];
+		if (p_blade.is_halved) {
+			twist = twist * T(0.5f);
+			store(twist, &r_state.twist[free - 1][p_first]);
+			store_between(p_blade, k, p_first, r_state);
+		}
+		store_knot(p_blade.knots[k], r_state.knots, free, p_first);
+		store_knot(p_blade.before[k], r_state.before, free, p_first);
+		store(twist, &r_state.twist[free][p_first]);
+	}
+}
+
 GRASS_INLINE float largest(float p_value) {
 	return p_value;
 }
@@ -108,18 +155,10 @@ GRASS_INLINE float step_tile(
 			take_species(terms, p_steps, &r_state.species[first]);
 		}
 		Blade<T> blade;
-		for (int k = 0; k < GRASS_KNOTS; k++) {
-			blade.rest[k] = load_knot<T>(r_state.rest, k, first);
-			const int free = k - GRASS_CLAMPED_KNOTS;
-			blade.knots[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.knots, free, first);
-			blade.before[k] = free < 0 ? blade.rest[k] : load_knot<T>(r_state.before, free, first);
-		}
+		load_chain(r_state, first, blade);
 		blade.width = { load<T>(&r_state.width[0][first]), T(0.0f), load<T>(&r_state.width[1][first]) };
 		blade.root = { load<T>(&r_state.root[0][first]), load<T>(&r_state.root[1][first]), load<T>(&r_state.root[2][first]) };
 		blade.calm = load<T>(&r_state.calm[first]);
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-			blade.twist[k - 1] = load<T>(&r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
-		}
 		liveliest = std::max(liveliest, largest(measure_energy(blade, terms)));
 		StepTerms<T> own = terms;
 		if (r_state.air != nullptr) {
@@ -127,11 +166,7 @@ GRASS_INLINE float step_tile(
 		}
 		step_blade(blade, own);
 		store(blade.calm, &r_state.calm[first]);
-		for (int k = GRASS_CLAMPED_KNOTS; k < GRASS_KNOTS; k++) {
-			store_knot(blade.knots[k], r_state.knots, k - GRASS_CLAMPED_KNOTS, first);
-			store_knot(blade.before[k], r_state.before, k - GRASS_CLAMPED_KNOTS, first);
-			store(blade.twist[k - 1], &r_state.twist[k - GRASS_CLAMPED_KNOTS][first]);
-		}
+		store_chain(blade, first, r_state);
 	}
 	return liveliest;
 }

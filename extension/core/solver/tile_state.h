@@ -25,6 +25,7 @@ struct alignas(64) TileState {
 	float width[2][GRASS_BLADES_PER_TILE]; // x and z of the direction of a blade's width at its root
 	float root[3][GRASS_BLADES_PER_TILE]; // relative to the tile's centre
 	uint8_t species[GRASS_BLADES_PER_TILE];
+	bool is_halved; // this step moves halved chains, [Eq 51]
 	bool is_far; // GRASS_SLOT_FAR: contact_rate does not apply
 	int left_out; // how many of them, the last ones, this step does not simulate
 	const AirLoad *air; // for this step; null where no force moves the tile

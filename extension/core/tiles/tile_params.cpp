@@ -20,6 +20,7 @@ TileParams TileParams::sanitised() const {
 	params.pool_size = std::clamp(pool_size, 0, MAX_POOL_SIZE);
 	params.sleep_delay = limit(sleep_delay, 3600.0, defaults.sleep_delay);
 	params.sleep_energy = limit(sleep_energy, 1e6, defaults.sleep_energy);
+	params.halved_energy = limit(halved_energy, 1e6, defaults.halved_energy);
 	params.settle_time = limit(settle_time, 60.0, defaults.settle_time);
 	params.still_delay = limit(still_delay, 3600.0, defaults.still_delay);
 	params.overhang = limit(overhang, 100.0, defaults.overhang);

@@ -119,9 +119,10 @@ private:
 	};
 
 	// How many blades of a tile are drawn, and how many of them are simulated; in how many steps the others are where those that they
-	// follow have them.
+	// follow have them; whether halved chains carry them.
 	struct Blades {
 		uint8_t drawn = 0, simulated = 0, steps_apart = 0;
+		bool is_halved = false;
 	};
 
 	// State that is seldom read.

@@ -58,8 +58,11 @@ void TileManager::write_records() {
 		const int x = place.tile.x, z = place.tile.z;
 		const uint32_t count = std::exchange(_entries[size_t(slot)], entries);
 		const bool is_far = _params.contact_distance > 0.0 && !_detail.is_within(x, z, _params.contact_distance);
-		const uint32_t flags = (is_far ? GRASS_SLOT_FAR : 0) | (_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) |
-				(_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped | uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
+		const bool is_halved = _blades[size_t(slot)].is_halved && count == 0 && _forces[size_t(slot)] == 0 &&
+				_motions[size_t(slot)].energy < float(_params.halved_energy);
+		const uint32_t flags = (is_halved ? GRASS_SLOT_HALVED : 0) | (is_far ? GRASS_SLOT_FAR : 0) |
+				(_fresh.has(slot) ? GRASS_SLOT_FRESH : 0) | (_settling.has(slot) ? GRASS_SLOT_SETTLING : 0) | mapped |
+				uint32_t(_forces[size_t(slot)]) << GRASS_SLOT_FORCES;
 		// All blades of a fresh tile are put to rest, so that those which are not simulated afterwards are in the picture once they are
 		// drawn.
 		const int blades = _fresh.has(slot) ? GRASS_BLADES_PER_TILE : int(_blades[size_t(slot)].simulated);
@@ -109,7 +112,8 @@ std::span<const GrassSlot> TileManager::widen() {
 					{ 1.0f, float(left_out(wanted)), float(left_out(blades.drawn)), float(left_out(blades.simulated)) }, {} });
 		}
 		const int simulated = _detail.simulated_of(x, z, blades.simulated, wanted);
-		blades = { uint8_t(wanted), uint8_t(simulated), simulated == blades.simulated ? blades.steps_apart : STEPS_APART };
+		blades = { uint8_t(wanted), uint8_t(simulated), simulated == blades.simulated ? blades.steps_apart : STEPS_APART,
+			_detail.is_halved(x, z, blades.is_halved) };
 	}
 	_statistics.widened += _widened.size();
 	return _widened;

@@ -57,6 +57,8 @@ const COUNTERS: Array[String] = [
 	"bad_colliders",
 	"steps",
 	"simulated_blades",
+	"simulated_knots",
+	"left_out_knots",
 	"uploaded_bytes",
 	"knots_read",
 	"knot_waits",
