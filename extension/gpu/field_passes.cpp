@@ -35,11 +35,17 @@ PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many) {
 					PassOrder::SIMULATE },
 			{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, "GrassField simulate free",
 					"GrassField simulate free of many", PassOrder::FREE },
+			{ shader::SIMULATE_GRASS_FREE_SPIRV, shader::SIMULATE_GRASS_SPECIES_FREE_SPIRV, nullptr, "GrassField simulate halved",
+					PassOrder::HALVED },
 	} };
 	const Variant &variant = variants[size_t(p_pass)];
-	const int tiles = p_many ? GRASS_TILES_MANY : p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD : GRASS_TILES_ONE;
+	const bool is_halved = p_pass == SlotPass::HALVED;
+	const int tiles = is_halved         ? GRASS_TILES_HALVED
+			: p_many                    ? GRASS_TILES_MANY
+			: p_pass == SlotPass::CROWD ? GRASS_TILES_CROWD
+										: GRASS_TILES_ONE;
 	return { p_kind.species ? variant.species : variant.grass, p_many ? variant.many_name : variant.name,
-		p_many ? PassOrder::MANY : variant.order, int(p_kind.method), tiles, p_many || p_pass != SlotPass::PLAIN,
+		p_many && !is_halved ? PassOrder::MANY : variant.order, int(p_kind.method), tiles, p_many || p_pass != SlotPass::PLAIN,
 		device_limits().has_quick_arrays };
 }
 
@@ -79,6 +85,10 @@ bool can_share(const PassKind &p_kind) {
 		can = is_compiled(simulate_code(p_kind, pass, true)) && can; // all of them are asked for
 	}
 	return can;
+}
+
+bool can_halve(const PassKind &p_kind) {
+	return is_compiled(simulate_code(p_kind, SlotPass::HALVED, true));
 }
 
 bool can_join(const PassKind &p_kind) {

@@ -20,7 +20,8 @@ inline PassKind kind_of(const FieldSetup &p_setup) {
 	return { p_setup.species != nullptr, p_setup.method };
 }
 
-// Returns the code of a pass that simulates tiles. p_many: several in a workgroup. SlotPass::PLAIN simulates all kinds, if need be.
+// Returns the code of a pass that simulates tiles. p_many: several in a workgroup, always true for SlotPass::HALVED. SlotPass::PLAIN
+// simulates all kinds, if need be.
 PassCode simulate_code(const PassKind &p_kind, SlotPass p_pass, bool p_many = false);
 PassCode join_code(const PassKind &p_kind);
 extern const PassCode CULL_CODE;
@@ -41,6 +42,8 @@ bool prepare_passes(const PassKind &p_kind);
 bool can_simulate(const PassKind &p_kind);
 // Returns whether the passes for several tiles in a workgroup are compiled. The first call starts to compile them.
 bool can_share(const PassKind &p_kind);
+// Returns whether the pass for halved chains is compiled. The first call starts to compile it; until then such tiles have whole chains.
+bool can_halve(const PassKind &p_kind);
 // Returns whether blades can join the simulated ones of their tile.
 bool can_join(const PassKind &p_kind);
 // Returns the name of a pass that the driver has refused; null: none so far.

@@ -35,6 +35,7 @@ struct StepRecords {
 	std::vector<GrassSlot> followers;
 	GrassStep step;
 	SlotPasses passes; // of the slots
+	bool may_halve; // the pass for halved chains is compiled
 	double copy_ms; // CPU time of this copy
 
 	// p_energies: see choose_passes(). p_kind: of the field.

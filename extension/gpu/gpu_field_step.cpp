@@ -17,12 +17,8 @@ namespace grass {
 
 namespace {
 
-int64_t count_blades(std::span<const GrassSlot> p_slots) {
-	int64_t blades = 0;
-	for (const GrassSlot &slot : p_slots) {
-		blades += slot.list.w & GRASS_SLOT_RETIRED ? 0 : GRASS_BLADES_PER_TILE - int64_t(slot.blend.y);
-	}
-	return blades;
+int64_t count_blades(const GrassSlot &p_slot) {
+	return p_slot.list.w & GRASS_SLOT_RETIRED ? 0 : GRASS_BLADES_PER_TILE - int64_t(p_slot.blend.y);
 }
 
 // Returns whether the tile can share a workgroup.
@@ -45,7 +41,9 @@ StepRecords::StepRecords(const StepInput &p_input, std::span<const float> p_ener
 	CpuClock clock;
 	slots.resize(p_input.slots.size());
 	const bool may_share = std::ranges::any_of(p_input.slots, is_thinned) && can_share(p_kind);
-	passes = choose_passes(p_input, p_energies, { uint32_t(count_working_tiles(device_limits())), may_share }, slots);
+	const bool has_halved = std::ranges::any_of(p_input.slots, [&](const GrassSlot &p_slot) { return is_halved(p_slot, p_input.step); });
+	may_halve = has_halved && can_halve(p_kind);
+	passes = choose_passes(p_input, p_energies, { uint32_t(count_working_tiles(device_limits())), may_share, may_halve }, slots);
 	colliders.assign(p_input.colliders.begin(), p_input.colliders.end());
 	collider_list.assign(p_input.collider_list.begin(), p_input.collider_list.end());
 	planes.assign(p_input.planes.begin(), p_input.planes.end());
@@ -226,9 +224,12 @@ void GpuField::step(const StepRecords &p_records, bool p_measure) {
 		statistics.steps++;
 		statistics.workgroups += count_groups(p_records.passes);
 		statistics.edge_tile_steps += count_own(SlotPass::EDGES);
-		statistics.free_tile_steps += count_own(SlotPass::FREE);
+		statistics.free_tile_steps += count_own(SlotPass::FREE) + p_records.passes[size_t(SlotPass::HALVED)].tiles();
 		statistics.crowd_tile_steps += count_own(SlotPass::CROWD);
-		statistics.simulated_blades += count_blades(p_records.slots);
+		for (const GrassSlot &slot : p_records.slots) {
+			statistics.simulated_blades += count_blades(slot);
+			statistics.simulated_knots += count_blades(slot) * free_knots(p_records.may_halve && is_halved(slot, p_records.step));
+		}
 		statistics.uploaded_bytes += uploaded;
 		report_memory();
 		statistics.upload_ms = p_records.copy_ms + upload_ms;

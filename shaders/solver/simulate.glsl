@@ -33,7 +33,13 @@ layout(constant_id = GRASS_CONSTANT_TILES) const uint TILES = uint(GRASS_TILES_O
 #define CROWD (TILES == uint(GRASS_TILES_CROWD))
 // Whether a workgroup has several tiles. With one, much of what a thread knows is the same for all of its workgroup: compilers for AMD's
 // and Intel's cards need fewer registers.
-#define MANY (TILES == uint(GRASS_TILES_MANY))
+#define MANY (TILES == uint(GRASS_TILES_MANY) || HALVED)
+// Whether chains are halved, [Eq 51].
+#ifdef GRASS_FREE
+#define HALVED (TILES == uint(GRASS_TILES_HALVED))
+#else
+#define HALVED false
+#endif
 
 // Whether threads keep the state of joints in arrays of their own, not in a buffer (solver/work.inc).
 layout(constant_id = GRASS_CONSTANT_OWN_WORK) const bool OWN_WORK = false;
@@ -49,16 +55,18 @@ layout(push_constant, std430) uniform StepBlock {
 GrassStep step; // this thread's: with the numbers of its blade's species
 #endif
 
-// GRASS_KNOTS, but a number that no driver knows: NVIDIA's always unrolls loops of known length, into 384 KB of code and 168 registers.
-// Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time among
-// colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
+// GRASS_KNOTS, and the number of a chain's knots, but numbers that no driver knows: NVIDIA's always unrolls loops of known length, into
+// 384 KB of code and 168 registers. Rolled up it is half the code and 125 registers: on an H100 METHOD_DIRECT takes 10 to 20 % less time
+// among colliders, METHOD_PBD 20 % (when both methods were one program; METHOD_PBD alone 2 %).
 #ifdef GRASS_FREE // small enough to be unrolled by NVIDIA's, the only one that OWN_WORK is for
-#define KNOT_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
+#define WHOLE_COUNT (OWN_WORK ? GRASS_KNOTS : int(step.field.w))
+#define KNOT_COUNT (WHOLE_COUNT - (HALVED ? GRASS_KNOTS - GRASS_HALVED_KNOTS : 0))
 #else
-#define KNOT_COUNT int(step.field.w)
+#define WHOLE_COUNT int(step.field.w)
+#define KNOT_COUNT WHOLE_COUNT
 #endif
 // The same for any number of rounds.
-#define ROLLED(m_count) ((m_count) + KNOT_COUNT - GRASS_KNOTS)
+#define ROLLED(m_count) ((m_count) + WHOLE_COUNT - GRASS_KNOTS)
 
 // Written by the CPU for this step.
 layout(set = 0, binding = GRASS_BINDING_SLOTS, std430) restrict readonly buffer SlotBuffer {
@@ -222,7 +230,7 @@ void find_blade(uint p_number) {
 
 // [Eq M5] How far the tip is from rest, as a share of the blade's length. All segments are equally long.
 vec3 measure_bend() {
-	const int tip = GRASS_KNOTS - 1;
+	int tip = TIP;
 	float size = float(GRASS_SEGMENTS) * max(length(rest_of(1)), 1e-6);
 	return clamp((start_of(tip) - rest_of(tip)) / size, vec3(-4.0), vec3(4.0)); // the step is over: this is where the next one starts
 }

@@ -25,8 +25,8 @@ FIGURES = ("registers", "spills", "scratch", "code")
 COLUMNS = (*KEYS, *FIGURES, "seconds")
 MARGIN = 1.05  # a figure may grow so far
 METHODS = {"DIRECT": 0, "PBD": 1}  # values of GRASS_CONSTANT_METHOD
-TILES = {"one": 0, "crowd": 1, "many": 2}  # values of GRASS_CONSTANT_TILES
-CROWDED = "edges"  # the variants that fields take for crowds (gpu/field_passes.cpp)
+TILES = {"one": 0, "crowd": 1, "many": 2, "halved": 3}  # values of GRASS_CONSTANT_TILES
+CROWDED, HALVED = "edges", "free"  # the variants that fields take for crowds and for halved chains (gpu/field_passes.cpp)
 LETTERS = {"buffer": "b", "uniforms": "u", "image": "i", "texture": "t", "plain texture": "p", "sampler": "s"}  # of pipelines.c
 
 
@@ -105,9 +105,16 @@ def pipelines(with_species=True):
 		if "species" in name and not with_species:
 			continue
 		has_kinds = bool(spirv.read_file(file).constants)
-		tiles = [kind for kind in TILES if kind != "crowd" or name.endswith(CROWDED)] if has_kinds else [""]
-		found += [Pipeline(file, name, method, kind) for method in (METHODS if has_kinds else [""]) for kind in tiles]
+		kinds = [(method, tiles) for method in METHODS for tiles in TILES if is_wanted(name, method, tiles)] if has_kinds else [("", "")]
+		found += [Pipeline(file, name, method, tiles) for method, tiles in kinds]
 	return found
+
+
+def is_wanted(name, method, tiles):
+	"""Whether a field takes the variant `name` of simulate by this method for such tiles."""
+	if tiles == "halved":
+		return name.endswith(HALVED) and method == "DIRECT"
+	return tiles != "crowd" or name.endswith(CROWDED)
 
 
 def of_card(name):

@@ -157,3 +157,57 @@ func test_nothing_jumps_as_blades_join() -> void:
 			node.free()
 	print("    most change of a frame: %.5f if whole, %.5f if seen" % [changes[0], changes[1]])
 	assert_less(changes[1], 1.15 * changes[0])
+
+
+## A wind bends the grass and is gone. Unlike a body it amplifies no rounding.
+func blow() -> void:
+	var wind := GrassForce3D.new()
+	wind.kind = GrassForce3D.KIND_WIND
+	wind.speed = 8.0
+	wind.radius = 6.0
+	wind.turbulence = 0.0
+	viewport.add_child(wind)
+	await ticks(30)
+	wind.free()
+
+
+## How many of the blades are farther apart than a share of their length.
+func count_apart(a: PackedVector3Array, b: PackedVector3Array, most: float) -> int:
+	var apart := 0
+	for blade in a.size() / KNOTS:
+		apart += int(farthest(blade_of(a, blade), blade_of(b, blade)) > most * length_of(a, blade))
+	return apart
+
+
+func test_far_blades_with_half_of_their_joints_swing_as_whole_ones_and_as_on_the_cpu() -> void:
+	look(FAR, Vector3.ZERO)
+	var fields := add_whole_and_seen()
+	fields.append(add_whole_and_seen({backend = GrassField.BACKEND_CPU})[1])
+	await fields_shown()
+	await blow()
+	await ticks(10)  # the first step of halved chains asks for their pass
+	await compiled(fields[1])
+	await ticks(60)
+	await blow()
+	await ticks(10)
+	var before := fields[1].get_counters()
+	await ticks(5)
+	var after := fields[1].get_counters()
+	var left_out: int = after.left_out_knots - before.left_out_knots
+	print("    %d knots moved, %d left out" % [after.simulated_knots - before.simulated_knots, left_out])
+	assert_greater(left_out, 0.9 * (after.simulated_knots - before.simulated_knots))
+	assert_greater(fields[2].get_counters().left_out_knots, left_out)
+	assert_eq(fields[0].get_counters().left_out_knots, 0)
+	var blades := blades_of(fields[0], FIRST)
+	var knots: Array[PackedVector3Array] = []
+	for field in fields:
+		knots.append(field.wait_for_knots(blades))
+	assert_less(count_apart(knots[0], knots[1], 0.02), FEW * blades.size())
+	assert_less(count_apart(knots[1], knots[2], 5e-3), FEW * blades.size(), "GPU and CPU")
+	var bent := 0
+	for blade in blades.size():
+		var own := blade_of(knots[0], blade)
+		var length := length_of(knots[0], blade)
+		bent += int(own[15].y - own[0].y < 0.95 * length)
+		assert_near(length_of(knots[1], blade), length, 1e-3 * length)
+	assert_greater(bent, 20)
