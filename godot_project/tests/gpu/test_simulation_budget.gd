@@ -5,6 +5,7 @@ extends "res://tests/view_case.gd"
 
 const FIRST := 4  # blades of a far tile that are simulated
 const TINY := 0.01  # milliseconds
+const APART := 0.02  # of a blade's length: the liveliest simulated blade decides when the chains of a tile are halved
 const FAR := Vector3(4, 4, 6)
 const PROPERTIES := {size = Vector2(10, 6), pixels_min = 0.0, sleep_mode = GrassField.SLEEP_TIMER, sleep_delay = 60.0}
 
@@ -84,7 +85,7 @@ func check_followers(blades: PackedInt64Array, whole: PackedVector3Array, limite
 			roots.append(at_rest[0])
 			offsets.append((own[15] - at_rest[15]) / (15 * at_rest[0].distance_to(at_rest[1])))
 			if i < FIRST:
-				same += int(own == blade_of(whole, blade))
+				same += int(farthest(own, blade_of(whole, blade)) < APART * length_of(whole, blade))
 				continue
 			var nearest := 0
 			for other in FIRST:
@@ -92,8 +93,9 @@ func check_followers(blades: PackedInt64Array, whole: PackedVector3Array, limite
 			if offsets[nearest].length() > 0.2:
 				bent += 1
 				following += int(offsets[i].normalized().dot(offsets[nearest].normalized()) > 0.7)
-	print("    %d of %d simulated blades are the same, %d of %d followers follow" % [same, blades.size() / BLADES * FIRST, following, bent])
-	assert_eq(same, blades.size() / BLADES * FIRST)
+	var simulated := blades.size() / BLADES * FIRST
+	print("    %d of %d simulated blades are the same, %d of %d followers follow" % [same, simulated, following, bent])
+	assert_greater(same, 0.97 * simulated)
 	assert_greater(bent, 100)
 	assert_greater(following, 0.8 * bent)
 
