@@ -16,7 +16,7 @@ namespace {
 constexpr float VIEW_MARGIN = 3.0f;
 // Halved chains carry the blades of a tile if none has more energy than one that is so far from rest at its tip alone, lengths of the
 // longest blade. More: a blade that a body has just flung is off by some centimetres.
-constexpr double HALVED_BELOW = 0.5;
+constexpr double HALVED_BELOW = 0.35;
 
 } // namespace
 
