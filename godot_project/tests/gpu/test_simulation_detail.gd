@@ -195,7 +195,7 @@ func test_far_blades_with_half_of_their_joints_swing_as_whole_ones_and_as_on_the
 	var after := fields[1].get_counters()
 	var left_out: int = after.left_out_knots - before.left_out_knots
 	print("    %d knots moved, %d left out" % [after.simulated_knots - before.simulated_knots, left_out])
-	assert_greater(left_out, 0.9 * (after.simulated_knots - before.simulated_knots))
+	assert_greater(left_out, 0.6 * (after.simulated_knots - before.simulated_knots))
 	assert_greater(fields[2].get_counters().left_out_knots, left_out)
 	assert_eq(fields[0].get_counters().left_out_knots, 0)
 	var blades := blades_of(fields[0], FIRST)
