@@ -21,7 +21,7 @@ func prepare() -> void:
 
 
 func act(delta: float) -> void:
-	_jeep.go(delta, 0.25, 0.12 if time < 0.6 * seconds else -0.35)
+	_jeep.go(delta, 0.25, 0.0 if time < 0.6 * seconds else -0.35)
 	_jeep.tread(delta, _country)
 
 
@@ -30,5 +30,5 @@ func subject() -> Vector3:
 
 
 func look(share: float) -> void:
-	var eye := Vector3(-2.7, 1.05, lerpf(-1.2, -0.8, share))
+	var eye := Vector3(-2.4, 1.05, lerpf(-1.2, -0.8, share))
 	aim(eye, _jeep.global_position - place + Vector3(0.0, 0.5 - _jeep.global_position.y + 0.2, 0.0), 52.0)
