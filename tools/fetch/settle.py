@@ -19,7 +19,7 @@ LIBRARIES = f"usr/lib/{MULTIARCH}"
 FOLDERS = ("", "/pulseaudio", "/blas", "/lapack")  # below LIBRARIES
 PROGRAMS = (
 	*(f"usr/bin/{name}" for name in ("godot", "Xvfb", "xkbcomp", "glslang", "ffmpeg", "x86_64-w64-mingw32-*", "aarch64-linux-gnu-*")),
-	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*",
+	"usr/lib/gcc*/*/*/*", "usr/lib/wine/*", "usr/lib/llvm-*/bin/*",
 )  # fmt: skip
 SETTLED = "settled"  # file in the root: the place for which the programs were patched
 SOFTWARE_VULKAN = "software_vulkan.json"  # file in the root: names lavapipe to the Vulkan loader
